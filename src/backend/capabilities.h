@@ -1,0 +1,66 @@
+/// What a device can do, as far as vorpipe uses it, under Vulkan's names whatever the API is.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+/// Filled from a device, then lowered by a Mask before anything is decided or created. A limit
+/// that an API does not have keeps its zero and is not listed.
+struct Capabilities {
+  bool geometry_shader = false;
+  bool vertex_pipeline_stores_and_atomics = false;
+  bool shader_float64 = false;
+  std::uint64_t max_texel_buffer_elements = 0;
+  std::uint64_t max_storage_buffer_range = 0;
+  std::uint64_t max_geometry_output_vertices = 0;
+  std::uint64_t max_geometry_total_output_components = 0;
+  std::uint64_t max_image_dimension_2d = 0;
+  std::uint64_t max_framebuffer_width = 0;
+  std::uint64_t max_framebuffer_height = 0;
+};
+
+struct NamedFeature {
+  std::string_view name;
+  bool Capabilities::*member;
+};
+
+struct NamedLimit {
+  std::string_view name;
+  std::uint64_t Capabilities::*member;
+};
+
+inline constexpr std::array<NamedFeature, 3> known_features = {{
+    {"geometryShader", &Capabilities::geometry_shader},
+    {"vertexPipelineStoresAndAtomics", &Capabilities::vertex_pipeline_stores_and_atomics},
+    {"shaderFloat64", &Capabilities::shader_float64},
+}};
+
+inline constexpr std::array<NamedLimit, 7> known_limits = {{
+    {"maxTexelBufferElements", &Capabilities::max_texel_buffer_elements},
+    {"maxStorageBufferRange", &Capabilities::max_storage_buffer_range},
+    {"maxGeometryOutputVertices", &Capabilities::max_geometry_output_vertices},
+    {"maxGeometryTotalOutputComponents", &Capabilities::max_geometry_total_output_components},
+    {"maxImageDimension2D", &Capabilities::max_image_dimension_2d},
+    {"maxFramebufferWidth", &Capabilities::max_framebuffer_width},
+    {"maxFramebufferHeight", &Capabilities::max_framebuffer_height},
+}};
+
+/// Takes away the features and lowers the limits that mask names; a limit above the device's own
+/// changes nothing. Error (input): a name that is not known; the message lists those that are.
+Result<void> applyMask(Capabilities& capabilities, const Mask& mask);
+
+/// The features by name, as DeviceInfo lists them.
+std::vector<std::pair<std::string, bool>> listFeatures(const Capabilities& capabilities);
+
+/// The limits by name, as DeviceInfo lists them; those that are zero are left out.
+std::vector<std::pair<std::string, std::uint64_t>> listLimits(const Capabilities& capabilities);
+
+}  // namespace vorpipe

@@ -1,0 +1,239 @@
+/// vorpipe: Voronoi diagrams of sites in the plane, on any GPU or without one.
+///
+/// The public interface: plain data and functions. Nothing here prints, exits or throws on bad
+/// input; a function that can fail returns Result. Coordinates are the caller's own units.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+namespace vorpipe {
+
+/// The project's version, as `vorpipe --version` prints it.
+std::string_view version();
+
+enum class ErrorCode : std::uint8_t {
+  input,      ///< the options or the data are wrong (exit code 2)
+  device,     ///< no such backend or device here, or it failed (exit code 3)
+  cancelled,  ///< the caller's Progress asked to stop
+};
+
+/// What went wrong outside the program: one line that names the thing, the place and what to do.
+struct Error {
+  ErrorCode code;
+  std::string message;
+};
+
+template <class T>
+using Result = tl::expected<T, Error>;
+
+/// An axis-parallel rectangle; valid when finite and xmin < xmax, ymin < ymax.
+struct Box {
+  double xmin, ymin, xmax, ymax;
+};
+
+/// Sites in the caller's order. `weight` is empty or as long as x and y.
+struct Sites {
+  std::vector<double> x, y, weight;
+  [[nodiscard]] std::size_t size() const { return x.size(); }
+};
+
+/// Generators of sites in the unit square; the same seed gives the same sites on every platform.
+enum class Pattern : std::uint8_t {
+  random,    ///< white noise
+  square,    ///< square lattice of floor(sqrt(n))^2 sites
+  hex,       ///< hexagonal lattice of about n sites
+  jitter,    ///< square lattice, each site moved at random inside its own square
+  clusters,  ///< about 100 normal clusters of different sizes
+  circle,    ///< evenly spaced on a circle of radius 0.4 about the center
+};
+
+/// Returns about n sites of a pattern (exactly n but for `square` and `hex`), n >= 1.
+/// Sites of the patterns without randomness do not depend on seed.
+Sites generate(Pattern pattern, std::uint64_t n, std::uint64_t seed);
+
+/// Pretends that a device lacks features or has smaller limits, by their Vulkan names
+/// (`geometryShader`; `maxTexelBufferElements`). A limit can only be lowered.
+struct Mask {
+  std::vector<std::string> disabled;
+  std::vector<std::pair<std::string, std::uint64_t>> limits;
+};
+
+struct BackendOptions {
+  std::string name = "auto";  ///< auto, vulkan, vulkan-geometry, opengl, cpu
+  std::string device;         ///< empty: the best; else an index or a part of a name, as devices() lists
+  int threads = 0;            ///< CPU threads; 0: all
+  Mask mask;
+  bool validation = false;  ///< Vulkan validation layers, core and synchronization
+};
+
+/// One device of one backend, usable or not.
+struct DeviceInfo {
+  std::string backend, name, driver;
+  std::string type;  ///< discrete, integrated, virtual, cpu, other
+  bool usable = false;
+  std::string reason;  ///< why it cannot be used, and what would help; empty when usable
+  std::vector<std::pair<std::string, bool>> features;
+  std::vector<std::pair<std::string, std::uint64_t>> limits;
+};
+
+/// Every backend with its devices; a backend without any has one entry that says why.
+std::vector<DeviceInfo> devices(const Mask& mask);
+
+/// What became of a site.
+enum class Status : std::uint8_t {
+  ok,         ///< it has a cell inside the domain, certified
+  empty,      ///< certified: no part of the domain is nearest to it
+  duplicate,  ///< an earlier site has the same position and owns the cell
+};
+
+/// The k nearest neighbors by FLANN, doubled for the cells that k does not certify.
+struct SearchOptions {
+  int neighbors = 30;  ///< 3 to 1024
+};
+
+/// Called from the calling thread with a stage's name and the part done in [0, 1];
+/// returning false stops the run with ErrorCode::cancelled.
+using Progress = std::function<bool(std::string_view stage, double fraction)>;
+
+enum class ColorBy : std::uint8_t { site, area, neighbors, weight };
+
+struct RenderOptions {
+  Box domain;         ///< what is drawn, and what cells are clipped to
+  int width, height;  ///< pixels, 1 to 32768 each
+  ColorBy color = ColorBy::site;
+  std::string colormap = "viridis";  ///< one of colormaps()
+  bool edges = false;                ///< darkens pixels beside which another cell begins
+  bool show_sites = false;           ///< a dot at each site
+  SearchOptions search;
+  Progress progress;  ///< may be empty
+};
+
+std::vector<std::string> colormaps();
+
+inline constexpr std::uint32_t no_site = 0xFFFFFFFFu;
+
+/// Row 0 is the top (largest y). The center of pixel (row, column) is
+/// x = xmin + (column + 0.5) / width (xmax - xmin), y = ymax - (row + 0.5) / height (ymax - ymin).
+struct Image {
+  int width = 0, height = 0;
+  std::vector<std::uint32_t> rgba;  ///< R in the lowest byte
+  std::vector<std::uint32_t> ids;   ///< index of the site in the input, or no_site
+};
+
+/// Wall time by stage in milliseconds; negative where a stage does not apply.
+struct Times {
+  double order = -1, upload = -1, search = -1, cells = -1, draw = -1, download = -1;
+};
+
+/// What a run did, for --stats.
+struct Report {
+  std::string backend, device, driver;
+  std::uint64_t ok = 0, empty = 0, duplicate = 0;
+  std::uint64_t retried = 0;    ///< cells redone on the device with more neighbors or more room
+  std::uint64_t in_double = 0;  ///< cells certified in double on the host
+  std::uint64_t exact = 0;      ///< cells decided in exact arithmetic
+  Times time_ms;
+  std::vector<std::string> validation_messages;  ///< empty unless validation was on and spoke
+};
+
+struct Rendering {
+  Image image;
+  std::vector<Status> status;        ///< by site, in input order
+  std::vector<std::uint32_t> owner;  ///< the site that owns the cell: itself unless a duplicate
+  Report report;
+};
+
+/// How one pixel of two id images compares.
+enum class PixelMatch : std::uint8_t { equal, tie, wrong };
+
+/// A pixel whose center is at most this far, in pixels, from the bisector of two sites may go to
+/// either: backends snap vertices to 1/256 pixel, and draw cells widened by half of that.
+inline constexpr double tie_distance = 1.0 / 128;
+
+/// One pixel that two id images give to different sites.
+struct IdDifference {
+  int row = 0, column = 0;
+  std::uint32_t a = no_site, b = no_site;
+  double distance = 0;  ///< of the pixel's center to the bisector of a and b in pixels; infinite without one
+};
+
+struct IdDiff {
+  std::uint64_t equal = 0, ties = 0, wrong = 0;
+  std::uint64_t ties_allowed = 0;   ///< the cell boundaries' length in pixel sides, frame included
+  double widest_tie = 0;            ///< largest distance of a tie
+  std::vector<IdDifference> first;  ///< the first 10 wrong pixels in reading order
+  IdDifference worst;               ///< the wrong pixel farthest from the bisector; meaningless if wrong is 0
+  std::vector<PixelMatch> pixels;
+  /// True when rounding explains every difference.
+  [[nodiscard]] bool agree() const { return wrong == 0 && ties <= ties_allowed; }
+};
+
+/// Compares two id images of width x height pixels without knowing the sites: every difference is wrong.
+IdDiff diffIds(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, int width, int height);
+
+/// Compares two id images of the same sites and domain, laid out as Image::ids.
+///
+/// A differing pixel is a tie when its center lies within tie_distance of the bisector of its two
+/// sites, and a cell ends at one of its four sides in one of the images; else it is wrong, as it is
+/// when an id names no site or both sites have one position (the lower index owns that cell). This
+/// misses no legal difference: a center that is within the distance of both drawn cells lies on one
+/// side of their bisector, and the cell on the other side is no nearer than the bisector itself.
+///
+/// Ties are also counted against the length of the cell boundaries, the image's frame among them,
+/// in the image that has less of it: a row of pixel centers that lies on a boundary (as a lattice
+/// may have it everywhere) is one tie for each pixel side of that boundary, and nothing legal is more.
+///
+/// Error (input): no valid domain.
+Result<IdDiff> diffIds(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, int width,
+                       int height, const Sites& sites, const Box& domain);
+
+/// Where and how much two pictures differ; rows and columns are inclusive and only set when different > 0.
+struct ImageDiff {
+  std::uint64_t different = 0;  ///< pixels
+  int largest = 0;              ///< largest difference of a channel, 0 to 255
+  int first_row = 0, first_column = 0;
+  int top = 0, left = 0, bottom = 0, right = 0;  ///< box of the differing pixels
+  std::vector<PixelMatch> pixels;                ///< equal or wrong
+};
+
+/// Compares two pictures of width x height RGBA pixels, laid out as Image::rgba.
+ImageDiff diffImages(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, int width,
+                     int height);
+
+class Backend;
+
+/// One backend, ready to work. Not thread-safe.
+class Session {
+ public:
+  /// Opens the backend that options name; an error says which is missing and what would help.
+  static Result<Session> open(const BackendOptions& options);
+  Session(Session&&) noexcept;
+  Session& operator=(Session&&) noexcept;
+  ~Session();
+
+  /// Draws the diagram of at least one finite site. Errors: no sites, a number that is not finite,
+  /// a domain or size out of range (input); the device failed (device); progress said stop.
+  Result<Rendering> render(const Sites& sites, const RenderOptions& options);
+
+  /// backend, device and driver in use; usable is true.
+  [[nodiscard]] const DeviceInfo& device() const;
+  /// Why `auto` or `vulkan` took this backend; empty where the caller named it.
+  [[nodiscard]] const std::string& choice() const;
+
+ private:
+  Session();
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace vorpipe
