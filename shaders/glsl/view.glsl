@@ -1,0 +1,5 @@
+// What all entries of a batch share while they are drawn.
+layout(std140, set = 0, binding = BINDING_VIEW) uniform View {
+    vec2 scale;   // normalized device coordinates per scaled unit
+    vec2 outset;  // half a step of the vertex grid, in scaled units
+} view;
