@@ -1,0 +1,37 @@
+/// shaders/glsl/cell.glsl, compiled by the C++ compiler: the shared algorithm on the CPU.
+#pragma once
+
+#include "backend/backend.h"
+#include "backend/cpu/glsl.h"
+#include "layout.glsl"
+
+namespace vorpipe::cpu {
+
+/// Clips cells of at most Room edges with numbers of type Real; `lines` is the list that lineAt
+/// reads. One Clipper serves one thread.
+template <class Real, std::size_t Room>
+struct Clipper {
+  using real = Real;
+  using vec2 = glm::vec<2, Real>;
+  using vec4 = glm::vec<4, Real>;
+  static constexpr int MAX_EDGES = static_cast<int>(Room);
+  static_assert(MAX_EDGES % 4 == 0);
+
+  const Line<Real>* lines = nullptr;
+
+  [[nodiscard]] vec4 lineAt(int index) const {
+    const auto& line = lines[index];
+    return vec4(line.nx, line.ny, line.h, line.bound);
+  }
+
+#include "cell.glsl"
+
+  /// Clips an entry of a batch whose lines `lines` points to.
+  CellStatus clip(Cell& cell, const typename CellBatch<Real>::Entry& entry, vec2 outset) {
+    return static_cast<CellStatus>(clipCell(cell, vec4(entry.west, entry.south, entry.east, entry.north),
+                                            outset, static_cast<int>(entry.first),
+                                            static_cast<int>(entry.count), entry.reach, entry.shift));
+  }
+};
+
+}  // namespace vorpipe::cpu
