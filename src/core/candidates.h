@@ -1,0 +1,20 @@
+/// Which sites may cut which cells: what a search answers.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vorpipe {
+
+/// The candidates of `site[e]` are index[first[e]] .. index[first[e + 1] - 1], nearest first, without
+/// the site itself. Every other site is at least reach[e] away from it: infinity, when no other can
+/// cut. Indices are those of the SiteSet; distances are in scaled units.
+struct Candidates {
+  std::vector<std::uint32_t> site;
+  std::vector<std::uint32_t> first{0};
+  std::vector<std::uint32_t> index;
+  std::vector<double> reach;
+};
+
+}  // namespace vorpipe

@@ -1,0 +1,163 @@
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "vorpipe.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr std::size_t places_kept = 10;
+
+using Ids = std::span<const std::uint32_t>;
+
+struct Grid {
+  int width, height;
+  [[nodiscard]] std::size_t at(int row, int column) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
+  }
+  [[nodiscard]] std::size_t size() const { return at(height, 0); }
+};
+
+/// Distance in pixels from the center of a pixel to the bisector of two sites; infinite where there
+/// is no bisector. Only differences of coordinates are used, so that it holds far from the origin.
+class BisectorDistance {
+ public:
+  BisectorDistance(const Sites& sites, const Box& domain, Grid grid)
+      : sites_(&sites),
+        domain_(domain),
+        pixel_x_((domain.xmax - domain.xmin) / grid.width),
+        pixel_y_((domain.ymax - domain.ymin) / grid.height) {
+    const double longer = std::max(pixel_x_, pixel_y_);
+    metric_x_ = pixel_x_ / longer * (pixel_x_ / longer);
+    metric_y_ = pixel_y_ / longer * (pixel_y_ / longer);
+  }
+
+  double operator()(int row, int column, std::uint32_t a, std::uint32_t b) const {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    if (a >= sites_->size() || b >= sites_->size()) return none;
+    const double ax = sites_->x[a], ay = sites_->y[a], bx = sites_->x[b], by = sites_->y[b];
+    // The bisector's normal: with pixels that are not square it is not along b - a on the picture.
+    const double nx = (bx - ax) / pixel_x_ * metric_x_;
+    const double ny = (by - ay) / pixel_y_ * metric_y_;
+    const double length = std::hypot(nx, ny);
+    // Twice the way from the midpoint of the sites to the center, y upward.
+    const double x = 2 * (column + 0.5) - (ax - domain_.xmin) / pixel_x_ - (bx - domain_.xmin) / pixel_x_;
+    const double y = (domain_.ymax - ay) / pixel_y_ + (domain_.ymax - by) / pixel_y_ - 2 * (row + 0.5);
+    const double distance = std::abs(x * (nx / length) + y * (ny / length)) / 2;
+    return std::isfinite(distance) ? distance : none;
+  }
+
+ private:
+  const Sites* sites_;
+  Box domain_;
+  double pixel_x_, pixel_y_;
+  double metric_x_ = 1, metric_y_ = 1;
+};
+
+/// Whether a cell ends at one of the pixel's four sides; the picture's frame ends every cell.
+bool besideBoundary(Ids ids, Grid grid, int row, int column) {
+  if (row == 0 || column == 0 || row == grid.height - 1 || column == grid.width - 1) return true;
+  const std::uint32_t id = ids[grid.at(row, column)];
+  return ids[grid.at(row - 1, column)] != id || ids[grid.at(row + 1, column)] != id ||
+         ids[grid.at(row, column - 1)] != id || ids[grid.at(row, column + 1)] != id;
+}
+
+/// Pixel sides at which a cell ends.
+std::uint64_t boundaryLength(Ids ids, Grid grid) {
+  std::uint64_t length =
+      2 * (static_cast<std::uint64_t>(grid.width) + static_cast<std::uint64_t>(grid.height));
+  for (int row = 0; row < grid.height; ++row) {
+    for (int column = 0; column < grid.width; ++column) {
+      const std::uint32_t id = ids[grid.at(row, column)];
+      if (column + 1 < grid.width && ids[grid.at(row, column + 1)] != id) ++length;
+      if (row + 1 < grid.height && ids[grid.at(row + 1, column)] != id) ++length;
+    }
+  }
+  return length;
+}
+
+void addWrong(IdDiff& diff, const IdDifference& place) {
+  if (diff.first.size() < places_kept) diff.first.push_back(place);
+  if (diff.wrong == 0 || place.distance > diff.worst.distance) diff.worst = place;
+  ++diff.wrong;
+}
+
+/// `distance` answers for a differing pixel, as BisectorDistance does.
+template <class Distance>
+IdDiff compare(Ids a, Ids b, Grid grid, const Distance& distance) {
+  assert(grid.width > 0 && grid.height > 0 && a.size() == grid.size() && b.size() == grid.size());
+  IdDiff diff;
+  diff.pixels.assign(grid.size(), PixelMatch::equal);
+  for (int row = 0; row < grid.height; ++row) {
+    for (int column = 0; column < grid.width; ++column) {
+      const std::size_t pixel = grid.at(row, column);
+      if (a[pixel] == b[pixel]) continue;
+      const IdDifference place{row, column, a[pixel], b[pixel], distance(row, column, a[pixel], b[pixel])};
+      const bool tie = place.distance <= tie_distance &&
+                       (besideBoundary(a, grid, row, column) || besideBoundary(b, grid, row, column));
+      diff.pixels[pixel] = tie ? PixelMatch::tie : PixelMatch::wrong;
+      if (tie) {
+        ++diff.ties;
+        diff.widest_tie = std::max(diff.widest_tie, place.distance);
+      } else {
+        addWrong(diff, place);
+      }
+    }
+  }
+  diff.equal = grid.size() - diff.ties - diff.wrong;
+  diff.ties_allowed = std::min(boundaryLength(a, grid), boundaryLength(b, grid));
+  return diff;
+}
+
+int channelDifference(std::uint32_t a, std::uint32_t b) {
+  int largest = 0;
+  for (int shift = 0; shift < 32; shift += 8) {
+    const int difference = static_cast<int>(a >> shift & 0xFF) - static_cast<int>(b >> shift & 0xFF);
+    largest = std::max(largest, std::abs(difference));
+  }
+  return largest;
+}
+
+}  // namespace
+
+IdDiff diffIds(Ids a, Ids b, int width, int height) {
+  return compare(a, b, Grid{width, height}, [](auto...) { return std::numeric_limits<double>::infinity(); });
+}
+
+Result<IdDiff> diffIds(Ids a, Ids b, int width, int height, const Sites& sites, const Box& domain) {
+  const bool valid = std::isfinite(domain.xmax - domain.xmin) && domain.xmin < domain.xmax &&
+                     std::isfinite(domain.ymax - domain.ymin) && domain.ymin < domain.ymax;
+  if (!valid) {
+    return tl::unexpected(Error{ErrorCode::input, "domain: needs finite xmin < xmax and ymin < ymax"});
+  }
+  const Grid grid{width, height};
+  return compare(a, b, grid, BisectorDistance(sites, domain, grid));
+}
+
+ImageDiff diffImages(Ids a, Ids b, int width, int height) {
+  const Grid grid{width, height};
+  assert(a.size() == grid.size() && b.size() == grid.size());
+  ImageDiff diff;
+  diff.pixels.assign(grid.size(), PixelMatch::equal);
+  diff.left = width;
+  for (int row = 0; row < height; ++row) {
+    for (int column = 0; column < width; ++column) {
+      const std::size_t pixel = grid.at(row, column);
+      if (a[pixel] == b[pixel]) continue;
+      diff.pixels[pixel] = PixelMatch::wrong;
+      diff.largest = std::max(diff.largest, channelDifference(a[pixel], b[pixel]));
+      if (diff.different++ == 0) {
+        diff.first_row = diff.top = row;
+        diff.first_column = column;
+      }
+      diff.bottom = row;
+      diff.left = std::min(diff.left, column);
+      diff.right = std::max(diff.right, column);
+    }
+  }
+  return diff;
+}
+
+}  // namespace vorpipe

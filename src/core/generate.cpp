@@ -1,0 +1,204 @@
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+
+#include "vorpipe.h"
+
+// The same sites on every platform: only operations that IEEE 754 defines to the last bit, and nowhere
+// a product that is added to something, for a compiler may fuse the two; a quotient cannot be fused.
+
+namespace vorpipe {
+namespace {
+
+using Random = std::mt19937_64;  // the standard defines its numbers; it does not define distributions
+
+struct Point {
+  double x, y;
+};
+
+/// In [0, 1), a multiple of 2^-53.
+double uniform(Random& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+
+/// Nearly normal, mean 0 and variance 1, within -6 and 6.
+double normal(Random& random) {
+  double sum = -6;
+  for (int i = 0; i < 12; ++i) {
+    sum += uniform(random);
+  }
+  return sum;
+}
+
+bool isInside(Point p) { return p.x > 0 && p.x < 1 && p.y > 0 && p.y < 1; }
+
+/// Calls draw() until its point lies strictly inside the unit square.
+template <class Draw>
+Point drawInside(Draw draw) {
+  Point p = draw();
+  while (!isInside(p)) {
+    p = draw();
+  }
+  return p;
+}
+
+Point uniformPoint(Random& random) {
+  return drawInside([&] {
+    const double x = uniform(random);
+    const double y = uniform(random);
+    return Point{x, y};
+  });
+}
+
+void add(Sites& sites, Point p) {
+  sites.x.push_back(p.x);
+  sites.y.push_back(p.y);
+}
+
+/// Largest integer whose square is at most n.
+std::uint64_t floorRoot(std::uint64_t n) {
+  auto root = static_cast<std::uint64_t>(std::sqrt(static_cast<double>(n)));
+  while (root * root > n) {
+    --root;
+  }
+  while ((root + 1) * (root + 1) <= n) {
+    ++root;
+  }
+  return root;
+}
+
+void generateRandom(Sites& sites, std::uint64_t n, Random& random) {
+  for (std::uint64_t i = 0; i < n; ++i) {
+    add(sites, uniformPoint(random));
+  }
+}
+
+void generateSquare(Sites& sites, std::uint64_t n) {
+  const std::uint64_t side = floorRoot(n);
+  const auto extent = static_cast<double>(side);
+  for (std::uint64_t row = 0; row < side; ++row) {
+    for (std::uint64_t column = 0; column < side; ++column) {
+      add(sites, {(static_cast<double>(column) + 0.5) / extent, (static_cast<double>(row) + 0.5) / extent});
+    }
+  }
+}
+
+/// A whole number of columns fills the width; the rows, sqrt(3) / 2 of their distance apart, are
+/// centered in the height.
+void generateHex(Sites& sites, std::uint64_t n) {
+  const double row_ratio = std::sqrt(3.0) / 2;
+  const double columns = std::max(1.0, std::round(std::sqrt(static_cast<double>(n) * row_ratio)));
+  const double rows = std::max(1.0, std::round(columns / row_ratio));
+  const double half_rows_per_unit = 2 * columns / row_ratio;
+  for (double row = 0; row < rows; ++row) {
+    const double shift = std::fmod(row, 2.0) == 0 ? 0.25 : 0.75;
+    const double y = 0.5 + (2 * row - (rows - 1)) / half_rows_per_unit;
+    for (double column = 0; column < columns; ++column) {
+      add(sites, {(column + shift) / columns, y});
+    }
+  }
+}
+
+/// The smallest lattice with at least n squares; those left empty are spread evenly.
+void generateJitter(Sites& sites, std::uint64_t n, Random& random) {
+  const std::uint64_t side = floorRoot(n - 1) + 1;
+  const auto extent = static_cast<double>(side);
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const std::uint64_t square = i * (side * side) / n;
+    const auto row = static_cast<double>(square / side);
+    const auto column = static_cast<double>(square % side);
+    add(sites, drawInside([&] {
+          const double x = (column + uniform(random)) / extent;
+          const double y = (row + uniform(random)) / extent;
+          return Point{x, y};
+        }));
+  }
+}
+
+void generateClusters(Sites& sites, std::uint64_t n, Random& random) {
+  struct Cluster {
+    Point center;
+    double per_unit;  ///< 1 / standard deviation
+  };
+  constexpr std::size_t count = 100;
+  std::vector<Cluster> clusters;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point center = uniformPoint(random);
+    const double u = uniform(random);
+    const double deviation = 0.002 + u * u / 36;  // most clusters are tight, the widest is 0.03
+    clusters.push_back({center, 1 / deviation});
+  }
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const Cluster& cluster = clusters[random() % count];
+    add(sites, drawInside([&] {
+          const double x = cluster.center.x + normal(random) / cluster.per_unit;
+          const double y = cluster.center.y + normal(random) / cluster.per_unit;
+          return Point{x, y};
+        }));
+  }
+}
+
+/// Cosine and sine of an angle in [0, pi / 4] by Taylor's series, as 1 - a/(1*2) (1 - a/(3*4) (1 - ...
+Point direction(double angle) {
+  const double square = angle * angle;
+  double cosine = 1, sine = 1;
+  for (double k = 18; k > 0; k -= 2) {
+    cosine = 1 - square * cosine / (k * (k - 1));
+    sine = 1 - square * sine / (k * (k + 1));
+  }
+  return {cosine, sine * angle};
+}
+
+void generateCircle(Sites& sites, std::uint64_t n) {
+  constexpr double eighth_turn = 0x1.921FB54442D18p-1;
+  constexpr double per_unit = 2.5;  // 1 / radius
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const std::uint64_t octant = 8 * i / n;
+    const std::uint64_t rest = 8 * i % n;
+    const bool mirrored = octant % 2 == 1;
+    const auto part = static_cast<double>(mirrored ? n - rest : rest) / static_cast<double>(n);
+    const Point unit = direction(part * eighth_turn);
+    // Multiples of 2^-44, so that sites opposite each other are exact mirror images.
+    const double along = std::round(unit.x / per_unit * 0x1p44) * 0x1p-44;
+    const double across = std::round(unit.y / per_unit * 0x1p44) * 0x1p-44;
+    const std::uint64_t quarter = (octant + 1) / 2 % 4;
+    const double side = mirrored ? -across : across;
+    const Point turned = quarter == 0   ? Point{along, side}
+                         : quarter == 1 ? Point{-side, along}
+                         : quarter == 2 ? Point{-along, -side}
+                                        : Point{side, -along};
+    add(sites, {0.5 + turned.x, 0.5 + turned.y});
+  }
+}
+
+}  // namespace
+
+Sites generate(Pattern pattern, std::uint64_t n, std::uint64_t seed) {
+  Random random(seed);
+  Sites sites;
+  sites.x.reserve(n);
+  sites.y.reserve(n);
+  switch (pattern) {
+    case Pattern::random:
+      generateRandom(sites, n, random);
+      break;
+    case Pattern::square:
+      generateSquare(sites, n);
+      break;
+    case Pattern::hex:
+      generateHex(sites, n);
+      break;
+    case Pattern::jitter:
+      generateJitter(sites, n, random);
+      break;
+    case Pattern::clusters:
+      generateClusters(sites, n, random);
+      break;
+    case Pattern::circle:
+      generateCircle(sites, n);
+      break;
+  }
+  return sites;
+}
+
+}  // namespace vorpipe

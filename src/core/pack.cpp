@@ -1,0 +1,85 @@
+#include "core/pack.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "parallel.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr std::size_t grain = 4096;
+/// Farther than anything that can cut (FAR in cell.glsl); keeps float arithmetic finite.
+constexpr double farthest = 1e30;
+
+template <class Real>
+Real roundedDown(double value) {
+  constexpr double largest = static_cast<double>(std::numeric_limits<Real>::max());
+  return static_cast<Real>(
+      std::min(value * (1 - 2 * static_cast<double>(std::numeric_limits<Real>::epsilon())), largest));
+}
+
+template <class Real>
+Real roundedUp(double value) {
+  return static_cast<Real>(value * (1 + 2 * static_cast<double>(std::numeric_limits<Real>::epsilon())));
+}
+
+double length(double x, double y) {
+  const double squared = x * x + y * y;
+  return squared > 1e-280 && squared < 1e280 ? std::sqrt(squared) : std::hypot(x, y);
+}
+
+/// The bisector of the site and a candidate at (x, y) from it, seen from an origin that lies at
+/// (-shift.x, -shift.y) from the site.
+template <class Real>
+Line<Real> bisector(double x, double y, Point shift) {
+  const double distance = length(x, y);
+  const double nx = x / distance;
+  const double ny = y / distance;
+  const double h = 0.5 * distance + (shift.x * nx + shift.y * ny);
+  return {static_cast<Real>(nx), static_cast<Real>(ny), static_cast<Real>(std::clamp(h, -farthest, farthest)),
+          roundedDown<Real>(distance)};
+}
+
+}  // namespace
+
+Point cellOrigin(const SiteSet& sites, std::uint32_t site) {
+  return {std::clamp(sites.x[site], sites.domain.xmin, sites.domain.xmax),
+          std::clamp(sites.y[site], sites.domain.ymin, sites.domain.ymax)};
+}
+
+template <class Real>
+void packBatch(const SiteSet& sites, const Candidates& candidates, std::size_t begin, std::size_t end,
+               int threads, CellBatch<Real>& out) {
+  const auto first_line = candidates.first[begin];
+  out.entries.resize(end - begin);
+  out.lines.resize(candidates.first[end] - first_line);
+  parallelFor(end - begin, grain, threads, [&](std::size_t from, std::size_t to) {
+    for (std::size_t e = from; e < to; ++e) {
+      const auto site = candidates.site[begin + e];
+      const auto origin = cellOrigin(sites, site);
+      const Point shift{sites.x[site] - origin.x, sites.y[site] - origin.y};
+      const auto first = candidates.first[begin + e];
+      const auto last = candidates.first[begin + e + 1];
+      out.entries[e] = {first - first_line,
+                        last - first,
+                        static_cast<Real>(sites.domain.xmin - origin.x),
+                        static_cast<Real>(sites.domain.ymin - origin.y),
+                        static_cast<Real>(sites.domain.xmax - origin.x),
+                        static_cast<Real>(sites.domain.ymax - origin.y),
+                        roundedDown<Real>(candidates.reach[begin + e]),
+                        roundedUp<Real>(std::min(length(shift.x, shift.y), farthest))};
+      for (auto c = first; c < last; ++c) {
+        const auto other = candidates.index[c];
+        out.lines[c - first_line] =
+            bisector<Real>(sites.x[other] - sites.x[site], sites.y[other] - sites.y[site], shift);
+      }
+    }
+  });
+}
+
+template void packBatch(const SiteSet&, const Candidates&, std::size_t, std::size_t, int, CellBatch<float>&);
+template void packBatch(const SiteSet&, const Candidates&, std::size_t, std::size_t, int, CellBatch<double>&);
+
+}  // namespace vorpipe
