@@ -1,0 +1,29 @@
+/// From VkResult to Error.
+#pragma once
+
+#include <volk.h>
+
+#include <string>
+#include <string_view>
+
+#include "vorpipe.h"
+
+/// Leaves a function that returns a Result with the error of a Result<void>, if there is one.
+#define VORPIPE_TRY(...)                                                   \
+  if (::vorpipe::Result<void> tried = (__VA_ARGS__); !tried.has_value()) { \
+    return tl::unexpected(std::move(tried).error());                       \
+  }                                                                        \
+  static_assert(true)
+
+namespace vorpipe::vulkan {
+
+/// The name of a result as the Vulkan specification writes it.
+std::string resultName(VkResult result);
+
+/// An ErrorCode::device, ready to return.
+tl::unexpected<Error> deviceError(std::string message);
+
+/// Nothing for VK_SUCCESS, else an error that names the call, the result and what may help.
+Result<void> check(VkResult result, std::string_view call);
+
+}  // namespace vorpipe::vulkan

@@ -1,0 +1,174 @@
+#include "backend/vulkan/geometry.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+#include <utility>
+
+#include "backend/view_uniform.h"
+#include "backend/vulkan/error.h"
+#include "backend/vulkan/structure.h"
+
+namespace vorpipe::vulkan {
+namespace {
+
+// As much as a batch may hold where the device sets no lower limit: 256 MiB of lines, 16 MiB of
+// statuses.
+constexpr std::uint64_t most_lines = std::uint64_t{1} << 24;
+constexpr std::uint64_t most_entries = std::uint64_t{1} << 22;
+constexpr std::uint64_t largest_view = 4096;
+
+using Entry = CellBatch<float>::Entry;
+constexpr std::size_t line_bytes = sizeof(Line<float>);
+static_assert(line_bytes == 4 * sizeof(float));
+constexpr std::size_t status_bytes = sizeof(std::uint32_t);
+
+BackendInfo describe(const Physical& physical) {
+  const Capabilities& can = physical.capabilities;
+  BackendInfo info;
+  info.device = physical.info;
+  info.max_view = static_cast<int>(std::min(
+      {largest_view, can.max_framebuffer_width, can.max_framebuffer_height, can.max_image_dimension_2d}));
+  info.max_lines = std::min(most_lines, can.max_texel_buffer_elements);
+  info.max_entries =
+      static_cast<std::uint32_t>(std::min(most_entries, can.max_storage_buffer_range / status_bytes));
+  info.fast_edges = EDGES_FAST;
+  info.most_edges = EDGES_MOST;
+  info.subpixel_bits = physical.subpixel_bits;
+  return info;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Backend>> GeometryBackend::open(Instance instance, const Physical& physical) {
+  Result<Device> device = Device::open(physical);
+  if (!device) return tl::unexpected(std::move(device).error());
+  Result<Bindings> bindings = Bindings::create(*device);
+  if (!bindings) return tl::unexpected(std::move(bindings).error());
+  Result<Pipelines> pipelines = Pipelines::create(*device);
+  if (!pipelines) return tl::unexpected(std::move(pipelines).error());
+  return std::unique_ptr<Backend>(new GeometryBackend(std::move(instance), std::move(*device),
+                                                      std::move(*bindings), std::move(*pipelines),
+                                                      describe(physical)));
+}
+
+GeometryBackend::GeometryBackend(Instance instance, Device device, Bindings bindings, Pipelines pipelines,
+                                 BackendInfo info)
+    : instance_(std::move(instance)),
+      device_(std::move(device)),
+      bindings_(std::move(bindings)),
+      pipelines_(std::move(pipelines)),
+      info_(std::move(info)),
+      view_({"the view", VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, Placement::upload}),
+      palette_({"the palette", VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT, Placement::upload,
+                VK_FORMAT_R8G8B8A8_UNORM}),
+      entries_({"entries", VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, Placement::upload}),
+      marks_({"marks", VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, Placement::upload}),
+      lines_({"lines", VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT, Placement::upload,
+              VK_FORMAT_R32G32B32A32_SFLOAT}),
+      status_({"statuses",
+               VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
+                   VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+               Placement::device}),
+      host_status_({"statuses", VK_BUFFER_USAGE_TRANSFER_DST_BIT, Placement::download}),
+      edges_({"edges", VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Placement::download}) {}
+
+Result<void> GeometryBackend::upload(const SiteSet&) { return {}; }
+
+Result<void> GeometryBackend::begin(const View& view) {
+  assert(view.width >= 1 && view.width <= info_.max_view);
+  assert(view.height >= 1 && view.height <= info_.max_view);
+  VORPIPE_TRY(target_.resize(device_, pipelines_.targetPass(), static_cast<std::uint32_t>(view.width),
+                             static_cast<std::uint32_t>(view.height)));
+  VORPIPE_TRY(view_.reserve(device_, sizeof(ViewUniform), sizeof(ViewUniform)));
+  VORPIPE_TRY(palette_.reserve(device_, sizeof(Palette), sizeof(Palette)));
+  const ViewUniform block = viewUniform(view, info_.subpixel_bits);
+  std::memcpy(view_.data(), &block, sizeof(block));
+  std::memcpy(palette_.data(), view.palette.data(), sizeof(Palette));
+  bindings_.setUniform(device_, BINDING_VIEW, view_.get());
+  bindings_.setTexels(device_, BINDING_PALETTE, palette_.texels());
+  return target_.clear(device_);
+}
+
+// Makes room for a batch and binds it.
+Result<void> GeometryBackend::reserveBatch(std::size_t entries, std::size_t marks, std::size_t lines) {
+  assert(entries <= info_.max_entries && lines <= info_.max_lines);
+  const std::size_t max_entries = info_.max_entries;
+  VORPIPE_TRY(entries_.reserve(device_, entries * sizeof(Entry), max_entries * sizeof(Entry)));
+  VORPIPE_TRY(marks_.reserve(device_, marks * sizeof(DrawMark), max_entries * sizeof(DrawMark)));
+  VORPIPE_TRY(lines_.reserve(device_, lines * line_bytes, info_.max_lines * line_bytes));
+  VORPIPE_TRY(status_.reserve(device_, entries * status_bytes, max_entries * status_bytes));
+  VORPIPE_TRY(host_status_.reserve(device_, entries * status_bytes, max_entries * status_bytes));
+  bindings_.setTexels(device_, BINDING_LINES, lines_.texels());
+  bindings_.setStorage(device_, BINDING_STATUS, status_.get(), entries * status_bytes);
+  return {};
+}
+
+Result<void> GeometryBackend::draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Room room,
+                                   std::span<CellStatus> status) {
+  const std::size_t count = batch.entries.size();
+  assert(marks.size() == count && status.size() == count && target_.framebuffer() != VK_NULL_HANDLE);
+  if (count == 0) return {};
+  const Result<VkPipeline> pipeline = pipelines_.draw(device_, bindings_.layout(), room);
+  if (!pipeline) return tl::unexpected(pipeline.error());
+  VORPIPE_TRY(reserveBatch(count, count, batch.lines.size()));
+  std::memcpy(entries_.data(), batch.entries.data(), count * sizeof(Entry));
+  std::memcpy(marks_.data(), marks.data(), count * sizeof(DrawMark));
+  std::memcpy(lines_.data(), batch.lines.data(), batch.lines.size() * line_bytes);
+  VORPIPE_TRY(run({*pipeline, pipelines_.targetPass(), target_.framebuffer(), target_.extent()}, 0, count));
+  for (std::size_t entry = 0; entry < count; entry++) status[entry] = statusAt(entry);
+  return {};
+}
+
+// Runs a pipeline over the entries first .. first + count - 1 of those in the buffer. Their statuses
+// come to host_status_, from 0 on.
+Result<void> GeometryBackend::run(const Pass& pass, std::size_t first, std::size_t count) {
+  const VolkDeviceTable& api = device_.api();
+  return device_.run([&](VkCommandBuffer commands) {
+    static_assert(CELL_MISSING == 0);
+    api.vkCmdFillBuffer(commands, status_.get(), 0, count * status_bytes, CELL_MISSING);
+    auto order = structure<VkMemoryBarrier>(VK_STRUCTURE_TYPE_MEMORY_BARRIER);
+    order.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+    order.dstAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
+    api.vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_GEOMETRY_SHADER_BIT,
+                             0, 1, &order, 0, nullptr, 0, nullptr);
+    const VkRect2D area{{0, 0}, pass.extent};
+    auto begin = structure<VkRenderPassBeginInfo>(VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO);
+    begin.renderPass = pass.pass;
+    begin.framebuffer = pass.framebuffer;
+    begin.renderArea = area;
+    api.vkCmdBeginRenderPass(commands, &begin, VK_SUBPASS_CONTENTS_INLINE);
+    const VkViewport viewport{
+        0, 0, static_cast<float>(area.extent.width), static_cast<float>(area.extent.height), 0, 1};
+    api.vkCmdSetViewport(commands, 0, 1, &viewport);
+    api.vkCmdSetScissor(commands, 0, 1, &area);
+    api.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass.pipeline);
+    const VkDescriptorSet set = bindings_.set();
+    api.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, bindings_.layout(), 0, 1, &set, 0,
+                                nullptr);
+    const std::array buffers = {entries_.get(), marks_.get()};
+    const std::array<VkDeviceSize, 2> offsets = {first * sizeof(Entry), 0};
+    api.vkCmdBindVertexBuffers(commands, vertices_entries, 2, buffers.data(), offsets.data());
+    api.vkCmdDraw(commands, static_cast<std::uint32_t>(count), 1, 0, 0);
+    api.vkCmdEndRenderPass(commands);
+    order.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
+    order.dstAccessMask = VK_ACCESS_TRANSFER_READ_BIT;
+    api.vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_GEOMETRY_SHADER_BIT, VK_PIPELINE_STAGE_TRANSFER_BIT,
+                             0, 1, &order, 0, nullptr, 0, nullptr);
+    const VkBufferCopy copy{0, 0, count * status_bytes};
+    api.vkCmdCopyBuffer(commands, status_.get(), host_status_.get(), 1, &copy);
+  });
+}
+
+CellStatus GeometryBackend::statusAt(std::size_t entry) const {
+  std::uint32_t status = 0;
+  std::memcpy(&status, host_status_.data() + entry * status_bytes, status_bytes);
+  return status <= CELL_OPEN ? static_cast<CellStatus>(status) : CellStatus::missing;
+}
+
+Result<void> GeometryBackend::read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) {
+  assert(target_.framebuffer() != VK_NULL_HANDLE);
+  return target_.read(device_, rgba, ids);
+}
+
+}  // namespace vorpipe::vulkan

@@ -1,0 +1,227 @@
+#include "backend/vulkan/physical.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "backend/vulkan/error.h"
+#include "backend/vulkan/structure.h"
+#include "layout.glsl"
+
+namespace vorpipe::vulkan {
+namespace {
+
+// The most components that one vertex of any geometry shader here has: those of edges.geom, a
+// position and two vectors of four.
+constexpr std::uint64_t components_per_vertex = 12;
+
+std::string_view typeName(VkPhysicalDeviceType type) {
+  switch (type) {
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+      return "discrete";
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+      return "integrated";
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+      return "virtual";
+    case VK_PHYSICAL_DEVICE_TYPE_CPU:
+      return "cpu";
+    default:
+      return "other";
+  }
+}
+
+int preference(std::string_view type) {
+  constexpr std::string_view order[] = {"discrete", "integrated", "virtual", "cpu", "other"};
+  return static_cast<int>(std::ranges::find(order, type) - std::begin(order));
+}
+
+Result<std::vector<VkExtensionProperties>> extensionsOf(VkPhysicalDevice device) {
+  std::uint32_t count = 0;
+  VORPIPE_TRY(check(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr),
+                    "vkEnumerateDeviceExtensionProperties"));
+  std::vector<VkExtensionProperties> extensions(count);
+  VORPIPE_TRY(check(vkEnumerateDeviceExtensionProperties(device, nullptr, &count, extensions.data()),
+                    "vkEnumerateDeviceExtensionProperties"));
+  return extensions;
+}
+
+bool contains(std::span<const VkExtensionProperties> extensions, const char* name) {
+  return std::ranges::any_of(extensions, [&](const VkExtensionProperties& extension) {
+    return std::strcmp(extension.extensionName, name) == 0;
+  });
+}
+
+std::optional<std::uint32_t> graphicsFamily(VkPhysicalDevice device) {
+  std::uint32_t count = 0;
+  vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
+  std::vector<VkQueueFamilyProperties> families(count);
+  vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
+  for (std::uint32_t family = 0; family < count; family++) {
+    if ((families[family].queueFlags & VK_QUEUE_GRAPHICS_BIT) != 0) return family;
+  }
+  return std::nullopt;
+}
+
+Capabilities capabilitiesOf(VkPhysicalDevice device, const VkPhysicalDeviceLimits& limits) {
+  VkPhysicalDeviceFeatures features{};
+  vkGetPhysicalDeviceFeatures(device, &features);
+  Capabilities capabilities;
+  capabilities.geometry_shader = features.geometryShader == VK_TRUE;
+  capabilities.vertex_pipeline_stores_and_atomics = features.vertexPipelineStoresAndAtomics == VK_TRUE;
+  capabilities.shader_float64 = features.shaderFloat64 == VK_TRUE;
+  capabilities.max_texel_buffer_elements = limits.maxTexelBufferElements;
+  capabilities.max_storage_buffer_range = limits.maxStorageBufferRange;
+  capabilities.max_geometry_output_vertices = limits.maxGeometryOutputVertices;
+  capabilities.max_geometry_total_output_components = limits.maxGeometryTotalOutputComponents;
+  capabilities.max_image_dimension_2d = limits.maxImageDimension2D;
+  capabilities.max_framebuffer_width = limits.maxFramebufferWidth;
+  capabilities.max_framebuffer_height = limits.maxFramebufferHeight;
+  return capabilities;
+}
+
+// Why the geometry pipelines cannot run; empty when they can.
+std::string whyNot(const Capabilities& capabilities) {
+  constexpr const char* remedy = ": use --backend opengl or --backend cpu, or another --device";
+  if (!capabilities.geometry_shader) return std::string("it lacks the feature geometryShader") + remedy;
+  if (!capabilities.vertex_pipeline_stores_and_atomics) {
+    return std::string("it lacks the feature vertexPipelineStoresAndAtomics") + remedy;
+  }
+  const std::pair<std::string_view, std::uint64_t> least[] = {
+      {"maxTexelBufferElements", 256},
+      {"maxStorageBufferRange", EDGES_MOST * 4 * sizeof(float)},
+      {"maxGeometryOutputVertices", EDGES_MOST},
+      {"maxGeometryTotalOutputComponents", EDGES_MOST * components_per_vertex},
+      {"maxImageDimension2D", 1},
+      {"maxFramebufferWidth", 1},
+      {"maxFramebufferHeight", 1},
+  };
+  for (const auto& [name, needed] : least) {
+    const auto limit = std::ranges::find(known_limits, name, &NamedLimit::name);
+    const std::uint64_t has = capabilities.*limit->member;
+    if (has < needed) {
+      return "its " + std::string(name) + " is " + std::to_string(has) + ", needed is " +
+             std::to_string(needed) + remedy;
+    }
+  }
+  return {};
+}
+
+std::string driverOf(VkPhysicalDevice device, const VkPhysicalDeviceProperties& properties, bool has_name) {
+  const std::uint32_t api = properties.apiVersion;
+  const std::string version = "Vulkan " + std::to_string(VK_API_VERSION_MAJOR(api)) + "." +
+                              std::to_string(VK_API_VERSION_MINOR(api)) + "." +
+                              std::to_string(VK_API_VERSION_PATCH(api));
+  if (!has_name) return version + ", driver " + std::to_string(properties.driverVersion);
+  auto driver =
+      structure<VkPhysicalDeviceDriverProperties>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES);
+  auto all = structure<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2);
+  all.pNext = &driver;
+  vkGetPhysicalDeviceProperties2(device, &all);
+  return std::string(driver.driverName) + " " + driver.driverInfo + ", " + version;
+}
+
+Result<Physical> describe(VkPhysicalDevice handle, const Mask& mask) {
+  VkPhysicalDeviceProperties properties{};
+  vkGetPhysicalDeviceProperties(handle, &properties);
+  Result<std::vector<VkExtensionProperties>> extensions = extensionsOf(handle);
+  if (!extensions) return tl::unexpected(std::move(extensions).error());
+  Physical device;
+  device.handle = handle;
+  device.capabilities = capabilitiesOf(handle, properties.limits);
+  VORPIPE_TRY(applyMask(device.capabilities, mask));
+  device.subpixel_bits = static_cast<int>(properties.limits.subPixelPrecisionBits);
+  device.portability_subset = contains(*extensions, "VK_KHR_portability_subset");
+  const bool current = properties.apiVersion >= VK_API_VERSION_1_1;
+  const bool has_driver_name = current && contains(*extensions, VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME);
+  device.info.backend = "vulkan-geometry";
+  device.info.name = properties.deviceName;
+  device.info.driver = driverOf(handle, properties, has_driver_name);
+  device.info.type = typeName(properties.deviceType);
+  device.info.features = listFeatures(device.capabilities);
+  device.info.limits = listLimits(device.capabilities);
+  const std::optional<std::uint32_t> family = graphicsFamily(handle);
+  device.queue_family = family.value_or(0);
+  if (!current) {
+    device.info.reason = "it is older than Vulkan 1.1: update its driver";
+  } else if (!family) {
+    device.info.reason = "it has no graphics queue: use --backend cpu or another --device";
+  } else {
+    device.info.reason = whyNot(device.capabilities);
+  }
+  device.info.usable = device.info.reason.empty();
+  return device;
+}
+
+// Whether part is a part of whole, in any case.
+bool isPartOf(std::string_view part, std::string_view whole) {
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+  };
+  return std::ranges::search(whole, part, same).begin() != whole.end();
+}
+
+std::vector<const Physical*> candidates(std::span<const Physical> devices, std::string_view wanted) {
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
+  const bool is_number = error == std::errc() && end == wanted.data() + wanted.size();
+  if (is_number && index < devices.size()) return {&devices[index]};
+  std::vector<const Physical*> found;
+  for (const Physical& device : devices) {
+    if (isPartOf(wanted, device.info.name)) found.push_back(&device);
+  }
+  return found;
+}
+
+std::string listed(std::span<const Physical> devices) {
+  std::string list;
+  for (std::size_t index = 0; index < devices.size(); index++) {
+    list += (index == 0 ? "" : ", ") + std::to_string(index) + " '" + devices[index].info.name + "'";
+  }
+  return list;
+}
+
+}  // namespace
+
+Result<std::vector<Physical>> enumerate(const Instance& instance, const Mask& mask) {
+  std::uint32_t count = 0;
+  VORPIPE_TRY(
+      check(vkEnumeratePhysicalDevices(instance.handle(), &count, nullptr), "vkEnumeratePhysicalDevices"));
+  std::vector<VkPhysicalDevice> handles(count);
+  VORPIPE_TRY(check(vkEnumeratePhysicalDevices(instance.handle(), &count, handles.data()),
+                    "vkEnumeratePhysicalDevices"));
+  if (count == 0) {
+    return deviceError(
+        "no Vulkan device here: install mesa-vulkan-drivers (Debian/Ubuntu) or your GPU's driver, or use "
+        "--backend cpu");
+  }
+  std::vector<Physical> devices;
+  for (const VkPhysicalDevice handle : handles) {
+    Result<Physical> device = describe(handle, mask);
+    if (!device) return tl::unexpected(std::move(device).error());
+    devices.push_back(std::move(*device));
+  }
+  return devices;
+}
+
+Result<Physical> choose(std::span<const Physical> devices, std::string_view wanted) {
+  const std::vector<const Physical*> found = candidates(devices, wanted);
+  if (found.empty()) {
+    return deviceError("no Vulkan device '" + std::string(wanted) + "': there are " + listed(devices));
+  }
+  const auto better = [](const Physical* a, const Physical* b) {
+    const auto order = [](const Physical* device) {
+      return std::pair(!device->info.usable, preference(device->info.type));
+    };
+    return order(a) < order(b);
+  };
+  const Physical& best = **std::ranges::min_element(found, better);
+  if (best.info.usable) return best;
+  return deviceError("the Vulkan device '" + best.info.name + "' cannot be used: " + best.info.reason);
+}
+
+}  // namespace vorpipe::vulkan

@@ -1,0 +1,20 @@
+/// Vulkan behind the interface of backend.h: cells are clipped and drawn by a geometry shader.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "backend/backend.h"
+
+namespace vorpipe {
+
+/// Opens the device that options name, or the best usable one: discrete before integrated, virtual,
+/// cpu and other. Errors: no loader, driver or device, none that fits options.device, one that
+/// lacks a feature (device; the message names the remedy); an unknown name in the mask (input).
+Result<std::unique_ptr<Backend>> makeVulkanGeometryBackend(const BackendOptions& options);
+
+/// Every Vulkan device in the order of its index, as it would be with mask; without any, one
+/// entry that says why.
+std::vector<DeviceInfo> listVulkanDevices(const Mask& mask);
+
+}  // namespace vorpipe
