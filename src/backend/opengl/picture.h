@@ -1,0 +1,35 @@
+/// The picture: a color and an id per pixel, what it shows and how that is drawn.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "backend/backend.h"
+#include "backend/opengl/buffer.h"
+#include "backend/opengl/gl.h"
+
+namespace vorpipe::opengl {
+
+class Picture {
+ public:
+  Picture();
+
+  /// Clears it, at the view's size, and hands the view to the shaders.
+  Result<void> begin(const View& view, int subpixel_bits);
+
+  /// Makes it what the next draw call draws into, with the view that begin() was given.
+  void bind() const;
+
+  /// Reads it back, bottom row first. Both spans hold width * height.
+  Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) const;
+
+ private:
+  Result<void> resize(int width, int height);
+
+  GLuint framebuffer_ = 0, color_ = 0, id_ = 0;
+  int width_ = 0, height_ = 0;
+  Buffer view_;
+  TexelBuffer palette_;
+};
+
+}  // namespace vorpipe::opengl
