@@ -1,0 +1,29 @@
+# Writes shaders.h and shaders.cpp: the SPIR-V of every module as words, its GLSL 4.10 as text.
+# cmake -D modules=a;b -D from=DIR -D to=DIR -P embed.cmake
+cmake_minimum_required(VERSION 3.25)
+
+string(REPEAT "0x........, " 8 line_of_words)
+set(declarations "")
+set(definitions "")
+set(accessors "")
+foreach(module IN LISTS modules)
+  file(READ ${from}/${module}.spv words HEX)
+  # SPIR-V words lie in the file lowest byte first.
+  string(REGEX REPLACE "(..)(..)(..)(..)" "0x\\4\\3\\2\\1, " words "${words}")
+  string(REGEX REPLACE "(${line_of_words})" "\\1\n    " words "${words}")
+  file(READ ${from}/${module}.410.glsl text)
+  string(APPEND declarations "std::span<const std::uint32_t> ${module}();\n"
+         "std::string_view ${module}_410();\n")
+  string(APPEND definitions "constexpr std::uint32_t ${module}_words[] = {\n    ${words}};\n"
+         "constexpr std::string_view ${module}_text = R\"glsl(${text})glsl\";\n\n")
+  string(APPEND accessors "std::span<const std::uint32_t> ${module}() { return ${module}_words; }\n"
+         "std::string_view ${module}_410() { return ${module}_text; }\n")
+endforeach()
+
+file(WRITE ${to}/shaders.h
+     "/// Every shader module: its SPIR-V, and the GLSL 4.10 made from it. Made by shaders/embed.cmake.\n"
+     "#pragma once\n\n#include <cstdint>\n#include <span>\n#include <string_view>\n\n"
+     "namespace vorpipe::shaders {\n\n${declarations}\n}  // namespace vorpipe::shaders\n")
+file(WRITE ${to}/shaders.cpp
+     "// Made by shaders/embed.cmake.\n#include \"shaders.h\"\n\nnamespace vorpipe::shaders {\n\n"
+     "namespace {\n\n${definitions}}  // namespace\n\n${accessors}\n}  // namespace vorpipe::shaders\n")

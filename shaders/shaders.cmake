@@ -1,0 +1,114 @@
+# How a shader module is made: GLSL -> SPIR-V -> optimized -> checked, and GLSL 4.10 from that very
+# SPIR-V. Everything goes to the build folder; the target update-spv copies it to shaders/spv.
+# Where a compiler is missing, the modules of shaders/spv are embedded as they are.
+
+include(${CMAKE_CURRENT_LIST_DIR}/manifest.cmake)
+find_program(GLSLANG NAMES glslangValidator glslang)
+find_program(SPIRV_OPT spirv-opt)
+find_program(SPIRV_VAL spirv-val)
+find_program(SPIRV_CROSS spirv-cross)
+
+set(vulkan vulkan1.1)
+set(glslang_flags -V --target-env ${vulkan})
+# Names stay in the SPIR-V: OpenGL 4.1 binds blocks and samplers by name.
+set(optimize_flags -O)
+# OpenGL 4.1 has no storage buffers: every specialization constant (they are all flags) is false
+# there, and what it guards is folded away.
+set(fold_flags --set-spec-const-default-value "0:false" --freeze-spec-const --fold-spec-const-op-composite -O)
+set(cross_flags --version 410 --no-es --no-420pack-extension)
+
+set(glsl_dir ${CMAKE_CURRENT_LIST_DIR}/glsl)
+set(committed_dir ${CMAKE_CURRENT_LIST_DIR}/spv)
+set(built_dir ${CMAKE_CURRENT_BINARY_DIR}/spv)
+set(shader_recipe ${CMAKE_CURRENT_BINARY_DIR}/recipe.txt)
+set(shader_modules "")
+set(recipe_modules "")
+
+if(GLSLANG AND SPIRV_OPT AND SPIRV_VAL AND SPIRV_CROSS)
+  set(shaders_dir ${built_dir})
+  file(MAKE_DIRECTORY ${built_dir})
+  foreach(tool_and_option "GLSLANG --version" "SPIRV_OPT --version" "SPIRV_CROSS --revision")
+    separate_arguments(tool_and_option)
+    list(GET tool_and_option 0 tool)
+    list(GET tool_and_option 1 option)
+    vorpipe_tool_version(${${tool}} ${option} version)
+    string(TOLOWER ${tool} name)
+    string(APPEND recipe_tools "tool ${name} ${version}\n")
+  endforeach()
+else()
+  set(shaders_dir ${committed_dir})
+  message(STATUS "glslang, SPIRV-Tools or SPIRV-Cross is missing: using the shaders of shaders/spv")
+endif()
+
+# vorpipe_shader(module file define...): the module of that name is made from glsl/file.
+function(vorpipe_shader module file)
+  set(shader_modules ${shader_modules} ${module} PARENT_SCOPE)
+  list(TRANSFORM ARGN PREPEND -D OUTPUT_VARIABLE defines)
+  string(JOIN " " row module ${module} ${file} ${defines})
+  set(recipe_modules "${recipe_modules}${row}\n" PARENT_SCOPE)
+  if(shaders_dir STREQUAL committed_dir)
+    return()
+  endif()
+  set(source ${glsl_dir}/${file})
+  string(REGEX REPLACE ".*\\." "" stage ${file})
+  set(out ${built_dir}/${module})
+  add_custom_command(
+    OUTPUT ${out}.spv
+    COMMAND ${GLSLANG} --quiet ${glslang_flags} ${defines} --depfile ${out}.d -o ${out}.raw.spv ${source}
+    COMMAND ${SPIRV_OPT} ${optimize_flags} ${out}.raw.spv -o ${out}.opt.spv
+    COMMAND ${SPIRV_VAL} --target-env ${vulkan} ${out}.opt.spv
+    COMMAND ${CMAKE_COMMAND} -E rename ${out}.opt.spv ${out}.spv
+    DEPENDS ${source}
+    DEPFILE ${out}.d
+    COMMENT "Compiling shader ${module}"
+    VERBATIM)
+  add_custom_command(
+    OUTPUT ${out}.410.glsl
+    COMMAND ${SPIRV_OPT} ${fold_flags} ${out}.spv -o ${out}.folded.spv
+    COMMAND ${SPIRV_CROSS} ${out}.folded.spv ${cross_flags} --output ${out}.410.glsl
+    COMMAND ${GLSLANG} --quiet -S ${stage} ${out}.410.glsl
+    DEPENDS ${out}.spv
+    COMMENT "Translating shader ${module} for OpenGL 4.1"
+    VERBATIM)
+endfunction()
+
+# vorpipe_embed_shaders(target): a static library of all modules so far, with its header shaders.h.
+function(vorpipe_embed_shaders target)
+  string(JOIN " " glslang_line ${glslang_flags})
+  string(JOIN " " optimize_line ${optimize_flags})
+  string(JOIN " " fold_line ${fold_flags})
+  string(JOIN " " cross_line ${cross_flags})
+  file(CONFIGURE OUTPUT ${shader_recipe} @ONLY CONTENT
+"@recipe_tools@flags glslang @glslang_line@
+flags spirv_opt @optimize_line@
+flags spirv_opt for OpenGL @fold_line@
+flags spirv_cross @cross_line@
+@recipe_modules@")
+
+  set(files "")
+  foreach(module IN LISTS shader_modules)
+    list(APPEND files ${shaders_dir}/${module}.spv ${shaders_dir}/${module}.410.glsl)
+  endforeach()
+  set(embed ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/embed.cmake)
+  set(generated ${CMAKE_CURRENT_BINARY_DIR}/generated)
+  add_custom_command(
+    OUTPUT ${generated}/shaders.cpp ${generated}/shaders.h
+    COMMAND ${CMAKE_COMMAND} -D "modules=${shader_modules}" -D from=${shaders_dir} -D to=${generated} -P ${embed}
+    DEPENDS ${files} ${embed}
+    COMMENT "Embedding the shaders"
+    VERBATIM)
+  add_library(${target} STATIC ${generated}/shaders.cpp)
+  target_compile_features(${target} PUBLIC cxx_std_20)
+  target_include_directories(${target} SYSTEM PUBLIC ${generated})
+
+  if(NOT shaders_dir STREQUAL committed_dir)
+    add_custom_target(
+      update-spv
+      COMMAND
+        ${CMAKE_COMMAND} -D recipe=${shader_recipe} -D from=${built_dir} -D glsl=${glsl_dir} -D to=${committed_dir} -P
+        ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/update.cmake
+      DEPENDS ${files}
+      COMMENT "Writing shaders/spv"
+      VERBATIM)
+  endif()
+endfunction()

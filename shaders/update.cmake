@@ -1,0 +1,23 @@
+# Copies the built shaders to shaders/spv and writes its MANIFEST.
+# cmake -D recipe=FILE -D from=DIR -D glsl=DIR -D to=DIR -P update.cmake
+#
+# The recipe, written when the build is configured, has a line for each tool with its version, one
+# for each step with its flags, and one for each module with its source and its defines.
+cmake_minimum_required(VERSION 3.25)
+include(${CMAKE_CURRENT_LIST_DIR}/manifest.cmake)
+
+set(manifest "# What the files beside this one were made from. Made by the target update-spv.\n")
+file(STRINGS ${recipe} lines)
+file(GLOB old ${to}/*.spv ${to}/*.glsl)
+if(old)
+  file(REMOVE ${old})
+endif()
+foreach(line IN LISTS lines)
+  if(line MATCHES "^module ([^ ]+) ([^ ]+) ?(.*)$")
+    set(module ${CMAKE_MATCH_1})
+    vorpipe_manifest_row(${glsl} ${module} ${CMAKE_MATCH_2} "${CMAKE_MATCH_3}" line)
+    file(COPY ${from}/${module}.spv ${from}/${module}.410.glsl DESTINATION ${to})
+  endif()
+  string(APPEND manifest "${line}\n")
+endforeach()
+file(WRITE ${to}/MANIFEST "${manifest}")

@@ -1,0 +1,79 @@
+#include "backend/registry.h"
+
+#include <fmt/format.h>
+
+#include "backend/capabilities.h"
+#include "backend/cpu/cpu.h"
+#include "backend/opengl/opengl_backend.h"
+#include "backend/vulkan/vulkan_backend.h"
+
+namespace vorpipe {
+namespace {
+
+using Made = Result<std::unique_ptr<Backend>>;
+
+Result<OpenedBackend> opened(Made made, std::string choice = {}) {
+  if (!made) return tl::unexpected(made.error());
+  return OpenedBackend{std::move(*made), std::move(choice)};
+}
+
+bool isHardware(const Made& made) { return made && (*made)->info().device.type != "cpu"; }
+
+Result<OpenedBackend> openAuto(const BackendOptions& options) {
+  auto vulkan = makeVulkanGeometryBackend(options);
+  if (isHardware(vulkan))
+    return opened(std::move(vulkan), "auto took vulkan-geometry: it has a hardware device");
+  auto opengl = makeOpenGlBackend(options);
+  if (isHardware(opengl)) {
+    return opened(std::move(opengl), "auto took opengl: Vulkan has no hardware device here, OpenGL has");
+  }
+  if (vulkan) {
+    return opened(std::move(vulkan),
+                  "auto took vulkan-geometry: no hardware device, and of the software ways "
+                  "it is the fastest for a picture");
+  }
+  if (opengl) {
+    return opened(
+        std::move(opengl),
+        fmt::format("auto took opengl: no hardware device, and Vulkan failed ({})", vulkan.error().message));
+  }
+  if (!options.device.empty()) return tl::unexpected(vulkan.error());
+  return opened(makeCpuBackend(options),
+                fmt::format("auto took cpu: Vulkan failed ({}) and OpenGL failed ({})",
+                            vulkan.error().message, opengl.error().message));
+}
+
+}  // namespace
+
+Result<OpenedBackend> openBackend(const BackendOptions& options) {
+  Capabilities any;
+  if (auto known = applyMask(any, options.mask); !known) return tl::unexpected(known.error());
+  const auto& name = options.name;
+  if (name == "auto") return openAuto(options);
+  if (name == "vulkan-geometry") return opened(makeVulkanGeometryBackend(options));
+  if (name == "vulkan") {
+    return opened(makeVulkanGeometryBackend(options),
+                  "vulkan took vulkan-geometry: it is the Vulkan pipeline that draws");
+  }
+  if (name == "opengl") return opened(makeOpenGlBackend(options));
+  if (name == "cpu") return opened(makeCpuBackend(options));
+  return tl::unexpected(Error{
+      ErrorCode::input, fmt::format("there is no backend \"{}\"; known are auto, vulkan, vulkan-geometry, "
+                                    "opengl, cpu",
+                                    name)});
+}
+
+std::unique_ptr<Backend> openJudge(int threads) {
+  BackendOptions options;
+  options.threads = threads;
+  return makeCpuBackend(options);
+}
+
+std::vector<DeviceInfo> devices(const Mask& mask) {
+  auto all = listVulkanDevices(mask);
+  for (auto& device : listOpenGlDevices(mask)) all.push_back(std::move(device));
+  all.push_back(cpuDevice());
+  return all;
+}
+
+}  // namespace vorpipe

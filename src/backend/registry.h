@@ -1,0 +1,24 @@
+/// Names of backends and what they open; what "auto" and "vulkan" mean.
+#pragma once
+
+#include <memory>
+
+#include "backend/backend.h"
+
+namespace vorpipe {
+
+struct OpenedBackend {
+  std::unique_ptr<Backend> backend;
+  std::string choice;  ///< why this one, where the name left a choice
+};
+
+/// Opens `options.name`: a registry name (vulkan-geometry, opengl, cpu), "vulkan" (the Vulkan
+/// pipeline that is fastest for a picture) or "auto" (a hardware device through Vulkan, then
+/// through OpenGL; without one the fastest software). Errors: an unknown name (input); no such
+/// device (device).
+Result<OpenedBackend> openBackend(const BackendOptions& options);
+
+/// The backend that clips in double: the judge of the others.
+std::unique_ptr<Backend> openJudge(int threads);
+
+}  // namespace vorpipe

@@ -1,0 +1,42 @@
+/// What `vorpipe compare` found: backends side by side, and every pair of them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/difference_picture.h"
+#include "cli/input.h"
+#include "vorpipe.h"
+
+namespace vorpipe::cli {
+
+struct BackendRun {
+  std::string name;  ///< as --backends has it
+  Rendering rendering;
+  double render_ms = 0;
+};
+
+struct PairDiff {
+  std::size_t a = 0, b = 0;  ///< of Comparison::runs
+  IdDiff diff;
+  std::uint64_t statuses = 0;  ///< sites of different status
+};
+
+struct Comparison {
+  std::vector<BackendRun> runs;
+  std::vector<PairDiff> pairs;
+};
+
+/// Compares every pair of runs; all are pictures of the same size of the input's domain.
+Result<std::vector<PairDiff>> comparePairs(const std::vector<BackendRun>& runs, const Input& input);
+
+/// The table for people.
+std::string comparisonTable(const Comparison& comparison);
+
+/// The object that `--report` writes, with a line's end.
+std::string comparisonJson(const Comparison& comparison, const Input& input);
+
+/// Above, the pictures side by side; below, a gray picture for each pair with its differences marked.
+Picture comparisonMontage(const Comparison& comparison);
+
+}  // namespace vorpipe::cli

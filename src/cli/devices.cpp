@@ -1,0 +1,99 @@
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/command.h"
+#include "cli/options.h"
+
+namespace vorpipe::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct DevicesCommand {
+  Mask mask;
+  bool json = false;
+};
+
+/// A device with its index within its backend, which is what --device takes; none for the entry that
+/// says why a backend has no device.
+struct IndexedDevice {
+  DeviceInfo info;
+  std::optional<int> index;
+};
+
+std::vector<IndexedDevice> indexed(std::vector<DeviceInfo> infos) {
+  std::map<std::string, int> next;
+  std::vector<IndexedDevice> result;
+  for (DeviceInfo& info : infos) {
+    std::optional<int> index;
+    if (!info.name.empty()) index = next[info.backend]++;
+    result.push_back({std::move(info), index});
+  }
+  return result;
+}
+
+void printJson(const std::vector<IndexedDevice>& listed) {
+  Json array = Json::array();
+  for (const auto& [info, index] : listed) {
+    Json features = Json::object(), limits = Json::object();
+    for (const auto& [name, present] : info.features) features[name] = present;
+    for (const auto& [name, value] : info.limits) limits[name] = value;
+    array.push_back({{"backend", info.backend},
+                     {"index", index ? Json(*index) : Json(nullptr)},
+                     {"name", info.name},
+                     {"driver", info.driver},
+                     {"type", info.type},
+                     {"usable", info.usable},
+                     {"reason", info.usable ? Json(nullptr) : Json(info.reason)},
+                     {"features", std::move(features)},
+                     {"limits", std::move(limits)}});
+  }
+  fmt::print("{}\n", array.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+void printDevice(const IndexedDevice& device) {
+  const DeviceInfo& info = device.info;
+  if (device.index) fmt::print("  {}  {}; {}; {}\n", *device.index, info.name, info.driver, info.type);
+  if (!info.usable) fmt::print("     cannot be used: {}\n", info.reason);
+  for (const auto& [name, present] : info.features)
+    fmt::print("     {:<34} {}\n", name, present ? "yes" : "no");
+  for (const auto& [name, value] : info.limits) fmt::print("     {:<34} {}\n", name, value);
+}
+
+void printTable(const std::vector<IndexedDevice>& listed) {
+  std::string_view backend;
+  for (const IndexedDevice& device : listed) {
+    if (device.info.backend != backend) {
+      backend = device.info.backend;
+      fmt::print("{}\n", backend);
+    }
+    printDevice(device);
+  }
+}
+
+Result<ExitCode> listDevices(const DevicesCommand& command) {
+  // devices() has no way to refuse a name that no device knows; opening a session does.
+  BackendOptions cpu;
+  cpu.name = "cpu";
+  cpu.mask = command.mask;
+  if (const auto session = Session::open(cpu); !session) return tl::unexpected(session.error());
+  const auto listed = indexed(devices(command.mask));
+  command.json ? printJson(listed) : printTable(listed);
+  return exit_done;
+}
+
+}  // namespace
+
+Subcommand addDevices(CLI::App& app) {
+  auto command = std::make_shared<DevicesCommand>();
+  CLI::App* sub =
+      app.add_subcommand("devices", "lists every backend with its devices, or why one cannot be used");
+  sub->add_flag("--json", command->json, "prints JSON");
+  addMaskOptions(*sub, command->mask);
+  return Subcommand{sub, [command] { return listDevices(*command); }};
+}
+
+}  // namespace vorpipe::cli

@@ -1,0 +1,132 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "cli/command.h"
+#include "cli/difference_picture.h"
+#include "cli/difference_text.h"
+#include "cli/input.h"
+#include "cli/options.h"
+#include "cli/progress.h"
+#include "io/error.h"
+#include "io/npy_ids.h"
+#include "io/output_file.h"
+#include "io/png_file.h"
+
+namespace vorpipe::cli {
+namespace {
+
+struct DiffCommand {
+  std::string a, b, png;
+  InputOptions input;
+  TalkOptions talk;
+};
+
+/// What a comparison came to: nothing to say on standard error where the two agree.
+struct Outcome {
+  std::string agreement, difference;
+  Picture picture;
+};
+
+bool namesIds(const std::string& path) { return path.ends_with(".npy") || path.ends_with(".NPY"); }
+
+Result<IdDiff> idDiff(const DiffCommand& command, const Image& a, const Image& b) {
+  if (command.input.sites.empty()) return diffIds(a.ids, b.ids, a.width, a.height);
+  const auto input = loadInput(command.input);
+  if (!input) return tl::unexpected(input.error());
+  return diffIds(a.ids, b.ids, a.width, a.height, input->sites, input->domain);
+}
+
+Result<Outcome> compareIds(const DiffCommand& command, const Image& a, const Image& b) {
+  const auto diff = idDiff(command, a, b);
+  if (!diff) return tl::unexpected(diff.error());
+  Outcome outcome;
+  outcome.agreement = fmt::format("{} pixels equal, {} ties, {} wrong", diff->equal, diff->ties, diff->wrong);
+  if (!diff->agree()) outcome.difference = disagreementText(*diff);
+  if (!command.png.empty()) {
+    outcome.picture = grayOfIds(a.ids, a.width, a.height);
+    markDifferences(outcome.picture, diff->pixels);
+  }
+  if (command.talk.verbose && !command.talk.quiet) {
+    for (const IdDifference& place : diff->first) fmt::print("{}\n", placeText(place));
+    if (diff->wrong > 0) fmt::print("worst: {}\n", placeText(diff->worst));
+  }
+  return outcome;
+}
+
+Outcome compareColors(const DiffCommand& command, const Image& a, const Image& b) {
+  const ImageDiff diff = diffImages(a.rgba, b.rgba, a.width, a.height);
+  Outcome outcome;
+  outcome.agreement = fmt::format("{} pixels equal", a.rgba.size() - diff.different);
+  if (diff.different > 0) {
+    outcome.difference = fmt::format(
+        "{} pixels differ, by at most {} of 255, first at row {}, column {}, all in rows {} to {} and "
+        "columns {} to {}",
+        diff.different, diff.largest, diff.first_row, diff.first_column, diff.top, diff.bottom, diff.left,
+        diff.right);
+  }
+  if (!command.png.empty()) {
+    outcome.picture = grayOfColors(a.rgba, a.width, a.height);
+    markDifferences(outcome.picture, diff.pixels);
+  }
+  return outcome;
+}
+
+Result<void> writePicture(const std::string& path, const Picture& picture) {
+  stopOnSignals();
+  auto file = OutputFile::create(path);
+  if (!file) return tl::unexpected(std::move(file.error()));
+  const auto written = writePng(*file, picture.width, picture.height, picture.rgba);
+  if (!written) return written;
+  if (const auto go_on = stopIfAsked(); !go_on) return go_on;
+  return file->commit();
+}
+
+Result<ExitCode> diff(const DiffCommand& command) {
+  const bool ids = namesIds(command.a);
+  if (ids != namesIds(command.b)) {
+    return inputError(
+        fmt::format("{} and {}: name two .npy id arrays or two PNG pictures", command.a, command.b));
+  }
+  if (!ids && !command.input.sites.empty()) {
+    return inputError("--sites: tells ties only in .npy id arrays, not in pictures");
+  }
+  const auto a = ids ? readNpyIds(command.a) : readPng(command.a);
+  if (!a) return tl::unexpected(a.error());
+  const auto b = ids ? readNpyIds(command.b) : readPng(command.b);
+  if (!b) return tl::unexpected(b.error());
+  if (a->width != b->width || a->height != b->height) {
+    printError(fmt::format("{} is {}x{}, {} is {}x{}: the sizes differ", command.a, a->width, a->height,
+                           command.b, b->width, b->height));
+    return exit_different;
+  }
+  const Result<Outcome> outcome = ids ? compareIds(command, *a, *b) : compareColors(command, *a, *b);
+  if (!outcome) return tl::unexpected(outcome.error());
+  if (!command.png.empty()) {
+    if (const auto written = writePicture(command.png, outcome->picture); !written) {
+      return tl::unexpected(written.error());
+    }
+  }
+  if (!outcome->difference.empty()) {
+    printError(fmt::format("{} and {} differ: {}", command.a, command.b, outcome->difference));
+    return exit_different;
+  }
+  if (!command.talk.quiet) fmt::print("{} and {}: {}\n", command.a, command.b, outcome->agreement);
+  return exit_done;
+}
+
+}  // namespace
+
+Subcommand addDiff(CLI::App& app) {
+  auto command = std::make_shared<DiffCommand>();
+  CLI::App* sub = app.add_subcommand("diff", "compares two id arrays (.npy) or two pictures (.png)");
+  sub->add_option("A", command->a, "one")->type_name("FILE")->required();
+  sub->add_option("B", command->b, "the other")->type_name("FILE")->required();
+  addFile(*sub, "-o", command->png, ".png", "where they differ: red is wrong, yellow a tie");
+  addInputOptions(*sub, command->input);
+  addTalkOptions(*sub, command->talk);
+  return Subcommand{sub, [command] { return diff(*command); }};
+}
+
+}  // namespace vorpipe::cli

@@ -1,0 +1,30 @@
+/// The sites of a run, and what follows from them where the options leave it open.
+#pragma once
+
+#include "cli/options.h"
+#include "vorpipe.h"
+
+namespace vorpipe::cli {
+
+struct Input {
+  Sites sites;
+  Box domain;
+  std::optional<std::uint64_t> seed;  ///< of the generator; none for files
+  double read_ms = 0;
+};
+
+/// Loads or generates the sites of --sites. Errors: those of loadSites; there are too many sites for
+/// this machine's memory, or no default domain holds them (input).
+Result<Input> loadInput(const InputOptions& options);
+
+/// The box of at least one site, grown on every side by 5 % of its longer side, or by 0.5 where all
+/// sites are equal; by more where so little would vanish beside the coordinates.
+Box domainOfSites(const Sites& sites);
+
+/// Pixels for a picture of `domain`: the longer side 1000, the other at least 1.
+Size defaultSize(const Box& domain);
+
+/// Refuses (input) a picture for which this machine has too little memory; `pictures` are held at once.
+Result<void> forecastPicture(const Size& size, std::uint64_t pictures);
+
+}  // namespace vorpipe::cli

@@ -1,0 +1,58 @@
+/// The options that several subcommands share.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "cli/parse.h"
+#include "vorpipe.h"
+
+namespace vorpipe::cli {
+
+/// Adds an option whose value `parse` turns into `target`; the command line's error is `--name: ` and
+/// what parse says.
+template <class Target, class Parse>
+CLI::Option* addParsed(CLI::App& app, const std::string& name, Target& target, const std::string& value,
+                       const std::string& description, const Parse& parse) {
+  auto* option = app.add_option_function<std::string>(
+      name, [&target, parse](const std::string& text) { target = *parse(text); }, description);
+  option->type_name(value);
+  option->check([parse](const std::string& text) {
+    const auto parsed = parse(text);
+    return parsed ? std::string() : parsed.error();
+  });
+  return option;
+}
+
+/// Adds an option that names a file to write of the kind that `extension` says.
+CLI::Option* addFile(CLI::App& app, const std::string& name, std::string& target,
+                     const std::string& extension, const std::string& description);
+
+struct InputOptions {
+  std::string sites;
+  std::uint64_t seed = 1;
+  std::optional<Box> domain;
+};
+
+struct TalkOptions {
+  bool quiet = false, verbose = false;
+};
+
+/// --sites, --seed, --domain
+CLI::Option* addInputOptions(CLI::App& app, InputOptions& options);
+/// --backend, --device
+void addBackendChoice(CLI::App& app, BackendOptions& options);
+/// --threads, --validate
+void addRunOptions(CLI::App& app, BackendOptions& options);
+/// --disable, --limit
+void addMaskOptions(CLI::App& app, Mask& mask);
+/// --search
+void addSearchOptions(CLI::App& app, SearchOptions& options);
+/// --size
+void addSizeOption(CLI::App& app, std::optional<Size>& size);
+/// --quiet, --verbose
+void addTalkOptions(CLI::App& app, TalkOptions& options);
+
+}  // namespace vorpipe::cli

@@ -1,0 +1,140 @@
+#include "cli/parse.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+
+#include "io/error.h"
+#include "io/number.h"
+
+namespace vorpipe::cli {
+namespace {
+
+struct NamedColor {
+  std::string_view name;
+  ColorBy color;
+};
+
+constexpr std::array<NamedColor, 4> colors = {{{"site", ColorBy::site},
+                                               {"area", ColorBy::area},
+                                               {"neighbors", ColorBy::neighbors},
+                                               {"weight", ColorBy::weight}}};
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t end; (end = text.find(separator)) != std::string_view::npos; text.remove_prefix(end + 1)) {
+    parts.push_back(text.substr(0, end));
+  }
+  parts.push_back(text);
+  return parts;
+}
+
+tl::unexpected<std::string> bad(std::string message) { return tl::unexpected(std::move(message)); }
+
+}  // namespace
+
+Parsed<std::uint64_t> parseWhole(std::string_view text, std::uint64_t low, std::uint64_t high) {
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, code] = std::from_chars(text.data(), end, value);
+  if (code != std::errc() || stop != end || value < low || value > high) {
+    return bad(fmt::format("{} is not a whole number from {} to {}", quoted(text), low, high));
+  }
+  return value;
+}
+
+Parsed<Box> parseDomain(std::string_view text) {
+  constexpr std::array<std::string_view, 4> names = {"xmin", "ymin", "xmax", "ymax"};
+  const auto parts = split(text, ',');
+  if (parts.size() != names.size()) {
+    return bad(fmt::format("{} is not XMIN,YMIN,XMAX,YMAX", quoted(text)));
+  }
+  std::array<double, 4> values{};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto value = parseNumber(parts[i]);
+    if (!value) return bad(fmt::format("{}: {}", names[i], value.error()));
+    values[i] = *value;
+  }
+  const Box box{values[0], values[1], values[2], values[3]};
+  if (!(box.xmin < box.xmax)) return bad(fmt::format("xmin {} is not below xmax {}", box.xmin, box.xmax));
+  if (!(box.ymin < box.ymax)) return bad(fmt::format("ymin {} is not below ymax {}", box.ymin, box.ymax));
+  if (!std::isfinite(box.xmax - box.xmin)) return bad("xmax - xmin is too large for a double");
+  if (!std::isfinite(box.ymax - box.ymin)) return bad("ymax - ymin is too large for a double");
+  return box;
+}
+
+Parsed<Size> parseSize(std::string_view text) {
+  const auto parts = split(text, 'x');
+  if (parts.size() != 2) return bad(fmt::format("{} is not WxH, as in 800x600", quoted(text)));
+  const auto width = parseWhole(parts[0], 1, largest_side);
+  if (!width) return bad("width " + width.error());
+  const auto height = parseWhole(parts[1], 1, largest_side);
+  if (!height) return bad("height " + height.error());
+  return Size{static_cast<int>(*width), static_cast<int>(*height)};
+}
+
+Parsed<SearchOptions> parseSearch(std::string_view text) {
+  constexpr std::string_view flann = "flann";
+  SearchOptions search;
+  if (text == flann) return search;
+  if (!text.starts_with("flann:")) return bad(fmt::format("{} is not flann or flann:K", quoted(text)));
+  const auto neighbors = parseWhole(text.substr(flann.size() + 1), 3, 1024);
+  if (!neighbors) return bad("flann: " + neighbors.error());
+  search.neighbors = static_cast<int>(*neighbors);
+  return search;
+}
+
+Parsed<std::pair<std::string, std::uint64_t>> parseLimit(std::string_view text) {
+  const std::size_t equals = text.find('=');
+  if (equals == 0 || equals == std::string_view::npos) {
+    return bad(fmt::format("{} is not NAME=VALUE, as in maxTexelBufferElements=65536", quoted(text)));
+  }
+  const auto value = parseWhole(text.substr(equals + 1), 0, UINT64_MAX);
+  if (!value) return bad(fmt::format("{}: {}", quoted(text.substr(0, equals)), value.error()));
+  return std::pair(std::string(text.substr(0, equals)), *value);
+}
+
+Parsed<ColorBy> parseColor(std::string_view text) {
+  const auto named = std::ranges::find(colors, text, &NamedColor::name);
+  if (named == colors.end()) {
+    return bad(fmt::format("{} is not one of site, area, neighbors, weight", quoted(text)));
+  }
+  return named->color;
+}
+
+Parsed<std::string> parseColormap(std::string_view text) {
+  const auto names = colormaps();
+  if (std::ranges::find(names, text) == names.end()) {
+    return bad(fmt::format("{} is not one of {}", quoted(text), fmt::join(names, ", ")));
+  }
+  return std::string(text);
+}
+
+Parsed<std::vector<std::string>> parseBackends(std::string_view text) {
+  std::vector<std::string> names;
+  for (const std::string_view name : split(text, ',')) {
+    if (name.empty()) return bad(fmt::format("{} has an empty name", quoted(text)));
+    if (std::ranges::find(names, name) != names.end()) {
+      return bad(fmt::format("{} is named twice", quoted(name)));
+    }
+    names.emplace_back(name);
+  }
+  if (names.size() < 2) return bad("needs at least two backends, as in cpu,vulkan-geometry");
+  return names;
+}
+
+Parsed<std::string> parseFile(std::string_view text, std::string_view extension) {
+  std::string found = std::filesystem::path(text).extension().string();
+  std::ranges::transform(found, found.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  if (!found.empty() && found != extension)
+    return bad(fmt::format("{} does not end in {}", quoted(text), extension));
+  return std::string(text);
+}
+
+}  // namespace vorpipe::cli

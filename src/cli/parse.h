@@ -1,0 +1,52 @@
+/// The values of options, from text. The error is what is wrong with the text, in words that
+/// continue "--option: ".
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "vorpipe.h"
+
+namespace vorpipe::cli {
+
+template <class T>
+using Parsed = tl::expected<T, std::string>;
+
+/// Pixels.
+struct Size {
+  int width = 0, height = 0;
+};
+
+inline constexpr int largest_side = 32768;
+
+/// A whole number from low to high.
+Parsed<std::uint64_t> parseWhole(std::string_view text, std::uint64_t low, std::uint64_t high);
+
+/// `XMIN,YMIN,XMAX,YMAX`, a valid box.
+Parsed<Box> parseDomain(std::string_view text);
+
+/// `WxH`, 1 to largest_side each.
+Parsed<Size> parseSize(std::string_view text);
+
+/// `flann` or `flann:K`.
+Parsed<SearchOptions> parseSearch(std::string_view text);
+
+/// `NAME=VALUE`; whether the name is known is for the backends to say.
+Parsed<std::pair<std::string, std::uint64_t>> parseLimit(std::string_view text);
+
+/// `site`, `area`, `neighbors` or `weight`.
+Parsed<ColorBy> parseColor(std::string_view text);
+
+/// One of colormaps().
+Parsed<std::string> parseColormap(std::string_view text);
+
+/// Two or more different names, separated by commas.
+Parsed<std::vector<std::string>> parseBackends(std::string_view text);
+
+/// A file name that ends in `extension`, such as ".png", or has none (/dev/stdout).
+Parsed<std::string> parseFile(std::string_view text, std::string_view extension);
+
+}  // namespace vorpipe::cli

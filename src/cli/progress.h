@@ -1,0 +1,58 @@
+/// How a run shows how far it is, and how it is told to stop.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <string_view>
+
+#include "vorpipe.h"
+
+namespace vorpipe::cli {
+
+/// From now on SIGINT and SIGTERM end the program at once, with a line that says so.
+void endOnSignals();
+
+/// From now on, since there is something to clean up, they only ask the run to stop; a second one ends
+/// the program.
+void stopOnSignals();
+
+/// The exit code of a run that was asked to stop.
+int signalExitCode();
+
+/// ErrorCode::cancelled once a signal has asked to stop.
+Result<void> stopIfAsked();
+
+/// A bar on standard error.
+class ProgressBar {
+ public:
+  /// Shows nothing when quiet or when standard error is no terminal.
+  explicit ProgressBar(bool quiet);
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  /// A callback that draws the bar and is false once a signal has asked to stop. It refers to this bar.
+  Progress callback();
+  /// Takes the bar off the screen.
+  void clear();
+
+ private:
+  void draw(std::string_view stage, double fraction);
+
+  bool shown_;
+  bool drawn_ = false;
+  std::chrono::steady_clock::time_point last_;
+};
+
+/// Milliseconds since it was made.
+class Stopwatch {
+ public:
+  [[nodiscard]] double milliseconds() const {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace vorpipe::cli

@@ -1,0 +1,52 @@
+#include "cli/stats.h"
+
+#include <sys/resource.h>
+
+#include <nlohmann/json.hpp>
+
+namespace vorpipe::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json time(double milliseconds) { return milliseconds < 0 ? Json(nullptr) : Json(milliseconds); }
+
+std::uint64_t peakMemoryBytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+#ifdef __APPLE__
+  constexpr std::uint64_t unit = 1;
+#else
+  constexpr std::uint64_t unit = 1024;
+#endif
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * unit;
+}
+
+}  // namespace
+
+std::string statsJson(const Stats& stats) {
+  const Report& report = stats.report;
+  const Box& domain = stats.input.domain;
+  const Times& times = report.time_ms;
+  Json json;
+  json["version"] = version();
+  json["command"] = stats.command;
+  json["backend"] = report.backend;
+  json["device"] = report.device;
+  json["driver"] = report.driver;
+  json["sites"] = stats.input.sites.size();
+  json["seed"] = stats.input.seed ? Json(*stats.input.seed) : Json(nullptr);
+  json["domain"] = {domain.xmin, domain.ymin, domain.xmax, domain.ymax};
+  json["status"] = {{"ok", report.ok}, {"empty", report.empty}, {"duplicate", report.duplicate}};
+  json["resolved"] = {{"retried", report.retried}, {"double", report.in_double}, {"exact", report.exact}};
+  json["area_sum"] = nullptr;
+  json["time_ms"] = {
+      {"read", time(stats.input.read_ms)}, {"order", time(times.order)},    {"upload", time(times.upload)},
+      {"search", time(times.search)},      {"cells", time(times.cells)},    {"draw", time(times.draw)},
+      {"download", time(times.download)},  {"write", time(stats.write_ms)}, {"total", time(stats.total_ms)}};
+  json["peak_memory_bytes"] = peakMemoryBytes();
+  // A driver's name may hold any bytes.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace vorpipe::cli

@@ -1,0 +1,21 @@
+/// The figures of a run as JSON, for --stats.
+#pragma once
+
+#include <string>
+
+#include "cli/input.h"
+#include "vorpipe.h"
+
+namespace vorpipe::cli {
+
+struct Stats {
+  std::string command;
+  const Input& input;
+  const Report& report;
+  double write_ms, total_ms;
+};
+
+/// The object that `--stats` writes, with a line's end; a figure that does not apply is null.
+std::string statsJson(const Stats& stats);
+
+}  // namespace vorpipe::cli

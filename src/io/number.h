@@ -1,0 +1,18 @@
+/// Numbers as people and programs write them.
+#pragma once
+
+#include <string_view>
+
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+/// `text` without blanks and tabs at both ends.
+std::string_view trimmed(std::string_view text);
+
+/// Reads a finite decimal number, blanks around it and a leading + allowed, to the nearest double; what
+/// is too small for a double becomes 0. On failure the error is what is wrong with the text, in words
+/// that continue "FILE:LINE:COLUMN: ".
+tl::expected<double, std::string> parseNumber(std::string_view text);
+
+}  // namespace vorpipe

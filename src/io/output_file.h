@@ -1,0 +1,68 @@
+/// Output files that appear whole or not at all.
+#pragma once
+
+#include <cstdio>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+/// Bytes go to a temporary file beside the target, which commit() renames onto it; without commit()
+/// the target stays as it was. Something that is no regular file (/dev/stdout, a pipe) is written to
+/// directly.
+class OutputFile {
+ public:
+  /// Finds out at once whether `path` can be written. A symbolic link is followed; a file that exists
+  /// keeps its permissions. Errors (input): the directory is missing, the path is a directory, no
+  /// permission.
+  static Result<OutputFile> create(const std::string& path);
+  OutputFile(OutputFile&& other) noexcept = default;
+  OutputFile& operator=(OutputFile&& other) noexcept = default;
+  ~OutputFile() = default;
+
+  /// Appends bytes. Error (device): the system could not write them (the disk is full).
+  Result<void> write(std::string_view bytes);
+
+  /// Hands everything to the system; nothing can be written afterwards. Error (device): as write().
+  Result<void> finish();
+
+  /// Finishes, if that is not done, and puts the file in place. Error (device): the system refused.
+  Result<void> commit();
+
+  /// The path as it was given, for messages.
+  [[nodiscard]] const std::string& name() const { return name_; }
+  /// The file that is replaced, links followed; empty when it is written to directly.
+  [[nodiscard]] const std::string& target() const { return target_; }
+
+ private:
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  /// The path of a file that is removed unless it was moved away.
+  struct Remove {
+    void operator()(std::string* path) const;
+  };
+  using Stream = std::unique_ptr<std::FILE, Close>;
+
+  OutputFile(std::string name, std::string target) : name_(std::move(name)), target_(std::move(target)) {}
+  static Result<OutputFile> createDirect(const std::string& path);
+  Result<void> createTemporary();
+
+  std::string name_, target_;
+  std::unique_ptr<std::string, Remove> temporary_;  ///< before stream_, which closes first
+  Stream stream_;
+};
+
+/// Creates an output file for each path, in order. Errors (input): those of create(), two paths are
+/// one file.
+Result<std::vector<OutputFile>> createOutputs(std::span<const std::string> paths);
+
+/// Commits all files together: none is put in place unless all bytes of all of them were written.
+Result<void> commitAll(std::span<OutputFile> files);
+
+}  // namespace vorpipe

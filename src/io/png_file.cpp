@@ -1,0 +1,230 @@
+#include "io/png_file.h"
+
+#include <fmt/core.h>
+#include <png.h>
+
+#include <algorithm>
+#include <array>
+#include <csetjmp>
+#include <cstddef>
+#include <new>
+#include <string_view>
+#include <vector>
+
+#include "io/error.h"
+#include "io/input_file.h"
+
+// libpng leaves its functions by longjmp when something fails. So a function that calls setjmp, and a
+// callback from which png_error is called, holds no object with a destructor.
+
+namespace vorpipe {
+namespace {
+
+constexpr std::size_t max_channels = 4;
+constexpr int signature_size = 8;
+
+/// What the callbacks need, and what went wrong.
+struct Transfer {
+  OutputFile* output = nullptr;
+  InputFile* input = nullptr;
+  Result<void> result;              ///< of the file, not of libpng
+  std::array<char, 200> message{};  ///< of libpng
+};
+
+void onError(png_structp png, png_const_charp message) {
+  auto* transfer = static_cast<Transfer*>(png_get_error_ptr(png));
+  const std::string_view text(message);
+  text.copy(transfer->message.data(), transfer->message.size() - 1);
+  png_longjmp(png, 1);
+}
+
+void onWarning(png_structp /*png*/, png_const_charp /*message*/) {}
+
+bool writeTo(Transfer& transfer, const png_byte* bytes, std::size_t count) {
+  transfer.result = transfer.output->write({reinterpret_cast<const char*>(bytes), count});
+  return transfer.result.has_value();
+}
+
+void onWrite(png_structp png, png_bytep bytes, std::size_t count) {
+  if (!writeTo(*static_cast<Transfer*>(png_get_io_ptr(png)), bytes, count)) {
+    png_error(png, "writing failed");
+  }
+}
+
+void onFlush(png_structp /*png*/) {}
+
+bool readFrom(Transfer& transfer, png_byte* bytes, std::size_t count) {
+  const auto got = transfer.input->read(std::span(reinterpret_cast<char*>(bytes), count));
+  if (!got) {
+    transfer.result = tl::unexpected(got.error());
+  }
+  return got && *got == count;
+}
+
+void onRead(png_structp png, png_bytep bytes, std::size_t count) {
+  if (!readFrom(*static_cast<Transfer*>(png_get_io_ptr(png)), bytes, count)) {
+    png_error(png, "the file ends too early");
+  }
+}
+
+/// The pair of structures that every transfer needs.
+struct Handles {
+  png_structp png = nullptr;
+  png_infop info = nullptr;
+  bool writing;
+
+  Handles(bool write, Transfer& transfer) : writing(write) {
+    png = write ? png_create_write_struct(PNG_LIBPNG_VER_STRING, &transfer, onError, onWarning)
+                : png_create_read_struct(PNG_LIBPNG_VER_STRING, &transfer, onError, onWarning);
+    info = png != nullptr ? png_create_info_struct(png) : nullptr;
+  }
+  Handles(const Handles&) = delete;
+  Handles& operator=(const Handles&) = delete;
+  ~Handles() {
+    if (writing) {
+      png_destroy_write_struct(&png, &info);
+    } else {
+      png_destroy_read_struct(&png, &info, nullptr);
+    }
+  }
+};
+
+void packRow(const std::uint32_t* pixels, std::size_t width, std::size_t channels, png_byte* row) {
+  for (std::size_t i = 0; i < width; ++i) {
+    for (std::size_t channel = 0; channel < channels; ++channel) {
+      row[i * channels + channel] = static_cast<png_byte>(pixels[i] >> (8 * channel) & 0xFF);
+    }
+  }
+}
+
+bool encode(const Handles& handles, Transfer& transfer, png_uint_32 width, png_uint_32 height,
+            std::size_t channels, const std::uint32_t* pixels, png_byte* row) {
+  if (setjmp(png_jmpbuf(handles.png)) != 0) {
+    return false;
+  }
+  constexpr int fast_compression = 3;
+  png_set_write_fn(handles.png, &transfer, onWrite, onFlush);
+  png_set_IHDR(handles.png, handles.info, width, height, 8,
+               channels == max_channels ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_set_compression_level(handles.png, fast_compression);
+  png_set_filter(handles.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+  png_write_info(handles.png, handles.info);
+  for (png_uint_32 y = 0; y < height; ++y) {
+    packRow(pixels + std::size_t{y} * width, width, channels, row);
+    png_write_row(handles.png, row);
+  }
+  png_write_end(handles.png, handles.info);
+  return true;
+}
+
+/// Reads the header and asks libpng for 8-bit RGBA rows, whatever the file holds.
+bool decodeHeader(const Handles& handles, Transfer& transfer) {
+  if (setjmp(png_jmpbuf(handles.png)) != 0) {
+    return false;
+  }
+  png_set_read_fn(handles.png, &transfer, onRead);
+  png_set_sig_bytes(handles.png, signature_size);
+  png_read_info(handles.png, handles.info);
+  png_set_expand(handles.png);
+  png_set_scale_16(handles.png);
+  png_set_gray_to_rgb(handles.png);
+  png_set_add_alpha(handles.png, 0xFF, PNG_FILLER_AFTER);
+  return true;
+}
+
+bool decodeRows(const Handles& handles, std::uint32_t* pixels, std::size_t width, png_uint_32 height) {
+  if (setjmp(png_jmpbuf(handles.png)) != 0) {
+    return false;
+  }
+  const int passes = png_set_interlace_handling(handles.png);
+  png_read_update_info(handles.png, handles.info);
+  for (int pass = 0; pass < passes; ++pass) {
+    for (png_uint_32 y = 0; y < height; ++y) {
+      png_read_row(handles.png, reinterpret_cast<png_bytep>(pixels + y * width), nullptr);
+    }
+  }
+  png_read_end(handles.png, nullptr);
+  return true;
+}
+
+tl::unexpected<Error> readError(const Transfer& transfer, const std::string& path) {
+  if (!transfer.result) {
+    return tl::unexpected(transfer.result.error());
+  }
+  return inputError(fmt::format("{}: is a damaged PNG: {}", path, transfer.message.data()));
+}
+
+Result<Image> decode(InputFile& file, const std::string& path) {
+  std::array<png_byte, signature_size> signature{};
+  Transfer transfer;
+  transfer.input = &file;
+  if (!readFrom(transfer, signature.data(), signature_size) && !transfer.result) {
+    return tl::unexpected(transfer.result.error());
+  }
+  if (png_sig_cmp(signature.data(), 0, signature_size) != 0) {
+    return inputError(path + ": is not a PNG file");
+  }
+  const Handles handles(false, transfer);
+  if (handles.info == nullptr) {
+    return deviceError(path + ": libpng could not be started");
+  }
+  if (!decodeHeader(handles, transfer)) {
+    return readError(transfer, path);
+  }
+  const png_uint_32 width = png_get_image_width(handles.png, handles.info);
+  const png_uint_32 height = png_get_image_height(handles.png, handles.info);
+  Image image;
+  image.width = static_cast<int>(width);
+  image.height = static_cast<int>(height);
+  image.rgba.resize(std::size_t{width} * height);
+  if (!decodeRows(handles, image.rgba.data(), width, height)) {
+    return readError(transfer, path);
+  }
+  for (std::uint32_t& pixel : image.rgba) {
+    std::array<png_byte, max_channels> bytes{};
+    std::copy_n(reinterpret_cast<const png_byte*>(&pixel), max_channels, bytes.begin());
+    pixel = bytes[0] | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 |
+            std::uint32_t{bytes[3]} << 24;
+  }
+  return image;
+}
+
+}  // namespace
+
+Result<void> writePng(OutputFile& file, int width, int height, std::span<const std::uint32_t> rgba) {
+  Transfer transfer;
+  transfer.output = &file;
+  const Handles handles(true, transfer);
+  if (handles.info == nullptr) {
+    return deviceError(file.name() + ": libpng could not be started");
+  }
+  constexpr std::uint32_t opaque = 0xFF000000u;
+  const bool all_opaque =
+      std::all_of(rgba.begin(), rgba.end(), [](std::uint32_t pixel) { return pixel >= opaque; });
+  const std::size_t channels = all_opaque ? max_channels - 1 : max_channels;
+  std::vector<png_byte> row(static_cast<std::size_t>(width) * channels);
+  if (encode(handles, transfer, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), channels,
+             rgba.data(), row.data())) {
+    return {};
+  }
+  if (!transfer.result) {
+    return transfer.result;
+  }
+  return deviceError(
+      fmt::format("{}: could not be encoded as PNG: {}", file.name(), transfer.message.data()));
+}
+
+Result<Image> readPng(const std::string& path) {
+  try {
+    auto file = InputFile::open(path);
+    if (!file) {
+      return tl::unexpected(file.error());
+    }
+    return decode(*file, path);
+  } catch (const std::bad_alloc&) {
+    return deviceError(path + ": there is not enough memory for its pixels");
+  }
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,23 @@
+/// What `--sites` names: a generator or a file.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+struct SiteSource {
+  Sites sites;
+  std::optional<std::uint64_t> seed;  ///< of the generator; none when the sites come from a file
+  [[nodiscard]] bool generated() const { return seed.has_value(); }
+};
+
+/// Reads or generates the sites of `spec`: PATTERN:N (random, square, hex, jitter, clusters, circle; N
+/// sites) or what readSites takes. A file of such a name is meant by ./PATTERN:N. Errors: those of
+/// readSites, N is not a number from 1 to max_sites (input), memory ran out (device).
+Result<SiteSource> loadSites(const std::string& spec, std::uint64_t seed);
+
+}  // namespace vorpipe

@@ -1,0 +1,56 @@
+#include "io/sites_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <new>
+#include <utility>
+
+#include "io/error.h"
+#include "io/input_file.h"
+#include "io/sites_reader.h"
+
+namespace vorpipe {
+namespace {
+
+std::string lowerExtension(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+Result<Sites> readByExtension(const std::string& path, InputFile file) {
+  const std::string extension = path == "-" ? ".csv" : lowerExtension(path);
+  if (extension == ".csv") {
+    return readCsvSites(std::move(file));
+  }
+  if (extension == ".xyz" || extension == ".txt") {
+    return readTextSites(std::move(file));
+  }
+  if (extension == ".npy") {
+    return readNpySites(std::move(file));
+  }
+  return inputError(path + ": unknown kind of file; known are .csv, .xyz, .txt and .npy");
+}
+
+}  // namespace
+
+Result<Sites> readSites(const std::string& path) {
+  auto file = InputFile::open(path);
+  if (!file) {
+    return tl::unexpected(file.error());
+  }
+  const std::string name = file->name();
+  try {
+    auto sites = readByExtension(path, std::move(*file));
+    if (sites && sites->size() == 0) {
+      return inputError(name + ": holds no sites");
+    }
+    return sites;
+  } catch (const std::bad_alloc&) {
+    return deviceError(name + ": there is not enough memory for its sites");
+  }
+}
+
+}  // namespace vorpipe

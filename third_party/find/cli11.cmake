@@ -1,0 +1,5 @@
+find_package(CLI11 CONFIG QUIET)
+if(TARGET CLI11::CLI11)
+  add_library(dep::cli11 INTERFACE IMPORTED)
+  target_link_libraries(dep::cli11 INTERFACE CLI11::CLI11)
+endif()

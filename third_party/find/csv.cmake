@@ -1,0 +1,7 @@
+find_path(CSV_INCLUDE_DIR csv.h)
+find_library(CSV_LIBRARY csv)
+if(CSV_INCLUDE_DIR AND CSV_LIBRARY)
+  add_library(dep::csv INTERFACE IMPORTED)
+  target_include_directories(dep::csv INTERFACE ${CSV_INCLUDE_DIR})
+  target_link_libraries(dep::csv INTERFACE ${CSV_LIBRARY})
+endif()

@@ -1,0 +1,7 @@
+find_path(EPOXY_INCLUDE_DIR epoxy/gl.h)
+find_library(EPOXY_LIBRARY epoxy)
+if(EPOXY_INCLUDE_DIR AND EPOXY_LIBRARY)
+  add_library(dep::epoxy INTERFACE IMPORTED)
+  target_include_directories(dep::epoxy INTERFACE ${EPOXY_INCLUDE_DIR})
+  target_link_libraries(dep::epoxy INTERFACE ${EPOXY_LIBRARY})
+endif()

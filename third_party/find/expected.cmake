@@ -1,0 +1,5 @@
+find_package(tl-expected CONFIG QUIET)
+if(TARGET tl::expected)
+  add_library(dep::expected INTERFACE IMPORTED)
+  target_link_libraries(dep::expected INTERFACE tl::expected)
+endif()

@@ -1,0 +1,5 @@
+find_package(fmt CONFIG QUIET)
+if(TARGET fmt::fmt)
+  add_library(dep::fmt INTERFACE IMPORTED)
+  target_link_libraries(dep::fmt INTERFACE fmt::fmt)
+endif()

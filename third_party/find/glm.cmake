@@ -1,0 +1,5 @@
+find_package(glm CONFIG QUIET)
+if(TARGET glm::glm)
+  add_library(dep::glm INTERFACE IMPORTED)
+  target_link_libraries(dep::glm INTERFACE glm::glm)
+endif()

@@ -1,0 +1,5 @@
+find_package(GTest QUIET)
+if(TARGET GTest::gtest_main)
+  add_library(dep::gtest INTERFACE IMPORTED)
+  target_link_libraries(dep::gtest INTERFACE GTest::gtest GTest::gtest_main)
+endif()

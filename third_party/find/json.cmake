@@ -1,0 +1,5 @@
+find_package(nlohmann_json CONFIG QUIET)
+if(TARGET nlohmann_json::nlohmann_json)
+  add_library(dep::json INTERFACE IMPORTED)
+  target_link_libraries(dep::json INTERFACE nlohmann_json::nlohmann_json)
+endif()

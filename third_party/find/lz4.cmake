@@ -1,0 +1,7 @@
+find_path(LZ4_INCLUDE_DIR lz4.h)
+find_library(LZ4_LIBRARY lz4)
+if(LZ4_INCLUDE_DIR AND LZ4_LIBRARY)
+  add_library(dep::lz4 INTERFACE IMPORTED)
+  target_include_directories(dep::lz4 INTERFACE ${LZ4_INCLUDE_DIR})
+  target_link_libraries(dep::lz4 INTERFACE ${LZ4_LIBRARY})
+endif()

@@ -1,0 +1,5 @@
+find_path(NANOFLANN_INCLUDE_DIR nanoflann.hpp)
+if(NANOFLANN_INCLUDE_DIR)
+  add_library(dep::nanoflann INTERFACE IMPORTED)
+  target_include_directories(dep::nanoflann INTERFACE ${NANOFLANN_INCLUDE_DIR})
+endif()

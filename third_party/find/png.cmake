@@ -1,0 +1,5 @@
+find_package(PNG QUIET)
+if(TARGET PNG::PNG)
+  add_library(dep::png INTERFACE IMPORTED)
+  target_link_libraries(dep::png INTERFACE PNG::PNG)
+endif()
