@@ -1,0 +1,219 @@
+/// What every backend promises, by name: the same suite for each.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "support/oracle.h"
+#include "vorpipe.h"
+
+namespace vorpipe::test {
+namespace {
+
+constexpr Box unit{0, 0, 1, 1};
+
+RenderOptions picture(Box domain, int width = 96, int height = 96) {
+  RenderOptions options{domain, width, height, ColorBy::site, "viridis", false, false, {}, {}};
+  return options;
+}
+
+class Conformance : public testing::TestWithParam<const char*> {
+ protected:
+  BackendOptions options() const {
+    BackendOptions chosen;
+    chosen.name = GetParam();
+    chosen.validation = true;
+    return chosen;
+  }
+
+  Rendering render(const Sites& sites, const RenderOptions& wanted, const BackendOptions& chosen) {
+    auto session = Session::open(chosen);
+    if (!session) throw std::runtime_error(session.error().message);
+    auto rendering = session->render(sites, wanted);
+    if (!rendering) throw std::runtime_error(rendering.error().message);
+    EXPECT_EQ(rendering->report.validation_messages, std::vector<std::string>{});
+    return std::move(*rendering);
+  }
+
+  Rendering expectRight(const Sites& sites, Box domain, int width = 96, int height = 96) {
+    auto rendering = render(sites, picture(domain, width, height), options());
+    expectNearestEverywhere(rendering.image, sites, domain);
+    const auto& report = rendering.report;
+    EXPECT_EQ(report.ok + report.empty + report.duplicate, sites.size());
+    return rendering;
+  }
+};
+
+TEST_P(Conformance, randomSitesDrawTheNearestEverywhere) {
+  for (const std::uint64_t n : {1, 2, 3, 10, 100, 3000}) {
+    SCOPED_TRACE(testing::Message() << n << " sites");
+    EXPECT_EQ(expectRight(generate(Pattern::random, n, 7), unit).report.ok, n);
+  }
+}
+
+TEST_P(Conformance, patternsDrawTheNearestEverywhere) {
+  for (const auto pattern :
+       {Pattern::square, Pattern::hex, Pattern::jitter, Pattern::clusters, Pattern::circle}) {
+    SCOPED_TRACE(testing::Message() << "pattern " << static_cast<int>(pattern));
+    const auto sites = generate(pattern, 900, 3);
+    EXPECT_EQ(expectRight(sites, unit, 150, 70).report.ok, sites.size());
+  }
+}
+
+TEST_P(Conformance, collinearSitesGiveStrips) {
+  Sites sites;
+  for (int i = 0; i < 50; ++i) {
+    sites.x.push_back(0.1 + 0.3 * i / 50);
+    sites.y.push_back(0.2 + 0.6 * i / 50);
+  }
+  EXPECT_EQ(expectRight(sites, unit).report.ok, 50u);
+}
+
+TEST_P(Conformance, equalSitesAreDuplicatesOfTheLowestIndex) {
+  const Sites sites{std::vector<double>(20, 0.25), std::vector<double>(20, 0.75), {}};
+  const auto rendering = expectRight(sites, unit);
+  EXPECT_EQ(rendering.report.ok, 1u);
+  EXPECT_EQ(rendering.report.duplicate, 19u);
+  EXPECT_EQ(rendering.status[0], Status::ok);
+  EXPECT_EQ(rendering.owner, std::vector<std::uint32_t>(20, 0));
+  for (const auto id : rendering.image.ids) EXPECT_EQ(id, 0u);
+}
+
+TEST_P(Conformance, aFifthOfTheSitesMayBeDuplicates) {
+  auto sites = generate(Pattern::random, 1000, 11);
+  for (std::size_t i = 0; i < 200; ++i) {
+    sites.x[5 * i + 4] = sites.x[i];
+    sites.y[5 * i + 4] = sites.y[i];
+  }
+  const auto rendering = expectRight(sites, unit);
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const auto owner = rendering.owner[i];
+    EXPECT_LE(owner, i);
+    EXPECT_EQ(rendering.status[i] == Status::duplicate, owner != i);
+    EXPECT_EQ(sites.x[owner], sites.x[i]);
+    EXPECT_EQ(sites.y[owner], sites.y[i]);
+  }
+}
+
+TEST_P(Conformance, sitesOnTheBorderAndOutsideTakePart) {
+  Sites sites{{0, 1, 0.5, 0.5, -0.5, 1.5, 3, 0.5}, {0, 1, 0, 0.5, 0.5, 0.5, 3, -40}, {}};
+  const auto rendering = expectRight(sites, unit);
+  using enum Status;
+  EXPECT_EQ(rendering.status, (std::vector<Status>{ok, ok, ok, ok, empty, empty, empty, empty}));
+}
+
+TEST_P(Conformance, aDomainWithoutAnySiteInsideIsCovered) {
+  expectRight(Sites{{5, 5.5, 7}, {-2, 3, 900}, {}}, unit);
+  expectRight(Sites{{5e8, 5e8 + 1}, {0, 0.5}, {}}, unit);
+}
+
+TEST_P(Conformance, coordinatesOfAnyRangeKeepTheirCells) {
+  const auto sites = generate(Pattern::random, 500, 5);
+  for (const auto [scale, offset] :
+       {std::pair{1e-9, 0.0}, {1e12, 0.0}, {1e3, 5e6}, {1e-3, 77.0}, {3e-7, 0.0}}) {
+    SCOPED_TRACE(testing::Message() << scale << " at " << offset);
+    Sites moved;
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      moved.x.push_back(offset + scale * sites.x[i]);
+      moved.y.push_back(-offset + scale * sites.y[i]);
+    }
+    expectRight(moved, {offset, -offset, offset + scale, -offset + scale});
+  }
+}
+
+TEST_P(Conformance, sitesATrillionthOfTheDomainApartAreDistinct) {
+  auto sites = generate(Pattern::random, 100, 9);
+  for (int i = 0; i < 20; ++i) {
+    sites.x.push_back(sites.x[static_cast<std::size_t>(i)] + 1e-12);
+    sites.y.push_back(sites.y[static_cast<std::size_t>(i)] - 2e-12);
+  }
+  EXPECT_EQ(expectRight(sites, unit).report.ok, 120u);
+}
+
+TEST_P(Conformance, longThinCellsAreCertified) {
+  Sites sites;
+  for (int i = 1; i <= 400; ++i) {
+    for (const double side : {-1.0, 1.0}) {
+      sites.x.push_back(side * i);
+      sites.y.push_back(-i);
+    }
+  }
+  const Box domain{-440, -440, 440, 40};
+  EXPECT_EQ(expectRight(sites, domain, 200, 109).report.ok, sites.size());
+}
+
+TEST_P(Conformance, aCellMayHaveHundredsOfNeighbors) {
+  auto sites = generate(Pattern::circle, 500, 1);
+  sites.x.push_back(0.5);
+  sites.y.push_back(0.5);
+  EXPECT_EQ(expectRight(sites, unit, 200, 200).report.ok, 501u);
+}
+
+TEST_P(Conformance, fewNeighborsAreDoubledUntilCertified) {
+  const auto sites = generate(Pattern::random, 2000, 2);
+  auto wanted = picture(unit);
+  wanted.search.neighbors = 6;
+  const auto rendering = render(sites, wanted, options());
+  EXPECT_EQ(rendering.report.ok, 2000u);
+  EXPECT_GT(rendering.report.retried, 0u);
+  expectNearestEverywhere(rendering.image, sites, unit);
+}
+
+TEST_P(Conformance, theSameInputGivesTheSameBytesForAnyThreadCount) {
+  const auto sites = generate(Pattern::clusters, 3000, 4);
+  auto one = options();
+  one.threads = 1;
+  auto two = options();
+  two.threads = 2;
+  const auto first = render(sites, picture(unit, 200, 200), one);
+  const auto second = render(sites, picture(unit, 200, 200), two);
+  EXPECT_EQ(first.image.ids, second.image.ids);
+  EXPECT_EQ(first.image.rgba, second.image.rgba);
+}
+
+TEST_P(Conformance, aSmallTexelLimitGivesTheSameBytes) {
+  const auto sites = generate(Pattern::random, 20000, 4);
+  auto masked = options();
+  masked.mask.limits = {{"maxTexelBufferElements", 65536}, {"maxStorageBufferRange", 1 << 20}};
+  const auto free = render(sites, picture(unit, 300, 300), options());
+  const auto small = render(sites, picture(unit, 300, 300), masked);
+  EXPECT_EQ(free.image.ids, small.image.ids);
+  EXPECT_EQ(free.image.rgba, small.image.rgba);
+}
+
+TEST_P(Conformance, aPictureLargerThanOneViewIsDrawnInParts) {
+  const auto sites = generate(Pattern::random, 50, 6);
+  auto masked = options();
+  masked.mask.limits = {
+      {"maxImageDimension2D", 64}, {"maxFramebufferWidth", 64}, {"maxFramebufferHeight", 64}};
+  const auto rendering = render(sites, picture(unit, 150, 100), masked);
+  expectNearestEverywhere(rendering.image, sites, unit);
+  EXPECT_EQ(rendering.report.ok, 50u);
+}
+
+TEST_P(Conformance, badInputIsRefused) {
+  auto session = Session::open(options());
+  ASSERT_TRUE(session) << session.error().message;
+  const auto sites = generate(Pattern::random, 5, 1);
+  const double nan = std::nan("");
+  const auto refused = [&](const Sites& bad, const RenderOptions& wanted) {
+    const auto result = session->render(bad, wanted);
+    return !result && result.error().code == ErrorCode::input && !result.error().message.empty();
+  };
+  EXPECT_TRUE(refused({}, picture(unit)));
+  EXPECT_TRUE(refused({{0.5, nan}, {0.5, 0.5}, {}}, picture(unit)));
+  EXPECT_TRUE(refused(sites, picture({1, 0, 0, 1})));
+  EXPECT_TRUE(refused(sites, picture({0, 0, 1, INFINITY})));
+  EXPECT_TRUE(refused(sites, picture(unit, 0, 10)));
+  EXPECT_TRUE(refused(sites, picture(unit, 10, 40000)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, Conformance, testing::Values("cpu", "vulkan-geometry", "opengl"),
+                         [](const auto& info) {
+                           std::string name = info.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace vorpipe::test

@@ -1,0 +1,115 @@
+# Who may include what: cli -> io -> vorpipe.h <- core -> backend/backend.h <- backend/*, and which
+# folder alone knows a library. cmake -D root=DIR -P includes_test.cmake
+cmake_minimum_required(VERSION 3.25)
+
+# Regular expressions of the own headers that each kind of file may include; the first that matches
+# a file's path holds for it.
+set(kinds
+    "^(vorpipe|parallel)\\.h$"
+    "^core/"
+    "^backend/registry\\."
+    "^backend/cpu/"
+    "^backend/vulkan/"
+    "^backend/opengl/"
+    "^backend/[^/]*$"
+    "^io/"
+    "^cli/"
+    "^view/")
+set(may_include
+    "^$"
+    "^(vorpipe\\.h|parallel\\.h|core/.*|backend/(backend|registry)\\.h)$"
+    "^(vorpipe\\.h|backend/[^/]*\\.h|backend/cpu/cpu\\.h|backend/vulkan/vulkan_backend\\.h|backend/opengl/opengl_backend\\.h)$"
+    "^(vorpipe\\.h|parallel\\.h|backend/[^/r][^/]*\\.h|backend/cpu/.*|(layout|cell)\\.glsl)$"
+    "^(vorpipe\\.h|parallel\\.h|backend/[^/r][^/]*\\.h|backend/vulkan/.*|layout\\.glsl|shaders\\.h)$"
+    "^(vorpipe\\.h|parallel\\.h|backend/[^/r][^/]*\\.h|backend/opengl/.*|layout\\.glsl|shaders\\.h)$"
+    "^(vorpipe\\.h|backend/[^/r][^/]*\\.h)$"
+    "^(vorpipe\\.h|io/.*)$"
+    "^(vorpipe\\.h|io/.*|cli/.*)$"
+    "^(vorpipe\\.h|view/.*)$")
+
+# A library's headers, and the only files that may include them.
+set(library_headers
+    "^(vulkan/|volk\\.h)"
+    "^(epoxy|GL|GLES.|EGL|OpenGL)/"
+    "^glm/"
+    "^GLFW/"
+    "^flann/"
+    "^(csv|png)\\.h$"
+    "^CLI/")
+set(library_users
+    "^backend/vulkan/"
+    "^backend/opengl/"
+    "^backend/cpu/"
+    "^view/"
+    "^core/flann_"
+    "^io/"
+    "^cli/")
+
+# Sets allowed to whether file (relative to src) may include header, quoted or in angle brackets.
+function(vorpipe_may_include file header quoted allowed)
+  set(${allowed} TRUE PARENT_SCOPE)
+  foreach(headers user IN ZIP_LISTS library_headers library_users)
+    if(header MATCHES "${headers}" AND NOT file MATCHES "${user}")
+      set(${allowed} FALSE PARENT_SCOPE)
+    endif()
+  endforeach()
+  if(quoted)
+    foreach(kind headers IN ZIP_LISTS kinds may_include)
+      if(file MATCHES "${kind}")
+        if(NOT header MATCHES "${headers}")
+          set(${allowed} FALSE PARENT_SCOPE)
+        endif()
+        return()
+      endif()
+    endforeach()
+    set(${allowed} FALSE PARENT_SCOPE)
+  endif()
+endfunction()
+
+# The rules themselves, tried on includes that they must allow or refuse.
+function(vorpipe_expect expected file header quoted)
+  vorpipe_may_include(${file} ${header} ${quoted} allowed)
+  if(NOT allowed STREQUAL expected)
+    message(FATAL_ERROR "The rules are wrong about ${file} including ${header}: ${allowed}.")
+  endif()
+endfunction()
+vorpipe_expect(TRUE core/diagram.cpp backend/backend.h TRUE)
+vorpipe_expect(TRUE core/flann_search.cpp flann/flann.hpp FALSE)
+vorpipe_expect(TRUE backend/registry.cpp backend/cpu/cpu.h TRUE)
+vorpipe_expect(TRUE backend/vulkan/device.cpp backend/capabilities.h TRUE)
+vorpipe_expect(TRUE cli/render.cpp io/png.h TRUE)
+vorpipe_expect(FALSE core/diagram.cpp backend/cpu/cpu.h TRUE)
+vorpipe_expect(FALSE core/diagram.cpp flann/flann.hpp FALSE)
+vorpipe_expect(FALSE core/diagram.cpp ../backend/cpu/cpu.h TRUE)
+vorpipe_expect(FALSE backend/opengl/draw.cpp backend/vulkan/device.h TRUE)
+vorpipe_expect(FALSE backend/opengl/draw.cpp backend/registry.h TRUE)
+vorpipe_expect(FALSE backend/backend.h volk.h FALSE)
+vorpipe_expect(FALSE backend/cpu/cpu.cpp epoxy/gl.h FALSE)
+vorpipe_expect(FALSE io/png.cpp core/diagram.h TRUE)
+vorpipe_expect(FALSE cli/render.cpp core/diagram.h TRUE)
+vorpipe_expect(FALSE vorpipe.h glm/vec2.hpp FALSE)
+vorpipe_expect(FALSE elsewhere/file.cpp vorpipe.h TRUE)
+
+file(GLOB_RECURSE files RELATIVE ${root}/src ${root}/src/*.h ${root}/src/*.cpp)
+list(LENGTH files count)
+if(count EQUAL 0)
+  message(FATAL_ERROR "No sources in ${root}/src.")
+endif()
+set(broken 0)
+foreach(file IN LISTS files)
+  file(STRINGS ${root}/src/${file} lines REGEX "^[ \t]*#[ \t]*include")
+  foreach(line IN LISTS lines)
+    set(quoted FALSE)
+    if(line MATCHES "\"([^\"]+)\"")
+      set(quoted TRUE)
+    elseif(NOT line MATCHES "<([^>]+)>")
+      message(FATAL_ERROR "src/${file}: cannot read: ${line}")
+    endif()
+    vorpipe_may_include(${file} ${CMAKE_MATCH_1} ${quoted} allowed)
+    if(NOT allowed)
+      message(SEND_ERROR "src/${file} must not include ${CMAKE_MATCH_1}")
+      math(EXPR broken "${broken} + 1")
+    endif()
+  endforeach()
+endforeach()
+message(STATUS "${count} files, ${broken} includes against the rules")
