@@ -38,6 +38,21 @@ void emit(vec2 p, int status) {
     EmitVertex();
 }
 
+// Whether the center of a pixel lies in the cell's bounding box: most cells that are smaller than a
+// pixel hold none and need not be drawn.
+bool mayCoverPixel(in Cell cell) {
+    vec2 low = vec2(FAR);
+    vec2 high = vec2(-FAR);
+    for (int k = 0; k < EDGE_END; k++) {
+        vec2 start = edgeStart(cell, k);
+        low = isEdge(cell, k) ? min(low, start) : low;
+        high = isEdge(cell, k) ? max(high, start) : high;
+    }
+    vec2 first = ceil((entry_origin[0] + low * view.scale + 1.0) * view.half_size - 0.5 - view.margin);
+    vec2 last = floor((entry_origin[0] + high * view.scale + 1.0) * view.half_size - 0.5 + view.margin);
+    return first.x <= last.x && first.y <= last.y;
+}
+
 void main() {
     Cell cell;
     int status = clipCell(cell, entry_walls[0], view.outset, int(entry_lines[0].x),
@@ -45,7 +60,7 @@ void main() {
     if (STATUS_IN_BUFFER) {
         status_of[entry_index[0]] = uint(status);
     }
-    if (status == CELL_CERTIFIED) {
+    if (status == CELL_CERTIFIED && mayCoverPixel(cell)) {
         Order order;
         orderEdges(cell, order);
         for (int place = 0; place < order.count; place++) {

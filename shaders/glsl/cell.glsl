@@ -3,6 +3,7 @@
 // Pure functions over a struct Cell. Whoever includes this file defines before it
 //   real                     float, or double in C++
 //   MAX_EDGES                room for edges
+//   EDGE_END                 MAX_EDGES, as loops run to it
 //   EDGES(T, name)           declares an array of MAX_EDGES elements of T
 //   IN(T), INOUT(T)          parameter modes
 //   ROUNDING                 the relative rounding error of real
@@ -24,8 +25,9 @@ struct Cell {
     EDGES(real, h);
     EDGES(real, lo);
     EDGES(real, hi);
-    EDGES(int, line);  // index of the line in the list, or a WALL
-    bool overflow;     // an edge found no free slot
+    EDGES(int, line);     // index of the line in the list, or a WALL
+    real squared_radius;  // of the farthest vertex from the origin; negative when no edge is left
+    bool overflow;        // an edge found no free slot
 };
 
 bool isEdge(IN(Cell) c, int k) { return c.lo[k] < c.hi[k]; }
@@ -42,13 +44,15 @@ void setEdge(INOUT(Cell) c, int k, vec2 n, real h, real lo, real hi, int line) {
 // The cell before any cut: the domain, whose walls lie at walls = (west, south, east, north).
 // Free slots repeat the walls, with an empty interval.
 void beginCell(INOUT(Cell) c, vec4 walls) {
-    for (int k = 0; k < MAX_EDGES; k += 4) {
+    for (int k = 0; k < EDGE_END; k += 4) {
         real used = k == 0 ? real(1.0) : real(0.0);
         setEdge(c, k, vec2(real(-1.0), real(0.0)), -walls.x, -walls.w * used, -walls.y * used, WALL_XMIN);
         setEdge(c, k + 1, vec2(real(1.0), real(0.0)), walls.z, walls.y * used, walls.w * used, WALL_XMAX);
         setEdge(c, k + 2, vec2(real(0.0), real(-1.0)), -walls.y, walls.x * used, walls.z * used, WALL_YMIN);
         setEdge(c, k + 3, vec2(real(0.0), real(1.0)), walls.w, -walls.z * used, -walls.x * used, WALL_YMAX);
     }
+    vec2 corner = vec2(max(abs(walls.x), abs(walls.z)), max(abs(walls.y), abs(walls.w)));
+    c.squared_radius = corner.x * corner.x + corner.y * corner.y;
     c.overflow = false;
 }
 
@@ -62,10 +66,12 @@ void beginCell(INOUT(Cell) c, vec4 walls) {
 // parallel and the quotient is mostly rounding error; the point is then off along both lines alike,
 // and the shape is right. Of two parallel lines the outer one is dropped.
 // The line of an edge that is gone is still a true bound of the cell, so free slots need no test.
+// The new edge ends where two others do: the radius follows from those alone.
 void cutCell(INOUT(Cell) c, vec2 n, real h, int line) {
     real lo = -FAR;
     real hi = FAR;
-    for (int k = 0; k < MAX_EDGES; k++) {
+    real farthest = real(-1.0);
+    for (int k = 0; k < EDGE_END; k++) {
         real sine = c.nx[k] * n.y - c.ny[k] * n.x;
         real cosine = c.nx[k] * n.x + c.ny[k] * n.y;
         real beyond = h - c.h[k] * cosine;
@@ -82,25 +88,18 @@ void cutCell(INOUT(Cell) c, vec2 n, real h, int line) {
         c.lo[k] = forward ? c.lo[k] : max(c.lo[k], at_k);
         lo = forward ? max(lo, at) : lo;
         hi = forward ? hi : min(hi, at);
+        real end = max(c.lo[k] * c.lo[k], c.hi[k] * c.hi[k]) + c.h[k] * c.h[k];
+        farthest = isEdge(c, k) ? max(farthest, end) : farthest;
     }
+    c.squared_radius = farthest;
     bool waiting = lo < hi;
-    for (int k = 0; k < MAX_EDGES; k++) {
+    for (int k = 0; k < EDGE_END; k++) {
         if (waiting && !isEdge(c, k)) {
             setEdge(c, k, n, h, lo, hi, line);
             waiting = false;
         }
     }
     c.overflow = c.overflow || waiting;
-}
-
-// The squared distance from the origin to the farthest vertex; negative when no edge is left.
-real squaredRadius(IN(Cell) c) {
-    real farthest = real(-1.0);
-    for (int k = 0; k < MAX_EDGES; k++) {
-        real end = max(c.lo[k] * c.lo[k], c.hi[k] * c.hi[k]);
-        farthest = isEdge(c, k) ? max(farthest, c.h[k] * c.h[k] + end) : farthest;
-    }
-    return farthest;
 }
 
 // The radius of security (Levy and Bonneel 2012): a site at least this far from the site of the
@@ -111,18 +110,18 @@ real securityRadius(real squared_radius, real shift) {
 }
 
 // Whether there are edges that, end to end, come back to where they began, up to rounding.
-bool isClosed(IN(Cell) c, real squared_radius) {
+bool isClosed(IN(Cell) c) {
     real x = real(0.0);
     real y = real(0.0);
     int count = 0;
-    for (int k = 0; k < MAX_EDGES; k++) {
+    for (int k = 0; k < EDGE_END; k++) {
         real length = isEdge(c, k) ? c.hi[k] - c.lo[k] : real(0.0);
         x -= length * c.ny[k];
         y += length * c.nx[k];
         count += isEdge(c, k) ? 1 : 0;
     }
     real slack = real(256.0) * ROUNDING;
-    return count >= 3 && x * x + y * y <= slack * slack * squared_radius;
+    return count >= 3 && x * x + y * y <= slack * slack * c.squared_radius;
 }
 
 // Clips the cell by the lines first .. first + count - 1, which come in ascending order of bound,
@@ -131,8 +130,7 @@ bool isClosed(IN(Cell) c, real squared_radius) {
 // reach bounds from below the distance of every site that is not in the list.
 int clipCell(INOUT(Cell) c, vec4 walls, vec2 outset, int first, int count, real reach, real shift) {
     beginCell(c, vec4(walls.x - outset.x, walls.y - outset.y, walls.z + outset.x, walls.w + outset.y));
-    real squared_radius = squaredRadius(c);
-    real security = securityRadius(squared_radius, shift);
+    real security = securityRadius(c.squared_radius, shift);
     real unseen = reach;
     for (int i = 0; i < count; i++) {
         vec4 line = lineAt(first + i);
@@ -142,22 +140,21 @@ int clipCell(INOUT(Cell) c, vec4 walls, vec2 outset, int first, int count, real 
         }
         real wider = abs(line.x) * outset.x + abs(line.y) * outset.y;
         cutCell(c, vec2(line.x, line.y), line.z + wider, first + i);
-        squared_radius = squaredRadius(c);
-        if (c.overflow || squared_radius < real(0.0)) {
+        if (c.overflow || c.squared_radius < real(0.0)) {
             break;
         }
-        security = securityRadius(squared_radius, shift);
+        security = securityRadius(c.squared_radius, shift);
     }
     if (c.overflow) {
         return CELL_OVERFLOW;
     }
-    if (squared_radius < real(0.0)) {
+    if (c.squared_radius < real(0.0)) {
         return CELL_EMPTY;
     }
     if (unseen < security) {
         return CELL_UNSECURED;
     }
-    return isClosed(c, squared_radius) ? CELL_CERTIFIED : CELL_OPEN;
+    return isClosed(c) ? CELL_CERTIFIED : CELL_OPEN;
 }
 
 // Where edge k begins.
@@ -181,7 +178,7 @@ struct Order {
 void orderEdges(IN(Cell) c, INOUT(Order) order) {
     vec2 sum = vec2(real(0.0), real(0.0));
     order.count = 0;
-    for (int k = 0; k < MAX_EDGES; k++) {
+    for (int k = 0; k < EDGE_END; k++) {
         if (isEdge(c, k)) {
             real middle = (c.lo[k] + c.hi[k]) * real(0.5);
             sum += vec2(c.nx[k] * c.h[k] - c.ny[k] * middle, c.ny[k] * c.h[k] + c.nx[k] * middle);
@@ -190,13 +187,13 @@ void orderEdges(IN(Cell) c, INOUT(Order) order) {
     }
     vec2 center = sum / real(max(order.count, 1));
     EDGES(real, angle);
-    for (int k = 0; k < MAX_EDGES; k++) {
+    for (int k = 0; k < EDGE_END; k++) {
         real middle = (c.lo[k] + c.hi[k]) * real(0.5);
         angle[k] = pseudoAngle(c.nx[k] * c.h[k] - c.ny[k] * middle - center.x,
                                c.ny[k] * c.h[k] + c.nx[k] * middle - center.y);
         order.rank[k] = isEdge(c, k) ? 0 : -1;
     }
-    for (int k = 1; k < MAX_EDGES; k++) {
+    for (int k = 1; k < EDGE_END; k++) {
         for (int j = 0; j < k; j++) {
             bool both = order.rank[j] >= 0 && order.rank[k] >= 0;
             bool later = angle[j] <= angle[k];
@@ -209,7 +206,7 @@ void orderEdges(IN(Cell) c, INOUT(Order) order) {
 // The beginning of the edge of a given rank.
 vec2 startOfRank(IN(Cell) c, IN(Order) order, int rank) {
     vec2 p = vec2(real(0.0), real(0.0));
-    for (int k = 0; k < MAX_EDGES; k++) {
+    for (int k = 0; k < EDGE_END; k++) {
         if (order.rank[k] == rank) {
             p = edgeStart(c, k);
         }

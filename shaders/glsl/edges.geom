@@ -3,6 +3,7 @@
 // Clips one entry and writes its edges down, counter-clockwise. MAX_EDGES is given by the build.
 #include "layout.glsl"
 #include "vocabulary.glsl"
+#include "view.glsl"
 
 #define BINDING_EDGES (BINDING_STATUS + 1)
 
@@ -35,7 +36,7 @@ vec4 lineAt(int index) { return texelFetch(lines, index); }
 // The line of the edge of a given rank as the caller counts them: from the entry's first, or a wall.
 int lineOfRank(in Cell cell, in Order order, int rank) {
     int line = 0;
-    for (int k = 0; k < MAX_EDGES; k++) {
+    for (int k = 0; k < EDGE_END; k++) {
         if (order.rank[k] == rank) {
             line = cell.line[k];
         }

@@ -2,11 +2,12 @@
 #ifndef VORPIPE_LAYOUT
 #define VORPIPE_LAYOUT
 
-// Room for the edges of one cell, a multiple of 4: the fast pipeline, and the roomy one for what overflows it.
-// 12 holds all but a few in a thousand cells of white noise while they are clipped; 32 vertices of
-// 8 components stay within the 1024 components that a geometry shader may write.
-#define EDGES_FAST 12
-#define EDGES_MOST 32
+// Room for the edges of one cell while it is clipped, a multiple of 4: the fast pipeline, which
+// overflows for some 3 % of the cells of white noise, and the roomy one for those (a few in ten
+// thousand of which go on to the host). Time grows with the room, and the time that software
+// drivers compile grows with its square: 16 would take them three times as long as 12.
+#define EDGES_FAST 8
+#define EDGES_MOST 12
 
 // What became of a cell; see CellStatus in backend.h.
 #define CELL_MISSING 0

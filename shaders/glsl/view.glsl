@@ -1,5 +1,8 @@
 // What all entries of a batch share while they are drawn.
 layout(std140, set = 0, binding = BINDING_VIEW) uniform View {
-    vec2 scale;   // normalized device coordinates per scaled unit
-    vec2 outset;  // half a step of the vertex grid, in scaled units
+    vec2 scale;      // normalized device coordinates per scaled unit
+    vec2 outset;     // half a step of the vertex grid, in scaled units
+    vec2 half_size;  // pixels
+    float margin;    // by how much a vertex may be off, in pixels
+    int edge_end;    // EDGES_MOST, which no compiler may know: see EDGE_END
 } view;

@@ -4,3 +4,5 @@
 #define IN(T) in T
 #define INOUT(T) inout T
 #define ROUNDING 5.9604645e-8
+
+#define EDGE_END MAX_EDGES

@@ -90,7 +90,6 @@ struct BackendInfo {
   int max_view = 0;               ///< largest width and height of a View
   std::uint64_t max_lines = 0;    ///< most lines in one batch
   std::uint32_t max_entries = 0;  ///< most entries in one batch
-  int fast_edges = 0;             ///< room for edges in the fast pipeline
   int most_edges = 0;             ///< room for edges with Room::most
   int subpixel_bits = 8;          ///< vertices are snapped to 1 / 2^bits of a pixel
 };

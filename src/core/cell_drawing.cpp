@@ -16,6 +16,8 @@ namespace {
 constexpr std::size_t lines_per_batch = std::size_t{1} << 21;
 constexpr std::size_t most_neighbors = 1024;
 constexpr std::size_t host_cells_at_once = std::size_t{1} << 15;
+/// Fewer cells than this are clipped with room from the start: that costs less than a second pipeline.
+constexpr std::size_t worth_fast_pipeline = std::size_t{1} << 15;
 
 Error cancelled() { return {ErrorCode::cancelled, "interrupted"}; }
 
@@ -56,12 +58,18 @@ Result<void> CellDrawing::searchAndDraw() {
 /// Draws the k nearest neighbors' cells, with more room where it is needed. Returns the cells that
 /// want more neighbors; what else failed goes to for_host_.
 Result<CellDrawing::Indices> CellDrawing::round(const Indices& which, std::size_t k) {
-  if (auto drawn = drawNeighbors(which, k, Room::fast, "cells"); !drawn) return tl::unexpected(drawn.error());
+  const auto room = input_.sites.size() < worth_fast_pipeline ? Room::most : Room::fast;
+  if (auto drawn = drawNeighbors(which, k, room, "cells"); !drawn) return tl::unexpected(drawn.error());
+  if (room == Room::most) return afterRound(which);
   const auto overflowed = withStatus(which, CellStatus::overflow);
   retried_ += overflowed.size();
   if (auto drawn = drawNeighbors(overflowed, k, Room::most, "large cells"); !drawn) {
     return tl::unexpected(drawn.error());
   }
+  return afterRound(which);
+}
+
+CellDrawing::Indices CellDrawing::afterRound(const Indices& which) {
   for (const auto site : which) {
     if (!isDone(status_[site]) && status_[site] != CellStatus::unsecured) for_host_.push_back(site);
   }
@@ -170,11 +178,11 @@ Result<void> CellDrawing::drawHostCells(const HostCells& cells) {
 }
 
 Result<void> CellDrawing::drawPieces(const HostCells& cells, const Indices& entries) {
-  const auto edges = static_cast<std::size_t>(input_.backend.info().fast_edges) - 4;
+  const auto edges = static_cast<std::size_t>(input_.backend.info().most_edges) - 4;
   Pieces pieces;
   const auto flush = [&]() -> Result<void> {
     if (pieces.site.empty()) return {};
-    if (auto drawn = drawBatch(pieces.batch, pieces.site, Room::fast); !drawn) return drawn;
+    if (auto drawn = drawBatch(pieces.batch, pieces.site, Room::most); !drawn) return drawn;
     for (std::size_t piece = 0; piece < pieces.site.size(); ++piece) {
       if (isDone(answers_[piece])) continue;
       return tl::unexpected(Error{ErrorCode::device, fmt::format("{} could not draw the cell of site {}",
@@ -229,7 +237,7 @@ Result<void> CellDrawing::drawAgain() {
     if (auto drawn = drawStep(steps_[s].candidates, steps_[s].room); !drawn) return drawn;
   }
   for (const auto& pieces : pieces_) {
-    if (auto drawn = drawBatch(pieces.batch, pieces.site, Room::fast); !drawn) return drawn;
+    if (auto drawn = drawBatch(pieces.batch, pieces.site, Room::most); !drawn) return drawn;
   }
   status_ = known;
   return {};

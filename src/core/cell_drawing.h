@@ -52,6 +52,7 @@ class CellDrawing {
   Result<void> searchAndDraw();
   Result<void> drawAgain();
   Result<Indices> round(const Indices& which, std::size_t k);
+  Indices afterRound(const Indices& which);
   Result<void> drawNeighbors(const Indices& which, std::size_t k, Room room, const char* stage);
   Result<void> drawStep(const Candidates& candidates, Room room);
   Result<void> drawBatch(const CellBatch<float>& batch, std::span<const std::uint32_t> site, Room room);

@@ -31,7 +31,6 @@ class CpuBackend final : public Backend {
     info_.max_view = 32768;
     info_.max_lines = std::uint64_t{1} << 26;
     info_.max_entries = 1u << 20;
-    info_.fast_edges = EDGES_FAST;
     info_.most_edges = EDGES_MOST;
   }
 

@@ -21,7 +21,7 @@ struct EdgeRecord {
 };
 constexpr std::size_t entry_bytes = EDGES_MOST * sizeof(EdgeRecord);
 
-// Entries whose edges are on the device at one time: 32 MiB of them.
+// Entries whose edges are on the device at one time: some 10 MiB of them.
 constexpr std::size_t slice_entries = 65536;
 
 CellBatch<float>::Entry toFloat(const CellBatch<double>::Entry& entry) {
@@ -60,8 +60,6 @@ Result<void> GeometryBackend::cells(const CellBatch<double>& batch, CellPolygons
 Result<void> GeometryBackend::runCells(const CellBatch<double>& batch, CellPolygons& out) {
   const std::size_t count = batch.entries.size();
   if (count == 0) return {};
-  const Result<VkPipeline> pipeline = pipelines_.edges(device_, bindings_.layout());
-  if (!pipeline) return tl::unexpected(pipeline.error());
   VORPIPE_TRY(createEmptyFramebuffer());
   VORPIPE_TRY(reserveBatch(count, 1, batch.lines.size()));
   convert<CellBatch<float>::Entry>(batch.entries, entries_.data());
@@ -70,6 +68,8 @@ Result<void> GeometryBackend::runCells(const CellBatch<double>& batch, CellPolyg
   const std::size_t slice = std::min({count, slice_entries, range / entry_bytes});
   VORPIPE_TRY(edges_.reserve(device_, slice * entry_bytes, slice_entries * entry_bytes));
   bindings_.setStorage(device_, binding_edges, edges_.get(), slice * entry_bytes);
+  const Result<VkPipeline> pipeline = pipelines_.edges(device_, bindings_.layout());
+  if (!pipeline) return tl::unexpected(pipeline.error());
   for (std::size_t first = 0; first < count; first += slice) {
     const std::size_t here = std::min(slice, count - first);
     VORPIPE_TRY(run({*pipeline, pipelines_.emptyPass(), empty_framebuffer_.get(), {1, 1}}, first, here));

@@ -32,7 +32,6 @@ BackendInfo describe(const Physical& physical) {
   info.max_lines = std::min(most_lines, can.max_texel_buffer_elements);
   info.max_entries =
       static_cast<std::uint32_t>(std::min(most_entries, can.max_storage_buffer_range / status_bytes));
-  info.fast_edges = EDGES_FAST;
   info.most_edges = EDGES_MOST;
   info.subpixel_bits = physical.subpixel_bits;
   return info;
@@ -47,9 +46,12 @@ Result<std::unique_ptr<Backend>> GeometryBackend::open(Instance instance, const 
   if (!bindings) return tl::unexpected(std::move(bindings).error());
   Result<Pipelines> pipelines = Pipelines::create(*device);
   if (!pipelines) return tl::unexpected(std::move(pipelines).error());
-  return std::unique_ptr<Backend>(new GeometryBackend(std::move(instance), std::move(*device),
-                                                      std::move(*bindings), std::move(*pipelines),
-                                                      describe(physical)));
+  std::unique_ptr<GeometryBackend> backend(new GeometryBackend(std::move(instance), std::move(*device),
+                                                               std::move(*bindings), std::move(*pipelines),
+                                                               describe(physical)));
+  // cells() needs no view of the caller's, but the shaders read the block.
+  VORPIPE_TRY(backend->setView({{0, 0, 1, 1}, 1, 1, {}}));
+  return backend;
 }
 
 GeometryBackend::GeometryBackend(Instance instance, Device device, Bindings bindings, Pipelines pipelines,
@@ -75,11 +77,7 @@ GeometryBackend::GeometryBackend(Instance instance, Device device, Bindings bind
 
 Result<void> GeometryBackend::upload(const SiteSet&) { return {}; }
 
-Result<void> GeometryBackend::begin(const View& view) {
-  assert(view.width >= 1 && view.width <= info_.max_view);
-  assert(view.height >= 1 && view.height <= info_.max_view);
-  VORPIPE_TRY(target_.resize(device_, pipelines_.targetPass(), static_cast<std::uint32_t>(view.width),
-                             static_cast<std::uint32_t>(view.height)));
+Result<void> GeometryBackend::setView(const View& view) {
   VORPIPE_TRY(view_.reserve(device_, sizeof(ViewUniform), sizeof(ViewUniform)));
   VORPIPE_TRY(palette_.reserve(device_, sizeof(Palette), sizeof(Palette)));
   const ViewUniform block = viewUniform(view, info_.subpixel_bits);
@@ -87,6 +85,15 @@ Result<void> GeometryBackend::begin(const View& view) {
   std::memcpy(palette_.data(), view.palette.data(), sizeof(Palette));
   bindings_.setUniform(device_, BINDING_VIEW, view_.get());
   bindings_.setTexels(device_, BINDING_PALETTE, palette_.texels());
+  return {};
+}
+
+Result<void> GeometryBackend::begin(const View& view) {
+  assert(view.width >= 1 && view.width <= info_.max_view);
+  assert(view.height >= 1 && view.height <= info_.max_view);
+  VORPIPE_TRY(target_.resize(device_, pipelines_.targetPass(), static_cast<std::uint32_t>(view.width),
+                             static_cast<std::uint32_t>(view.height)));
+  VORPIPE_TRY(setView(view));
   return target_.clear(device_);
 }
 
@@ -109,12 +116,12 @@ Result<void> GeometryBackend::draw(const CellBatch<float>& batch, std::span<cons
   const std::size_t count = batch.entries.size();
   assert(marks.size() == count && status.size() == count && target_.framebuffer() != VK_NULL_HANDLE);
   if (count == 0) return {};
-  const Result<VkPipeline> pipeline = pipelines_.draw(device_, bindings_.layout(), room);
-  if (!pipeline) return tl::unexpected(pipeline.error());
   VORPIPE_TRY(reserveBatch(count, count, batch.lines.size()));
   std::memcpy(entries_.data(), batch.entries.data(), count * sizeof(Entry));
   std::memcpy(marks_.data(), marks.data(), count * sizeof(DrawMark));
   std::memcpy(lines_.data(), batch.lines.data(), batch.lines.size() * line_bytes);
+  const Result<VkPipeline> pipeline = pipelines_.draw(device_, bindings_.layout(), room);
+  if (!pipeline) return tl::unexpected(pipeline.error());
   VORPIPE_TRY(run({*pipeline, pipelines_.targetPass(), target_.framebuffer(), target_.extent()}, 0, count));
   for (std::size_t entry = 0; entry < count; entry++) status[entry] = statusAt(entry);
   return {};

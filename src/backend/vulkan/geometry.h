@@ -46,6 +46,7 @@ class GeometryBackend final : public Backend {
 
   GeometryBackend(Instance instance, Device device, Bindings bindings, Pipelines pipelines, BackendInfo info);
 
+  Result<void> setView(const View& view);
   Result<void> createEmptyFramebuffer();
   Result<void> reserveBatch(std::size_t entries, std::size_t marks, std::size_t lines);
   Result<void> run(const Pass& pass, std::size_t first, std::size_t count);

@@ -30,10 +30,12 @@ Result<Handle<VkDeviceMemory>> allocate(const Device& device, const VkMemoryRequ
                                         Placement placement, std::string_view what) {
   const VkPhysicalDeviceMemoryProperties& memory = device.memory();
   VkResult failure = VK_ERROR_OUT_OF_DEVICE_MEMORY;
+  std::uint32_t left = needed.memoryTypeBits;
   for (const VkMemoryPropertyFlags wish : wishes(placement)) {
     for (std::uint32_t type = 0; type < memory.memoryTypeCount; type++) {
-      const bool allowed = (needed.memoryTypeBits >> type & 1U) != 0;
-      if (!allowed || (memory.memoryTypes[type].propertyFlags & wish) != wish) continue;
+      const std::uint32_t bit = 1U << type;
+      if ((left & bit) == 0 || (memory.memoryTypes[type].propertyFlags & wish) != wish) continue;
+      left &= ~bit;
       auto info = structure<VkMemoryAllocateInfo>(VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO);
       info.allocationSize = needed.size;
       info.memoryTypeIndex = type;
@@ -42,6 +44,7 @@ Result<Handle<VkDeviceMemory>> allocate(const Device& device, const VkMemoryRequ
       if (failure == VK_SUCCESS) {
         return Handle<VkDeviceMemory>(device.handle(), object, device.api().vkFreeMemory);
       }
+      if (failure != VK_ERROR_OUT_OF_DEVICE_MEMORY) left = 0;
     }
   }
   const std::string call =

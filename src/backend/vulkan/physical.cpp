@@ -16,9 +16,8 @@
 namespace vorpipe::vulkan {
 namespace {
 
-// The most components that one vertex of any geometry shader here has: those of edges.geom, a
-// position and two vectors of four.
-constexpr std::uint64_t components_per_vertex = 12;
+// Of cell.geom, which has the most: a position, a mark and a status.
+constexpr std::uint64_t components_per_vertex = 8;
 
 std::string_view typeName(VkPhysicalDeviceType type) {
   switch (type) {
