@@ -132,7 +132,7 @@ Subcommand addCompare(CLI::App& app) {
   addSearchOptions(*sub, command->picture.search);
   addRunOptions(*sub, command->backend);
   addMaskOptions(*sub, command->backend.mask);
-  sub->add_option("--report", command->report, "what was found, in JSON")->type_name("FILE.json");
+  addFile(*sub, "--report", command->report, "", "what was found, in JSON");
   addFile(*sub, "-o", command->png, ".png", "the pictures side by side, and below each pair's differences");
   addTalkOptions(*sub, command->talk);
   return Subcommand{sub, [command] { return compare(*command); }};

@@ -48,7 +48,7 @@ Picture grayOfColors(std::span<const std::uint32_t> rgba, int width, int height)
 }
 
 void markDifferences(Picture& picture, std::span<const PixelMatch> pixels) {
-  constexpr int pixels_per_radius = 500;
+  constexpr int pixels_per_radius = 400;
   const int radius = std::max(picture.width, picture.height) / pixels_per_radius;
   for (const auto& [match, color] : {std::pair(PixelMatch::tie, yellow), std::pair(PixelMatch::wrong, red)}) {
     for (int row = 0; row < picture.height; ++row) {

@@ -8,6 +8,7 @@
 
 #include "cli/command.h"
 #include "cli/progress.h"
+#include "io/error.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {
@@ -48,6 +49,13 @@ int runSubcommand(std::span<const Subcommand> subcommands) {
   return *done;
 }
 
+/// What CLI11 would only call a missing subcommand.
+bool namesNoSubcommand(std::span<const Subcommand> subcommands, std::string_view argument) {
+  return !argument.starts_with('-') && std::ranges::none_of(subcommands, [&](const Subcommand& sub) {
+    return sub.app->get_name() == argument;
+  });
+}
+
 int parseAndRun(int count, char** arguments) {
   CLI::App app("Voronoi diagrams of sites in the plane, on any GPU or without one", "vorpipe");
   app.require_subcommand(1);
@@ -55,6 +63,10 @@ int parseAndRun(int count, char** arguments) {
   const std::string version_line = fmt::format("vorpipe {}", version());
   app.set_version_flag("--version", version_line);
   for (const Subcommand& sub : subcommands) sub.app->set_version_flag("--version", version_line);
+  if (count > 1 && namesNoSubcommand(subcommands, arguments[1])) {
+    printError(fmt::format("{} is no subcommand; see vorpipe --help", quoted(arguments[1])));
+    return exit_input;
+  }
   try {
     app.parse(count, arguments);
   } catch (const CLI::Success& asked) {

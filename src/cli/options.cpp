@@ -21,7 +21,7 @@ bool validationAskedByEnvironment() {
 
 CLI::Option* addFile(CLI::App& app, const std::string& name, std::string& target,
                      const std::string& extension, const std::string& description) {
-  return addParsed(app, name, target, "FILE" + extension, description,
+  return addParsed(app, name, target, extension.empty() ? "FILE" : "FILE" + extension, description,
                    [extension](std::string_view text) { return parseFile(text, extension); });
 }
 

@@ -26,7 +26,7 @@ CLI::Option* addParsed(CLI::App& app, const std::string& name, Target& target, c
   return option;
 }
 
-/// Adds an option that names a file to write of the kind that `extension` says.
+/// Adds an option that names a file to write; `extension` as for parseFile.
 CLI::Option* addFile(CLI::App& app, const std::string& name, std::string& target,
                      const std::string& extension, const std::string& description);
 

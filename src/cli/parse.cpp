@@ -129,10 +129,12 @@ Parsed<std::vector<std::string>> parseBackends(std::string_view text) {
 }
 
 Parsed<std::string> parseFile(std::string_view text, std::string_view extension) {
+  if (text.empty() || text.starts_with('-'))
+    return bad(fmt::format("{} is not the name of a file", quoted(text)));
   std::string found = std::filesystem::path(text).extension().string();
   std::ranges::transform(found, found.begin(),
                          [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  if (!found.empty() && found != extension)
+  if (!extension.empty() && !found.empty() && found != extension)
     return bad(fmt::format("{} does not end in {}", quoted(text), extension));
   return std::string(text);
 }

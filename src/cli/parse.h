@@ -46,7 +46,8 @@ Parsed<std::string> parseColormap(std::string_view text);
 /// Two or more different names, separated by commas.
 Parsed<std::vector<std::string>> parseBackends(std::string_view text);
 
-/// A file name that ends in `extension`, such as ".png", or has none (/dev/stdout).
+/// A file name that ends in `extension`, such as ".png", or has none (/dev/stdout); any where
+/// `extension` is empty.
 Parsed<std::string> parseFile(std::string_view text, std::string_view extension);
 
 }  // namespace vorpipe::cli

@@ -149,7 +149,7 @@ Subcommand addRender(CLI::App& app) {
   addMaskOptions(*sub, command->backend.mask);
   sub->add_flag("--check", command->check,
                 "verifies the picture, pixel by pixel; exit code 1 if it is wrong");
-  sub->add_option("--stats", command->stats, "what was done, in JSON")->type_name("FILE.json");
+  addFile(*sub, "--stats", command->stats, "", "what was done, in JSON");
   addTalkOptions(*sub, command->talk);
   return Subcommand{sub, [command] { return render(*command); }};
 }

@@ -8,7 +8,7 @@
 
 #include "io/line_reader.h"
 #include "io/sites_file.h"
-#include "unit/io_test_files.h"
+#include "io_test_files.h"
 
 namespace vorpipe::test {
 namespace {

@@ -10,7 +10,7 @@
 #include "io/npy_ids.h"
 #include "io/output_file.h"
 #include "io/sites_file.h"
-#include "unit/io_test_files.h"
+#include "io_test_files.h"
 
 namespace vorpipe::test {
 namespace {

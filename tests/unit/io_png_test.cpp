@@ -7,7 +7,7 @@
 
 #include "io/output_file.h"
 #include "io/png_file.h"
-#include "unit/io_test_files.h"
+#include "io_test_files.h"
 
 namespace vorpipe::test {
 namespace {

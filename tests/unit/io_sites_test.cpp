@@ -9,7 +9,7 @@
 
 #include "io/site_source.h"
 #include "io/sites_file.h"
-#include "unit/io_test_files.h"
+#include "io_test_files.h"
 
 namespace vorpipe::test {
 namespace {

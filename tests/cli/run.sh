@@ -1,0 +1,275 @@
+#!/usr/bin/env bash
+# The command line, by its contract: exit codes, one line per error, files whole or untouched.
+# Usage: run.sh VORPIPE
+set -u
+export LC_ALL=C
+
+vorpipe=$(realpath "$1") || exit 1
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+mkdir in out log
+
+cases=0
+failures=0
+fail() {
+  failures=$((failures + 1))
+  echo "FAILED: $name: $*" >&2
+  sed 's/^/    stderr: /' log/err >&2
+  sed 's/^/    stdout: /' log/out >&2
+}
+
+# run CODE ARGUMENT...: runs vorpipe and checks its exit code.
+run() {
+  local expected=$1 code
+  shift
+  "$vorpipe" "$@" >log/out 2>log/err </dev/null
+  code=$?
+  [ "$code" -eq "$expected" ] || fail "exit code $code, not $expected: vorpipe $*"
+}
+
+one_line() {
+  [ "$(wc -l <log/err)" -eq 1 ] && grep -q '^vorpipe: .' log/err || fail "not one line 'vorpipe: ...' on standard error"
+}
+
+# What is in out/: which files, and their bytes.
+outputs() { find out -exec ls -di {} + | sort && find out -type f -exec cksum {} + | sort; }
+
+# fails CODE NAME TEXT ARGUMENT...: ends with CODE and one line that has TEXT; out/ stays as it was.
+fails() {
+  local code=$1 text=$3
+  name=$2
+  shift 3
+  cases=$((cases + 1))
+  printf 'an older file' >out/old.png
+  printf 'an older file' >out/old.npy
+  printf 'an older file' >out/old.json
+  local before
+  before=$(outputs)
+  run "$code" "$@"
+  one_line
+  grep -qF -- "$text" log/err || fail "the line does not say '$text'"
+  [ -s log/out ] && fail "something on standard output"
+  [ "$before" = "$(outputs)" ] || fail "the output folder changed"
+}
+
+# refuses NAME TEXT ARGUMENT...: render with these options is refused with exit code 2.
+refuses() {
+  local what=$1 text=$2
+  shift 2
+  fails 2 "$what" "$text" render -o out/old.png --ids out/old.npy --stats out/old.json --backend cpu "$@"
+}
+
+# refuses_file FILE TEXT: the sites of in/FILE are refused, and the line names the file.
+refuses_file() {
+  refuses "$1" "in/$1" --sites "in/$1"
+  grep -qF -- "$2" log/err || fail "the line does not say '$2'"
+}
+
+# succeeds NAME ARGUMENT...: ends with 0 and says nothing on standard error.
+succeeds() {
+  name=$1
+  shift
+  cases=$((cases + 1))
+  run 0 "$@"
+  [ -s log/err ] && fail "something on standard error"
+}
+
+expect() { grep -qF -- "$1" log/out || fail "standard output does not say '$1'"; }
+
+rm -rf out && mkdir out
+
+# -- Help and version, everywhere -------------------------------------------------------------------
+for sub in "" render diff compare devices; do
+  succeeds "help of '$sub'" $sub --help
+  expect "Usage: vorpipe"
+  succeeds "version of '$sub'" $sub --version
+  expect "vorpipe "
+done
+
+# -- What works ---------------------------------------------------------------------------------------
+succeeds "render" render --backend cpu --sites random:300 --size 90x60 -o out/a.png --ids out/a.npy --stats out/a.json
+expect "out/a.png, out/a.npy, out/a.json: 300 cells (0 empty, 0 duplicate), 90x60, cpu on "
+[ "$(wc -l <log/out)" -eq 1 ] || fail "not one line on standard output"
+[ "$(head -c 8 out/a.png | tail -c 7 | head -c 3)" = PNG ] || fail "out/a.png is no PNG"
+head -c 128 out/a.npy | grep -q "(60, 90)" || fail "out/a.npy is not of shape (60, 90)"
+[ "$(wc -c <out/a.npy)" -eq $((128 + 4 * 60 * 90)) ] || fail "out/a.npy has the wrong length"
+for key in version command backend device driver sites seed domain status ok empty duplicate resolved retried \
+  double exact area_sum time_ms read order upload search cells draw download write total peak_memory_bytes; do
+  grep -q "\"$key\":" out/a.json || fail "out/a.json has no $key"
+done
+grep -q '"area_sum": null' out/a.json || fail "area_sum is not null"
+
+succeeds "quiet" render --quiet --backend cpu --sites random:300 --size 90x60 --threads 1 -o out/b.png --ids out/b.npy
+[ -s log/out ] && fail "not quiet"
+cmp -s out/a.png out/b.png && cmp -s out/a.npy out/b.npy || fail "two runs differ"
+
+succeeds "only ids" render --backend cpu --sites random:300 --seed 2 --size 90x60 --ids out/c.npy
+succeeds "negative domain as an argument of its own" render --backend cpu --sites random:9 --size 9x9 --domain -1,-1,1,1 -o out/d.png
+succeeds "negative domain" render --backend cpu --sites random:9 --size 9x9 --domain=-1,-1,1,1 -o out/e.png
+cmp -s out/d.png out/e.png || fail "the domains differ"
+succeeds "default size" render --backend cpu --sites random:9 --domain 0,0,2,1 --ids out/f.npy
+expect "1000x500"
+for color in site area neighbors; do
+  succeeds "color $color" render --backend cpu --sites hex:50 --size 40x40 --color $color --edges --show-sites -o out/g.png
+done
+succeeds "check" render --backend cpu --sites clusters:500 --size 50x50 --check --stats out/g.json
+expect "checked"
+
+printf 'y,x,weight\n1,0,5\n2,3,6\n1,0,7\n' >in/good.csv
+succeeds "file with weights" render --backend cpu --sites in/good.csv --color weight --size 30x30 -o out/h.png
+expect "2 cells (0 empty, 1 duplicate)"
+expect "weights are not used for the cells yet"
+printf 'x,y\n1e12,1e12\n1e12,1e12\n' >in/equal.csv
+succeeds "all sites equal, far away" render --backend cpu --sites in/equal.csv --size 20x20 -o out/i.png
+expect "1 cells (0 empty, 1 duplicate), 20x20"
+printf 'x,y\n0,3\n1,3\n7,3\n' >in/collinear.csv
+succeeds "collinear sites" render --backend cpu --sites in/collinear.csv --size 20x20 -o out/i.png
+expect "3 cells (0 empty, 0 duplicate), 20x20"
+
+name="sites on standard input"
+cases=$((cases + 1))
+printf 'x,y\n0,0\n1,1\n' | "$vorpipe" render --backend cpu --sites - --size 9x9 -o out/j.png >log/out 2>log/err || fail "exit code $?"
+
+succeeds "devices" devices
+expect "vulkan-geometry"
+expect "opengl"
+expect "cpu"
+succeeds "devices as JSON" devices --json
+expect '"backend": "cpu"'
+succeeds "a lower limit shows" devices --limit maxTexelBufferElements=65536
+expect "65536"
+
+for backend in vulkan-geometry opengl; do
+  succeeds "$backend" render --backend $backend --sites random:300 --size 90x60 --ids out/k.npy --check
+  expect "$backend on "
+done
+
+# -- Comparing ----------------------------------------------------------------------------------------
+succeeds "diff of equal ids" diff out/a.npy out/b.npy --sites random:300
+expect "5400 pixels equal, 0 ties, 0 wrong"
+succeeds "diff of equal pictures" diff out/a.png out/b.png
+cp out/a.npy in/mutant.npy
+printf '\377\377\377\377' | dd of=in/mutant.npy bs=1 seek=$((128 + 4 * (7 * 90 + 11))) conv=notrunc status=none
+fails 1 "a changed id" "1 pixels wrong (0 ties, 5399 equal), first at row 7, column 11" diff out/a.npy in/mutant.npy --sites random:300
+fails 1 "a changed id, sites unknown" "first at row 7, column 11" diff out/a.npy in/mutant.npy
+fails 1 "ids of other sites" "pixels wrong" diff out/a.npy out/c.npy --sites random:300
+fails 1 "pictures that differ" "pixels differ" diff out/d.png out/j.png --quiet
+fails 1 "sizes that differ" "the sizes differ" diff out/a.png out/h.png
+name="picture of differences"
+cases=$((cases + 1))
+run 1 diff out/a.npy in/mutant.npy -o out/where.png
+[ -s out/where.png ] || fail "no picture"
+succeeds "compare" compare --backends vulkan-geometry,opengl,cpu --sites random:300 --size 90x60 --report out/r.json -o out/m.png
+expect "vulkan-geometry / cpu"
+grep -q '"wrong": 0' out/r.json || fail "out/r.json has no wrong"
+fails 2 "compare with an unknown backend" "nope" compare --backends cpu,nope --sites random:9 --report out/old.json
+fails 2 "compare with one backend" "--backends" compare --backends cpu --sites random:9
+fails 2 "diff of a picture and ids" "out/a.npy" diff out/a.png out/a.npy
+fails 2 "diff with sites of pictures" "--sites" diff out/a.png out/b.png --sites random:300
+fails 2 "diff of a missing file" "out/nothing.npy" diff out/a.npy out/nothing.npy
+fails 2 "diff of one file" "B" diff out/a.npy
+
+# -- Bad command lines ----------------------------------------------------------------------------------
+fails 2 "no subcommand" "subcommand"
+fails 2 "unknown subcommand" "paint" paint
+fails 2 "unknown option" "--nope" render --sites random:9 -o out/old.png --nope
+fails 2 "no sites" "--sites" render -o out/old.png
+fails 2 "nothing to write" "-o" render --sites random:9 --backend cpu
+refuses "no value" "--size" --sites random:9 --size
+for size in 0x10 10x0 -1x5 1000000x1000000 32769x1 10 10x x10 10x10x10 1.5x2 ax2 "" 99999999999999999999x1; do
+  refuses "size '$size'" "--size" --sites random:9 --size "$size"
+done
+for domain in 1,0,0,1 0,1,1,0 0,0,0,1 0,0,1 0,0,1,1,1 0,0,1,nan 0,0,inf,1 0,0,1e999,1 a,0,1,1 -1e308,0,1e308,1; do
+  refuses "domain $domain" "--domain" --sites random:9 --domain "$domain"
+done
+fails 2 "backend" "nope" render --sites random:9 --backend nope -o out/old.png
+for threads in 0 -1 1025 x; do refuses "threads $threads" "--threads" --sites random:9 --threads "$threads"; done
+for search in flann:2 flann:1025 flann: flann:x trees; do
+  refuses "search $search" "--search" --sites random:9 --search "$search"
+done
+for seed in -1 x 18446744073709551616; do refuses "seed $seed" "--seed" --sites random:9 --seed "$seed"; done
+for limit in maxTexelBufferElements maxTexelBufferElements=x =5; do
+  refuses "limit $limit" "--limit" --sites random:9 --limit "$limit"
+done
+refuses "unknown limit" "maxNope" --sites random:9 --limit maxNope=5
+refuses "unknown feature" "nopeShader" --sites random:9 --disable nopeShader
+fails 2 "unknown feature of devices" "nopeShader" devices --disable nopeShader
+refuses "color" "--color" --sites random:9 --color blue
+refuses "colormap" "viridis" --sites random:9 --colormap nope
+refuses "color by weight without weights" "--color" --sites random:9 --color weight
+fails 2 "an option where a file belongs" "-o" render --backend cpu --sites random:9 -o --quiet
+fails 2 "the same for --stats" "--stats" render --backend cpu --sites random:9 --stats --quiet
+refuses "an option given twice" "--size" --sites random:9 --size 9x9 --size 8x8
+refuses "quiet and verbose" "--quiet" --sites random:9 --quiet --verbose
+for sites in random:0 random:-5 random:x random: random random:99999999999; do
+  refuses "sites $sites" "--sites" --sites "$sites"
+done
+fails 2 "one file for two outputs" "out/old.npy" render --backend cpu --sites random:9 --ids out/old.npy --stats out/../out/old.npy
+fails 2 "a picture that is no .png" "-o" render --backend cpu --sites random:9 -o out/old.json
+
+# -- Bad files ----------------------------------------------------------------------------------------
+for number in nan inf 1e999 text ""; do
+  printf 'x,y\n0,0\n1,%s\n' "$number" >"in/value.csv"
+  refuses_file value.csv "in/value.csv:3:"
+done
+printf 'x,y\n0,0\n1\n' >in/columns.csv
+refuses_file columns.csv "in/columns.csv:3:"
+printf '0,0\n1,1\n' >in/header.csv
+refuses_file header.csv "in/header.csv:1"
+: >in/empty.csv
+: >in/empty.npy
+: >in/empty.xyz
+printf 'x,y\n' >in/rows.csv
+printf '0 0\n1 nan\n' >in/value.xyz
+head -c 1000 out/a.npy >in/truncated.npy
+printf 'not an array at all' >in/text.npy
+printf 'x,y\n0,0\n' >in/kind.doc
+mkdir in/folder in/folder.csv
+for file in empty.csv empty.npy empty.xyz rows.csv truncated.npy text.npy kind.doc folder folder.csv missing.csv; do
+  refuses_file "$file" "in/$file"
+done
+refuses_file value.xyz "in/value.xyz:2:"
+
+# -- Outputs that cannot be written -----------------------------------------------------------------------
+fails 2 "no such folder" "out/none/a.png" render --backend cpu --sites random:9 -o out/none/a.png
+fails 2 "a folder as output" "in/folder" render --backend cpu --sites random:9 -o in/folder
+fails 2 "the second output cannot be written" "out/none/a.npy" render --backend cpu --sites random:9 -o out/old.png --ids out/none/a.npy
+if [ -w /dev/full ]; then
+  fails 3 "a full disk" "/dev/full" render --backend cpu --sites random:9 -o out/old.png --stats /dev/full
+  name="standard output is full"
+  cases=$((cases + 1))
+  "$vorpipe" devices --json >/dev/full 2>log/err && fail "exit code 0"
+  one_line
+fi
+
+# -- Devices that are not there -------------------------------------------------------------------------
+none() { VK_DRIVER_FILES=/nonexistent.json VK_ICD_FILENAMES=/nonexistent.json "$@"; }
+none fails 3 "no Vulkan driver" "vulkan" render --backend vulkan-geometry --sites random:9 -o out/old.png
+none fails 3 "compare without a Vulkan driver" "vulkan" compare --backends cpu,vulkan-geometry --sites random:9 --report out/old.json
+none succeeds "cpu without a Vulkan driver" render --backend cpu --sites random:9 --size 9x9 -o out/l.png
+none succeeds "devices without a Vulkan driver" devices
+expect "cannot be used"
+broken_egl() { __EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json __EGL_VENDOR_LIBRARY_DIRS=/nonexistent "$@"; }
+broken_egl fails 3 "no EGL" "opengl" render --backend opengl --sites random:9 -o out/old.png
+broken_egl succeeds "cpu without EGL" render --backend cpu --sites random:9 --size 9x9 -o out/l.png
+fails 3 "geometry shader masked" "geometryShader" render --backend vulkan-geometry --disable geometryShader --sites random:9 -o out/old.png
+fails 3 "no such device" "no-such-device" render --backend vulkan-geometry --device no-such-device --sites random:9 -o out/old.png
+
+# -- Interrupted ------------------------------------------------------------------------------------------
+name="interrupted"
+cases=$((cases + 1))
+before=$(outputs)
+"$vorpipe" render --backend cpu --sites random:500000 -o out/old.png >log/out 2>log/err &
+pid=$!
+until ls out/.vorpipe-* >/dev/null 2>&1 || ! kill -0 $pid 2>/dev/null; do sleep 0.02; done
+kill -INT $pid
+wait $pid
+code=$?
+[ $code -eq 130 ] || fail "exit code $code, not 130"
+one_line
+grep -q interrupted log/err || fail "the line does not say 'interrupted'"
+[ "$before" = "$(outputs)" ] || fail "the output folder changed"
+
+echo "$cases cases, $failures failures"
+[ "$failures" -eq 0 ]
