@@ -123,6 +123,23 @@ Error tooManyEdges(const SiteSet& sites, std::uint32_t site) {
                       sites.id[site])};
 }
 
+Error tooFine(const SiteSet& sites, std::uint32_t site) {
+  return {ErrorCode::input,
+          fmt::format(
+              "the cell of site {} is too fine for double precision: its neighbors are nearer to each other "
+              "than rounding",
+              sites.id[site])};
+}
+
+/// Whether the judge found nothing with an area: no edge at all, or a site outside the domain whose
+/// cell touches it in a segment.
+bool isEmpty(const SiteSet& sites, const CellPolygons& polygons, std::size_t e, std::uint32_t site) {
+  if (polygons.status[e] == CellStatus::empty) return true;
+  const auto origin = cellOrigin(sites, site);
+  const bool outside = origin.x != sites.x[site] || origin.y != sites.y[site];
+  return outside && polygons.first[e + 1] - polygons.first[e] < 3;
+}
+
 /// A complete cell: a polygon whose lines index `bounding`.
 struct Complete {
   CellStatus status = CellStatus::missing;
@@ -132,7 +149,7 @@ struct Complete {
 };
 
 Complete complete(const SiteSet& sites, const CellPolygons& polygons, std::size_t e, const Growing& cell) {
-  if (polygons.status[e] == CellStatus::empty) return {CellStatus::empty, cell.others, {}, {}, {}};
+  if (isEmpty(sites, polygons, e, cell.site)) return {CellStatus::empty, cell.others, {}, {}, {}};
   Complete done{CellStatus::certified, boundingSites(polygons, e, cell, sites), {}, {}, {}};
   for (auto v = polygons.first[e]; v < polygons.first[e + 1]; ++v) {
     done.x.push_back(polygons.x[v]);
@@ -163,6 +180,8 @@ Result<void> completeCells(const SiteSet& sites, const FlannSearch& search, Back
       if (polygons.status[e] == CellStatus::overflow) return tl::unexpected(tooManyEdges(sites, cell.site));
       if (grow(sites, questions, e, cell)) {
         next.push_back(std::move(cell));
+      } else if (polygons.status[e] == CellStatus::open && !isEmpty(sites, polygons, e, cell.site)) {
+        return tl::unexpected(tooFine(sites, cell.site));
       } else {
         done[cell.place] = complete(sites, polygons, e, cell);
       }
