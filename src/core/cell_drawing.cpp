@@ -168,6 +168,7 @@ Result<void> CellDrawing::drawHostCells(const HostCells& cells) {
                       cells.candidates.index.begin() + end);
     list.first.push_back(static_cast<std::uint32_t>(list.index.size()));
     list.reach.push_back(cells.candidates.reach[e]);
+    list.walls.push_back(cells.candidates.walls[e]);
   }
   if (auto drawn = drawStep(step.candidates, step.room); !drawn) return drawn;
   for (const auto e : whole) {
@@ -202,8 +203,7 @@ Result<void> CellDrawing::drawPieces(const HostCells& cells, const Indices& entr
     if (pieces.batch.lines.size() + 2 * count > std::min<std::uint64_t>(info.max_lines, lines_per_batch)) {
       if (auto drawn = flush(); !drawn) return drawn;
     }
-    const auto added = appendPieces(input_.sites, cellOrigin(input_.sites, site),
-                                    std::span(cells.polygons.x).subspan(begin, count),
+    const auto added = appendPieces(std::span(cells.polygons.x).subspan(begin, count),
                                     std::span(cells.polygons.y).subspan(begin, count), edges, pieces.batch);
     pieces.site.insert(pieces.site.end(), added, site);
   }

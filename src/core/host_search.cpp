@@ -165,6 +165,15 @@ Complete complete(const SiteSet& sites, const CellPolygons& polygons, std::size_
   return done;
 }
 
+/// The domain for a cell without vertices.
+Box boundingBox(const SiteSet& sites, std::uint32_t site, const Complete& cell) {
+  if (cell.x.empty()) return sites.domain;
+  const auto origin = cellOrigin(sites, site);
+  const auto [xmin, xmax] = std::minmax_element(cell.x.begin(), cell.x.end());
+  const auto [ymin, ymax] = std::minmax_element(cell.y.begin(), cell.y.end());
+  return {origin.x + *xmin, origin.y + *ymin, origin.x + *xmax, origin.y + *ymax};
+}
+
 /// Grows cells round by round until each is complete.
 Result<void> completeCells(const SiteSet& sites, const FlannSearch& search, Backend& judge, int threads,
                            std::vector<Growing> active, std::vector<Complete>& done) {
@@ -237,6 +246,7 @@ Result<HostCells> findCells(const SiteSet& sites, const FlannSearch& search, Bac
   for (std::size_t place = 0; place < which.size(); ++place) {
     const auto& cell = done[place];
     append(found.candidates, which[place], cell.bounding);
+    found.candidates.walls.push_back(boundingBox(sites, which[place], cell));
     auto& polygons = found.polygons;
     polygons.status.push_back(cell.status);
     polygons.x.insert(polygons.x.end(), cell.x.begin(), cell.x.end());

@@ -9,7 +9,7 @@ namespace vorpipe {
 
 /// Cells found complete on the host.
 struct HostCells {
-  Candidates candidates;  ///< just the sites whose bisectors bound each cell; reach is infinite
+  Candidates candidates;  ///< the sites whose bisectors bound each cell, and its bounding box
   CellPolygons polygons;  ///< entry by entry as in candidates; status certified or empty
 };
 

@@ -60,14 +60,15 @@ void packBatch(const SiteSet& sites, const Candidates& candidates, std::size_t b
       const auto site = candidates.site[begin + e];
       const auto origin = cellOrigin(sites, site);
       const Point shift{sites.x[site] - origin.x, sites.y[site] - origin.y};
+      const auto& walls = candidates.walls.empty() ? sites.domain : candidates.walls[begin + e];
       const auto first = candidates.first[begin + e];
       const auto last = candidates.first[begin + e + 1];
       out.entries[e] = {first - first_line,
                         last - first,
-                        static_cast<Real>(sites.domain.xmin - origin.x),
-                        static_cast<Real>(sites.domain.ymin - origin.y),
-                        static_cast<Real>(sites.domain.xmax - origin.x),
-                        static_cast<Real>(sites.domain.ymax - origin.y),
+                        static_cast<Real>(walls.xmin - origin.x),
+                        static_cast<Real>(walls.ymin - origin.y),
+                        static_cast<Real>(walls.xmax - origin.x),
+                        static_cast<Real>(walls.ymax - origin.y),
                         roundedDown<Real>(candidates.reach[begin + e]),
                         roundedUp<Real>(std::min(length(shift.x, shift.y), farthest))};
       for (auto c = first; c < last; ++c) {

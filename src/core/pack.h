@@ -6,10 +6,6 @@
 
 namespace vorpipe {
 
-struct Point {
-  double x, y;
-};
-
 /// The origin of a site's cell: the site, or the point of the domain nearest to it.
 Point cellOrigin(const SiteSet& sites, std::uint32_t site);
 

@@ -19,8 +19,8 @@ void appendLine(Point a, Point b, std::vector<Line<float>>& lines) {
 
 }  // namespace
 
-std::size_t appendPieces(const SiteSet& sites, Point origin, std::span<const double> x,
-                         std::span<const double> y, std::size_t most_edges, CellBatch<float>& out) {
+std::size_t appendPieces(std::span<const double> x, std::span<const double> y, std::size_t most_edges,
+                         CellBatch<float>& out) {
   const auto count = x.size();
   std::size_t pieces = 0;
   for (std::size_t from = 1; from + 1 < count; ++pieces) {
@@ -30,11 +30,15 @@ std::size_t appendPieces(const SiteSet& sites, Point origin, std::span<const dou
     appendLine(vertex(0), vertex(from), out.lines);
     for (auto v = from; v < to; ++v) appendLine(vertex(v), vertex(v + 1), out.lines);
     appendLine(vertex(to), vertex(0), out.lines);
-    out.entries.push_back(
-        {first, static_cast<std::uint32_t>(out.lines.size()) - first,
-         static_cast<float>(sites.domain.xmin - origin.x), static_cast<float>(sites.domain.ymin - origin.y),
-         static_cast<float>(sites.domain.xmax - origin.x), static_cast<float>(sites.domain.ymax - origin.y),
-         std::numeric_limits<float>::max(), 0.0f});
+    Box box{x[0], y[0], x[0], y[0]};
+    for (auto v = from; v <= to; ++v) {
+      box = {std::min(box.xmin, x[v]), std::min(box.ymin, y[v]), std::max(box.xmax, x[v]),
+             std::max(box.ymax, y[v])};
+    }
+    out.entries.push_back({first, static_cast<std::uint32_t>(out.lines.size()) - first,
+                           static_cast<float>(box.xmin), static_cast<float>(box.ymin),
+                           static_cast<float>(box.xmax), static_cast<float>(box.ymax),
+                           std::numeric_limits<float>::max(), 0.0f});
     from = to;
   }
   return pieces;

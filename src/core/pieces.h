@@ -2,14 +2,13 @@
 #pragma once
 
 #include "backend/backend.h"
-#include "core/pack.h"
 
 namespace vorpipe {
 
-/// Appends the pieces of one polygon (vertices counter-clockwise, relative to origin) to out: a fan
+/// Appends the pieces of one polygon (vertices counter-clockwise, relative to its origin) to out: a fan
 /// from the first vertex, each piece with at most `most_edges` edges, three at least. Returns how
 /// many pieces were added.
-std::size_t appendPieces(const SiteSet& sites, Point origin, std::span<const double> x,
-                         std::span<const double> y, std::size_t most_edges, CellBatch<float>& out);
+std::size_t appendPieces(std::span<const double> x, std::span<const double> y, std::size_t most_edges,
+                         CellBatch<float>& out);
 
 }  // namespace vorpipe

@@ -149,6 +149,12 @@ TEST_P(Conformance, aCellMayHaveHundredsOfNeighbors) {
   EXPECT_EQ(expectRight(sites, unit, 200, 200).report.ok, 501u);
 }
 
+TEST_P(Conformance, wedgesThatMeetInAPointStayWithinTheirBisectors) {
+  const auto sites = generate(Pattern::circle, 700, 1);
+  expectRight(sites, {0.495, 0.495, 0.505, 0.505}, 90, 90);
+  expectRight(sites, unit, 401, 301);
+}
+
 TEST_P(Conformance, fewNeighborsAreDoubledUntilCertified) {
   const auto sites = generate(Pattern::random, 2000, 2);
   auto wanted = picture(unit);
