@@ -15,13 +15,13 @@
 namespace vorpipe::opengl {
 
 struct Context::Native {
-  Display display;
-  EGLContext context = EGL_NO_CONTEXT;
+  EGLDisplay display;
+  EGLContext context;
 
-  Native(Display on, EGLContext made) : display(std::move(on)), context(made) {}
+  Native(EGLDisplay on, EGLContext made) : display(on), context(made) {}
   Native(const Native&) = delete;
   Native& operator=(const Native&) = delete;
-  ~Native() { eglDestroyContext(display.get(), context); }
+  ~Native() { eglDestroyContext(display, context); }
 };
 
 namespace {
@@ -59,9 +59,9 @@ EGLConfig anyConfig(EGLDisplay display) {
   return config;
 }
 
-Result<Context> openContext(Result<Display> display, std::string_view place) {
+Result<Context> openContext(Result<EGLDisplay> display, std::string_view place) {
   if (!display) return noDevice(place, display.error().message);
-  if (!hasExtension(eglQueryString(display->get(), EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
+  if (!hasExtension(eglQueryString(*display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context")) {
     return noDevice(place, "the driver cannot draw without a surface (EGL_KHR_surfaceless_context)");
   }
   const EGLenum previous_api = eglQueryAPI();
@@ -74,15 +74,14 @@ Result<Context> openContext(Result<Display> display, std::string_view place) {
                                             EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                             EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                             EGL_NONE};
-  EGLContext context =
-      eglCreateContext(display->get(), anyConfig(display->get()), EGL_NO_CONTEXT, wanted.data());
+  EGLContext context = eglCreateContext(*display, anyConfig(*display), EGL_NO_CONTEXT, wanted.data());
   const EGLint error = eglGetError();
   eglBindAPI(previous_api);
   if (context == EGL_NO_CONTEXT) {
     return noDevice(place,
                     fmt::format("the driver gives no OpenGL 4.1 core context (EGL error {:#x})", error));
   }
-  return Context(std::make_unique<Context::Native>(std::move(*display), context));
+  return Context(std::make_unique<Context::Native>(*display, context));
 }
 
 // Leaves the thread as it was, bound API included: a context of the caller's may have been current.
@@ -103,9 +102,9 @@ Context& Context::operator=(Context&&) noexcept = default;
 Context::~Context() = default;
 
 Result<Scope> Context::enter() const {
-  auto leave = returnToCurrent(native_->display.get());
+  auto leave = returnToCurrent(native_->display);
   eglBindAPI(EGL_OPENGL_API);
-  if (eglMakeCurrent(native_->display.get(), EGL_NO_SURFACE, EGL_NO_SURFACE, native_->context) == EGL_FALSE) {
+  if (eglMakeCurrent(native_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, native_->context) == EGL_FALSE) {
     const auto why = fmt::format("the context cannot be made current (EGL error {:#x})", eglGetError());
     leave();
     return noDevice("EGL", why);

@@ -172,9 +172,10 @@ Result<Device> chooseDevice(std::vector<Device> devices, std::string_view wanted
 BackendInfo backendInfo(const Device& device) {
   // Core draws larger pictures in parts of this size.
   constexpr std::uint64_t largest_view = 4096;
-  // A gigabyte of lines, so that the address of each, in bytes, fits 32 bits on any driver.
-  constexpr std::uint64_t most_lines = std::uint64_t{1} << 26;
-  constexpr std::uint32_t most_entries = std::uint32_t{1} << 24;
+  // As much as a batch may hold where the device sets no lower limit: 256 MiB of lines, 192 MiB of
+  // entries and marks.
+  constexpr std::uint64_t most_lines = std::uint64_t{1} << 24;
+  constexpr std::uint32_t most_entries = std::uint32_t{1} << 22;
   const Capabilities& c = device.capabilities;
   BackendInfo info;
   info.device = device.info;
@@ -182,7 +183,6 @@ BackendInfo backendInfo(const Device& device) {
       std::min({largest_view, c.max_image_dimension_2d, c.max_framebuffer_width, c.max_framebuffer_height}));
   info.max_lines = std::min(c.max_texel_buffer_elements, most_lines);
   info.max_entries = most_entries;
-  info.fast_edges = edgesOf(Room::fast);
   info.most_edges = edgesOf(Room::most);
   info.subpixel_bits = device.subpixel_bits;
   return info;

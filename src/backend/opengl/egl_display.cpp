@@ -2,19 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <map>
-#include <mutex>
 #include <string>
 
 namespace vorpipe::opengl {
 namespace {
-
-std::mutex users_mutex;
-
-std::map<EGLDisplay, int>& users() {
-  static std::map<EGLDisplay, int> count;
-  return count;
-}
 
 // Functions of extensions are fetched by name: libepoxy would end the process over a missing one.
 template <class Function>
@@ -32,25 +23,18 @@ bool hasExtension(const char* list, std::string_view name) {
   return list != nullptr && fmt::format(" {} ", list).find(fmt::format(" {} ", name)) != std::string::npos;
 }
 
-void CloseDisplay::operator()(EGLDisplay display) const {
-  const std::lock_guard lock(users_mutex);
-  if (--users()[display] == 0) eglTerminate(display);
-}
-
-Result<Display> openDisplay(EGLenum platform, void* native) {
+Result<EGLDisplay> openDisplay(EGLenum platform, void* native) {
   const auto get_display = extensionFunction<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
   EGLDisplay display = get_display == nullptr ? EGL_NO_DISPLAY : get_display(platform, native, nullptr);
   if (display == EGL_NO_DISPLAY) {
     return tl::unexpected(
         Error{ErrorCode::device, fmt::format("there is no display for it (EGL error {:#x})", eglGetError())});
   }
-  const std::lock_guard lock(users_mutex);
   if (eglInitialize(display, nullptr, nullptr) == EGL_FALSE) {
     return tl::unexpected(
         Error{ErrorCode::device, fmt::format("the driver does not start (EGL error {:#x})", eglGetError())});
   }
-  ++users()[display];
-  return Display(display);
+  return display;
 }
 
 std::vector<EGLDeviceEXT> eglDevices() {

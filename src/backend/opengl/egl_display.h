@@ -3,7 +3,6 @@
 
 #include <epoxy/egl.h>
 
-#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -11,16 +10,10 @@
 
 namespace vorpipe::opengl {
 
-struct CloseDisplay {
-  void operator()(EGLDisplay display) const;
-};
-
-/// An initialized display. EGL gives a process the same one whenever it asks, and terminating it
-/// ends it for everybody, so the last holder does.
-using Display = std::unique_ptr<void, CloseDisplay>;
-
-/// Opens a display on a platform. Error (device): the reason, without place and remedy.
-Result<Display> openDisplay(EGLenum platform, void* native);
+/// Opens the display of a platform. It stays open until the process ends: EGL hands the same one to
+/// everybody who asks, and closing it would take it from all of them.
+/// Error (device): the reason, without place and remedy.
+Result<EGLDisplay> openDisplay(EGLenum platform, void* native);
 
 /// The devices that EGL lists, in its order; none where it cannot list or open devices.
 std::vector<EGLDeviceEXT> eglDevices();

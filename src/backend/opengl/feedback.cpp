@@ -1,10 +1,13 @@
 #include "backend/opengl/feedback.h"
 
+#include <fmt/format.h>
+
+#include <string_view>
+
 namespace vorpipe::opengl {
 namespace {
 
 constexpr std::size_t capacity_bytes = std::size_t{64} * 1024 * 1024;
-constexpr std::size_t triangle_bytes = 3 * sizeof(Feedback::Record);
 
 GLuint resultOf(GLuint query) {
   GLuint result = 0;
@@ -12,49 +15,46 @@ GLuint resultOf(GLuint query) {
   return result;
 }
 
-tl::unexpected<Error> broken(const char* what) {
-  return tl::unexpected(Error{ErrorCode::device, std::string("opengl: transform feedback ") + what +
-                                                     "; try another device or backend"});
+tl::unexpected<Error> broken(std::string_view what) {
+  return tl::unexpected(Error{
+      ErrorCode::device, fmt::format("opengl: transform feedback {}; try another device or backend", what)});
 }
 
 }  // namespace
 
-Feedback::Feedback() : buffer_(GL_TRANSFORM_FEEDBACK_BUFFER, GL_STREAM_READ) {
-  buffer_.reserve(capacity_bytes);
+Feedback::Feedback(GLenum primitive, std::size_t primitive_bytes)
+    : primitive_(primitive),
+      primitive_bytes_(primitive_bytes),
+      buffer_(GL_TRANSFORM_FEEDBACK_BUFFER, GL_STREAM_READ) {
   glGenQueries(static_cast<GLsizei>(queries_.size()), queries_.data());
 }
 
-std::size_t Feedback::entriesAtOnce(int edges) {
-  return capacity_bytes / (triangle_bytes * static_cast<std::size_t>(edges - 2));
+std::size_t Feedback::entriesAtOnce(std::size_t primitives) const {
+  return capacity_bytes / (primitive_bytes_ * primitives);
 }
 
-void Feedback::begin() const {
+void Feedback::begin() {
+  buffer_.reserve(capacity_bytes);
   glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer_.name());
   glBeginQuery(GL_PRIMITIVES_GENERATED, queries_[0]);
   glBeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, queries_[1]);
-  glBeginTransformFeedback(GL_TRIANGLES);
+  glBeginTransformFeedback(primitive_);
 }
 
-Result<void> Feedback::end(std::span<CellStatus> status) const {
+Result<void> Feedback::end(const std::function<bool(std::span<const std::byte>)>& read) const {
   glEndTransformFeedback();
   glEndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
   glEndQuery(GL_PRIMITIVES_GENERATED);
-  const std::size_t triangles = resultOf(queries_[1]);
-  if (resultOf(queries_[0]) != triangles) return broken("lost statuses");
-  if (triangles == 0) return {};
-  buffer_.bind();
-  const auto* records = static_cast<const Record*>(glMapBufferRange(
-      GL_TRANSFORM_FEEDBACK_BUFFER, 0, static_cast<GLsizeiptr>(triangles * triangle_bytes), GL_MAP_READ_BIT));
-  if (records == nullptr) return broken("cannot be read");
-  bool sane = true;
-  for (std::size_t t = 0; t < triangles; ++t) {
-    const Record record = records[3 * t];
-    const bool known = record.entry < status.size() && record.status <= static_cast<GLuint>(CellStatus::open);
-    if (known) status[record.entry] = static_cast<CellStatus>(record.status);
-    sane = sane && known;
-  }
+  const std::size_t written = resultOf(queries_[1]);
+  if (resultOf(queries_[0]) != written) return broken("lost a part of the answer");
+  if (written == 0) return {};
+  const std::size_t bytes = written * primitive_bytes_;
+  const auto* start = static_cast<const std::byte*>(
+      glMapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, static_cast<GLsizeiptr>(bytes), GL_MAP_READ_BIT));
+  if (start == nullptr) return broken("cannot be read");
+  const bool sane = read(std::span(start, bytes));
   const bool kept = glUnmapBuffer(GL_TRANSFORM_FEEDBACK_BUFFER) == GL_TRUE;
-  if (!kept || !sane) return broken("gave statuses that make no sense");
+  if (!kept || !sane) return broken("gave an answer that makes no sense");
   return {};
 }
 

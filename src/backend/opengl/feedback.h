@@ -1,38 +1,36 @@
-/// What the geometry shader says about each entry, by transform feedback.
+/// What the geometry shaders say, by transform feedback.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <span>
 
-#include "backend/backend.h"
 #include "backend/opengl/buffer.h"
 #include "backend/opengl/gl.h"
+#include "vorpipe.h"
 
 namespace vorpipe::opengl {
 
-/// Catches the outputs of triangles drawn between begin() and end(): one record per vertex, the same
-/// in all vertices of a triangle.
+/// Catches the outputs that a program was linked to capture, of what is drawn between begin() and end().
 class Feedback {
  public:
-  /// cell_status of cell.geom.
-  struct Record {
-    GLuint entry, status;
-  };
+  /// For primitives of one kind, each of which makes so many bytes.
+  Feedback(GLenum primitive, std::size_t primitive_bytes);
 
-  Feedback();
+  /// How many entries may be drawn between begin() and end() so that nothing is lost even if each of
+  /// them makes that many primitives.
+  [[nodiscard]] std::size_t entriesAtOnce(std::size_t primitives) const;
 
-  /// How many entries may be drawn between begin() and end(), so that nothing is lost even if each
-  /// of them has that many edges.
-  static std::size_t entriesAtOnce(int edges);
+  void begin();
 
-  void begin() const;
-
-  /// Waits for the device and writes what it said into status, by entry; other elements stay.
-  /// Error (device): some of it was lost, or nonsense.
-  Result<void> end(std::span<CellStatus> status) const;
+  /// Waits for the device and hands all that it said to read, in the order drawn. read returns whether it
+  /// makes sense. Error (device): it does not, or some of it was lost.
+  Result<void> end(const std::function<bool(std::span<const std::byte>)>& read) const;
 
  private:
+  GLenum primitive_;
+  std::size_t primitive_bytes_;
   Buffer buffer_;
   std::array<GLuint, 2> queries_{};
 };

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
-#include <cstddef>
+#include <cstring>
 
 #include "backend/opengl/shader.h"
 #include "layout.glsl"
@@ -12,11 +11,28 @@
 namespace vorpipe::opengl {
 namespace {
 
-using Entry = CellBatch<float>::Entry;
+// One vertex's cell_status in cell.geom. All vertices of a triangle say the same.
+struct Record {
+  GLuint entry, status;
+};
+
+constexpr std::size_t triangle_bytes = 3 * sizeof(Record);
 
 Result<GLuint> linkPipeline(std::string_view geometry) {
   static constexpr std::array<const char*, 1> captured = {"cell_status"};
   return linkProgram({shaders::cell_vert_410(), geometry, shaders::cell_frag_410(), captured});
+}
+
+bool readStatuses(std::span<const std::byte> triangles, std::span<CellStatus> status) {
+  bool sane = true;
+  for (std::size_t at = 0; at < triangles.size(); at += triangle_bytes) {
+    Record record;
+    std::memcpy(&record, &triangles[at], sizeof(record));
+    const bool known = record.entry < status.size() && record.status <= static_cast<GLuint>(CellStatus::open);
+    if (known) status[record.entry] = static_cast<CellStatus>(record.status);
+    sane = sane && known;
+  }
+  return sane;
 }
 
 }  // namespace
@@ -28,55 +44,23 @@ Result<Geometry> Geometry::create() {
   if (!fast) return tl::unexpected(fast.error());
   const auto most = linkPipeline(shaders::cell_geom_most_410());
   if (!most) return tl::unexpected(most.error());
-  Geometry geometry(*fast, *most);
-  if (auto made = takeErrors("making the pipelines"); !made) return tl::unexpected(made.error());
-  return geometry;
+  return Geometry(*fast, *most);
 }
 
 Geometry::Geometry(GLuint fast, GLuint most)
-    : fast_(fast),
-      most_(most),
-      entries_(GL_ARRAY_BUFFER, GL_STREAM_DRAW),
-      marks_(GL_ARRAY_BUFFER, GL_STREAM_DRAW),
-      lines_(GL_RGBA32F, lines_unit) {
-  glGenVertexArrays(1, &vertices_);
-  describeVertices();
-}
+    : fast_(fast), most_(most), feedback_(GL_TRIANGLES, triangle_bytes) {}
 
-// The inputs of cell.vert, as entries and marks lie in memory.
-void Geometry::describeVertices() const {
-  static_assert(offsetof(Entry, north) == offsetof(Entry, west) + 3 * sizeof(float));
-  static_assert(offsetof(Entry, shift) == offsetof(Entry, reach) + sizeof(float));
-  static_assert(offsetof(Entry, count) == offsetof(Entry, first) + sizeof(std::uint32_t));
-  static_assert(offsetof(DrawMark, shade) == offsetof(DrawMark, id) + sizeof(std::uint32_t));
-  glBindVertexArray(vertices_);
-  for (GLuint location = 0; location < 5; ++location) glEnableVertexAttribArray(location);
-  entries_.bind();
-  glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Entry), bufferOffset(offsetof(Entry, west)));
-  glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(Entry), bufferOffset(offsetof(Entry, reach)));
-  glVertexAttribIPointer(2, 2, GL_UNSIGNED_INT, sizeof(Entry), bufferOffset(offsetof(Entry, first)));
-  marks_.bind();
-  glVertexAttribPointer(3, 2, GL_FLOAT, GL_FALSE, sizeof(DrawMark), bufferOffset(offsetof(DrawMark, x)));
-  glVertexAttribIPointer(4, 2, GL_UNSIGNED_INT, sizeof(DrawMark), bufferOffset(offsetof(DrawMark, id)));
-}
-
-Result<void> Geometry::draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Room room,
-                            std::span<CellStatus> status) {
-  const std::size_t count = batch.entries.size();
-  assert(marks.size() == count && status.size() == count);
+Result<void> Geometry::draw(Room room, std::span<CellStatus> status) {
   std::ranges::fill(status, CellStatus::missing);
-  entries_.write(std::as_bytes(std::span(batch.entries)));
-  marks_.write(std::as_bytes(marks));
-  lines_.write(std::as_bytes(std::span(batch.lines)));
-  if (auto sent = takeErrors("sending a batch to the device"); !sent) return sent;
   glUseProgram(room == Room::fast ? fast_ : most_);
-  glBindVertexArray(vertices_);
-  const std::size_t at_once = Feedback::entriesAtOnce(edgesOf(room));
+  const std::size_t count = status.size();
+  const std::size_t at_once = feedback_.entriesAtOnce(static_cast<std::size_t>(edgesOf(room)) - 2);
   for (std::size_t first = 0; first < count; first += at_once) {
     feedback_.begin();
     glDrawArrays(GL_POINTS, static_cast<GLint>(first),
                  static_cast<GLsizei>(std::min(at_once, count - first)));
-    if (auto answered = feedback_.end(status); !answered) return answered;
+    const auto read = [status](std::span<const std::byte> said) { return readStatuses(said, status); };
+    if (auto answered = feedback_.end(read); !answered) return answered;
   }
   glFinish();
   return takeErrors("drawing a batch");

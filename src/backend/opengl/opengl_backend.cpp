@@ -1,26 +1,51 @@
 #include "backend/opengl/opengl_backend.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
-#include <optional>
+#include <new>
 #include <utility>
 
+#include "backend/opengl/batch.h"
+#include "backend/opengl/cells.h"
 #include "backend/opengl/device.h"
 #include "backend/opengl/geometry.h"
+#include "backend/opengl/gl.h"
 #include "backend/opengl/picture.h"
 
 namespace vorpipe {
 namespace {
 
 using opengl::Context;
-using opengl::Geometry;
-using opengl::Picture;
+
+// All that lives in the context, which owns it.
+struct Resources {
+  opengl::Picture picture;
+  opengl::Batch batch;
+  opengl::Geometry geometry;
+  opengl::Cells cells;
+};
+
+Result<Resources> makeResources(int subpixel_bits) {
+  // All other state that matters is off in a new context.
+  glDisable(GL_DITHER);
+  glDisable(GL_MULTISAMPLE);
+  auto picture = opengl::Picture::create(subpixel_bits);
+  if (!picture) return tl::unexpected(picture.error());
+  auto geometry = opengl::Geometry::create();
+  if (!geometry) return tl::unexpected(geometry.error());
+  auto cells = opengl::Cells::create();
+  if (!cells) return tl::unexpected(cells.error());
+  Resources resources{std::move(*picture), {}, std::move(*geometry), std::move(*cells)};
+  if (auto made = opengl::takeErrors("making the pipelines"); !made) return tl::unexpected(made.error());
+  return resources;
+}
 
 class OpenGlBackend final : public Backend {
  public:
-  // Called, as every constructor of GL objects, while the context is current.
-  OpenGlBackend(BackendInfo info, Context context, Geometry geometry)
-      : info_(std::move(info)), context_(std::move(context)), geometry_(std::move(geometry)) {}
+  OpenGlBackend(BackendInfo info, Context context, Resources resources)
+      : info_(std::move(info)), context_(std::move(context)), gl_(std::move(resources)) {}
 
   const BackendInfo& info() const override { return info_; }
 
@@ -31,39 +56,56 @@ class OpenGlBackend final : public Backend {
     assert(std::max(view.width, view.height) <= info_.max_view);
     const auto scope = context_.enter();
     if (!scope) return tl::unexpected(scope.error());
-    return picture_.begin(view, info_.subpixel_bits);
+    return gl_.picture.begin(view, info_.subpixel_bits);
   }
 
   Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Room room,
                     std::span<CellStatus> status) override {
     assert(batch.lines.size() <= info_.max_lines && batch.entries.size() <= info_.max_entries);
+    assert(marks.size() == batch.entries.size() && status.size() == batch.entries.size());
     const auto scope = context_.enter();
     if (!scope) return tl::unexpected(scope.error());
-    picture_.bind();
-    return geometry_.draw(batch, marks, room, status);
+    gl_.picture.bind();
+    if (auto sent = gl_.batch.send(batch, marks); !sent) return sent;
+    return gl_.geometry.draw(room, status);
   }
 
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override {
     const auto scope = context_.enter();
     if (!scope) return tl::unexpected(scope.error());
-    return picture_.read(rgba, ids);
+    return gl_.picture.read(rgba, ids);
   }
 
-  Result<void> cells(const CellBatch<double>&, CellPolygons&) override {
-    return tl::unexpected(Error{ErrorCode::device, "opengl: not yet"});
+  Result<void> cells(const CellBatch<double>& batch, CellPolygons& out) override {
+    assert(batch.lines.size() <= info_.max_lines && batch.entries.size() <= info_.max_entries);
+    const auto scope = context_.enter();
+    if (!scope) return tl::unexpected(scope.error());
+    gl_.picture.bind();
+    try {
+      return gl_.cells.run(batch, gl_.batch, out);
+    } catch (const std::bad_alloc&) {
+      return tl::unexpected(Error{
+          ErrorCode::device, fmt::format("opengl: not enough memory for {} cells; ask for fewer at a time",
+                                         batch.entries.size())});
+    }
   }
 
  private:
   BackendInfo info_;
-  Context context_;  // owns the GL objects of what follows
-  Geometry geometry_;
-  Picture picture_;
+  Context context_;
+  Resources gl_;
 };
 
-// The state that never changes; all else of it is off in a new context.
-void setState() {
-  glDisable(GL_DITHER);
-  glDisable(GL_MULTISAMPLE);
+Result<std::unique_ptr<Backend>> open(opengl::Device device) {
+  auto info = opengl::backendInfo(device);
+  std::unique_ptr<Backend> backend;  // outlives the scope: a context goes after it is left
+  Context context = std::move(*device.context);
+  const auto scope = context.enter();
+  if (!scope) return tl::unexpected(scope.error());
+  auto resources = makeResources(info.subpixel_bits);
+  if (!resources) return tl::unexpected(resources.error());
+  backend = std::make_unique<OpenGlBackend>(std::move(info), std::move(context), std::move(*resources));
+  return backend;
 }
 
 }  // namespace
@@ -73,17 +115,7 @@ Result<std::unique_ptr<Backend>> makeOpenGlBackend(const BackendOptions& options
   if (auto known = applyMask(any, options.mask); !known) return tl::unexpected(known.error());
   auto device = opengl::chooseDevice(opengl::findDevices(options.mask), options.device);
   if (!device) return tl::unexpected(device.error());
-  auto info = opengl::backendInfo(*device);
-  Context context = std::move(*device->context);
-  std::unique_ptr<Backend> backend;
-  const auto scope = context.enter();
-  if (!scope) return tl::unexpected(scope.error());
-  setState();
-  auto geometry = Geometry::create();
-  if (!geometry) return tl::unexpected(geometry.error());
-  backend = std::make_unique<OpenGlBackend>(std::move(info), std::move(context), std::move(*geometry));
-  if (auto made = opengl::takeErrors("making the picture"); !made) return tl::unexpected(made.error());
-  return backend;
+  return open(std::move(*device));
 }
 
 std::vector<DeviceInfo> listOpenGlDevices(const Mask& mask) {

@@ -25,6 +25,15 @@ Picture::Picture() : view_(GL_UNIFORM_BUFFER, GL_STREAM_DRAW), palette_(GL_RGBA8
   glGenRenderbuffers(1, &id_);
 }
 
+Result<Picture> Picture::create(int subpixel_bits) {
+  Picture picture;
+  // Until the caller's first view: OpenGL draws nothing, and clips nothing, without a framebuffer.
+  if (auto made = picture.begin({{0, 0, 1, 1}, 1, 1, {}}, subpixel_bits); !made) {
+    return tl::unexpected(made.error());
+  }
+  return picture;
+}
+
 Result<void> Picture::resize(int width, int height) {
   glBindRenderbuffer(GL_RENDERBUFFER, color_);
   glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, width, height);

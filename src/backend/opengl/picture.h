@@ -12,7 +12,8 @@ namespace vorpipe::opengl {
 
 class Picture {
  public:
-  Picture();
+  /// Makes one of a single pixel in the current context.
+  static Result<Picture> create(int subpixel_bits);
 
   /// Clears it, at the view's size, and hands the view to the shaders.
   Result<void> begin(const View& view, int subpixel_bits);
@@ -24,6 +25,7 @@ class Picture {
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) const;
 
  private:
+  Picture();
   Result<void> resize(int width, int height);
 
   GLuint framebuffer_ = 0, color_ = 0, id_ = 0;
