@@ -4,6 +4,7 @@
 /// input; a function that can fail returns Result. Coordinates are the caller's own units.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -209,6 +210,32 @@ struct ImageDiff {
 /// Compares two pictures of width x height RGBA pixels, laid out as Image::rgba.
 ImageDiff diffImages(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, int width,
                      int height);
+
+/// In `Diagram::neighbors`: the domain's walls xmin, xmax, ymin, ymax.
+inline constexpr std::int64_t wall_xmin = -1, wall_xmax = -2, wall_ymin = -3, wall_ymax = -4;
+
+struct Point {
+  double x, y;
+};
+
+/// Cells as data, in input order and in the caller's units: one record for each site, whatever
+/// happened to it. Cell i has the vertices cell_offsets[i] .. cell_offsets[i + 1] - 1, counter-
+/// clockwise; edge k of a cell runs from its vertex k to the next and belongs to its neighbor k, so
+/// that one table of offsets serves vertices, neighbors and edge lengths.
+/// An edge shorter than 1e-6 of the distance between its two sites is a tie: neither cell has it.
+struct Diagram {
+  std::vector<Status> status;
+  std::vector<std::uint32_t> owner;  ///< the site that owns the cell: itself unless a duplicate
+  std::vector<double> area, perimeter;
+  std::vector<Point> centroid;                        ///< of the cell; the site itself where there is no cell
+  std::vector<std::array<double, 3>> second_moments;  ///< about the centroid: integrals of xx, xy, yy
+  std::vector<std::uint64_t> cell_offsets;            ///< size: sites + 1
+  std::vector<Point> vertices;
+  std::vector<std::int64_t> neighbors;  ///< indices of sites, or walls
+  std::vector<double> edge_lengths;
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Delaunay, counter-clockwise; ties triangulated
+  Report report;
+};
 
 class Backend;
 

@@ -22,7 +22,7 @@ tl::unexpected<Error> systemError(ErrorCode kind, std::string_view file, std::st
 
 std::string quoted(std::string_view text) {
   constexpr std::size_t longest = 40;
-  std::string result = "\"";
+  std::string result(1, '"');
   for (const char c : text.substr(0, longest)) {
     const auto byte = static_cast<unsigned char>(c);
     if (byte < 0x20 || byte == 0x7F) {
