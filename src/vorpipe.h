@@ -211,6 +211,12 @@ struct ImageDiff {
 ImageDiff diffImages(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, int width,
                      int height);
 
+struct CellsOptions {
+  Box domain;  ///< what cells are clipped to
+  SearchOptions search;
+  Progress progress;  ///< may be empty
+};
+
 /// In `Diagram::neighbors`: the domain's walls xmin, xmax, ymin, ymax.
 inline constexpr std::int64_t wall_xmin = -1, wall_xmax = -2, wall_ymin = -3, wall_ymax = -4;
 
@@ -251,6 +257,9 @@ class Session {
   /// Draws the diagram of at least one finite site. Errors: no sites, a number that is not finite,
   /// a domain or size out of range (input); the device failed (device); progress said stop.
   Result<Rendering> render(const Sites& sites, const RenderOptions& options);
+
+  /// Computes the cells of at least one finite site. Errors: as render's.
+  Result<Diagram> cells(const Sites& sites, const CellsOptions& options);
 
   /// backend, device and driver in use; usable is true.
   [[nodiscard]] const DeviceInfo& device() const;

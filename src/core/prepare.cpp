@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::size_t grain = 1 << 16;
 constexpr int farthest_exponent = 300;
+constexpr int fewest_neighbors = 3;
+constexpr int most_neighbors = 1024;
 
 tl::unexpected<Error> refuse(std::string message) {
   return tl::unexpected(Error{ErrorCode::input, std::move(message)});
@@ -109,6 +111,12 @@ std::vector<Placed> orderAlongCurve(const Sites& sites, int threads) {
 
 }  // namespace
 
+Result<void> checkSearch(const SearchOptions& search) {
+  if (search.neighbors >= fewest_neighbors && search.neighbors <= most_neighbors) return {};
+  return refuse(
+      fmt::format("{} neighbors: must be {} to {}", search.neighbors, fewest_neighbors, most_neighbors));
+}
+
 Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads) {
   if (auto checked = checkDomain(domain); !checked) return tl::unexpected(checked.error());
   const int exponent = scaleExponent(domain);
@@ -116,6 +124,7 @@ Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads) {
 
   const auto scaled = [exponent](double value) { return std::ldexp(value, exponent); };
   Prepared prepared;
+  prepared.exponent = exponent;
   auto& set = prepared.set;
   set.domain = {scaled(domain.xmin), scaled(domain.ymin), scaled(domain.xmax), scaled(domain.ymax)};
   prepared.owner.resize(sites.size());

@@ -7,6 +7,7 @@ namespace vorpipe {
 
 struct Prepared {
   SiteSet set;
+  int exponent = 0;                  ///< scaled units are the input's times 2^exponent
   std::vector<std::uint32_t> owner;  ///< by input index: the lowest index with the same position
 };
 
@@ -14,5 +15,8 @@ struct Prepared {
 /// so that what is a tie in the input stays one. Errors (input): no sites, more than 2^32 - 2, a
 /// coordinate that is not finite or is more than 2^300 domains away, a domain without area.
 Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads);
+
+/// Checks the number of neighbors. Error (input): fewer than 3 or more than 1024.
+Result<void> checkSearch(const SearchOptions& search);
 
 }  // namespace vorpipe

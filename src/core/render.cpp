@@ -16,8 +16,6 @@ namespace vorpipe {
 namespace {
 
 constexpr int largest_side = 32768;
-constexpr int fewest_neighbors = 3;
-constexpr int most_neighbors = 1024;
 
 Result<void> checkOptions(const RenderOptions& options) {
   const auto refuse = [](std::string message) {
@@ -27,11 +25,7 @@ Result<void> checkOptions(const RenderOptions& options) {
     return refuse(fmt::format("a picture of {}x{} pixels: each side must be 1 to {}", options.width,
                               options.height, largest_side));
   }
-  if (options.search.neighbors < fewest_neighbors || options.search.neighbors > most_neighbors) {
-    return refuse(fmt::format("{} neighbors: must be {} to {}", options.search.neighbors, fewest_neighbors,
-                              most_neighbors));
-  }
-  return {};
+  return checkSearch(options.search);
 }
 
 /// One view of a picture that is drawn in parts: its place in the image, rows from the bottom.

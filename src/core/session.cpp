@@ -1,10 +1,19 @@
 #include <new>
 
 #include "backend/registry.h"
+#include "core/diagram.h"
 #include "core/render.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
+
+namespace {
+
+Error outOfMemory() {
+  return {ErrorCode::device, "out of memory; fewer sites or a smaller picture would fit"};
+}
+
+}  // namespace
 
 struct Session::State {
   OpenedBackend opened;
@@ -32,6 +41,14 @@ Result<Rendering> Session::render(const Sites& sites, const RenderOptions& optio
   } catch (const std::bad_alloc&) {
     return tl::unexpected(
         Error{ErrorCode::device, "out of memory; fewer sites or a smaller picture would fit"});
+  }
+}
+
+Result<Diagram> Session::cells(const Sites& sites, const CellsOptions& options) {
+  try {
+    return cellsOn(*state_->opened.backend, *state_->judge, state_->threads, sites, options);
+  } catch (const std::bad_alloc&) {
+    return tl::unexpected(outOfMemory());
   }
 }
 

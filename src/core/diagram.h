@@ -1,0 +1,12 @@
+/// The whole way from sites to cells as data on one backend.
+#pragma once
+
+#include "backend/backend.h"
+
+namespace vorpipe {
+
+/// What Session::cells does, on an open backend.
+Result<Diagram> cellsOn(Backend& backend, Backend& judge, int threads, const Sites& sites,
+                        const CellsOptions& options);
+
+}  // namespace vorpipe

@@ -1,0 +1,21 @@
+/// Areas, perimeters, centroids and second moments of polygons.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+struct Measures {
+  double area = 0, perimeter = 0;
+  Point centroid{0, 0};                           ///< relative to where the vertices are
+  std::array<double, 3> second_moments{0, 0, 0};  ///< integrals of xx, xy, yy about the centroid
+};
+
+/// Measures a polygon whose vertices run counter-clockwise. For full precision they are relative to a
+/// point near it. A polygon without area has its centroid in the mean of its vertices.
+Measures measurePolygon(std::span<const Point> vertices);
+
+}  // namespace vorpipe
