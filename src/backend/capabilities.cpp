@@ -41,6 +41,7 @@ Result<void> applyMask(Capabilities& capabilities, const Mask& mask) {
 
 std::vector<std::pair<std::string, bool>> listFeatures(const Capabilities& capabilities) {
   std::vector<std::pair<std::string, bool>> features;
+  features.reserve(known_features.size());
   for (const NamedFeature& feature : known_features) {
     features.emplace_back(feature.name, capabilities.*feature.member);
   }

@@ -4,7 +4,7 @@ namespace vorpipe::opengl {
 namespace {
 
 // OpenGL does not define a texture on an empty buffer, so there is always room for something.
-constexpr std::size_t granularity = 64 * 1024;
+constexpr std::size_t granularity = std::size_t{64} * 1024;
 
 }  // namespace
 

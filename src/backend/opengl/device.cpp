@@ -43,7 +43,7 @@ std::string typeOf(std::string_view renderer, std::string_view vendor) {
                                            {"intel(r) arc", "discrete"},
                                            {"intel", "integrated"}}};
   const auto words = lower(renderer) + " " + lower(vendor);
-  const auto it =
+  const auto* const it =
       std::ranges::find_if(known, [&](const Known& k) { return words.find(k.part) != std::string::npos; });
   return std::string(it == known.end() ? "other" : it->type);
 }

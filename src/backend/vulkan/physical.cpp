@@ -92,15 +92,15 @@ std::string whyNot(const Capabilities& capabilities) {
   }
   const std::pair<std::string_view, std::uint64_t> least[] = {
       {"maxTexelBufferElements", 256},
-      {"maxStorageBufferRange", EDGES_MOST * 4 * sizeof(float)},
+      {"maxStorageBufferRange", EDGES_MOST * sizeof(std::uint32_t[4])},
       {"maxGeometryOutputVertices", EDGES_MOST},
-      {"maxGeometryTotalOutputComponents", EDGES_MOST * components_per_vertex},
+      {"maxGeometryTotalOutputComponents", std::uint64_t{EDGES_MOST} * components_per_vertex},
       {"maxImageDimension2D", 1},
       {"maxFramebufferWidth", 1},
       {"maxFramebufferHeight", 1},
   };
   for (const auto& [name, needed] : least) {
-    const auto limit = std::ranges::find(known_limits, name, &NamedLimit::name);
+    const auto* const limit = std::ranges::find(known_limits, name, &NamedLimit::name);
     const std::uint64_t has = capabilities.*limit->member;
     if (has < needed) {
       return "its " + std::string(name) + " is " + std::to_string(has) + ", needed is " +
@@ -161,7 +161,7 @@ bool isPartOf(std::string_view part, std::string_view whole) {
   const auto same = [](char a, char b) {
     return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
   };
-  return std::ranges::search(whole, part, same).begin() != whole.end();
+  return std::search(whole.begin(), whole.end(), part.begin(), part.end(), same) != whole.end();
 }
 
 std::vector<const Physical*> candidates(std::span<const Physical> devices, std::string_view wanted) {

@@ -164,7 +164,7 @@ Result<void> Target::resize(const Device& device, VkRenderPass pass, std::uint32
   return {};
 }
 
-Result<void> Target::clear(Device& device) {
+Result<void> Target::clear(Device& device) const {
   const VolkDeviceTable& api = device.api();
   const std::array images = {color_.image.get(), id_.image.get()};
   return device.run([&](VkCommandBuffer commands) {
