@@ -1,6 +1,15 @@
 # Writes shaders.h and shaders.cpp: the SPIR-V of every module as words, its GLSL 4.10 as text.
-# cmake -D modules=a;b -D from=DIR -D to=DIR -P embed.cmake
+# cmake -D modules=a;b -D from=DIR -D to=DIR [-D recipe=FILE -D glsl=DIR] -P embed.cmake
+# With a recipe, refuses modules whose MANIFEST says that their GLSL was another one.
 cmake_minimum_required(VERSION 3.25)
+
+if(recipe)
+  include(${CMAKE_CURRENT_LIST_DIR}/manifest.cmake)
+  vorpipe_stale_rows(${recipe} ${glsl} ${from}/MANIFEST stale)
+  if(stale)
+    message(FATAL_ERROR "shaders/spv is older than shaders/glsl: install glslang, spirv-tools and spirv-cross")
+  endif()
+endif()
 
 string(REPEAT "0x........, " 8 line_of_words)
 set(declarations "")

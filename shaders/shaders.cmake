@@ -53,20 +53,26 @@ function(vorpipe_shader module file)
   string(REGEX REPLACE ".*\\." "" stage ${file})
   set(out ${built_dir}/${module})
   add_custom_command(
-    OUTPUT ${out}.spv
+    OUTPUT ${out}.raw.spv
     COMMAND ${GLSLANG} --quiet ${glslang_flags} ${defines} --depfile ${out}.d -o ${out}.raw.spv ${source}
-    COMMAND ${SPIRV_OPT} ${optimize_flags} ${out}.raw.spv -o ${out}.opt.spv
-    COMMAND ${SPIRV_VAL} --target-env ${vulkan} ${out}.opt.spv
-    COMMAND ${CMAKE_COMMAND} -E rename ${out}.opt.spv ${out}.spv
     DEPENDS ${source}
     DEPFILE ${out}.d
     COMMENT "Compiling shader ${module}"
     VERBATIM)
   add_custom_command(
+    OUTPUT ${out}.spv
+    COMMAND ${SPIRV_OPT} ${optimize_flags} ${out}.raw.spv -o ${out}.unchecked.spv
+    COMMAND ${SPIRV_VAL} --target-env ${vulkan} ${out}.unchecked.spv
+    COMMAND ${CMAKE_COMMAND} -E rename ${out}.unchecked.spv ${out}.spv
+    DEPENDS ${out}.raw.spv
+    COMMENT "Optimizing shader ${module}"
+    VERBATIM)
+  add_custom_command(
     OUTPUT ${out}.410.glsl
     COMMAND ${SPIRV_OPT} ${fold_flags} ${out}.spv -o ${out}.folded.spv
-    COMMAND ${SPIRV_CROSS} ${out}.folded.spv ${cross_flags} --output ${out}.410.glsl
-    COMMAND ${GLSLANG} --quiet -S ${stage} ${out}.410.glsl
+    COMMAND ${SPIRV_CROSS} ${out}.folded.spv ${cross_flags} --output ${out}.unchecked.glsl
+    COMMAND ${GLSLANG} --quiet -S ${stage} ${out}.unchecked.glsl
+    COMMAND ${CMAKE_COMMAND} -E rename ${out}.unchecked.glsl ${out}.410.glsl
     DEPENDS ${out}.spv
     COMMENT "Translating shader ${module} for OpenGL 4.1"
     VERBATIM)
@@ -90,10 +96,16 @@ flags spirv_cross @cross_line@
     list(APPEND files ${shaders_dir}/${module}.spv ${shaders_dir}/${module}.410.glsl)
   endforeach()
   set(embed ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/embed.cmake)
+  set(check "")
+  if(shaders_dir STREQUAL committed_dir)
+    set(check -D recipe=${shader_recipe} -D glsl=${glsl_dir})
+    file(GLOB glsl_files CONFIGURE_DEPENDS ${glsl_dir}/*)
+    list(APPEND files ${committed_dir}/MANIFEST ${glsl_files})
+  endif()
   set(generated ${CMAKE_CURRENT_BINARY_DIR}/generated)
   add_custom_command(
     OUTPUT ${generated}/shaders.cpp ${generated}/shaders.h
-    COMMAND ${CMAKE_COMMAND} -D "modules=${shader_modules}" -D from=${shaders_dir} -D to=${generated} -P ${embed}
+    COMMAND ${CMAKE_COMMAND} -D "modules=${shader_modules}" -D from=${shaders_dir} -D to=${generated} ${check} -P ${embed}
     DEPENDS ${files} ${embed}
     COMMENT "Embedding the shaders"
     VERBATIM)

@@ -19,24 +19,26 @@ set(may_include
     "^$"
     "^(vorpipe\\.h|parallel\\.h|core/.*|backend/(backend|registry)\\.h)$"
     "^(vorpipe\\.h|backend/[^/]*\\.h|backend/cpu/cpu\\.h|backend/vulkan/vulkan_backend\\.h|backend/opengl/opengl_backend\\.h)$"
-    "^(vorpipe\\.h|parallel\\.h|backend/[^/r][^/]*\\.h|backend/cpu/.*|(layout|cell)\\.glsl)$"
-    "^(vorpipe\\.h|parallel\\.h|backend/[^/r][^/]*\\.h|backend/vulkan/.*|layout\\.glsl|shaders\\.h)$"
-    "^(vorpipe\\.h|parallel\\.h|backend/[^/r][^/]*\\.h|backend/opengl/.*|layout\\.glsl|shaders\\.h)$"
-    "^(vorpipe\\.h|backend/[^/r][^/]*\\.h)$"
+    "^(vorpipe\\.h|parallel\\.h|backend/[^/]*\\.h|backend/cpu/.*|(layout|cell)\\.glsl)$"
+    "^(vorpipe\\.h|parallel\\.h|backend/[^/]*\\.h|backend/vulkan/.*|layout\\.glsl|shaders\\.h)$"
+    "^(vorpipe\\.h|parallel\\.h|backend/[^/]*\\.h|backend/opengl/.*|layout\\.glsl|shaders\\.h)$"
+    "^(vorpipe\\.h|backend/[^/]*\\.h|layout\\.glsl)$"
     "^(vorpipe\\.h|io/.*)$"
     "^(vorpipe\\.h|io/.*|cli/.*)$"
     "^(vorpipe\\.h|view/.*)$")
 
-# A library's headers, and the only files that may include them.
-set(library_headers
+# Headers, most of them a library's, and the only files that may include them.
+set(guarded_headers
+    "^backend/registry\\.h$"
     "^(vulkan/|volk\\.h)"
     "^(epoxy|GL|GLES.|EGL|OpenGL)/"
     "^glm/"
     "^GLFW/"
     "^flann/"
-    "^(csv|png)\\.h$"
+    "^(csv|png|zip)\\.h$"
     "^CLI/")
-set(library_users
+set(users
+    "^(core/|backend/registry\\.)"
     "^backend/vulkan/"
     "^backend/opengl/"
     "^backend/cpu/"
@@ -48,7 +50,7 @@ set(library_users
 # Sets allowed to whether file (relative to src) may include header, quoted or in angle brackets.
 function(vorpipe_may_include file header quoted allowed)
   set(${allowed} TRUE PARENT_SCOPE)
-  foreach(headers user IN ZIP_LISTS library_headers library_users)
+  foreach(headers user IN ZIP_LISTS guarded_headers users)
     if(header MATCHES "${headers}" AND NOT file MATCHES "${user}")
       set(${allowed} FALSE PARENT_SCOPE)
     endif()

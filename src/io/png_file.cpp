@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <csetjmp>
 #include <cstddef>
 #include <new>
@@ -193,6 +194,8 @@ Result<Image> decode(InputFile& file, const std::string& path) {
 }  // namespace
 
 Result<void> writePng(OutputFile& file, int width, int height, std::span<const std::uint32_t> rgba) {
+  assert(width > 0 && height > 0 &&
+         rgba.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   Transfer transfer;
   transfer.output = &file;
   const Handles handles(true, transfer);

@@ -1,5 +1,5 @@
 find_package(GTest QUIET)
-if(TARGET GTest::gtest_main)
+if(TARGET GTest::gmock AND TARGET GTest::gtest_main)
   add_library(dep::gtest INTERFACE IMPORTED)
-  target_link_libraries(dep::gtest INTERFACE GTest::gtest GTest::gtest_main)
+  target_link_libraries(dep::gtest INTERFACE GTest::gmock GTest::gtest GTest::gtest_main)
 endif()
