@@ -57,6 +57,12 @@ void main() {
     Cell cell;
     int status = clipCell(cell, entry_walls[0], view.outset, int(entry_lines[0].x),
                           int(entry_lines[0].y), entry_bounds[0].x, entry_bounds[0].y);
+#if MAX_EDGES > EDGES_FAST
+    // A picture needs the shape alone. The fast pipeline leaves the few open cells to this one.
+    if (status == CELL_OPEN && hasClosedShape(cell)) {
+        status = CELL_CERTIFIED;
+    }
+#endif
     if (STATUS_IN_BUFFER) {
         status_of[entry_index[0]] = uint(status);
     }

@@ -109,6 +109,11 @@ real securityRadius(real squared_radius, real shift) {
     return real(2.0) * (sqrt(squared_radius) + shift) * (real(1.0) + real(16.0) * ROUNDING);
 }
 
+// Where edge k begins.
+vec2 edgeStart(IN(Cell) c, int k) {
+    return vec2(c.nx[k] * c.h[k] - c.ny[k] * c.lo[k], c.ny[k] * c.h[k] + c.nx[k] * c.lo[k]);
+}
+
 // Whether there are edges that, end to end, come back to where they began, up to rounding.
 bool isClosed(IN(Cell) c) {
     real x = real(0.0);
@@ -122,6 +127,31 @@ bool isClosed(IN(Cell) c) {
     }
     real slack = real(256.0) * ROUNDING;
     return count >= 3 && x * x + y * y <= slack * slack * c.squared_radius;
+}
+
+// Whether every edge ends where another begins, but for a gap along both their lines. Where three lines
+// are nearly parallel, rounding may leave such a gap, or let two edges overlap: that loses track of
+// which line carries the edge there, and nothing of the shape.
+bool hasClosedShape(IN(Cell) c) {
+    int count = 0;
+    bool closed = true;
+    for (int k = 0; k < EDGE_END; k++) {
+        bool followed = false;
+        vec2 end = vec2(c.nx[k] * c.h[k] - c.ny[k] * c.hi[k], c.ny[k] * c.h[k] + c.nx[k] * c.hi[k]);
+        for (int j = 0; j < EDGE_END; j++) {
+            real ahead = c.nx[k] * c.nx[j] + c.ny[k] * c.ny[j];
+            real along = end.x * c.nx[j] + end.y * c.ny[j] - c.h[j];
+            vec2 gap = edgeStart(c, j) - end;
+            real across = gap.x * c.nx[k] + gap.y * c.ny[k];
+            real slack = real(64.0) * ROUNDING;
+            bool meets = along * along + across * across <= slack * slack * c.squared_radius;
+            bool near = ahead > real(0.99) || gap.x * gap.x + gap.y * gap.y <= slack * slack * c.squared_radius;
+            followed = followed || (j != k && isEdge(c, j) && meets && near);
+        }
+        closed = closed && (followed || !isEdge(c, k));
+        count += isEdge(c, k) ? 1 : 0;
+    }
+    return closed && count >= 3;
 }
 
 // Clips the cell by the lines first .. first + count - 1, which come in ascending order of bound,
@@ -155,11 +185,6 @@ int clipCell(INOUT(Cell) c, vec4 walls, vec2 outset, int first, int count, real 
         return CELL_UNSECURED;
     }
     return isClosed(c) ? CELL_CERTIFIED : CELL_OPEN;
-}
-
-// Where edge k begins.
-vec2 edgeStart(IN(Cell) c, int k) {
-    return vec2(c.nx[k] * c.h[k] - c.ny[k] * c.lo[k], c.ny[k] * c.h[k] + c.nx[k] * c.lo[k]);
 }
 
 // A number that grows with the angle of (x, y) from -pi to pi, without trigonometry.

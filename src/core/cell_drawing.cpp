@@ -61,9 +61,11 @@ Result<CellDrawing::Indices> CellDrawing::round(const Indices& which, std::size_
   const auto room = input_.sites.size() < worth_fast_pipeline ? Room::most : Room::fast;
   if (auto drawn = drawNeighbors(which, k, room, "cells"); !drawn) return tl::unexpected(drawn.error());
   if (room == Room::most) return afterRound(which);
-  const auto overflowed = withStatus(which, CellStatus::overflow);
-  retried_ += overflowed.size();
-  if (auto drawn = drawNeighbors(overflowed, k, Room::most, "large cells"); !drawn) {
+  auto roomier = withStatus(which, CellStatus::overflow);
+  const auto open = withStatus(which, CellStatus::open);
+  roomier.insert(roomier.end(), open.begin(), open.end());
+  retried_ += roomier.size();
+  if (auto drawn = drawNeighbors(roomier, k, Room::most, "large cells"); !drawn) {
     return tl::unexpected(drawn.error());
   }
   return afterRound(which);
@@ -185,7 +187,7 @@ Result<void> CellDrawing::drawPieces(const HostCells& cells, const Indices& entr
     if (pieces.site.empty()) return {};
     if (auto drawn = drawBatch(pieces.batch, pieces.site, Room::most); !drawn) return drawn;
     for (std::size_t piece = 0; piece < pieces.site.size(); ++piece) {
-      if (isDone(answers_[piece])) continue;
+      if (answers_[piece] == CellStatus::certified) continue;
       return tl::unexpected(Error{ErrorCode::device, fmt::format("{} could not draw the cell of site {}",
                                                                  input_.backend.info().device.backend,
                                                                  input_.sites.id[pieces.site[piece]])});

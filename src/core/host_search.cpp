@@ -119,7 +119,7 @@ std::vector<std::uint32_t> boundingSites(const CellPolygons& polygons, std::size
 
 Error tooManyEdges(const SiteSet& sites, std::uint32_t site) {
   return {ErrorCode::input,
-          fmt::format("the cell of site {} has more than 1000 edges, the most that is built yet",
+          fmt::format("the cell of site {} has more than 131068 candidates, the most there is room for",
                       sites.id[site])};
 }
 

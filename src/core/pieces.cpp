@@ -7,10 +7,23 @@
 namespace vorpipe {
 namespace {
 
-/// The line through a and b with the polygon on its left; none where a and b coincide.
+/// Vertices nearer to each other than this part of the domain are one: no picture shows it, and the
+/// direction from one to the other would be rounding.
+constexpr double least_edge = 1e-9;
+
+std::vector<Point> distinctVertices(std::span<const double> x, std::span<const double> y) {
+  std::vector<Point> vertices;
+  for (std::size_t v = 0; v < x.size(); ++v) {
+    const Point p{x[v], y[v]};
+    const auto isNear = [&](Point q) { return std::hypot(p.x - q.x, p.y - q.y) < least_edge; };
+    if (vertices.empty() || !(isNear(vertices.back()) || isNear(vertices.front()))) vertices.push_back(p);
+  }
+  return vertices;
+}
+
+/// The line through a and b with the polygon on its left.
 void appendLine(Point a, Point b, std::vector<Line<float>>& lines) {
   const double length = std::hypot(b.x - a.x, b.y - a.y);
-  if (length == 0) return;
   const double nx = (b.y - a.y) / length;
   const double ny = (a.x - b.x) / length;
   const double h = 0.5 * ((a.x + b.x) * nx + (a.y + b.y) * ny);
@@ -21,19 +34,19 @@ void appendLine(Point a, Point b, std::vector<Line<float>>& lines) {
 
 std::size_t appendPieces(std::span<const double> x, std::span<const double> y, std::size_t most_edges,
                          CellBatch<float>& out) {
-  const auto count = x.size();
+  const auto vertices = distinctVertices(x, y);
   std::size_t pieces = 0;
-  for (std::size_t from = 1; from + 1 < count; ++pieces) {
-    const auto to = std::min(from + most_edges - 2, count - 1);
+  for (std::size_t from = 1; from + 1 < vertices.size(); ++pieces) {
+    const auto to = std::min(from + most_edges - 2, vertices.size() - 1);
     const auto first = static_cast<std::uint32_t>(out.lines.size());
-    const auto vertex = [&](std::size_t v) { return Point{x[v], y[v]}; };
-    appendLine(vertex(0), vertex(from), out.lines);
-    for (auto v = from; v < to; ++v) appendLine(vertex(v), vertex(v + 1), out.lines);
-    appendLine(vertex(to), vertex(0), out.lines);
-    Box box{x[0], y[0], x[0], y[0]};
+    const auto corner = vertices[0];
+    Box box{corner.x, corner.y, corner.x, corner.y};
+    appendLine(corner, vertices[from], out.lines);
     for (auto v = from; v <= to; ++v) {
-      box = {std::min(box.xmin, x[v]), std::min(box.ymin, y[v]), std::max(box.xmax, x[v]),
-             std::max(box.ymax, y[v])};
+      const auto p = vertices[v];
+      box = {std::min(box.xmin, p.x), std::min(box.ymin, p.y), std::max(box.xmax, p.x),
+             std::max(box.ymax, p.y)};
+      appendLine(p, v < to ? vertices[v + 1] : corner, out.lines);
     }
     out.entries.push_back({first, static_cast<std::uint32_t>(out.lines.size()) - first,
                            static_cast<float>(box.xmin), static_cast<float>(box.ymin),

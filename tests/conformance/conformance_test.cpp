@@ -142,11 +142,39 @@ TEST_P(Conformance, longThinCellsAreCertified) {
   EXPECT_EQ(expectRight(sites, domain, 200, 109).report.ok, sites.size());
 }
 
-TEST_P(Conformance, aCellMayHaveHundredsOfNeighbors) {
-  auto sites = generate(Pattern::circle, 500, 1);
+TEST_P(Conformance, aCellMayHaveThousandsOfNeighbors) {
+  auto sites = generate(Pattern::circle, 1500, 1);
   sites.x.push_back(0.5);
   sites.y.push_back(0.5);
-  EXPECT_EQ(expectRight(sites, unit, 200, 200).report.ok, 501u);
+  EXPECT_EQ(expectRight(sites, unit, 120, 120).report.ok, 1501u);
+}
+
+TEST_P(Conformance, sitesSideBySideSeenFromAfarKeepTheirShape) {
+  expectRight(Sites{{0.94, 0.94, 0.46, 0.94}, {0.9818, 0.9817, 0.9812, 0.9819}, {}}, unit, 400, 400);
+  Sites cluster{{0.9, 0.5, 0.5 + 1e-9, 0.5 - 1e-9, 0.5}, {0.8, 0.5, 0.5, 0.5 + 1e-9, 0.5 - 1e-9}, {}};
+  expectRight(cluster, unit, 400, 400);
+}
+
+TEST_P(Conformance, boardsWithFewDistinctCoordinatesAreCovered) {
+  for (const std::uint64_t seed : {1u, 2u, 3u, 4u}) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const auto random = generate(Pattern::random, 300, seed);
+    Sites board;
+    for (std::size_t i = 0; i < random.size(); ++i) {
+      board.x.push_back(std::round(random.x[i] * 12) / 12);
+      board.y.push_back(std::round(random.y[i] * 5000) / 5000);
+    }
+    expectRight(board, unit, 200, 150);
+  }
+}
+
+TEST_P(Conformance, aRowOfSitesATrillionthApartIsCertified) {
+  auto sites = generate(Pattern::random, 100, 2);
+  for (int k = 0; k < 100; ++k) {
+    sites.x.push_back(0.5 + 1e-12 * k);
+    sites.y.push_back(0.5);
+  }
+  EXPECT_EQ(expectRight(sites, unit, 200, 200).report.ok, 200u);
 }
 
 TEST_P(Conformance, wedgesThatMeetInAPointStayWithinTheirBisectors) {

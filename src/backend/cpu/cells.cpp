@@ -1,5 +1,6 @@
 #include "backend/cpu/cells.h"
 
+#include <algorithm>
 #include <memory>
 
 #include "backend/cpu/clipper.h"
@@ -9,7 +10,7 @@ namespace vorpipe::cpu {
 namespace {
 
 constexpr std::size_t edges_in_double = 16;
-constexpr std::size_t edges_in_double_most = 1024;
+constexpr std::size_t edges_in_double_most = std::size_t{1} << 17;
 constexpr std::size_t grain = 256;
 
 template <std::size_t Edges>
@@ -18,7 +19,12 @@ void clipStatusesWithRoom(const CellBatch<float>& batch, glm::vec2 outset, int t
   parallelFor(batch.entries.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
     Clipper<float, Edges> clipper{batch.lines.data()};
     typename Clipper<float, Edges>::Cell cell;
-    for (std::size_t e = begin; e < end; ++e) status[e] = clipper.clip(cell, batch.entries[e], outset);
+    for (std::size_t e = begin; e < end; ++e) {
+      status[e] = clipper.clip(cell, batch.entries[e], outset);
+      if (Edges > EDGES_FAST && status[e] == CellStatus::open && clipper.hasClosedShape(cell)) {
+        status[e] = CellStatus::certified;
+      }
+    }
   });
 }
 
@@ -32,17 +38,21 @@ template <std::size_t Edges>
 Polygon clipPolygon(const CellBatch<double>& batch, const CellBatch<double>::Entry& entry) {
   using Clip = Clipper<double, Edges>;
   Clip clipper{batch.lines.data()};
-  const auto cell = std::make_unique<typename Clip::Cell>();
+  // A cut adds at most one edge to the four of the domain.
+  clipper.used_edges = static_cast<int>(std::min<std::size_t>(Edges, (entry.count + 4 + 3) / 4 * 4));
+  const auto cell = std::make_unique_for_overwrite<typename Clip::Cell>();
   Polygon polygon;
   polygon.status = clipper.clip(*cell, entry, {0, 0});
+  if (polygon.status == CellStatus::open && clipper.hasClosedShape(*cell))
+    polygon.status = CellStatus::certified;
   if (polygon.status == CellStatus::empty || polygon.status == CellStatus::overflow) return polygon;
-  const auto order = std::make_unique<typename Clip::Order>();
+  const auto order = std::make_unique_for_overwrite<typename Clip::Order>();
   clipper.orderEdges(*cell, *order);
   const auto count = static_cast<std::size_t>(order->count);
   polygon.x.resize(count);
   polygon.y.resize(count);
   polygon.line.resize(count);
-  for (std::size_t k = 0; k < Edges; ++k) {
+  for (std::size_t k = 0; k < static_cast<std::size_t>(clipper.edgeEnd()); ++k) {
     if (order->rank[k] < 0) continue;
     const auto rank = static_cast<std::size_t>(order->rank[k]);
     const auto start = clipper.edgeStart(*cell, static_cast<int>(k));
@@ -89,7 +99,5 @@ void clipPolygons(const CellBatch<double>& batch, int threads, CellPolygons& out
     out.first.push_back(static_cast<std::uint32_t>(out.x.size()));
   }
 }
-
-int mostEdgesInDouble() { return static_cast<int>(edges_in_double_most); }
 
 }  // namespace vorpipe::cpu

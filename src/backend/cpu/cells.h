@@ -10,10 +10,8 @@ namespace vorpipe::cpu {
 void clipStatuses(const CellBatch<float>& batch, float outset_x, float outset_y, Room room, int threads,
                   std::span<CellStatus> status);
 
-/// Clips each entry in double, with room for at least 1024 edges.
+/// Clips each entry in double, with room for as many edges as the entry has lines, up to 2^17 in all.
+/// `certified` tells of the shape: of lines that are parallel within rounding, any may carry an edge.
 void clipPolygons(const CellBatch<double>& batch, int threads, CellPolygons& out);
-
-/// Room for edges in clipPolygons.
-int mostEdgesInDouble();
 
 }  // namespace vorpipe::cpu

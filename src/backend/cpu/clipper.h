@@ -18,6 +18,13 @@ struct Clipper {
   static_assert(MAX_EDGES % 4 == 0);
 
   const Line<Real>* lines = nullptr;
+  int used_edges = MAX_EDGES;  ///< a multiple of 4; heeded where Room is large
+
+  /// The end of loops over the slots: where there are few, a constant.
+  [[nodiscard]] int edgeEnd() const {
+    if constexpr (Room > 64) return used_edges;
+    return MAX_EDGES;
+  }
 
   [[nodiscard]] vec4 lineAt(int index) const {
     const auto& line = lines[index];

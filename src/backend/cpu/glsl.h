@@ -9,7 +9,7 @@
 #include <limits>
 
 #define EDGES(T, name) T name[static_cast<std::size_t>(MAX_EDGES)]
-#define EDGE_END MAX_EDGES
+#define EDGE_END edgeEnd()
 #define IN(T) const T&
 #define INOUT(T) T&
 #define ROUNDING (std::numeric_limits<real>::epsilon() / real(2))
