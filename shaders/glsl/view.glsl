@@ -4,5 +4,4 @@ layout(std140, set = 0, binding = BINDING_VIEW) uniform View {
     vec2 outset;     // half a step of the vertex grid, in scaled units
     vec2 half_size;  // pixels
     float margin;    // by how much a vertex may be off, in pixels
-    int edge_end;    // EDGES_MOST, which no compiler may know: see EDGE_END
 } view;

@@ -11,7 +11,6 @@ layout(std140) uniform View
     vec2 outset;
     vec2 half_size;
     float margin;
-    int edge_end;
 } view;
 
 uniform samplerBuffer lines;

@@ -29,8 +29,8 @@ Result<OpenedBackend> openAuto(const BackendOptions& options) {
   }
   if (vulkan) {
     return opened(std::move(vulkan),
-                  "auto took vulkan-geometry: no hardware device, and of the software ways "
-                  "it is the fastest for a picture");
+                  "auto took vulkan-geometry: no hardware device, and of the software drivers it alone uses "
+                  "all threads");
   }
   if (opengl) {
     return opened(

@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 #include "backend/backend.h"
-#include "layout.glsl"
 
 namespace vorpipe {
 
@@ -16,7 +14,6 @@ struct ViewUniform {
   float outset_x, outset_y;       ///< by how much a cell is widened, in scaled units
   float half_width, half_height;  ///< of the view, in pixels
   float margin;                   ///< by how much a vertex may be off, in pixels
-  std::int32_t edge_end;          ///< EDGES_MOST
 };
 
 /// Returns the block for a view drawn by a device that snaps vertices to 1 / 2^subpixel_bits of a pixel.
@@ -36,8 +33,7 @@ inline ViewUniform viewUniform(const View& view, int subpixel_bits) {
           static_cast<float>(margin(view.height) * height / view.height),
           static_cast<float>(0.5 * view.width),
           static_cast<float>(0.5 * view.height),
-          static_cast<float>(margin(std::max(view.width, view.height))),
-          EDGES_MOST};
+          static_cast<float>(margin(std::max(view.width, view.height)))};
 }
 
 }  // namespace vorpipe

@@ -55,6 +55,4 @@ Result<Diagram> Session::cells(const Sites& sites, const CellsOptions& options) 
 const DeviceInfo& Session::device() const { return state_->opened.backend->info().device; }
 const std::string& Session::choice() const { return state_->opened.choice; }
 
-std::string_view version() { return VORPIPE_VERSION; }
-
 }  // namespace vorpipe
