@@ -1,0 +1,32 @@
+#!/usr/bin/env bash
+# Draws every picture of docs/gallery anew: docs/gallery.sh
+set -euo pipefail
+root=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+# draw NAME OPTION...: docs/gallery/NAME.png
+draw() {
+  local name=$1
+  shift
+  "$root/run" render -o "$root/docs/gallery/$name.png" "$@"
+}
+
+# thesis NAME OPTION...: a figure of the thesis, in its colors
+thesis() { draw "$@" --colormap thesis --size 500x500; }
+
+draw title --sites clusters:3000 --seed 7 --domain 0,0.25,1,0.75 --size 1200x600 --edges
+
+thesis random-100 --sites random:100 --edges
+thesis random-1000 --sites random:1000 --edges
+thesis random-10000 --sites random:10000
+thesis random-100000 --sites random:100000
+thesis random-1000000 --sites random:1000000
+thesis hex-136 --sites hex:136 --edges
+thesis hex-1235 --sites hex:1235 --edges
+draw hex-11758 --sites hex:11758 --edges --colormap thesis --size 808x808
+thesis square-100 --sites square:100 --edges
+draw square-1024 --sites square:1024 --edges --colormap thesis --size 512x512
+thesis square-10000 --sites square:10000 --edges
+
+draw area --sites jitter:2000 --color area --colormap viridis --edges --size 500x500
+draw neighbors --sites random:2000 --color neighbors --colormap plasma --edges --size 500x500
+draw circle --sites circle:60 --colormap turbo --edges --show-sites --size 500x500
