@@ -19,6 +19,7 @@ struct Subcommand {
 };
 
 Subcommand addRender(CLI::App& app);
+Subcommand addCells(CLI::App& app);
 Subcommand addDiff(CLI::App& app);
 Subcommand addCompare(CLI::App& app);
 Subcommand addDevices(CLI::App& app);

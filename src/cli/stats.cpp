@@ -2,6 +2,7 @@
 
 #include <sys/resource.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace vorpipe::cli {
@@ -39,7 +40,7 @@ std::string statsJson(const Stats& stats) {
   json["domain"] = {domain.xmin, domain.ymin, domain.xmax, domain.ymax};
   json["status"] = {{"ok", report.ok}, {"empty", report.empty}, {"duplicate", report.duplicate}};
   json["resolved"] = {{"retried", report.retried}, {"double", report.in_double}, {"exact", report.exact}};
-  json["area_sum"] = nullptr;
+  json["area_sum"] = stats.area_sum ? Json(*stats.area_sum) : Json(nullptr);
   json["time_ms"] = {
       {"read", time(stats.input.read_ms)}, {"order", time(times.order)},    {"upload", time(times.upload)},
       {"search", time(times.search)},      {"cells", time(times.cells)},    {"draw", time(times.draw)},
@@ -47,6 +48,17 @@ std::string statsJson(const Stats& stats) {
   json["peak_memory_bytes"] = peakMemoryBytes();
   // A driver's name may hold any bytes.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+/// Neumaier's summation: what an addition rounds off is added up apart.
+double areaSum(const Diagram& diagram) {
+  double sum = 0, lost = 0;
+  for (const double area : diagram.area) {
+    const double next = sum + area;
+    lost += std::abs(sum) >= std::abs(area) ? (sum - next) + area : (area - next) + sum;
+    sum = next;
+  }
+  return sum + lost;
 }
 
 }  // namespace vorpipe::cli

@@ -1,6 +1,7 @@
 /// The figures of a run as JSON, for --stats.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "cli/input.h"
@@ -13,9 +14,13 @@ struct Stats {
   const Input& input;
   const Report& report;
   double write_ms, total_ms;
+  std::optional<double> area_sum{};  ///< none where cells were only drawn
 };
 
 /// The object that `--stats` writes, with a line's end; a figure that does not apply is null.
 std::string statsJson(const Stats& stats);
+
+/// The sum of the cells' areas without the rounding of adding up.
+double areaSum(const Diagram& diagram);
 
 }  // namespace vorpipe::cli

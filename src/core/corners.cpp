@@ -24,11 +24,29 @@ double wallPlace(const Box& domain, std::int64_t wall) {
   return wall == wall_ymin ? domain.ymin : domain.ymax;
 }
 
-/// The center of the circle through three sites, from differences to the first.
+/// 1, 2, 4, 8 for xmin, xmax, ymin, ymax; 0 for a site.
+std::uint8_t wallBit(std::int64_t neighbor) {
+  return neighbor < 0 ? static_cast<std::uint8_t>(1 << (-neighbor - 1)) : std::uint8_t{0};
+}
+
+double siteDistance(const SiteSet& s, std::size_t i, std::size_t j) {
+  return std::hypot(s.x[j] - s.x[i], s.y[j] - s.y[i]);
+}
+
+/// The center of the circle through three sites, from the differences to the one that lies opposite
+/// their longest side: of two sites side by side and one far away, the differences stay exact.
 Point circumcenter(const SiteSet& s, std::int64_t a, std::int64_t b, std::int64_t c) {
-  const auto i = static_cast<std::size_t>(a);
-  const auto j = static_cast<std::size_t>(b);
-  const auto k = static_cast<std::size_t>(c);
+  auto i = static_cast<std::size_t>(a);
+  auto j = static_cast<std::size_t>(b);
+  auto k = static_cast<std::size_t>(c);
+  const double ij = siteDistance(s, i, j);
+  const double jk = siteDistance(s, j, k);
+  const double ik = siteDistance(s, i, k);
+  if (ik > jk && ik >= ij) {
+    std::swap(i, j);
+  } else if (ij > jk) {
+    std::swap(i, k);
+  }
   const double bx = s.x[j] - s.x[i];
   const double by = s.y[j] - s.y[i];
   const double cx = s.x[k] - s.x[i];
@@ -108,6 +126,7 @@ class Agreeing {
     const auto edges = topology.neighbor.size();
     reverse_.resize(edges);
     short_.resize(edges);
+    walls_.resize(edges);
     corners_.position.resize(edges);
     corners_.next.resize(edges);
     corners_.tie.resize(edges);
@@ -120,8 +139,7 @@ class Agreeing {
     for (std::size_t cell = 0; cell < sites_.size(); ++cell) joinCorners(cell);
     corners_.root.resize(corners_.position.size());
     for (std::uint64_t c = 0; c < corners_.root.size(); ++c) corners_.root[c] = sets_.root(c);
-    for (std::uint64_t c = 0; c < corners_.root.size(); ++c)
-      corners_.position[c] = corners_.position[corners_.root[c]];
+    takeSharedPositions();
     Agreement agreement{std::move(corners_), {}};
     for (std::uint32_t cell = 0; cell < disputed_.size(); ++cell) {
       if (disputed_[cell]) agreement.disputed.push_back(cell);
@@ -145,13 +163,39 @@ class Agreeing {
       corners_.next[e] = e + 1 < end ? e + 1 : begin;
       corners_.position[e] = cornerPosition(sites_, static_cast<std::int64_t>(cell),
                                             topology_.neighbor[before], topology_.neighbor[e]);
+      walls_[e] = wallBit(topology_.neighbor[before]) | wallBit(topology_.neighbor[e]);
       reverse_[e] = reverseOf(topology_, static_cast<std::int64_t>(cell), topology_.neighbor[e]);
     }
   }
 
-  [[nodiscard]] double siteDistance(std::size_t cell, std::int64_t neighbor) const {
-    const auto other = static_cast<std::size_t>(neighbor);
-    return std::hypot(sites_.x[other] - sites_.x[cell], sites_.y[other] - sites_.y[cell]);
+  /// Every corner of a vertex takes the same position: the domain's corner if walls of both directions
+  /// meet in the vertex, else that of a corner on a wall, so that ties do not pull the domain's border
+  /// inward; else that of the root.
+  void takeSharedPositions() {
+    std::vector<std::uint64_t> chosen = corners_.root;
+    std::vector<std::uint8_t> walls(chosen.size());
+    for (std::uint64_t c = 0; c < chosen.size(); ++c) {
+      const auto root = corners_.root[c];
+      if (walls_[c] != 0 && walls[root] == 0) chosen[root] = c;
+      walls[root] |= walls_[c];
+    }
+    const auto own = corners_.position;
+    for (std::uint64_t c = 0; c < chosen.size(); ++c) {
+      const auto root = corners_.root[c];
+      const auto vertical = (walls[root] & 1) ? wall_xmin : wall_xmax;
+      const auto level = (walls[root] & 4) ? wall_ymin : wall_ymax;
+      const bool both = (walls[root] & 3) && (walls[root] & 12);
+      corners_.position[c] = both ? Point{wallPlace(sites_.domain, vertical), wallPlace(sites_.domain, level)}
+                                  : own[chosen[root]];
+    }
+  }
+
+  [[nodiscard]] double neighborDistance(std::size_t cell, std::int64_t neighbor) const {
+    if (neighbor < 0) {
+      const double along = isVerticalWall(neighbor) ? sites_.x[cell] : sites_.y[cell];
+      return 2 * std::abs(wallPlace(sites_.domain, neighbor) - along);
+    }
+    return siteDistance(sites_, cell, static_cast<std::size_t>(neighbor));
   }
 
   [[nodiscard]] double edgeLength(std::uint64_t e) const {
@@ -163,11 +207,10 @@ class Agreeing {
   void compareEdges(std::size_t cell) {
     for (auto e = topology_.first[cell]; e < topology_.first[cell + 1]; ++e) {
       const auto neighbor = topology_.neighbor[e];
-      if (neighbor < 0) continue;
-      const double shortest = shortest_edge * siteDistance(cell, neighbor);
+      const double shortest = shortest_edge * neighborDistance(cell, neighbor);
       const auto back = reverse_[e];
-      short_[e] = edgeLength(e) < shortest || (back != none && edgeLength(back) < shortest);
-      if (short_[e]) continue;
+      short_[e] = edgeLength(e) <= shortest || (back != none && edgeLength(back) <= shortest);
+      if (short_[e] || neighbor < 0) continue;
       const bool agreed = back != none &&
                           length(corners_.position[e], corners_.position[corners_.next[back]]) < shortest &&
                           length(corners_.position[corners_.next[e]], corners_.position[back]) < shortest;
@@ -195,6 +238,7 @@ class Agreeing {
   Corners corners_;
   std::vector<std::uint64_t> reverse_;
   std::vector<std::uint8_t> short_;
+  std::vector<std::uint8_t> walls_;  ///< bits of the walls that a corner is on
   std::vector<std::uint8_t> disputed_;
 };
 

@@ -17,7 +17,6 @@ namespace vorpipe {
 namespace {
 
 constexpr std::string_view magic = "\x93NUMPY";
-constexpr std::size_t alignment = 64;
 constexpr std::size_t longest_header = std::size_t{1} << 20;
 
 /// Reads Python literals from the front of a text; every function returns false where the text differs.
@@ -237,19 +236,6 @@ Result<NpyHeader> readNpyHeader(InputFile& file) {
                                   *file.size(), header.description, begin + *bytes));
   }
   return header;
-}
-
-std::string npyHeaderOfIds(std::uint64_t rows, std::uint64_t columns) {
-  std::string text =
-      fmt::format("{{'descr': '<u4', 'fortran_order': False, 'shape': ({}, {}), }}", rows, columns);
-  constexpr std::size_t preamble_size = 10;
-  while ((preamble_size + text.size() + 1) % alignment != 0) {
-    text += ' ';
-  }
-  text += '\n';
-  std::string header(magic);
-  header += {'\x01', '\x00', static_cast<char>(text.size() & 0xFF), static_cast<char>(text.size() >> 8)};
-  return header + text;
 }
 
 }  // namespace vorpipe

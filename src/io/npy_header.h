@@ -23,7 +23,4 @@ struct NpyHeader {
 /// header is truncated or says what is not understood, the file has fewer or more bytes than it asks for.
 Result<NpyHeader> readNpyHeader(InputFile& file);
 
-/// Header, version 1, of a little-endian C-order array of uint32 with shape (rows, columns).
-std::string npyHeaderOfIds(std::uint64_t rows, std::uint64_t columns);
-
 }  // namespace vorpipe

@@ -11,6 +11,7 @@
 
 #include "io/error.h"
 #include "io/input_file.h"
+#include "io/npy_array.h"
 #include "io/npy_elements.h"
 #include "io/npy_header.h"
 
@@ -75,9 +76,8 @@ Result<Image> readImage(InputFile& file) {
 }  // namespace
 
 Result<void> writeNpyIds(OutputFile& file, int width, int height, std::span<const std::uint32_t> ids) {
-  const std::string header =
-      npyHeaderOfIds(static_cast<std::uint64_t>(height), static_cast<std::uint64_t>(width));
-  if (auto written = file.write(header); !written) {
+  const std::uint64_t shape[] = {static_cast<std::uint64_t>(height), static_cast<std::uint64_t>(width)};
+  if (auto written = file.write(npyHeader("<u4", shape)); !written) {
     return written;
   }
   std::array<char, std::size_t{1} << 16> chunk;

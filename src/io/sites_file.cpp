@@ -1,24 +1,15 @@
 #include "io/sites_file.h"
 
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <new>
 #include <utility>
 
 #include "io/error.h"
+#include "io/extension.h"
 #include "io/input_file.h"
 #include "io/sites_reader.h"
 
 namespace vorpipe {
 namespace {
-
-std::string lowerExtension(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 Result<Sites> readByExtension(const std::string& path, InputFile file) {
   const std::string extension = path == "-" ? ".csv" : lowerExtension(path);

@@ -1,0 +1,51 @@
+#include "io/byte_order.h"
+#include "io/cell_records.h"
+#include "io/cells_mesh.h"
+#include "io/cells_writer.h"
+
+namespace vorpipe {
+namespace {
+
+template <class Number>
+void append(Bytes& bytes, Number number) {
+  appendNumber<std::endian::little>(bytes, number);
+}
+
+}  // namespace
+
+Result<void> writePlyCells(OutputFile& file, const Diagram& diagram) {
+  const auto mesh = cellsMesh(file, diagram);
+  if (!mesh) {
+    return tl::unexpected(mesh.error());
+  }
+  // A cell may have more vertices than the customary uchar counts.
+  const std::string head = fmt::format(
+      "ply\nformat binary_little_endian 1.0\n"
+      "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
+      "element face {}\nproperty list uint int vertex_indices\nproperty uint site\nproperty double area\n"
+      "end_header\n",
+      mesh->points.size(), mesh->faces.size());
+  if (auto written = file.write(head); !written) {
+    return written;
+  }
+  auto points = writeEach(file, mesh->points.size(), [&](Bytes& bytes, std::size_t i) {
+    append(bytes, mesh->points[i].x);
+    append(bytes, mesh->points[i].y);
+    append(bytes, 0.0);
+  });
+  if (!points) {
+    return points;
+  }
+  return writeEach(file, mesh->faces.size(), [&](Bytes& bytes, std::size_t i) {
+    const std::uint32_t site = mesh->faces[i];
+    const auto corners = cornersOf(*mesh, diagram, site);
+    append(bytes, static_cast<std::uint32_t>(corners.size()));
+    for (const std::int32_t corner : corners) {
+      append(bytes, corner);
+    }
+    append(bytes, site);
+    append(bytes, diagram.area[site]);
+  });
+}
+
+}  // namespace vorpipe

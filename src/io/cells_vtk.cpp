@@ -1,0 +1,78 @@
+#include <string_view>
+
+#include "io/byte_order.h"
+#include "io/cell_records.h"
+#include "io/cells_mesh.h"
+#include "io/cells_writer.h"
+
+namespace vorpipe {
+namespace {
+
+template <class Number>
+void append(Bytes& bytes, Number number) {
+  appendNumber<std::endian::big>(bytes, number);
+}
+
+Result<void> writePoints(OutputFile& file, const CellsMesh& mesh) {
+  auto head = file.write(
+      fmt::format("# vtk DataFile Version 3.0\nvorpipe cells\nBINARY\nDATASET POLYDATA\nPOINTS {} double\n",
+                  mesh.points.size()));
+  if (!head) {
+    return head;
+  }
+  return writeEach(file, mesh.points.size(), [&](Bytes& bytes, std::size_t i) {
+    append(bytes, mesh.points[i].x);
+    append(bytes, mesh.points[i].y);
+    append(bytes, 0.0);
+  });
+}
+
+Result<void> writePolygons(OutputFile& file, const CellsMesh& mesh, const Diagram& diagram) {
+  auto head =
+      file.write(fmt::format("\nPOLYGONS {} {}\n", mesh.faces.size(), mesh.faces.size() + mesh.face_corners));
+  if (!head) {
+    return head;
+  }
+  return writeEach(file, mesh.faces.size(), [&](Bytes& bytes, std::size_t i) {
+    const auto corners = cornersOf(mesh, diagram, mesh.faces[i]);
+    append(bytes, static_cast<std::int32_t>(corners.size()));
+    for (const std::int32_t corner : corners) {
+      append(bytes, corner);
+    }
+  });
+}
+
+/// One number for each face; `type` is VTK's name of what `numberOf(site)` returns.
+template <class NumberOf>
+Result<void> writeCellData(OutputFile& file, const CellsMesh& mesh, std::string_view name,
+                           std::string_view type, const NumberOf& numberOf) {
+  if (auto head = file.write(fmt::format("\nSCALARS {} {} 1\nLOOKUP_TABLE default\n", name, type)); !head) {
+    return head;
+  }
+  return writeEach(file, mesh.faces.size(),
+                   [&](Bytes& bytes, std::size_t i) { append(bytes, numberOf(mesh.faces[i])); });
+}
+
+}  // namespace
+
+Result<void> writeVtkCells(OutputFile& file, const Diagram& diagram) {
+  return cellsMesh(file, diagram).and_then([&](const CellsMesh& mesh) {
+    const auto data = [&](std::string_view name, std::string_view type, const auto& numberOf) {
+      return [&, name, type, numberOf] { return writeCellData(file, mesh, name, type, numberOf); };
+    };
+    return writePoints(file, mesh)
+        .and_then([&] { return writePolygons(file, mesh, diagram); })
+        .and_then([&] { return file.write(fmt::format("\nCELL_DATA {}", mesh.faces.size())); })
+        .and_then(data("site", "unsigned_int", [](std::uint32_t site) { return site; }))
+        .and_then(data("area", "double", [&](std::uint32_t site) { return diagram.area[site]; }))
+        .and_then(data("perimeter", "double", [&](std::uint32_t site) { return diagram.perimeter[site]; }))
+        .and_then(data(
+            "neighbors", "int",
+            [&](std::uint32_t site) { return static_cast<std::int32_t>(neighborsOf(diagram, site).size()); }))
+        .and_then(data("status", "unsigned_char",
+                       [&](std::uint32_t site) { return static_cast<unsigned char>(diagram.status[site]); }))
+        .and_then([&] { return file.write("\n"); });
+  });
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,25 @@
+/// Zip archives of files that are in memory.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "io/output_file.h"
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+/// A file inside an archive: `head`, then `body`.
+struct ZipEntry {
+  std::string name;
+  std::string head;
+  std::string_view body;
+};
+
+/// Writes an archive of at least one entry, stored without compression, and with a fixed time, so that
+/// equal entries give equal bytes. Takes no more memory than the archive's headers. Error (device):
+/// writing failed.
+Result<void> writeZip(OutputFile& file, std::span<const ZipEntry> entries);
+
+}  // namespace vorpipe

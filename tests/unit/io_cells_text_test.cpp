@@ -1,0 +1,183 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+#include <string>
+
+#include "io_cells_test.h"
+
+namespace vorpipe::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+constexpr auto all_names = {"c.csv", "c.npz", "c.geojson", "c.svg", "c.obj", "c.ply", "c.vtk", "c.wkt"};
+
+TEST(CellsFormatOf, GoesByTheExtension) {
+  EXPECT_EQ(cellsFormatOf("a.b/c.csv"), CellsFormat::csv);
+  EXPECT_EQ(cellsFormatOf("c.NPZ"), CellsFormat::npz);
+  EXPECT_EQ(cellsFormatOf("c.geojson"), CellsFormat::geojson);
+  EXPECT_EQ(cellsFormatOf("c.svg"), CellsFormat::svg);
+  EXPECT_EQ(cellsFormatOf("c.obj"), CellsFormat::obj);
+  EXPECT_EQ(cellsFormatOf("c.Ply"), CellsFormat::ply);
+  EXPECT_EQ(cellsFormatOf("c.vtk"), CellsFormat::vtk);
+  EXPECT_EQ(cellsFormatOf("./c.wkt"), CellsFormat::wkt);
+}
+
+TEST(CellsFormatOf, NamesAllWhereItKnowsNone) {
+  for (const std::string path : {"c.json", "csv", "c.csv/d", "c.", ""}) {
+    const auto format = cellsFormatOf(path);
+    ASSERT_FALSE(format) << path;
+    EXPECT_EQ(format.error().code, ErrorCode::input);
+    EXPECT_EQ(format.error().message,
+              path +
+                  ": unknown kind of file for cells; known are .csv, .npz, .geojson, .svg, .obj, .ply, .vtk, "
+                  ".wkt");
+  }
+}
+
+TEST_F(CellsFile, SaysWhenTheDiskIsFull) {
+  if (!OutputFile::create("/dev/full")) {
+    GTEST_SKIP() << "there is no /dev/full here";
+  }
+  for (const std::string name : all_names) {
+    auto file = OutputFile::create("/dev/full");
+    ASSERT_TRUE(file);
+    auto result = writeCells(*file, someSites(), someCells(), *cellsFormatOf(name));
+    if (result) {
+      result = file->commit();
+    }
+    ASSERT_FALSE(result) << name;
+    EXPECT_EQ(result.error().code, ErrorCode::device) << name;
+    EXPECT_THAT(result.error().message, StartsWith("/dev/full: ")) << name;
+  }
+}
+
+TEST_F(CellsFile, IsTheSameEveryTime) {
+  for (const std::string name : all_names) {
+    const std::string first = written(name);
+    EXPECT_FALSE(first.empty());
+    EXPECT_EQ(first, written(name)) << name;
+  }
+}
+
+TEST_F(CellsFile, HasNoCellsWithoutSites) {
+  Diagram none;
+  none.cell_offsets = {0};
+  EXPECT_THAT(written("c.csv", {}, none), EndsWith("neighbors\n"));
+  EXPECT_EQ(written("c.geojson", {}, none), "{\"type\":\"FeatureCollection\",\"features\":[\n]}\n");
+  EXPECT_EQ(written("c.wkt", {}, none), "GEOMETRYCOLLECTION EMPTY\n");
+  EXPECT_THAT(written("c.svg", {}, none), EndsWith("</svg>\n"));
+  EXPECT_THAT(written("c.vtk", {}, none), HasSubstr("POLYGONS 0 0\n"));
+}
+
+TEST_F(CellsFile, CsvHasARowForEachSite) {
+  EXPECT_EQ(written("c.csv"),
+            "site,x,y,weight,status,area,perimeter,centroid_x,centroid_y,vertices,neighbors\n"
+            "0,0.25,0.5,0,ok,0.3333333333333333,2.6666666666666665,0.16666666666666666,0.5,5,-3 1 4 -4 -1\n"
+            "1,0.5,0.05,0,ok,0.06666666666666668,1.5333333333333334,0.6666666666666666,0.05,4,-3 -2 4 0\n"
+            "2,0.25,0.5,0,duplicate,0,0,0.25,0.5,0,\n"
+            "3,7,0.5,0,empty,0,0,7,0.5,0,\n"
+            "4,0.5,0.75,0,ok,0.6000000000000001,3.1333333333333333,0.6666666666666666,0.55,4,-2 -4 0 1\n");
+}
+
+TEST_F(CellsFile, CsvHasTheWeights) {
+  Sites sites = someSites();
+  sites.weight = {-1.5, 1e-300, 0, 1e22, 5e-324};
+  EXPECT_THAT(written("c.csv", sites, someCells()),
+              AllOf(HasSubstr("0,0.25,0.5,-1.5,ok"), HasSubstr("1,0.5,0.05,1e-300,ok"),
+                    HasSubstr("3,7,0.5,1e+22,empty"), HasSubstr("4,0.5,0.75,5e-324,ok")));
+}
+
+TEST_F(CellsFile, CsvNumbersReadBackToTheSameDouble) {
+  std::mt19937_64 random(1);
+  Sites sites = someSites();
+  for (int round = 0; round < 1000; ++round) {
+    sites.weight.clear();
+    while (sites.weight.size() < sites.size()) {
+      const auto number = std::bit_cast<double>(random());
+      if (std::isfinite(number)) {
+        sites.weight.push_back(number);
+      }
+    }
+    written("c.csv", sites, someCells());
+    std::ifstream rows(path("c.csv"));
+    std::string text;
+    std::getline(rows, text);
+    for (const double weight : sites.weight) {
+      for (int column = 0; column < 4; ++column) {
+        std::getline(rows, text, ',');
+      }
+      ASSERT_EQ(std::strtod(text.c_str(), nullptr), weight) << text;
+      std::getline(rows, text);
+    }
+  }
+}
+
+TEST_F(CellsFile, GeoJsonHasAFeatureForEachSite) {
+  EXPECT_THAT(
+      written("c.geojson"),
+      AllOf(
+          StartsWith("{\"type\":\"FeatureCollection\",\"features\":[\n{\"type\":\"Feature\",\"id\":0,"),
+          HasSubstr(
+              "{\"type\":\"Feature\",\"id\":1,\"properties\":{\"x\":0.5,\"y\":0.05,\"status\":\"ok\","
+              "\"owner\":1,\"area\":0.06666666666666668,\"perimeter\":1.5333333333333334,"
+              "\"centroid\":[0.6666666666666666,0.05],\"neighbors\":[-3,-2,4,0]},"
+              "\"geometry\":{\"type\":\"Polygon\",\"coordinates\":[[[0.3333333333333333,0],[1,0],[1,0.1],"
+              "[0.3333333333333333,0.1],[0.3333333333333333,0]]]}},\n"),
+          HasSubstr("\n{\"type\":\"Feature\",\"id\":2,\"properties\":{\"x\":0.25,\"y\":0.5,"
+                    "\"status\":\"duplicate\",\"owner\":0,\"area\":0,\"perimeter\":0,\"centroid\":[0.25,0.5],"
+                    "\"neighbors\":[]},\"geometry\":null},\n"),
+          EndsWith("}\n]}\n"), Not(HasSubstr("weight"))));
+  Sites sites = someSites();
+  sites.weight = {1, 2, 3, 4, 5};
+  EXPECT_THAT(written("c.geojson", sites, someCells()), HasSubstr("\"y\":0.5,\"weight\":3,\"status\""));
+}
+
+TEST_F(CellsFile, WktHasAPolygonForEachSite) {
+  const std::string t = "0.3333333333333333";
+  EXPECT_EQ(written("c.wkt"),
+            "GEOMETRYCOLLECTION (\n"
+            "POLYGON ((0 0, " +
+                t + " 0, " + t + " 0.1, " + t +
+                " 1, 0 1, 0 0)),\n"
+                "POLYGON ((" +
+                t + " 0, 1 0, 1 0.1, " + t + " 0.1, " + t +
+                " 0)),\n"
+                "POLYGON EMPTY,\n"
+                "POLYGON EMPTY,\n"
+                "POLYGON ((1 0.1, 1 1, " +
+                t + " 1, " + t +
+                " 0.1, 1 0.1))\n"
+                ")\n");
+}
+
+TEST_F(CellsFile, SvgHasPixelsWithYDownward) {
+  const std::string text = written("c.svg");
+  EXPECT_THAT(text, AllOf(StartsWith("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"1000\" "
+                                     "height=\"1000\" viewBox=\"0 0 1000 1000\">\n"),
+                          HasSubstr(" points=\"333.33333,1000 1000,1000 1000,900 333.33333,900\">"
+                                    "<title>site 1, area 0.06666666666666668</title></polygon>\n"),
+                          Not(HasSubstr("site 2")), Not(HasSubstr("site 3")), EndsWith("</svg>\n")));
+}
+
+TEST_F(CellsFile, SvgKeepsTheAspect) {
+  Diagram cells = someCells();
+  for (Point& vertex : cells.vertices) {
+    vertex = {1e6 + vertex.x, -4 * vertex.y};
+  }
+  EXPECT_THAT(written("c.svg", someSites(), cells),
+              AllOf(HasSubstr("width=\"250\" height=\"1000\" viewBox=\"0 0 250 1000\""),
+                    HasSubstr(" points=\"83.333333,0 250,0 250,100 83.333333,100\">")));
+}
+
+}  // namespace
+}  // namespace vorpipe::test
