@@ -20,13 +20,16 @@ foreach(module IN LISTS modules)
   # SPIR-V words lie in the file lowest byte first.
   string(REGEX REPLACE "(..)(..)(..)(..)" "0x\\4\\3\\2\\1, " words "${words}")
   string(REGEX REPLACE "(${line_of_words})" "\\1\n    " words "${words}")
-  file(READ ${from}/${module}.410.glsl text)
-  string(APPEND declarations "std::span<const std::uint32_t> ${module}();\n"
-         "std::string_view ${module}_410();\n")
-  string(APPEND definitions "constexpr std::uint32_t ${module}_words[] = {\n    ${words}};\n"
-         "constexpr std::string_view ${module}_text = R\"glsl(${text})glsl\";\n\n")
-  string(APPEND accessors "std::span<const std::uint32_t> ${module}() { return ${module}_words; }\n"
-         "std::string_view ${module}_410() { return ${module}_text; }\n")
+  string(APPEND declarations "std::span<const std::uint32_t> ${module}();\n")
+  string(APPEND definitions "constexpr std::uint32_t ${module}_words[] = {\n    ${words}};\n\n")
+  string(APPEND accessors "std::span<const std::uint32_t> ${module}() { return ${module}_words; }\n")
+  # A compute shader has no text for OpenGL 4.1.
+  if(EXISTS ${from}/${module}.410.glsl)
+    file(READ ${from}/${module}.410.glsl text)
+    string(APPEND declarations "std::string_view ${module}_410();\n")
+    string(APPEND definitions "constexpr std::string_view ${module}_text = R\"glsl(${text})glsl\";\n\n")
+    string(APPEND accessors "std::string_view ${module}_410() { return ${module}_text; }\n")
+  endif()
 endforeach()
 
 file(WRITE ${to}/shaders.h

@@ -1,5 +1,6 @@
 # How a shader module is made: GLSL -> SPIR-V -> optimized -> checked, and GLSL 4.10 from that very
-# SPIR-V. Everything goes to the build folder; the target update-spv copies it to shaders/spv.
+# SPIR-V, but for compute shaders, which OpenGL 4.1 does not know. Everything goes to the build folder;
+# the target update-spv copies it to shaders/spv.
 # Where a compiler is missing, the modules of shaders/spv are embedded as they are.
 
 include(${CMAKE_CURRENT_LIST_DIR}/manifest.cmake)
@@ -22,6 +23,7 @@ set(committed_dir ${CMAKE_CURRENT_LIST_DIR}/spv)
 set(built_dir ${CMAKE_CURRENT_BINARY_DIR}/spv)
 set(shader_recipe ${CMAKE_CURRENT_BINARY_DIR}/recipe.txt)
 set(shader_modules "")
+set(translated_modules "")
 set(recipe_modules "")
 
 if(GLSLANG AND SPIRV_OPT AND SPIRV_VAL AND SPIRV_CROSS)
@@ -43,14 +45,17 @@ endif()
 # vorpipe_shader(module file define...): the module of that name is made from glsl/file.
 function(vorpipe_shader module file)
   set(shader_modules ${shader_modules} ${module} PARENT_SCOPE)
+  set(source ${glsl_dir}/${file})
+  string(REGEX REPLACE ".*\\." "" stage ${file})
+  if(NOT stage STREQUAL comp)
+    set(translated_modules ${translated_modules} ${module} PARENT_SCOPE)
+  endif()
   list(TRANSFORM ARGN PREPEND -D OUTPUT_VARIABLE defines)
   string(JOIN " " row module ${module} ${file} ${defines})
   set(recipe_modules "${recipe_modules}${row}\n" PARENT_SCOPE)
   if(shaders_dir STREQUAL committed_dir)
     return()
   endif()
-  set(source ${glsl_dir}/${file})
-  string(REGEX REPLACE ".*\\." "" stage ${file})
   set(out ${built_dir}/${module})
   add_custom_command(
     OUTPUT ${out}.raw.spv
@@ -67,6 +72,9 @@ function(vorpipe_shader module file)
     DEPENDS ${out}.raw.spv
     COMMENT "Optimizing shader ${module}"
     VERBATIM)
+  if(stage STREQUAL comp)
+    return()
+  endif()
   add_custom_command(
     OUTPUT ${out}.410.glsl
     COMMAND ${SPIRV_OPT} ${fold_flags} ${out}.spv -o ${out}.folded.spv
@@ -93,7 +101,10 @@ flags spirv_cross @cross_line@
 
   set(files "")
   foreach(module IN LISTS shader_modules)
-    list(APPEND files ${shaders_dir}/${module}.spv ${shaders_dir}/${module}.410.glsl)
+    list(APPEND files ${shaders_dir}/${module}.spv)
+  endforeach()
+  foreach(module IN LISTS translated_modules)
+    list(APPEND files ${shaders_dir}/${module}.410.glsl)
   endforeach()
   set(embed ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/embed.cmake)
   set(check "")

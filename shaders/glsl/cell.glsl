@@ -2,12 +2,18 @@
 //
 // Pure functions over a struct Cell. Whoever includes this file defines before it
 //   real                     float, or double in C++
+//   cell_int, cell_bool      int and bool where cells differ. In C++ these two and real may be vectors that
+//                            hold one number for each of several cells: so such a bool is selected by, not
+//                            branched on, and a constant becomes real(0.5), cell_int(1), cell_bool(true)
 //   MAX_EDGES                room for edges
 //   EDGE_END                 MAX_EDGES, as loops run to it
 //   EDGES(T, name)           declares an array of MAX_EDGES elements of T
 //   IN(T), INOUT(T)          parameter modes
 //   ROUNDING                 the relative rounding error of real
-//   vec4 lineAt(int index)   line `index` of the list: normal.xy, h, bound
+//   FAR                      farther than anything
+//   NOWHERE, SAME            parallel lines get this sine, and lines that are the same this much of a
+//                            distance, which rounding swallows for any others: so the former meet far
+//                            away, and the latter do too
 // docs/shaders.md has the dialect: what GLSL 4.10, GLSL 4.50 and C++ with GLM all accept.
 //
 // A cell is an unordered set of edges in slots. Slot k holds the line {p : p . n = h} with the unit
@@ -17,43 +23,38 @@
 // interval is empty. No order, no shifting, no index that depends on data: on a GPU, and in SIMD
 // lanes, the slots stay in registers.
 
-#define FAR real(1.0e30)
-
 struct Cell {
     EDGES(real, nx);
     EDGES(real, ny);
     EDGES(real, h);
     EDGES(real, lo);
     EDGES(real, hi);
-    EDGES(int, line);     // index of the line in the list, or a WALL
-    real squared_radius;  // of the farthest vertex from the origin; negative when no edge is left
-    bool overflow;        // an edge found no free slot
+    EDGES(cell_int, line);  // index of the line in the list, or a WALL
+    cell_bool empty;        // no edge is left, and none comes back
+    cell_bool overflow;     // an edge found no free slot
 };
 
-bool isEdge(IN(Cell) c, int k) { return c.lo[k] < c.hi[k]; }
-
-void setEdge(INOUT(Cell) c, int k, vec2 n, real h, real lo, real hi, int line) {
-    c.nx[k] = n.x;
-    c.ny[k] = n.y;
-    c.h[k] = h;
-    c.lo[k] = lo;
-    c.hi[k] = hi;
-    c.line[k] = line;
-}
+cell_bool isEdge(IN(Cell) c, int k) { return c.lo[k] < c.hi[k]; }
 
 // The cell before any cut: the domain, whose walls lie at walls = (west, south, east, north).
 // Free slots repeat the walls, with an empty interval.
+// Here and below no function that changes a cell is called in a loop over its slots: the copies that this
+// makes in GLSL keep drivers from unrolling the loop, and the slots from becoming registers.
 void beginCell(INOUT(Cell) c, vec4 walls) {
-    for (int k = 0; k < EDGE_END; k += 4) {
-        real used = k == 0 ? real(1.0) : real(0.0);
-        setEdge(c, k, vec2(real(-1.0), real(0.0)), -walls.x, -walls.w * used, -walls.y * used, WALL_XMIN);
-        setEdge(c, k + 1, vec2(real(1.0), real(0.0)), walls.z, walls.y * used, walls.w * used, WALL_XMAX);
-        setEdge(c, k + 2, vec2(real(0.0), real(-1.0)), -walls.y, walls.x * used, walls.z * used, WALL_YMIN);
-        setEdge(c, k + 3, vec2(real(0.0), real(1.0)), walls.w, -walls.z * used, -walls.x * used, WALL_YMAX);
+    for (int k = 0; k < EDGE_END; k++) {
+        int wall = k % 4;
+        real outward = wall % 2 == 0 ? real(-1.0) : real(1.0);
+        real lo = wall == 0 ? -walls.w : (wall == 1 ? walls.y : (wall == 2 ? walls.x : -walls.z));
+        real hi = wall == 0 ? -walls.y : (wall == 1 ? walls.w : (wall == 2 ? walls.z : -walls.x));
+        c.nx[k] = wall < 2 ? outward : real(0.0);
+        c.ny[k] = wall < 2 ? real(0.0) : outward;
+        c.h[k] = wall == 0 ? -walls.x : (wall == 1 ? walls.z : (wall == 2 ? -walls.y : walls.w));
+        c.lo[k] = k < 4 ? lo : real(0.0);
+        c.hi[k] = k < 4 ? hi : real(0.0);
+        c.line[k] = cell_int(WALL_XMIN - wall);
     }
-    vec2 corner = vec2(max(abs(walls.x), abs(walls.z)), max(abs(walls.y), abs(walls.w)));
-    c.squared_radius = corner.x * corner.x + corner.y * corner.y;
-    c.overflow = false;
+    c.empty = cell_bool(false);
+    c.overflow = cell_bool(false);
 }
 
 // Keeps the part of the cell where p . n <= h.
@@ -64,42 +65,65 @@ void beginCell(INOUT(Cell) c, vec4 walls) {
 // the lines meet. There the new edge begins or ends. Its place on the new line is the projection of
 // that very point, not a second quotient: so the two ends agree even where the lines are nearly
 // parallel and the quotient is mostly rounding error; the point is then off along both lines alike,
-// and the shape is right. Of two parallel lines the outer one is dropped.
+// and the shape is right.
+// Parallel lines meet far away, on the side that leaves of an edge all or nothing: of two that face one
+// way the outer is dropped, and the new one where they are the same.
 // The line of an edge that is gone is still a true bound of the cell, so free slots need no test.
-// The new edge ends where two others do: the radius follows from those alone.
-void cutCell(INOUT(Cell) c, vec2 n, real h, int line) {
+// Compare and select, not min and max: those take three instructions each where NaN must be heeded. And
+// || and && between variables and plain comparisons: anything more becomes a branch.
+void cutCell(INOUT(Cell) c, vec2 n, real h, cell_int line) {
     real lo = -FAR;
     real hi = FAR;
+    cell_bool some = cell_bool(false);
+    for (int k = 0; k < EDGE_END; k++) {
+        real cross = c.nx[k] * n.y - c.ny[k] * n.x;
+        real sine = abs(cross) < NOWHERE ? NOWHERE : cross;
+        real cosine = c.nx[k] * n.x + c.ny[k] * n.y;
+        real at_k = (h - c.h[k] * cosine + SAME) / sine;
+        real at = at_k * cosine - c.h[k] * sine;
+        cell_bool forward = sine > real(0.0);
+        cell_bool backward = !forward;
+        real end = c.hi[k];
+        real begin = c.lo[k];
+        c.hi[k] = forward && at_k < end ? at_k : end;
+        c.lo[k] = backward && at_k > begin ? at_k : begin;
+        lo = forward && at > lo ? at : lo;
+        hi = backward && at < hi ? at : hi;
+        cell_bool edge = isEdge(c, k);
+        some = some || edge;
+    }
+    cell_bool gone = c.empty;
+    cell_bool waiting = lo < hi && !gone;
+    some = some || waiting;
+    c.empty = gone || !some;
+    for (int k = 0; k < EDGE_END; k++) {
+        cell_bool edge = isEdge(c, k);
+        cell_bool put = waiting && !edge;
+        c.nx[k] = put ? n.x : c.nx[k];
+        c.ny[k] = put ? n.y : c.ny[k];
+        c.h[k] = put ? h : c.h[k];
+        c.lo[k] = put ? lo : c.lo[k];
+        c.hi[k] = put ? hi : c.hi[k];
+        c.line[k] = put ? line : c.line[k];
+        waiting = waiting && !put;
+    }
+    c.overflow = waiting || c.overflow;
+}
+
+// Where edge k begins.
+vec2 edgeStart(IN(Cell) c, int k) {
+    return vec2(c.nx[k] * c.h[k] - c.ny[k] * c.lo[k], c.ny[k] * c.h[k] + c.nx[k] * c.lo[k]);
+}
+
+// Of the farthest vertex from the origin; negative when no edge is left.
+real squaredRadius(IN(Cell) c) {
     real farthest = real(-1.0);
     for (int k = 0; k < EDGE_END; k++) {
-        real sine = c.nx[k] * n.y - c.ny[k] * n.x;
-        real cosine = c.nx[k] * n.x + c.ny[k] * n.y;
-        real beyond = h - c.h[k] * cosine;
-        bool parallel = abs(sine) < real(1.0e-30);
-        bool forward = parallel || sine > real(0.0);
-        real at_k = beyond / (parallel ? real(1.0) : sine);
-        real at = at_k * cosine - c.h[k] * sine;
-        if (parallel) {
-            bool outside = beyond < real(0.0);
-            at_k = outside ? -FAR : FAR;
-            at = outside != (cosine > real(0.0)) ? FAR : -FAR;
-        }
-        c.hi[k] = forward ? min(c.hi[k], at_k) : c.hi[k];
-        c.lo[k] = forward ? c.lo[k] : max(c.lo[k], at_k);
-        lo = forward ? max(lo, at) : lo;
-        hi = forward ? hi : min(hi, at);
         real end = max(c.lo[k] * c.lo[k], c.hi[k] * c.hi[k]) + c.h[k] * c.h[k];
-        farthest = isEdge(c, k) ? max(farthest, end) : farthest;
+        cell_bool edge = isEdge(c, k);
+        farthest = edge && end > farthest ? end : farthest;
     }
-    c.squared_radius = farthest;
-    bool waiting = lo < hi;
-    for (int k = 0; k < EDGE_END; k++) {
-        if (waiting && !isEdge(c, k)) {
-            setEdge(c, k, n, h, lo, hi, line);
-            waiting = false;
-        }
-    }
-    c.overflow = c.overflow || waiting;
+    return farthest;
 }
 
 // The radius of security (Levy and Bonneel 2012): a site at least this far from the site of the
@@ -109,30 +133,28 @@ real securityRadius(real squared_radius, real shift) {
     return real(2.0) * (sqrt(squared_radius) + shift) * (real(1.0) + real(16.0) * ROUNDING);
 }
 
-// Where edge k begins.
-vec2 edgeStart(IN(Cell) c, int k) {
-    return vec2(c.nx[k] * c.h[k] - c.ny[k] * c.lo[k], c.ny[k] * c.h[k] + c.nx[k] * c.lo[k]);
-}
-
 // Whether there are edges that, end to end, come back to where they began, up to rounding.
-bool isClosed(IN(Cell) c) {
+cell_bool isClosed(IN(Cell) c) {
     real x = real(0.0);
     real y = real(0.0);
-    int count = 0;
+    cell_int count = cell_int(0);
     for (int k = 0; k < EDGE_END; k++) {
         real length = isEdge(c, k) ? c.hi[k] - c.lo[k] : real(0.0);
         x -= length * c.ny[k];
         y += length * c.nx[k];
-        count += isEdge(c, k) ? 1 : 0;
+        count += isEdge(c, k) ? cell_int(1) : cell_int(0);
     }
     real slack = real(256.0) * ROUNDING;
-    return count >= 3 && x * x + y * y <= slack * slack * c.squared_radius;
+    cell_bool some = count >= 3;
+    return some && x * x + y * y <= slack * slack * squaredRadius(c);
 }
 
 // Whether every edge ends where another begins, but for a gap along both their lines. Where three lines
 // are nearly parallel, rounding may leave such a gap, or let two edges overlap: that loses track of
 // which line carries the edge there, and nothing of the shape.
 bool hasClosedShape(IN(Cell) c) {
+    real slack = real(64.0) * ROUNDING;
+    real allowed = slack * slack * squaredRadius(c);
     int count = 0;
     bool closed = true;
     for (int k = 0; k < EDGE_END; k++) {
@@ -143,9 +165,8 @@ bool hasClosedShape(IN(Cell) c) {
             real along = end.x * c.nx[j] + end.y * c.ny[j] - c.h[j];
             vec2 gap = edgeStart(c, j) - end;
             real across = gap.x * c.nx[k] + gap.y * c.ny[k];
-            real slack = real(64.0) * ROUNDING;
-            bool meets = along * along + across * across <= slack * slack * c.squared_radius;
-            bool near = ahead > real(0.99) || gap.x * gap.x + gap.y * gap.y <= slack * slack * c.squared_radius;
+            bool meets = along * along + across * across <= allowed;
+            bool near = ahead > real(0.99) || gap.x * gap.x + gap.y * gap.y <= allowed;
             followed = followed || (j != k && isEdge(c, j) && meets && near);
         }
         closed = closed && (followed || !isEdge(c, k));
@@ -154,78 +175,58 @@ bool hasClosedShape(IN(Cell) c) {
     return closed && count >= 3;
 }
 
-// Clips the cell by the lines first .. first + count - 1, which come in ascending order of bound,
-// until the rest is proved unable to cut. outset moves every line outward, by up to its two
-// components along x and y: nothing, to measure; half a step of the vertex grid, to draw.
-// reach bounds from below the distance of every site that is not in the list.
-int clipCell(INOUT(Cell) c, vec4 walls, vec2 outset, int first, int count, real reach, real shift) {
-    beginCell(c, vec4(walls.x - outset.x, walls.y - outset.y, walls.z + outset.x, walls.w + outset.y));
-    real security = securityRadius(c.squared_radius, shift);
-    real unseen = reach;
-    for (int i = 0; i < count; i++) {
-        vec4 line = lineAt(first + i);
-        if (line.w >= security) {
-            unseen = line.w;
-            break;
-        }
-        real wider = abs(line.x) * outset.x + abs(line.y) * outset.y;
-        cutCell(c, vec2(line.x, line.y), line.z + wider, first + i);
-        if (c.overflow || c.squared_radius < real(0.0)) {
-            break;
-        }
-        security = securityRadius(c.squared_radius, shift);
-    }
-    if (c.overflow) {
-        return CELL_OVERFLOW;
-    }
-    if (c.squared_radius < real(0.0)) {
-        return CELL_EMPTY;
-    }
-    if (unseen < security) {
-        return CELL_UNSECURED;
-    }
-    return isClosed(c) ? CELL_CERTIFIED : CELL_OPEN;
+// What became of a cell that nothing more is cut off; unsecured: a site that was not tried may.
+cell_int outcome(IN(Cell) c, cell_bool unsecured) {
+    cell_int status = isClosed(c) ? cell_int(CELL_CERTIFIED) : cell_int(CELL_OPEN);
+    status = unsecured ? cell_int(CELL_UNSECURED) : status;
+    status = c.empty ? cell_int(CELL_EMPTY) : status;
+    return c.overflow ? cell_int(CELL_OVERFLOW) : status;
 }
 
 // A number that grows with the angle of (x, y) from -pi to pi, without trigonometry.
 real pseudoAngle(real x, real y) {
-    real slope = x / max(abs(x) + abs(y), real(1.0e-30));
+    real slope = x / max(abs(x) + abs(y), NOWHERE);
     return y < real(0.0) ? slope - real(1.0) : real(1.0) - slope;
 }
 
 struct Order {
-    EDGES(int, rank);  // 0 .. count - 1, counter-clockwise; -1 for a free slot
-    int count;
+    EDGES(cell_int, rank);  // 0 .. count - 1, counter-clockwise; -1 for a free slot
+    cell_int count;
 };
 
 // Ranks the edges counter-clockwise, by the angle of their midpoints seen from inside. Midpoints,
 // unlike normals, tell edges apart that lie on nearly the same line.
 void orderEdges(IN(Cell) c, INOUT(Order) order) {
-    vec2 sum = vec2(real(0.0), real(0.0));
-    order.count = 0;
+    real x = real(0.0);
+    real y = real(0.0);
+    cell_int count = cell_int(0);
     for (int k = 0; k < EDGE_END; k++) {
-        if (isEdge(c, k)) {
-            real middle = (c.lo[k] + c.hi[k]) * real(0.5);
-            sum += vec2(c.nx[k] * c.h[k] - c.ny[k] * middle, c.ny[k] * c.h[k] + c.nx[k] * middle);
-            order.count++;
-        }
+        real middle = (c.lo[k] + c.hi[k]) * real(0.5);
+        cell_bool edge = isEdge(c, k);
+        x += edge ? c.nx[k] * c.h[k] - c.ny[k] * middle : real(0.0);
+        y += edge ? c.ny[k] * c.h[k] + c.nx[k] * middle : real(0.0);
+        count += edge ? cell_int(1) : cell_int(0);
     }
-    vec2 center = sum / real(max(order.count, 1));
+    real share = real(1.0) / real(max(count, cell_int(1)));
+    x *= share;
+    y *= share;
     EDGES(real, angle);
     for (int k = 0; k < EDGE_END; k++) {
         real middle = (c.lo[k] + c.hi[k]) * real(0.5);
-        angle[k] = pseudoAngle(c.nx[k] * c.h[k] - c.ny[k] * middle - center.x,
-                               c.ny[k] * c.h[k] + c.nx[k] * middle - center.y);
-        order.rank[k] = isEdge(c, k) ? 0 : -1;
+        real seen = pseudoAngle(c.nx[k] * c.h[k] - c.ny[k] * middle - x,
+                                c.ny[k] * c.h[k] + c.nx[k] * middle - y);
+        angle[k] = isEdge(c, k) ? seen : FAR;
     }
-    for (int k = 1; k < EDGE_END; k++) {
-        for (int j = 0; j < k; j++) {
-            bool both = order.rank[j] >= 0 && order.rank[k] >= 0;
-            bool later = angle[j] <= angle[k];
-            order.rank[k] += both && later ? 1 : 0;
-            order.rank[j] += both && !later ? 1 : 0;
+    // Two plain loops over all pairs: what compilers unroll, so that no index is left.
+    for (int k = 0; k < EDGE_END; k++) {
+        cell_int rank = cell_int(0);
+        for (int j = 0; j < EDGE_END; j++) {
+            cell_bool before = j < k ? angle[j] <= angle[k] : angle[j] < angle[k];
+            rank += before ? cell_int(1) : cell_int(0);
         }
+        order.rank[k] = isEdge(c, k) ? rank : cell_int(-1);
     }
+    order.count = count;
 }
 
 // The beginning of the edge of a given rank.
@@ -237,11 +238,4 @@ vec2 startOfRank(IN(Cell) c, IN(Order) order, int rank) {
         }
     }
     return p;
-}
-
-// The rank of the vertex at a place of the triangle strip that fills a convex polygon of n
-// vertices: 0, 1, n - 1, 2, n - 2, ...
-int rankInStrip(int place, int n) {
-    int half_way = (place + 1) / 2;
-    return place == 0 ? 0 : (place % 2 == 1 ? half_way : n - half_way);
 }

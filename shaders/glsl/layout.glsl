@@ -28,5 +28,28 @@
 #define BINDING_LINES 1
 #define BINDING_PALETTE 2
 #define BINDING_STATUS 3
+#define BINDING_EDGES 4
+#define BINDING_GRID 5
+#define BINDING_SITES 6
+#define BINDING_BINS 7
+#define BINDING_MARKS 8
+#define BINDING_ENTRIES 9
+#define BINDING_VERTICES 10
+#define BINDING_COUNTS 11
+#define BINDING_SUMS 12
+#define BINDING_INDICES 13
+#define BINDING_BIN_OF_SITE 14
+#define BINDING_PLACE_OF_SITE 15
+#define BINDING_SITE_AT_PLACE 16
+#define BINDING_PLACED_SITES 17
+#define BINDING_FROM 18
+#define BINDING_MERGES 19
+
+// Invocations in a group of a compute shader, and counts that one of them adds up.
+#define GROUP_SIZE 64
+#define COUNTS_AT_ONCE 32
+
+// Sites of a bin that are put in order without merging.
+#define RUN_SIZE 32
 
 #endif

@@ -24,12 +24,23 @@ struct Line {
   Real nx, ny, h, bound;
 };
 
+/// A uniform grid of square bins over sites; shaders/glsl/grid.glsl walks it.
+/// Bin (column, row) holds the sites first[row * columns + column] up to the next entry. A site lies in
+/// [xmin + column * size, xmin + (column + 1) * size] and in its row likewise, up to rounding in double.
+struct Grid {
+  double xmin = 0, ymin = 0, size = 1;
+  std::uint32_t columns = 1, rows = 1;
+  std::vector<std::uint32_t> first;  ///< size: columns * rows + 1
+};
+
 /// Unique sites, in scaled units (the input times a power of two, so that the domain's longer side
-/// is in [1, 2)), in an order in which neighbors lie near each other.
+/// is in [1, 2)), bin by bin of their grid, row by row; inside a bin by input index.
 struct SiteSet {
   std::vector<double> x, y;
   std::vector<std::uint32_t> id;  ///< index in the input
-  Box domain{};                   ///< scaled
+  Box domain{};                   ///< what cells are clipped to
+  Box known{};                    ///< every site in here is in the set; unbounded but for a tile
+  Grid grid;
   [[nodiscard]] std::size_t size() const { return x.size(); }
 };
 
@@ -59,7 +70,7 @@ enum class CellStatus : std::uint8_t {
   open = 5,       ///< its edges do not close: rounding was too coarse
 };
 
-/// Where and how an entry is drawn.
+/// Where and how an entry of a batch is drawn.
 struct DrawMark {
   float x, y;           ///< the entry's origin in normalized device coordinates of the view
   std::uint32_t id;     ///< what the id image gets
@@ -75,27 +86,36 @@ struct View {
   Palette palette;
 };
 
-/// Cells as data, entry by entry. Edge k of a cell runs from vertex k to vertex k + 1,
-/// counter-clockwise, and lies on line[k]: an index into the entry's lines, or -1..-4 for
-/// the walls xmin, xmax, ymin, ymax. Vertices are relative to the entry's origin.
-struct CellPolygons {
+/// The neighbors of cells, entry by entry and counter-clockwise: those of entry e stand at first[e] up
+/// to first[e + 1]. A neighbor is the index of a site in the SiteSet, or of a line in its entry of a
+/// batch, or one of the walls -1..-4. An entry that is not `certified` has none.
+struct Neighborhoods {
   std::vector<CellStatus> status;
-  std::vector<std::uint32_t> first;  ///< size: entries + 1
-  std::vector<double> x, y;
-  std::vector<std::int32_t> line;
+  std::vector<std::uint64_t> first;  ///< size: entries + 1
+  std::vector<std::int32_t> neighbor;
 };
 
 struct BackendInfo {
   DeviceInfo device;
   int max_view = 0;               ///< largest width and height of a View
+  std::uint64_t max_sites = 0;    ///< most sites in one upload
+  std::uint64_t max_bins = 0;     ///< most bins of their grid
   std::uint64_t max_lines = 0;    ///< most lines in one batch
-  std::uint32_t max_entries = 0;  ///< most entries in one batch
-  int most_edges = 0;             ///< room for edges with Room::most
+  std::uint32_t max_entries = 0;  ///< most entries in one batch, most sites in one call of cells or draw
+  int most_edges = 0;             ///< room for edges with Effort::roomy
   int subpixel_bits = 8;          ///< vertices are snapped to 1 / 2^bits of a pixel
 };
 
-/// How many edges a cell may have at any time of its clipping.
-enum class Room : std::uint8_t { fast, most };
+/// What a backend puts into a cell. Every backend has the first two; `in_double` and `exact` are the
+/// judge's, which is the backend "cpu". With them no certified cell is wrong, and no other status but
+/// `empty` comes back: `exact` always answers.
+enum class Effort : std::uint8_t {
+  fast,       ///< in float, with room for EDGES_FAST edges at any time of the clipping
+  roomy,      ///< in float, with the most room that the backend has
+  in_double,  ///< in double, any number of edges, any distribution of sites; `open` when double does not
+              ///< decide
+  exact,      ///< with as many digits as it takes
+};
 
 class Backend {
  public:
@@ -103,23 +123,33 @@ class Backend {
 
   virtual const BackendInfo& info() const = 0;
 
-  /// Replaces the sites. They outlive every later call.
-  virtual Result<void> upload(const SiteSet& sites) = 0;
+  /// Replaces the sites, which outlive every later call. shade[i] is the index into a view's palette
+  /// for the cell of site i; empty when nothing will be drawn.
+  virtual Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) = 0;
+
+  /// Finds the cells of the sites `which` (indices in the set) by the search over the grid, or by
+  /// the judge's over a tree. `out` is replaced, with an entry for each. In float, a neighborhood is
+  /// what rounding lets through: neighbors across an edge of nearly no length may be there or not.
+  virtual Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) = 0;
+
+  /// Clips each entry of a batch and returns its neighborhood, with the most room there is.
+  virtual Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) = 0;
 
   /// Clears the picture: every pixel has no_site and color 0.
   virtual Result<void> begin(const View& view) = 0;
 
-  /// Clips each entry, widened by half a step of the device's vertex grid so that neighbors leave
-  /// no gap, and draws those that come out `certified` over what is there, in order.
-  /// marks and status have one element per entry.
-  virtual Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Room room,
+  /// Finds the cells of the sites `which`, widened by half a step of the device's vertex grid so that
+  /// neighbors leave no gap, and draws those that come out `certified` over what is there, in order.
+  /// effort is fast or roomy. status has one element for each.
+  virtual Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
+                            std::span<CellStatus> status) = 0;
+
+  /// The same for the entries of a batch. marks and status have one element per entry.
+  virtual Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
                             std::span<CellStatus> status) = 0;
 
   /// Reads the picture back. Row 0 is the bottom row of the view. Both spans hold width * height.
   virtual Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) = 0;
-
-  /// Clips each entry and returns it as it is, not widened. `out` is replaced.
-  virtual Result<void> cells(const CellBatch<double>& batch, CellPolygons& out) = 0;
 
   /// What the validation layers said since the last call.
   virtual std::vector<std::string> validationMessages() { return {}; }

@@ -1,0 +1,50 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+// Clips one entry and writes its polygon down, to be drawn. The build gives MAX_EDGES, and SEARCH_GRID
+// where an entry is a site of an upload instead of a list of lines.
+#define ENTRIES_IN_BUFFER
+#include "layout.glsl"
+#include "vocabulary.glsl"
+#include "view.glsl"
+#include "slice.glsl"
+
+layout(local_size_x = GROUP_SIZE) in;
+
+layout(std430, set = 0, binding = BINDING_STATUS) writeonly buffer Status { uint status_of[]; };
+
+// MAX_EDGES vertices for each entry, of which it uses the first, counter-clockwise: two floats, in
+// normalized device coordinates, id and shade.
+layout(std430, set = 0, binding = BINDING_VERTICES) writeonly buffer VertexRows { uvec4 vertices[]; };
+
+// Triangles for each entry; none if it may be left out of the picture.
+layout(std430, set = 0, binding = BINDING_COUNTS) writeonly buffer Counts { uint triangles_of[]; };
+
+#ifdef SEARCH_GRID
+#include "site_entry.glsl"
+#else
+#include "list_entry.glsl"
+#endif
+#include "pixels.glsl"
+
+void main() {
+    uint entry = gl_GlobalInvocationID.x;
+    if (entry >= slice.count) {
+        return;
+    }
+    loadEntry(slice.first, entry);
+    Cell cell;
+    int status = statusOfShape(cell, clipEntry(cell, view.outset));
+    status_of[entry] = uint(status);
+    vec2 origin = entryOrigin();
+    bool drawn = status == CELL_CERTIFIED && mayCoverPixel(cell, origin);
+    Order order;
+    orderEdges(cell, order);
+    triangles_of[entry] = drawn ? uint(max(order.count - 2, 0)) : 0u;
+    uvec2 mark = entryMark();
+    for (int k = 0; k < EDGE_END; k++) {
+        if (drawn && order.rank[k] >= 0) {
+            vec2 at = origin + edgeStart(cell, k) * view.scale;
+            vertices[entry * uint(MAX_EDGES) + uint(order.rank[k])] = uvec4(floatBitsToUint(at), mark);
+        }
+    }
+}

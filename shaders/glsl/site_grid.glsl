@@ -1,0 +1,13 @@
+// The grid of an upload; src/backend/site_texels.h writes the block.
+layout(std140, set = 0, binding = BINDING_GRID) uniform SiteGrid {
+    vec4 domain_high;  // west, south, east, north from the center of the domain, like a site
+    vec4 domain_low;
+    vec4 known_high;
+    vec4 known_low;
+    vec4 corner;  // of the grid, like a site
+    float size;   // of a bin
+    float slack;
+    int columns;
+    int rows;
+    int most;
+} site_grid;

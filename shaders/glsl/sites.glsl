@@ -1,0 +1,47 @@
+// The cell of one site of an upload, found by the search over its grid. Whoever includes this file has
+// included cell.glsl and defines before it
+//   vec4 siteAt(int place)   a site: x_high, y_high, x_low, y_low from the center of the domain
+//   int firstOfBin(int bin)  as grid.glsl wants it
+// src/backend/site_texels.h writes both.
+
+#include "site_grid.glsl"
+
+vec4 here;  // the site of the cell
+
+// From `here` to another site. Where two sites are near each other, both differences are exact; the sum
+// is rounded relative to its own size. No compiler may rearrange that.
+vec2 offsetFromHere(vec4 other) {
+    precise vec2 offset = (other.xy - here.xy) + (other.zw - here.zw);
+    return offset;
+}
+
+vec4 boxFromHere(vec4 high, vec4 low) {
+    precise vec4 box = (high - here.xyxy) + (low - here.zwzw);
+    return box;
+}
+
+vec2 offsetTo(int place) { return offsetFromHere(siteAt(place)); }
+
+#include "grid.glsl"
+
+// From `here` to the origin of its cell: nothing, or the way to the nearest point of the domain.
+vec2 offsetToOrigin() {
+    vec4 walls = boxFromHere(site_grid.domain_high, site_grid.domain_low);
+    return max(walls.xy, min(walls.zw, vec2(0.0)));
+}
+
+// Clips the cell of the site at `place`, which becomes `here`. outset is that of clipCell.
+int clipSiteAt(inout Cell cell, int place, vec2 outset) {
+    here = siteAt(place);
+    vec2 origin = offsetToOrigin();
+    Bins bins;
+    bins.columns = site_grid.columns;
+    bins.rows = site_grid.rows;
+    bins.size = site_grid.size;
+    bins.low = offsetFromHere(site_grid.corner) - origin;
+    bins.slack = site_grid.slack;
+    bins.known = boxFromHere(site_grid.known_high, site_grid.known_low) - origin.xyxy;
+    bins.most = site_grid.most;
+    vec4 walls = boxFromHere(site_grid.domain_high, site_grid.domain_low) - origin.xyxy;
+    return clipSite(cell, bins, walls, outset, place, -origin);
+}

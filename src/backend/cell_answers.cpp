@@ -1,0 +1,64 @@
+#include "backend/cell_answers.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "layout.glsl"
+#include "parallel.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr std::size_t entries_at_once = std::size_t{1} << 15;
+
+// The number of edges stands above the status.
+constexpr std::uint32_t status_values = 256;
+
+std::uint32_t wordAt(const CellAnswers& answers, std::size_t entry) {
+  std::uint32_t word = 0;
+  std::memcpy(&word, answers.words + entry * answers.word_stride, sizeof(word));
+  return word;
+}
+
+}  // namespace
+
+CellStatus statusIn(std::uint32_t word) {
+  const std::uint32_t status = word % status_values;
+  return status <= CELL_OPEN ? static_cast<CellStatus>(status) : CellStatus::missing;
+}
+
+void append(const CellAnswers& answers, Neighborhoods& out) {
+  if (out.first.empty()) out.first.push_back(0);
+  const std::size_t before = out.status.size();
+  out.status.resize(before + answers.count);
+  out.first.resize(before + answers.count + 1);
+  for (std::size_t entry = 0; entry < answers.count; ++entry) {
+    const std::uint32_t word = wordAt(answers, entry);
+    const std::uint32_t edges = word / status_values;
+    const CellStatus status = edges <= answers.room ? statusIn(word) : CellStatus::missing;
+    out.status[before + entry] = status;
+    out.first[before + entry + 1] = out.first[before + entry] + (status == CellStatus::certified ? edges : 0);
+  }
+  out.neighbor.resize(out.first.back());
+  parallelFor(answers.count, entries_at_once, 0, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t entry = begin; entry < end; ++entry) {
+      const std::uint64_t first = out.first[before + entry];
+      const std::uint64_t edges = out.first[before + entry + 1] - first;
+      if (edges == 0) continue;
+      std::memcpy(&out.neighbor[first], answers.rows + entry * answers.row_stride,
+                  edges * sizeof(std::int32_t));
+    }
+  });
+}
+
+void append(const Neighborhoods& part, Neighborhoods& out) {
+  if (out.first.empty()) out.first.push_back(0);
+  const std::uint64_t before = out.first.back();
+  out.status.insert(out.status.end(), part.status.begin(), part.status.end());
+  for (std::size_t entry = 0; entry < part.status.size(); ++entry) {
+    out.first.push_back(before + part.first[entry + 1]);
+  }
+  out.neighbor.insert(out.neighbor.end(), part.neighbor.begin(), part.neighbor.end());
+}
+
+}  // namespace vorpipe

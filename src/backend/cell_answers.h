@@ -1,0 +1,31 @@
+/// What shaders/glsl/edges.geom answers, as neighborhoods.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "backend/backend.h"
+
+namespace vorpipe {
+
+/// The answers for some entries, where the device left them: a word for each, and a row of int32 with
+/// the neighbors of each. Strides are in bytes.
+struct CellAnswers {
+  std::size_t count;  ///< entries
+  std::size_t room;   ///< for neighbors in a row
+  const std::byte* words;
+  std::size_t word_stride;
+  const std::byte* rows;
+  std::size_t row_stride;
+};
+
+/// The status in a word; `missing` if it makes no sense.
+CellStatus statusIn(std::uint32_t word);
+
+/// Appends the entries to out, on all threads. A word that makes no sense is an entry that is `missing`.
+void append(const CellAnswers& answers, Neighborhoods& out);
+
+/// Appends the entries of part to out.
+void append(const Neighborhoods& part, Neighborhoods& out);
+
+}  // namespace vorpipe

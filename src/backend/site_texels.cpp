@@ -1,0 +1,96 @@
+#include "backend/site_texels.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include "parallel.h"
+
+namespace vorpipe {
+namespace {
+
+// Searches beyond are left to the judge, whose tree takes no longer where sites crowd in few bins.
+constexpr std::int32_t most_tried = 512;
+
+// Stands for infinity, which shaders need not know; FAR of cell.glsl.
+constexpr double far = 1e30;
+
+constexpr std::size_t sites_at_once = std::size_t{1} << 14;
+
+Point centerOf(const Box& box) { return {(box.xmin + box.xmax) / 2, (box.ymin + box.ymax) / 2}; }
+
+struct Split {
+  float high, low;
+};
+
+Split split(double value) {
+  const double bounded = std::clamp(value, -far, far);
+  const auto high = static_cast<float>(bounded);
+  return {high, static_cast<float>(bounded - static_cast<double>(high))};
+}
+
+SiteTexel fromCenter(const Point& center, double x, double y) {
+  const Split at_x = split(x - center.x);
+  const Split at_y = split(y - center.y);
+  return {at_x.high, at_y.high, at_x.low, at_y.low};
+}
+
+void splitBox(const Point& center, const Box& box, float (&high)[4], float (&low)[4]) {
+  const double sides[4] = {box.xmin - center.x, box.ymin - center.y, box.xmax - center.x,
+                           box.ymax - center.y};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const Split side = split(sides[k]);
+    high[k] = side.high;
+    low[k] = side.low;
+  }
+}
+
+template <class Texel, class Make>
+void writeAll(std::size_t count, std::byte* to, const Make& make) {
+  parallelFor(count, sites_at_once, 0, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Texel texel = make(i);
+      std::memcpy(to + i * sizeof(Texel), &texel, sizeof(Texel));
+    }
+  });
+}
+
+}  // namespace
+
+SiteTexel siteTexel(const Box& domain, double x, double y) { return fromCenter(centerOf(domain), x, y); }
+
+SiteGridUniform siteGridUniform(const SiteSet& sites) {
+  const Point center = centerOf(sites.domain);
+  const Grid& grid = sites.grid;
+  SiteGridUniform block{};
+  splitBox(center, sites.domain, block.domain_high, block.domain_low);
+  splitBox(center, sites.known, block.known_high, block.known_low);
+  block.corner = fromCenter(center, grid.xmin, grid.ymin);
+  block.size = static_cast<float>(grid.size);
+  // The corner seen from an origin, the size of a bin, their product with an index and the sum are
+  // rounded: each by 2^-24 at most of the longest way between a point of the domain and one of the grid.
+  const double width = std::max(sites.domain.xmax, grid.xmin + grid.size * grid.columns) -
+                       std::min(sites.domain.xmin, grid.xmin);
+  const double height =
+      std::max(sites.domain.ymax, grid.ymin + grid.size * grid.rows) - std::min(sites.domain.ymin, grid.ymin);
+  block.slack = static_cast<float>(std::ldexp(std::max(width, height), -21));
+  block.columns = static_cast<std::int32_t>(grid.columns);
+  block.rows = static_cast<std::int32_t>(grid.rows);
+  block.most = most_tried;
+  return block;
+}
+
+void writeSiteTexels(const SiteSet& sites, std::byte* to) {
+  const Point center = centerOf(sites.domain);
+  writeAll<SiteTexel>(sites.size(), to,
+                      [&](std::size_t i) { return fromCenter(center, sites.x[i], sites.y[i]); });
+}
+
+void writeSiteMarks(const SiteSet& sites, std::span<const std::uint8_t> shade, std::byte* to) {
+  assert(shade.size() == sites.size());
+  writeAll<SiteMark>(sites.size(), to, [&](std::size_t i) { return SiteMark{sites.id[i], shade[i]}; });
+}
+
+}  // namespace vorpipe

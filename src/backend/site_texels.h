@@ -1,0 +1,49 @@
+/// Sites and their grid as devices hold them; shaders/glsl/sites.glsl reads them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "backend/backend.h"
+
+namespace vorpipe {
+
+/// A site, from the center of the domain: each coordinate is the sum of what a float holds of it
+/// and what a float holds of the rest, so that the difference of two sites loses next to nothing.
+struct SiteTexel {
+  float x_high, y_high, x_low, y_low;
+};
+
+/// Returns a point in the way of the sites of an upload with this domain.
+SiteTexel siteTexel(const Box& domain, double x, double y);
+
+/// What a picture needs to know about a site.
+struct SiteMark {
+  std::uint32_t id;     ///< what the id image gets
+  std::uint32_t shade;  ///< index into a view's palette
+};
+
+/// The uniform block SiteGrid of sites.glsl, as std140 lays it out. Boxes are west, south, east, north.
+struct SiteGridUniform {
+  float domain_high[4], domain_low[4];  ///< from the center of the domain, like a site
+  float known_high[4], known_low[4];
+  SiteTexel corner;  ///< of the grid, at its lowest coordinates
+  float size;        ///< of a bin
+  float slack;       ///< by how much a site may lie outside of its bin, as floats see it
+  std::int32_t columns, rows;
+  std::int32_t most;  ///< sites that a search tries before it gives up
+  std::int32_t padding[3];
+};
+
+/// Returns the block for the sites of an upload.
+SiteGridUniform siteGridUniform(const SiteSet& sites);
+
+/// Writes a SiteTexel for every site, to mapped memory for instance, on all threads.
+/// `to` has room for sites.size() of them.
+void writeSiteTexels(const SiteSet& sites, std::byte* to);
+
+/// Writes a SiteMark for every site likewise; shade has an element for each.
+void writeSiteMarks(const SiteSet& sites, std::span<const std::uint8_t> shade, std::byte* to);
+
+}  // namespace vorpipe
