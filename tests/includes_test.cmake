@@ -19,10 +19,10 @@ set(may_include
     "^$"
     "^(vorpipe\\.h|parallel\\.h|core/.*|backend/(backend|registry)\\.h)$"
     "^(vorpipe\\.h|backend/[^/]*\\.h|backend/cpu/cpu\\.h|backend/vulkan/vulkan_backend\\.h|backend/opengl/opengl_backend\\.h)$"
-    "^(vorpipe\\.h|parallel\\.h|backend/[^/]*\\.h|backend/cpu/.*|(layout|cell)\\.glsl)$"
+    "^(vorpipe\\.h|parallel\\.h|backend/[^/]*\\.h|backend/cpu/.*|(layout|bins|cell|grid|list)\\.glsl)$"
     "^(vorpipe\\.h|parallel\\.h|backend/[^/]*\\.h|backend/vulkan/.*|layout\\.glsl|shaders\\.h)$"
     "^(vorpipe\\.h|parallel\\.h|backend/[^/]*\\.h|backend/opengl/.*|layout\\.glsl|shaders\\.h)$"
-    "^(vorpipe\\.h|backend/[^/]*\\.h|layout\\.glsl)$"
+    "^(vorpipe\\.h|parallel\\.h|backend/[^/]*\\.h|layout\\.glsl)$"
     "^(vorpipe\\.h|io/.*)$"
     "^(vorpipe\\.h|io/.*|cli/.*)$"
     "^(vorpipe\\.h|view/.*)$")

@@ -39,6 +39,18 @@ Result<void> applyMask(Capabilities& capabilities, const Mask& mask) {
   return {};
 }
 
+std::vector<std::string> featureNames() {
+  std::vector<std::string> names;
+  for (const NamedFeature& feature : known_features) names.emplace_back(feature.name);
+  return names;
+}
+
+std::vector<std::string> limitNames() {
+  std::vector<std::string> names;
+  for (const NamedLimit& limit : known_limits) names.emplace_back(limit.name);
+  return names;
+}
+
 std::vector<std::pair<std::string, bool>> listFeatures(const Capabilities& capabilities) {
   std::vector<std::pair<std::string, bool>> features;
   features.reserve(known_features.size());

@@ -19,19 +19,32 @@ Result<OpenedBackend> opened(Made made, std::string choice = {}) {
 
 bool isHardware(const Made& made) { return made && (*made)->info().device.type != "cpu"; }
 
+// Compute comes first: it is the faster of the two on lavapipe, where geometry shaders
+// run on one thread. Where only the other one can run, that.
+Result<OpenedBackend> openVulkan(const BackendOptions& options) {
+  auto compute = makeVulkanComputeBackend(options);
+  if (compute) {
+    return opened(std::move(compute),
+                  "vulkan took vulkan-compute: it needs no geometry shader and runs on all threads");
+  }
+  auto geometry = makeVulkanGeometryBackend(options);
+  if (!geometry) return tl::unexpected(compute.error());
+  return opened(std::move(geometry), fmt::format("vulkan took vulkan-geometry: vulkan-compute failed ({})",
+                                                 compute.error().message));
+}
+
 Result<OpenedBackend> openAuto(const BackendOptions& options) {
-  auto vulkan = makeVulkanGeometryBackend(options);
-  if (isHardware(vulkan))
-    return opened(std::move(vulkan), "auto took vulkan-geometry: it has a hardware device");
+  auto vulkan = openVulkan(options);
+  const auto took = [&](std::string_view why) -> Result<OpenedBackend> {
+    vulkan->choice = fmt::format("auto took {}: {}", vulkan->backend->info().device.backend, why);
+    return std::move(vulkan);
+  };
+  if (vulkan && vulkan->backend->info().device.type != "cpu") return took("it has a hardware device");
   auto opengl = makeOpenGlBackend(options);
   if (isHardware(opengl)) {
     return opened(std::move(opengl), "auto took opengl: Vulkan has no hardware device here, OpenGL has");
   }
-  if (vulkan) {
-    return opened(std::move(vulkan),
-                  "auto took vulkan-geometry: no hardware device, and of the software drivers it alone uses "
-                  "all threads");
-  }
+  if (vulkan) return took("no hardware device, but a software driver for Vulkan");
   if (opengl) {
     return opened(
         std::move(opengl),
@@ -50,16 +63,17 @@ Result<OpenedBackend> openBackend(const BackendOptions& options) {
   if (auto known = applyMask(any, options.mask); !known) return tl::unexpected(known.error());
   const auto& name = options.name;
   if (name == "auto") return openAuto(options);
+  if (name == "vulkan") return openVulkan(options);
   if (name == "vulkan-geometry") return opened(makeVulkanGeometryBackend(options));
-  if (name == "vulkan") {
-    return opened(makeVulkanGeometryBackend(options),
-                  "vulkan took vulkan-geometry: it is the Vulkan pipeline that draws");
-  }
+  if (name == "vulkan-compute") return opened(makeVulkanComputeBackend(options));
   if (name == "opengl") return opened(makeOpenGlBackend(options));
-  if (name == "cpu") return opened(makeCpuBackend(options));
+  if (name == "cpu") {
+    if (auto known = checkCpuDevice(options.device); !known) return tl::unexpected(known.error());
+    return opened(makeCpuBackend(options));
+  }
   return tl::unexpected(Error{
       ErrorCode::input, fmt::format("there is no backend \"{}\"; known are auto, vulkan, vulkan-geometry, "
-                                    "opengl, cpu",
+                                    "vulkan-compute, opengl, cpu",
                                     name)});
 }
 
@@ -67,6 +81,10 @@ std::unique_ptr<Backend> openJudge(int threads) {
   BackendOptions options;
   options.threads = threads;
   return makeCpuBackend(options);
+}
+
+std::vector<std::string> backendNames() {
+  return {"auto", "vulkan", "vulkan-geometry", "vulkan-compute", "opengl", "cpu"};
 }
 
 std::vector<DeviceInfo> devices(const Mask& mask) {

@@ -12,13 +12,13 @@ struct OpenedBackend {
   std::string choice;  ///< why this one, where the name left a choice
 };
 
-/// Opens `options.name`: a registry name (vulkan-geometry, opengl, cpu), "vulkan" (the Vulkan
-/// pipeline that is fastest for a picture) or "auto" (a hardware device through Vulkan, then
-/// through OpenGL; without one the fastest software). Errors: an unknown name (input); no such
-/// device (device).
+/// Opens `options.name`: a registry name (vulkan-geometry, vulkan-compute, opengl, cpu), "vulkan"
+/// (vulkan-compute, or vulkan-geometry where only that can run) or "auto" (a hardware device through
+/// Vulkan, then through OpenGL; without one Vulkan's software driver, OpenGL's, cpu). Errors: an unknown name
+/// (input); no such device (device).
 Result<OpenedBackend> openBackend(const BackendOptions& options);
 
-/// The backend that clips in double: the judge of the others.
+/// The backend that clips in double and decides exactly: the judge of the others.
 std::unique_ptr<Backend> openJudge(int threads);
 
 }  // namespace vorpipe

@@ -2,17 +2,25 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cctype>
 #include <fstream>
 #include <optional>
 
-#include "backend/cpu/cells.h"
+#include "backend/cpu/batch_cells.h"
+#include "backend/cpu/exact_cells.h"
+#include "backend/cpu/grid_cells.h"
+#include "backend/cpu/near_cells.h"
 #include "backend/cpu/picture.h"
+#include "backend/cpu/tree_cells.h"
 #include "backend/view_uniform.h"
 #include "layout.glsl"
 #include "parallel.h"
 
 namespace vorpipe {
 namespace {
+
+/// A tree over all sites is worth its while from one cell for so many on.
+constexpr std::size_t sites_per_few = 256;
 
 std::string processorName() {
   std::ifstream info("/proc/cpuinfo");
@@ -29,18 +37,35 @@ class CpuBackend final : public Backend {
   explicit CpuBackend(int threads) : threads_(threads) {
     info_.device = cpuDevice();
     info_.max_view = 32768;
+    info_.max_sites = std::numeric_limits<std::int32_t>::max();
+    info_.max_bins = std::numeric_limits<std::int32_t>::max() - 1;
     info_.max_lines = std::uint64_t{1} << 26;
-    info_.max_entries = 1u << 20;
+    info_.max_entries = 1u << 24;
     info_.most_edges = EDGES_MOST;
   }
 
   const BackendInfo& info() const override { return info_; }
 
-  Result<void> upload(const SiteSet& sites) override {
+  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override {
     sites_ = &sites;
-    nearest_.emplace(sites);
-    const auto last = std::max_element(sites.id.begin(), sites.id.end());
-    shade_.assign(last == sites.id.end() ? 0 : *last + std::size_t{1}, 0);
+    shade_ = shade;
+    nearest_.reset();
+    tree_.reset();
+    return {};
+  }
+
+  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) override {
+    assert(sites_ != nullptr);
+    if (effort == Effort::fast || effort == Effort::roomy) {
+      cpu::findOnGrid(*sites_, which, effort, threads_, out);
+      return {};
+    }
+    judge(which, effort == Effort::exact ? cpu::findExactly : cpu::findInDouble, out);
+    return {};
+  }
+
+  Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) override {
+    cpu::clipNeighborhoods(batch, threads_, out);
     return {};
   }
 
@@ -49,37 +74,60 @@ class CpuBackend final : public Backend {
     return {};
   }
 
-  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Room room,
+  Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
                     std::span<CellStatus> status) override {
-    const auto uniform = viewUniform(view_, info_.subpixel_bits);
-    cpu::clipStatuses(batch, uniform.outset_x, uniform.outset_y, room, threads_, status);
-    for (const auto& mark : marks) shade_[mark.id] = static_cast<std::uint8_t>(mark.shade);
+    assert(sites_ != nullptr);
+    const auto uniform = viewUniform(view_, info_.subpixel_bits, sites_->domain);
+    cpu::statusesOnGrid(*sites_, which, effort, uniform.outset_x, uniform.outset_y, threads_, status);
+    return {};
+  }
+
+  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark>, Effort effort,
+                    std::span<CellStatus> status) override {
+    const auto uniform = viewUniform(view_, info_.subpixel_bits, sites_->domain);
+    cpu::clipStatuses(batch, uniform.outset_x, uniform.outset_y, effort, threads_, status);
     return {};
   }
 
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override {
-    assert(nearest_ && ids.size() == rgba.size());
+    assert(sites_ != nullptr && ids.size() == rgba.size());
+    if (!nearest_) nearest_.emplace(*sites_);
     cpu::nearestSites(*nearest_, view_, threads_, ids);
     parallelFor(ids.size(), 1 << 16, threads_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        ids[i] = sites_->id[ids[i]];
         rgba[i] = view_.palette[shade_[ids[i]]];
+        ids[i] = sites_->id[ids[i]];
       }
     });
     return {};
   }
 
-  Result<void> cells(const CellBatch<double>& batch, CellPolygons& out) override {
-    cpu::clipPolygons(batch, threads_, out);
-    return {};
+ private:
+  /// Finds cells over the tree. For a few, among many sites, the tree would take longer than they do.
+  void judge(std::span<const std::uint32_t> which, cpu::FindOverTree find, Neighborhoods& out) {
+    std::vector<std::uint32_t> left;
+    const bool few = !tree_ && which.size() < sites_->size() / sites_per_few;
+    if (few) {
+      cpu::findNearby(*sites_, which, find, threads_, out);
+      for (std::size_t e = 0; e < which.size(); ++e) {
+        if (out.status[e] == CellStatus::unsecured) left.push_back(which[e]);
+      }
+      if (left.empty()) return;
+      which = left;
+    }
+    if (!tree_) tree_.emplace(*sites_, threads_);
+    if (!few) return find(*sites_, *tree_, which, threads_, out);
+    Neighborhoods anew;
+    find(*sites_, *tree_, which, threads_, anew);
+    cpu::replaceUnsecured(anew, out);
   }
 
- private:
   int threads_;
   BackendInfo info_;
   const SiteSet* sites_ = nullptr;
-  std::optional<cpu::NearestSite> nearest_;
-  std::vector<std::uint8_t> shade_;  // by site, in input order
+  std::optional<cpu::NearestSite> nearest_;  // made when first asked
+  std::optional<cpu::SiteTree> tree_;        // made when first asked
+  std::span<const std::uint8_t> shade_;
   View view_{};
 };
 
@@ -94,6 +142,18 @@ DeviceInfo cpuDevice() {
   device.usable = true;
   device.limits = {{"threads", static_cast<std::uint64_t>(threadCount(0))}};
   return device;
+}
+
+Result<void> checkCpuDevice(std::string_view wanted) {
+  const auto name = processorName();
+  const auto same = [](char a, char b) {
+    return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
+  };
+  const bool is_part =
+      std::search(name.begin(), name.end(), wanted.begin(), wanted.end(), same) != name.end();
+  if (wanted == "0" || is_part) return {};
+  return tl::unexpected(Error{
+      ErrorCode::device, "cpu: there is no device '" + std::string(wanted) + "', only 0 '" + name + "'"});
 }
 
 std::unique_ptr<Backend> makeCpuBackend(const BackendOptions& options) {

@@ -7,9 +7,13 @@
 
 namespace vorpipe {
 
-/// Never fails. Statuses are clipped in float, as on a GPU; cells in double; pictures ask for every
-/// pixel center, in double, which site is nearest.
+/// Never fails. Cells in float are found by the shared walk over the grid, as on a GPU; in double and
+/// exactly over a tree. Pictures ask for every pixel center, in double, which site is nearest.
 std::unique_ptr<Backend> makeCpuBackend(const BackendOptions& options);
+
+/// Whether `wanted` (BackendOptions::device) means the one device of this backend: empty, 0 or a part of
+/// its name, in any case. Error (device) otherwise.
+Result<void> checkCpuDevice(std::string_view wanted);
 
 /// The one device of this backend.
 DeviceInfo cpuDevice();

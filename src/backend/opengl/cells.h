@@ -1,26 +1,27 @@
-/// The pipeline that hands cells back as data.
+/// The pipelines that hand cells back as data.
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "backend/backend.h"
-#include "backend/opengl/batch.h"
 #include "backend/opengl/feedback.h"
 #include "backend/opengl/gl.h"
+#include "backend/opengl/shader.h"
 
 namespace vorpipe::opengl {
 
 class Cells {
  public:
-  /// Compiles the pipeline in the current context. Error (device): the driver's log.
-  static Result<Cells> create();
+  Cells() : feedback_(GL_POINTS) {}
 
-  /// Clips the entries, in float, and replaces out. Takes a complete framebuffer and a view that are bound,
-  /// and leaves both alone. Errors (device): out of memory; the device failed.
-  Result<void> run(const CellBatch<double>& batch, Batch& on_device, CellPolygons& out);
+  /// Clips the entries or sites that were sent, `count` of them, and replaces out. Lists of lines are
+  /// clipped with the most room. Takes a complete framebuffer and a view that are bound, and leaves both
+  /// alone. Errors (device): out of memory; the device failed; the driver refuses the shaders.
+  Result<void> run(Entries entries, Effort effort, std::size_t count, Neighborhoods& out);
 
  private:
-  explicit Cells(GLuint program);
-
-  GLuint program_;
+  std::array<Program, programs> made_;
   Feedback feedback_;
 };
 

@@ -10,6 +10,7 @@
 
 #include "backend/opengl/geometry.h"
 #include "backend/opengl/gl.h"
+#include "layout.glsl"
 
 namespace vorpipe::opengl {
 namespace {
@@ -67,7 +68,7 @@ Capabilities capabilitiesOfCurrent() {
 
 // Why the backend cannot use a device of these capabilities; empty if it can.
 std::string shortcoming(const Capabilities& c) {
-  const auto edges = static_cast<std::uint64_t>(edgesOf(Room::most));
+  const auto edges = std::uint64_t{EDGES_MOST};
   const auto too_small = [](std::string_view name, std::uint64_t has, std::uint64_t needs) {
     return fmt::format("{} is {}, and {} is needed; use another backend", name, has, needs);
   };
@@ -172,18 +173,20 @@ Result<Device> chooseDevice(std::vector<Device> devices, std::string_view wanted
 BackendInfo backendInfo(const Device& device) {
   // Core draws larger pictures in parts of this size.
   constexpr std::uint64_t largest_view = 4096;
-  // As much as a batch may hold where the device sets no lower limit: 256 MiB of lines, 192 MiB of
-  // entries and marks.
-  constexpr std::uint64_t most_lines = std::uint64_t{1} << 24;
+  // As much as an upload and a batch may hold where the device sets no lower limit: 256 MiB of sites or
+  // lines, 192 MiB of entries and marks.
+  constexpr std::uint64_t most_texels = std::uint64_t{1} << 24;
   constexpr std::uint32_t most_entries = std::uint32_t{1} << 22;
   const Capabilities& c = device.capabilities;
   BackendInfo info;
   info.device = device.info;
   info.max_view = static_cast<int>(
       std::min({largest_view, c.max_image_dimension_2d, c.max_framebuffer_width, c.max_framebuffer_height}));
-  info.max_lines = std::min(c.max_texel_buffer_elements, most_lines);
+  info.max_sites = std::min(c.max_texel_buffer_elements, most_texels);
+  info.max_bins = info.max_sites - 1;
+  info.max_lines = info.max_sites;
   info.max_entries = most_entries;
-  info.most_edges = edgesOf(Room::most);
+  info.most_edges = EDGES_MOST;
   info.subpixel_bits = device.subpixel_bits;
   return info;
 }

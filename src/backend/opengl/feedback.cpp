@@ -22,16 +22,12 @@ tl::unexpected<Error> broken(std::string_view what) {
 
 }  // namespace
 
-Feedback::Feedback(GLenum primitive, std::size_t primitive_bytes)
-    : primitive_(primitive),
-      primitive_bytes_(primitive_bytes),
-      buffer_(GL_TRANSFORM_FEEDBACK_BUFFER, GL_STREAM_READ) {
+Feedback::Feedback(GLenum primitive)
+    : primitive_(primitive), buffer_(GL_TRANSFORM_FEEDBACK_BUFFER, GL_STREAM_READ) {
   glGenQueries(static_cast<GLsizei>(queries_.size()), queries_.data());
 }
 
-std::size_t Feedback::entriesAtOnce(std::size_t primitives) const {
-  return capacity_bytes / (primitive_bytes_ * primitives);
-}
+std::size_t Feedback::entriesAtOnce(std::size_t entry_bytes) { return capacity_bytes / entry_bytes; }
 
 void Feedback::begin() {
   buffer_.reserve(capacity_bytes);
@@ -41,14 +37,15 @@ void Feedback::begin() {
   glBeginTransformFeedback(primitive_);
 }
 
-Result<void> Feedback::end(const std::function<bool(std::span<const std::byte>)>& read) const {
+Result<void> Feedback::end(std::size_t primitive_bytes,
+                           const std::function<bool(std::span<const std::byte>)>& read) const {
   glEndTransformFeedback();
   glEndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
   glEndQuery(GL_PRIMITIVES_GENERATED);
   const std::size_t written = resultOf(queries_[1]);
   if (resultOf(queries_[0]) != written) return broken("lost a part of the answer");
   if (written == 0) return {};
-  const std::size_t bytes = written * primitive_bytes_;
+  const std::size_t bytes = written * primitive_bytes;
   const auto* start = static_cast<const std::byte*>(
       glMapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, static_cast<GLsizeiptr>(bytes), GL_MAP_READ_BIT));
   if (start == nullptr) return broken("cannot be read");

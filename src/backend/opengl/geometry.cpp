@@ -1,10 +1,9 @@
 #include "backend/opengl/geometry.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
 
-#include "backend/opengl/shader.h"
+#include "backend/cell_answers.h"
 #include "layout.glsl"
 #include "shaders.h"
 
@@ -18,9 +17,14 @@ struct Record {
 
 constexpr std::size_t triangle_bytes = 3 * sizeof(Record);
 
-Result<GLuint> linkPipeline(std::string_view geometry) {
+ProgramText textOf(Entries entries, bool fast) {
   static constexpr std::array<const char*, 1> captured = {"cell_status"};
-  return linkProgram({shaders::cell_vert_410(), geometry, shaders::cell_frag_410(), captured});
+  if (entries == Entries::lists) {
+    const auto geometry = fast ? shaders::cell_list_fast_410() : shaders::cell_list_roomy_410();
+    return {shaders::cell_vert_410(), geometry, shaders::cell_frag_410(), captured};
+  }
+  const auto geometry = fast ? shaders::cell_grid_fast_410() : shaders::cell_grid_roomy_410();
+  return {shaders::site_vert_410(), geometry, shaders::cell_frag_410(), captured};
 }
 
 bool readStatuses(std::span<const std::byte> triangles, std::span<CellStatus> status) {
@@ -28,8 +32,8 @@ bool readStatuses(std::span<const std::byte> triangles, std::span<CellStatus> st
   for (std::size_t at = 0; at < triangles.size(); at += triangle_bytes) {
     Record record;
     std::memcpy(&record, &triangles[at], sizeof(record));
-    const bool known = record.entry < status.size() && record.status <= static_cast<GLuint>(CellStatus::open);
-    if (known) status[record.entry] = static_cast<CellStatus>(record.status);
+    const bool known = record.entry < status.size();
+    if (known) status[record.entry] = statusIn(record.status);
     sane = sane && known;
   }
   return sane;
@@ -37,33 +41,22 @@ bool readStatuses(std::span<const std::byte> triangles, std::span<CellStatus> st
 
 }  // namespace
 
-int edgesOf(Room room) { return room == Room::fast ? EDGES_FAST : EDGES_MOST; }
-
-Result<Geometry> Geometry::create() {
-  const auto fast = linkPipeline(shaders::cell_geom_fast_410());
-  if (!fast) return tl::unexpected(fast.error());
-  const auto most = linkPipeline(shaders::cell_geom_most_410());
-  if (!most) return tl::unexpected(most.error());
-  return Geometry(*fast, *most);
-}
-
-Geometry::Geometry(GLuint fast, GLuint most)
-    : fast_(fast), most_(most), feedback_(GL_TRIANGLES, triangle_bytes) {}
-
-Result<void> Geometry::draw(Room room, std::span<CellStatus> status) {
+Result<void> Geometry::draw(Entries entries, Effort effort, std::span<CellStatus> status) {
   std::ranges::fill(status, CellStatus::missing);
-  glUseProgram(room == Room::fast ? fast_ : most_);
+  const bool fast = effort == Effort::fast;
+  if (auto used = made_[programOf(entries, effort)].use(textOf(entries, fast)); !used) return used;
   const std::size_t count = status.size();
-  const std::size_t at_once = feedback_.entriesAtOnce(static_cast<std::size_t>(edgesOf(room)) - 2);
+  const std::size_t triangles = fast ? EDGES_FAST - 2 : EDGES_MOST - 2;
+  const std::size_t at_once = feedback_.entriesAtOnce(triangles * triangle_bytes);
   for (std::size_t first = 0; first < count; first += at_once) {
     feedback_.begin();
     glDrawArrays(GL_POINTS, static_cast<GLint>(first),
                  static_cast<GLsizei>(std::min(at_once, count - first)));
     const auto read = [status](std::span<const std::byte> said) { return readStatuses(said, status); };
-    if (auto answered = feedback_.end(read); !answered) return answered;
+    if (auto answered = feedback_.end(triangle_bytes, read); !answered) return answered;
   }
   glFinish();
-  return takeErrors("drawing a batch");
+  return takeErrors("drawing cells");
 }
 
 }  // namespace vorpipe::opengl

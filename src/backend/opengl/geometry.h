@@ -1,34 +1,31 @@
-/// The pipelines that draw: entries in, triangle strips and statuses out.
+/// The pipelines that draw: entries or sites in, triangle strips and statuses out.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 
 #include "backend/backend.h"
 #include "backend/opengl/feedback.h"
 #include "backend/opengl/gl.h"
+#include "backend/opengl/shader.h"
 
 namespace vorpipe::opengl {
-
-/// Room for edges in each pipeline.
-int edgesOf(Room room);
 
 /// Components that one vertex of a strip writes: position, mark, status.
 inline constexpr int components_per_vertex = 8;
 
 class Geometry {
  public:
-  /// Compiles the pipelines in the current context. Error (device): the driver's log.
-  static Result<Geometry> create();
+  Geometry() : feedback_(GL_TRIANGLES) {}
 
-  /// Clips the entries of the batch that was sent and draws them into what is bound. status has one element
-  /// per entry; one that the device does not answer becomes `missing`.
-  Result<void> draw(Room room, std::span<CellStatus> status);
+  /// Clips the entries or sites that were sent and draws them into what is bound. status has one element
+  /// for each; one that the device does not answer becomes `missing`. Errors (device): the device failed;
+  /// the driver refuses the shaders.
+  Result<void> draw(Entries entries, Effort effort, std::span<CellStatus> status);
 
  private:
-  Geometry(GLuint fast, GLuint most);
-
-  GLuint fast_, most_;
+  std::array<Program, programs> made_;
   Feedback feedback_;
 };
 

@@ -13,16 +13,20 @@
 #include "backend/opengl/geometry.h"
 #include "backend/opengl/gl.h"
 #include "backend/opengl/picture.h"
+#include "backend/opengl/sites.h"
+#include "backend/to_float.h"
 
 namespace vorpipe {
 namespace {
 
 using opengl::Context;
+using opengl::Entries;
 
 // All that lives in the context, which owns it.
 struct Resources {
   opengl::Picture picture;
   opengl::Batch batch;
+  opengl::Sites sites;
   opengl::Geometry geometry;
   opengl::Cells cells;
 };
@@ -33,12 +37,8 @@ Result<Resources> makeResources(int subpixel_bits) {
   glDisable(GL_MULTISAMPLE);
   auto picture = opengl::Picture::create(subpixel_bits);
   if (!picture) return tl::unexpected(picture.error());
-  auto geometry = opengl::Geometry::create();
-  if (!geometry) return tl::unexpected(geometry.error());
-  auto cells = opengl::Cells::create();
-  if (!cells) return tl::unexpected(cells.error());
-  Resources resources{std::move(*picture), {}, std::move(*geometry), std::move(*cells)};
-  if (auto made = opengl::takeErrors("making the pipelines"); !made) return tl::unexpected(made.error());
+  Resources resources{std::move(*picture), {}, {}, {}, {}};
+  if (auto made = opengl::takeErrors("making buffers"); !made) return tl::unexpected(made.error());
   return resources;
 }
 
@@ -49,17 +49,45 @@ class OpenGlBackend final : public Backend {
 
   const BackendInfo& info() const override { return info_; }
 
-  // Entries bring all that the geometry pipeline needs to know about a site.
-  Result<void> upload(const SiteSet&) override { return {}; }
+  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override {
+    assert(sites.size() <= info_.max_sites && sites.grid.first.size() <= info_.max_bins + 1);
+    const auto scope = context_.enter();
+    if (!scope) return tl::unexpected(scope.error());
+    gl_.picture.setDomain(sites.domain);
+    return gl_.sites.upload(sites, shade);
+  }
+
+  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) override {
+    assert(which.size() <= info_.max_entries);
+    return findCells(
+        Entries::sites, effort, which.size(), [&] { return gl_.sites.send(which); }, out);
+  }
+
+  Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) override {
+    assert(batch.lines.size() <= info_.max_lines && batch.entries.size() <= info_.max_entries);
+    return findCells(
+        Entries::lists, Effort::roomy, batch.entries.size(),
+        [&] { return gl_.batch.send(toFloat(batch), {}); }, out);
+  }
 
   Result<void> begin(const View& view) override {
     assert(std::max(view.width, view.height) <= info_.max_view);
     const auto scope = context_.enter();
     if (!scope) return tl::unexpected(scope.error());
-    return gl_.picture.begin(view, info_.subpixel_bits);
+    return gl_.picture.begin(view);
   }
 
-  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Room room,
+  Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
+                    std::span<CellStatus> status) override {
+    assert(status.size() == which.size() && which.size() <= info_.max_entries);
+    const auto scope = context_.enter();
+    if (!scope) return tl::unexpected(scope.error());
+    gl_.picture.bind();
+    if (auto sent = gl_.sites.send(which); !sent) return sent;
+    return gl_.geometry.draw(Entries::sites, effort, status);
+  }
+
+  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
                     std::span<CellStatus> status) override {
     assert(batch.lines.size() <= info_.max_lines && batch.entries.size() <= info_.max_entries);
     assert(marks.size() == batch.entries.size() && status.size() == batch.entries.size());
@@ -67,7 +95,7 @@ class OpenGlBackend final : public Backend {
     if (!scope) return tl::unexpected(scope.error());
     gl_.picture.bind();
     if (auto sent = gl_.batch.send(batch, marks); !sent) return sent;
-    return gl_.geometry.draw(room, status);
+    return gl_.geometry.draw(Entries::lists, effort, status);
   }
 
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override {
@@ -76,21 +104,24 @@ class OpenGlBackend final : public Backend {
     return gl_.picture.read(rgba, ids);
   }
 
-  Result<void> cells(const CellBatch<double>& batch, CellPolygons& out) override {
-    assert(batch.lines.size() <= info_.max_lines && batch.entries.size() <= info_.max_entries);
+ private:
+  // send puts `count` entries on the device.
+  template <class Send>
+  Result<void> findCells(Entries entries, Effort effort, std::size_t count, const Send& send,
+                         Neighborhoods& out) {
     const auto scope = context_.enter();
     if (!scope) return tl::unexpected(scope.error());
     gl_.picture.bind();
     try {
-      return gl_.cells.run(batch, gl_.batch, out);
+      if (auto sent = send(); !sent) return sent;
+      return gl_.cells.run(entries, effort, count, out);
     } catch (const std::bad_alloc&) {
-      return tl::unexpected(Error{
-          ErrorCode::device, fmt::format("opengl: not enough memory for {} cells; ask for fewer at a time",
-                                         batch.entries.size())});
+      return tl::unexpected(
+          Error{ErrorCode::device,
+                fmt::format("opengl: not enough memory for {} cells; ask for fewer at a time", count)});
     }
   }
 
- private:
   BackendInfo info_;
   Context context_;
   Resources gl_;

@@ -19,18 +19,19 @@ constexpr GLenum rgba_word = GL_UNSIGNED_INT_8_8_8_8_REV;
 
 }  // namespace
 
-Picture::Picture() : view_(GL_UNIFORM_BUFFER, GL_STREAM_DRAW), palette_(GL_RGBA8, palette_unit) {
+Picture::Picture(int subpixel_bits)
+    : subpixel_bits_(subpixel_bits),
+      view_(GL_UNIFORM_BUFFER, GL_STREAM_DRAW),
+      palette_(GL_RGBA8, palette_unit) {
   glGenFramebuffers(1, &framebuffer_);
   glGenRenderbuffers(1, &color_);
   glGenRenderbuffers(1, &id_);
 }
 
 Result<Picture> Picture::create(int subpixel_bits) {
-  Picture picture;
+  Picture picture(subpixel_bits);
   // Until the caller's first view: OpenGL draws nothing, and clips nothing, without a framebuffer.
-  if (auto made = picture.begin({{0, 0, 1, 1}, 1, 1, {}}, subpixel_bits); !made) {
-    return tl::unexpected(made.error());
-  }
+  if (auto made = picture.begin(picture.shown_); !made) return tl::unexpected(made.error());
   return picture;
 }
 
@@ -59,12 +60,22 @@ Result<void> Picture::resize(int width, int height) {
   return {};
 }
 
-Result<void> Picture::begin(const View& view, int subpixel_bits) {
+void Picture::sendView() {
+  const ViewUniform uniform = viewUniform(shown_, subpixel_bits_, domain_);
+  view_.write(std::as_bytes(std::span(&uniform, 1)));
+}
+
+void Picture::setDomain(const Box& domain) {
+  domain_ = domain;
+  sendView();
+}
+
+Result<void> Picture::begin(const View& view) {
   if (view.width != width_ || view.height != height_) {
     if (auto sized = resize(view.width, view.height); !sized) return sized;
   }
-  const ViewUniform uniform = viewUniform(view, subpixel_bits);
-  view_.write(std::as_bytes(std::span(&uniform, 1)));
+  shown_ = view;
+  sendView();
   palette_.write(std::as_bytes(std::span(view.palette)));
   bind();
   constexpr std::array<GLfloat, 4> no_color = {0, 0, 0, 0};

@@ -16,7 +16,10 @@ class Picture {
   static Result<Picture> create(int subpixel_bits);
 
   /// Clears it, at the view's size, and hands the view to the shaders.
-  Result<void> begin(const View& view, int subpixel_bits);
+  Result<void> begin(const View& view);
+
+  /// Hands the view to the shaders as it lies to sites of that domain, now and from now on.
+  void setDomain(const Box& domain);
 
   /// Makes it what the next draw call draws into, with the view that begin() was given.
   void bind() const;
@@ -25,11 +28,15 @@ class Picture {
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) const;
 
  private:
-  Picture();
+  explicit Picture(int subpixel_bits);
+  void sendView();
   Result<void> resize(int width, int height);
 
   GLuint framebuffer_ = 0, color_ = 0, id_ = 0;
   int width_ = 0, height_ = 0;
+  int subpixel_bits_;
+  View shown_{{0, 0, 1, 1}, 1, 1, {}};
+  Box domain_{0, 0, 1, 1};
   Buffer view_;
   TexelBuffer palette_;
 };

@@ -40,18 +40,25 @@ Result<GLuint> compile(GLenum stage, std::string_view name, std::string_view tex
   return error;
 }
 
+// Binds the blocks and samplers that the program has.
 void bindByName(GLuint program) {
-  if (const GLuint view = glGetUniformBlockIndex(program, "View"); view != GL_INVALID_INDEX) {
-    glUniformBlockBinding(program, view, view_binding);
+  struct Named {
+    const char* name;
+    GLuint place;
+  };
+  for (const auto& [name, place] : {Named{"View", view_binding}, Named{"SiteGrid", grid_binding}}) {
+    const GLuint block = glGetUniformBlockIndex(program, name);
+    if (block != GL_INVALID_INDEX) glUniformBlockBinding(program, block, place);
   }
   glUseProgram(program);
-  glUniform1i(glGetUniformLocation(program, "lines"), static_cast<GLint>(lines_unit));
-  glUniform1i(glGetUniformLocation(program, "palette"), static_cast<GLint>(palette_unit));
+  for (const auto& [name, place] :
+       {Named{"lines", lines_unit}, Named{"palette", palette_unit}, Named{"sites", sites_unit},
+        Named{"bin_starts", bins_unit}, Named{"marks", marks_unit}}) {
+    glUniform1i(glGetUniformLocation(program, name), static_cast<GLint>(place));
+  }
 }
 
-}  // namespace
-
-Result<GLuint> linkProgram(const ProgramText& text) {
+Result<GLuint> link(const ProgramText& text) {
   struct Stage {
     GLenum kind;
     std::string_view name, text;
@@ -82,6 +89,22 @@ Result<GLuint> linkProgram(const ProgramText& text) {
   }
   bindByName(program);
   return program;
+}
+
+}  // namespace
+
+std::size_t programOf(Entries entries, Effort effort) {
+  return (entries == Entries::sites ? 2U : 0U) + (effort == Effort::fast ? 0U : 1U);
+}
+
+Result<void> Program::use(const ProgramText& text) {
+  if (name_ == 0) {
+    const auto linked = link(text);
+    if (!linked) return tl::unexpected(linked.error());
+    name_ = *linked;
+  }
+  glUseProgram(name_);
+  return {};
 }
 
 }  // namespace vorpipe::opengl

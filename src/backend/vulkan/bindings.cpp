@@ -2,6 +2,7 @@
 
 #include <array>
 #include <utility>
+#include <vector>
 
 #include "backend/vulkan/error.h"
 #include "backend/vulkan/structure.h"
@@ -9,18 +10,16 @@
 namespace vorpipe::vulkan {
 namespace {
 
-constexpr std::array<VkDescriptorSetLayoutBinding, 5> layout_bindings = {{
+constexpr std::array<VkDescriptorSetLayoutBinding, 9> layout_bindings = {{
     {BINDING_VIEW, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, VK_SHADER_STAGE_GEOMETRY_BIT, nullptr},
     {BINDING_LINES, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, VK_SHADER_STAGE_GEOMETRY_BIT, nullptr},
     {BINDING_PALETTE, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr},
     {BINDING_STATUS, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_GEOMETRY_BIT, nullptr},
-    {binding_edges, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_GEOMETRY_BIT, nullptr},
-}};
-
-constexpr std::array<VkDescriptorPoolSize, 3> pool_sizes = {{
-    {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1},
-    {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 2},
-    {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 2},
+    {BINDING_EDGES, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_GEOMETRY_BIT, nullptr},
+    {BINDING_GRID, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, VK_SHADER_STAGE_GEOMETRY_BIT, nullptr},
+    {BINDING_SITES, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, VK_SHADER_STAGE_GEOMETRY_BIT, nullptr},
+    {BINDING_BINS, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, VK_SHADER_STAGE_GEOMETRY_BIT, nullptr},
+    {BINDING_MARKS, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, VK_SHADER_STAGE_GEOMETRY_BIT, nullptr},
 }};
 
 VkWriteDescriptorSet writeTo(VkDescriptorSet set, std::uint32_t binding, VkDescriptorType type) {
@@ -34,43 +33,60 @@ VkWriteDescriptorSet writeTo(VkDescriptorSet set, std::uint32_t binding, VkDescr
 
 }  // namespace
 
-Result<Bindings> Bindings::create(const Device& device) {
+Result<Bindings> Bindings::create(const Device& device) { return create(device, layout_bindings, 0); }
+
+Result<Bindings> Bindings::create(const Device& device,
+                                  std::span<const VkDescriptorSetLayoutBinding> bindings,
+                                  std::uint32_t push_bytes) {
   const VolkDeviceTable& api = device.api();
-  Bindings bindings;
+  Bindings created;
   auto set_info =
       structure<VkDescriptorSetLayoutCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO);
-  set_info.bindingCount = static_cast<std::uint32_t>(layout_bindings.size());
-  set_info.pBindings = layout_bindings.data();
+  set_info.bindingCount = static_cast<std::uint32_t>(bindings.size());
+  set_info.pBindings = bindings.data();
   Result<Handle<VkDescriptorSetLayout>> set_layout =
       vulkan::create(device.handle(), api.vkCreateDescriptorSetLayout, api.vkDestroyDescriptorSetLayout,
                      set_info, "vkCreateDescriptorSetLayout");
   if (!set_layout) return tl::unexpected(std::move(set_layout).error());
-  bindings.set_layout_ = std::move(*set_layout);
-  const VkDescriptorSetLayout set_layout_object = bindings.set_layout_.get();
+  created.set_layout_ = std::move(*set_layout);
+  const VkDescriptorSetLayout set_layout_object = created.set_layout_.get();
+  const VkPushConstantRange push{VK_SHADER_STAGE_COMPUTE_BIT, 0, push_bytes};
   auto layout_info = structure<VkPipelineLayoutCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO);
   layout_info.setLayoutCount = 1;
   layout_info.pSetLayouts = &set_layout_object;
+  layout_info.pushConstantRangeCount = push_bytes > 0 ? 1 : 0;
+  layout_info.pPushConstantRanges = &push;
   Result<Handle<VkPipelineLayout>> layout =
       vulkan::create(device.handle(), api.vkCreatePipelineLayout, api.vkDestroyPipelineLayout, layout_info,
                      "vkCreatePipelineLayout");
   if (!layout) return tl::unexpected(std::move(layout).error());
-  bindings.layout_ = std::move(*layout);
+  created.layout_ = std::move(*layout);
+  VORPIPE_TRY(created.allocateSet(device, bindings));
+  return created;
+}
+
+Result<void> Bindings::allocateSet(const Device& device,
+                                   std::span<const VkDescriptorSetLayoutBinding> bindings) {
+  const VolkDeviceTable& api = device.api();
+  std::vector<VkDescriptorPoolSize> sizes;
+  for (const VkDescriptorSetLayoutBinding& binding : bindings) {
+    sizes.push_back({binding.descriptorType, binding.descriptorCount});
+  }
   auto pool_info = structure<VkDescriptorPoolCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO);
   pool_info.maxSets = 1;
-  pool_info.poolSizeCount = static_cast<std::uint32_t>(pool_sizes.size());
-  pool_info.pPoolSizes = pool_sizes.data();
+  pool_info.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
+  pool_info.pPoolSizes = sizes.data();
   Result<Handle<VkDescriptorPool>> pool =
       vulkan::create(device.handle(), api.vkCreateDescriptorPool, api.vkDestroyDescriptorPool, pool_info,
                      "vkCreateDescriptorPool");
   if (!pool) return tl::unexpected(std::move(pool).error());
-  bindings.pool_ = std::move(*pool);
-  auto allocate_info = structure<VkDescriptorSetAllocateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO);
-  allocate_info.descriptorPool = bindings.pool_.get();
-  allocate_info.descriptorSetCount = 1;
-  allocate_info.pSetLayouts = &set_layout_object;
-  VORPIPE_TRY(check(api.vkAllocateDescriptorSets(device.handle(), &allocate_info, &bindings.set_),
-                    "vkAllocateDescriptorSets"));
-  return bindings;
+  pool_ = std::move(*pool);
+  const VkDescriptorSetLayout set_layout = set_layout_.get();
+  auto info = structure<VkDescriptorSetAllocateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO);
+  info.descriptorPool = pool_.get();
+  info.descriptorSetCount = 1;
+  info.pSetLayouts = &set_layout;
+  return check(api.vkAllocateDescriptorSets(device.handle(), &info, &set_), "vkAllocateDescriptorSets");
 }
 
 void Bindings::setUniform(const Device& device, std::uint32_t binding, VkBuffer buffer) {

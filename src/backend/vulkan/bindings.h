@@ -3,18 +3,22 @@
 
 #include <volk.h>
 
+#include <cstdint>
+#include <span>
+
 #include "backend/vulkan/device.h"
 #include "backend/vulkan/handle.h"
 #include "layout.glsl"
 
 namespace vorpipe::vulkan {
 
-/// Of edges.geom alone, after those of layout.glsl.
-inline constexpr std::uint32_t binding_edges = BINDING_STATUS + 1;
-
 class Bindings {
  public:
+  /// The bindings of the geometry pipelines.
   static Result<Bindings> create(const Device& device);
+  /// These bindings; with push constants of so many bytes for compute shaders, unless that is 0.
+  static Result<Bindings> create(const Device& device, std::span<const VkDescriptorSetLayoutBinding> bindings,
+                                 std::uint32_t push_bytes);
 
   // The device must not be using the set.
   void setUniform(const Device& device, std::uint32_t binding, VkBuffer buffer);
@@ -26,6 +30,7 @@ class Bindings {
 
  private:
   Bindings() = default;
+  Result<void> allocateSet(const Device& device, std::span<const VkDescriptorSetLayoutBinding> bindings);
 
   Handle<VkDescriptorSetLayout> set_layout_;
   Handle<VkPipelineLayout> layout_;

@@ -2,10 +2,12 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cstring>
 #include <new>
+#include <string>
 #include <utility>
 
+#include "backend/cell_answers.h"
+#include "backend/to_float.h"
 #include "backend/vulkan/error.h"
 #include "backend/vulkan/geometry.h"
 #include "backend/vulkan/structure.h"
@@ -13,67 +15,62 @@
 namespace vorpipe::vulkan {
 namespace {
 
-// One edge as edges.geom writes it.
-struct EdgeRecord {
-  float x, y;
-  std::int32_t line;
-  std::uint32_t count;  ///< edges of the entry
-};
-constexpr std::size_t entry_bytes = EDGES_MOST * sizeof(EdgeRecord);
-
-// Entries whose edges are on the device at one time: some 10 MiB of them.
+// Entries whose neighbors are on the device at one time: some 3 MiB of them.
 constexpr std::size_t slice_entries = 65536;
 
-CellBatch<float>::Entry toFloat(const CellBatch<double>::Entry& entry) {
-  const auto f = [](double value) { return static_cast<float>(value); };
-  return {entry.first,   entry.count,    f(entry.west),  f(entry.south),
-          f(entry.east), f(entry.north), f(entry.reach), f(entry.shift)};
-}
-
-Line<float> toFloat(const Line<double>& line) {
-  const auto f = [](double value) { return static_cast<float>(value); };
-  return {f(line.nx), f(line.ny), f(line.h), f(line.bound)};
-}
-
-// Converts into mapped memory, which holds no objects yet.
-template <class To, class From>
-void convert(const std::vector<From>& from, std::byte* to) {
-  for (std::size_t k = 0; k < from.size(); k++) {
-    const To converted = toFloat(from[k]);
-    std::memcpy(to + k * sizeof(To), &converted, sizeof(To));
-  }
+tl::unexpected<Error> outOfMemory(std::size_t cells) {
+  return deviceError("not enough memory for " + std::to_string(cells) +
+                     " cells: free some, or ask for fewer cells at a time");
 }
 
 }  // namespace
 
-Result<void> GeometryBackend::cells(const CellBatch<double>& batch, CellPolygons& out) {
+Result<void> GeometryBackend::cells(const CellBatch<double>& batch, Neighborhoods& out) {
   try {
-    out = {};
-    out.first.push_back(0);
-    return runCells(batch, out);
+    const DrawMark any{};
+    VORPIPE_TRY(sendBatch(toFloat(batch), std::span(&any, 1)));
+    return findCells({Effort::roomy, Entries::lists, entries_.get(), sizeof(CellBatch<float>::Entry),
+                      batch.entries.size()},
+                     out);
   } catch (const std::bad_alloc&) {
-    return deviceError("not enough memory for " + std::to_string(batch.entries.size()) +
-                       " cells: free some, or ask for fewer cells at a time");
+    return outOfMemory(batch.entries.size());
   }
 }
 
-Result<void> GeometryBackend::runCells(const CellBatch<double>& batch, CellPolygons& out) {
-  const std::size_t count = batch.entries.size();
-  if (count == 0) return {};
+Result<void> GeometryBackend::cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) {
+  assert(effort == Effort::fast || effort == Effort::roomy);
+  try {
+    VORPIPE_TRY(sendWhich(which));
+    return findCells({effort, Entries::sites, which_.get(), sizeof(which[0]), which.size()}, out);
+  } catch (const std::bad_alloc&) {
+    return outOfMemory(which.size());
+  }
+}
+
+// Clips the entries in a vertex buffer, slice by slice.
+Result<void> GeometryBackend::findCells(const CellWork& work, Neighborhoods& out) {
+  out = {};
+  out.first.push_back(0);
+  if (work.count == 0) return {};
   VORPIPE_TRY(createEmptyFramebuffer());
-  VORPIPE_TRY(reserveBatch(count, 1, batch.lines.size()));
-  convert<CellBatch<float>::Entry>(batch.entries, entries_.data());
-  convert<Line<float>>(batch.lines, lines_.data());
+  const bool fast = work.effort == Effort::fast && work.entries == Entries::sites;
+  const std::size_t room = fast ? EDGES_FAST : EDGES_MOST;
+  const std::size_t row_bytes = room * sizeof(std::int32_t);
   const std::size_t range = info_.max_entries * sizeof(std::uint32_t);
-  const std::size_t slice = std::min({count, slice_entries, range / entry_bytes});
-  VORPIPE_TRY(edges_.reserve(device_, slice * entry_bytes, slice_entries * entry_bytes));
-  bindings_.setStorage(device_, binding_edges, edges_.get(), slice * entry_bytes);
-  const Result<VkPipeline> pipeline = pipelines_.edges(device_, bindings_.layout());
+  const std::size_t slice = std::min({work.count, slice_entries, range / row_bytes});
+  VORPIPE_TRY(reserveStatus(slice));
+  VORPIPE_TRY(edges_.reserve(device_, slice * row_bytes, slice_entries * EDGES_MOST * sizeof(std::int32_t)));
+  bindings_.setStorage(device_, BINDING_EDGES, edges_.get(), slice * row_bytes);
+  const Result<VkPipeline> pipeline =
+      pipelines_.edges(device_, bindings_.layout(), work.entries, work.effort);
   if (!pipeline) return tl::unexpected(pipeline.error());
-  for (std::size_t first = 0; first < count; first += slice) {
-    const std::size_t here = std::min(slice, count - first);
-    VORPIPE_TRY(run({*pipeline, pipelines_.emptyPass(), empty_framebuffer_.get(), {1, 1}}, first, here));
-    appendCells(here, out);
+  const VkBuffer second = work.entries == Entries::lists ? marks_.get() : work.vertices;
+  const Pass pass{*pipeline, pipelines_.emptyPass(),  empty_framebuffer_.get(),
+                  {1, 1},    {work.vertices, second}, work.stride};
+  for (std::size_t first = 0; first < work.count; first += slice) {
+    const std::size_t here = std::min(slice, work.count - first);
+    VORPIPE_TRY(run(pass, first, here));
+    append({here, room, host_status_.data(), sizeof(std::uint32_t), edges_.data(), row_bytes}, out);
   }
   return {};
 }
@@ -91,28 +88,6 @@ Result<void> GeometryBackend::createEmptyFramebuffer() {
   if (!framebuffer) return tl::unexpected(std::move(framebuffer).error());
   empty_framebuffer_ = std::move(*framebuffer);
   return {};
-}
-
-// Takes over the cells that run() has left in host_status_ and edges_.
-void GeometryBackend::appendCells(std::size_t count, CellPolygons& out) const {
-  std::array<EdgeRecord, EDGES_MOST> records{};
-  for (std::size_t entry = 0; entry < count; entry++) {
-    const CellStatus status = statusAt(entry);
-    const bool has_edges =
-        status == CellStatus::certified || status == CellStatus::unsecured || status == CellStatus::open;
-    std::size_t edge_count = 0;
-    if (has_edges) {
-      std::memcpy(records.data(), edges_.data() + entry * entry_bytes, entry_bytes);
-      edge_count = std::min<std::size_t>(records[0].count, EDGES_MOST);
-    }
-    for (std::size_t edge = 0; edge < edge_count; edge++) {
-      out.x.push_back(static_cast<double>(records[edge].x));
-      out.y.push_back(static_cast<double>(records[edge].y));
-      out.line.push_back(records[edge].line);
-    }
-    out.status.push_back(status);
-    out.first.push_back(static_cast<std::uint32_t>(out.x.size()));
-  }
 }
 
 }  // namespace vorpipe::vulkan

@@ -1,6 +1,7 @@
 #include "backend/vulkan/geometry.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cstring>
 #include <utility>
@@ -12,15 +13,12 @@
 namespace vorpipe::vulkan {
 namespace {
 
-// As much as a batch may hold where the device sets no lower limit: 256 MiB of lines, 16 MiB of
-// statuses.
-constexpr std::uint64_t most_lines = std::uint64_t{1} << 24;
+// As much as an upload and a batch may hold where the device sets no lower limit: 256 MiB of sites or
+// lines, 16 MiB of statuses.
+constexpr std::uint64_t most_texels = std::uint64_t{1} << 24;
 constexpr std::uint64_t most_entries = std::uint64_t{1} << 22;
 constexpr std::uint64_t largest_view = 4096;
 
-using Entry = CellBatch<float>::Entry;
-constexpr std::size_t line_bytes = sizeof(Line<float>);
-static_assert(line_bytes == 4 * sizeof(float));
 constexpr std::size_t status_bytes = sizeof(std::uint32_t);
 
 BackendInfo describe(const Physical& physical) {
@@ -29,7 +27,9 @@ BackendInfo describe(const Physical& physical) {
   info.device = physical.info;
   info.max_view = static_cast<int>(std::min(
       {largest_view, can.max_framebuffer_width, can.max_framebuffer_height, can.max_image_dimension_2d}));
-  info.max_lines = std::min(most_lines, can.max_texel_buffer_elements);
+  info.max_sites = std::min(most_texels, can.max_texel_buffer_elements);
+  info.max_bins = info.max_sites - 1;
+  info.max_lines = info.max_sites;
   info.max_entries =
       static_cast<std::uint32_t>(std::min(most_entries, can.max_storage_buffer_range / status_bytes));
   info.most_edges = EDGES_MOST;
@@ -50,7 +50,7 @@ Result<std::unique_ptr<Backend>> GeometryBackend::open(Instance instance, const 
                                                                std::move(*bindings), std::move(*pipelines),
                                                                describe(physical)));
   // cells() needs no view of the caller's, but the shaders read the block.
-  VORPIPE_TRY(backend->setView({{0, 0, 1, 1}, 1, 1, {}}));
+  VORPIPE_TRY(backend->setView(backend->shown_));
   return backend;
 }
 
@@ -68,6 +68,7 @@ GeometryBackend::GeometryBackend(Instance instance, Device device, Bindings bind
       marks_({"marks", VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, Placement::upload}),
       lines_({"lines", VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT, Placement::upload,
               VK_FORMAT_R32G32B32A32_SFLOAT}),
+      which_({"indices of sites", VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, Placement::upload}),
       status_({"statuses",
                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
                    VK_BUFFER_USAGE_TRANSFER_DST_BIT,
@@ -75,12 +76,17 @@ GeometryBackend::GeometryBackend(Instance instance, Device device, Bindings bind
       host_status_({"statuses", VK_BUFFER_USAGE_TRANSFER_DST_BIT, Placement::download}),
       edges_({"edges", VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Placement::download}) {}
 
-Result<void> GeometryBackend::upload(const SiteSet&) { return {}; }
+Result<void> GeometryBackend::upload(const SiteSet& sites, std::span<const std::uint8_t> shade) {
+  VORPIPE_TRY(sites_.upload(device_, bindings_, sites, shade, info_));
+  domain_ = sites.domain;
+  return setView(shown_);
+}
 
 Result<void> GeometryBackend::setView(const View& view) {
   VORPIPE_TRY(view_.reserve(device_, sizeof(ViewUniform), sizeof(ViewUniform)));
   VORPIPE_TRY(palette_.reserve(device_, sizeof(Palette), sizeof(Palette)));
-  const ViewUniform block = viewUniform(view, info_.subpixel_bits);
+  shown_ = view;
+  const ViewUniform block = viewUniform(view, info_.subpixel_bits, domain_);
   std::memcpy(view_.data(), &block, sizeof(block));
   std::memcpy(palette_.data(), view.palette.data(), sizeof(Palette));
   bindings_.setUniform(device_, BINDING_VIEW, view_.get());
@@ -97,38 +103,17 @@ Result<void> GeometryBackend::begin(const View& view) {
   return target_.clear(device_);
 }
 
-// Makes room for a batch and binds it.
-Result<void> GeometryBackend::reserveBatch(std::size_t entries, std::size_t marks, std::size_t lines) {
-  assert(entries <= info_.max_entries && lines <= info_.max_lines);
-  const std::size_t max_entries = info_.max_entries;
-  VORPIPE_TRY(entries_.reserve(device_, entries * sizeof(Entry), max_entries * sizeof(Entry)));
-  VORPIPE_TRY(marks_.reserve(device_, marks * sizeof(DrawMark), max_entries * sizeof(DrawMark)));
-  VORPIPE_TRY(lines_.reserve(device_, lines * line_bytes, info_.max_lines * line_bytes));
-  VORPIPE_TRY(status_.reserve(device_, entries * status_bytes, max_entries * status_bytes));
-  VORPIPE_TRY(host_status_.reserve(device_, entries * status_bytes, max_entries * status_bytes));
-  bindings_.setTexels(device_, BINDING_LINES, lines_.texels());
+Result<void> GeometryBackend::reserveStatus(std::size_t entries) {
+  assert(entries <= info_.max_entries);
+  const std::size_t limit = info_.max_entries * status_bytes;
+  VORPIPE_TRY(status_.reserve(device_, entries * status_bytes, limit));
+  VORPIPE_TRY(host_status_.reserve(device_, entries * status_bytes, limit));
   bindings_.setStorage(device_, BINDING_STATUS, status_.get(), entries * status_bytes);
   return {};
 }
 
-Result<void> GeometryBackend::draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Room room,
-                                   std::span<CellStatus> status) {
-  const std::size_t count = batch.entries.size();
-  assert(marks.size() == count && status.size() == count && target_.framebuffer() != VK_NULL_HANDLE);
-  if (count == 0) return {};
-  VORPIPE_TRY(reserveBatch(count, count, batch.lines.size()));
-  std::memcpy(entries_.data(), batch.entries.data(), count * sizeof(Entry));
-  std::memcpy(marks_.data(), marks.data(), count * sizeof(DrawMark));
-  std::memcpy(lines_.data(), batch.lines.data(), batch.lines.size() * line_bytes);
-  const Result<VkPipeline> pipeline = pipelines_.draw(device_, bindings_.layout(), room);
-  if (!pipeline) return tl::unexpected(pipeline.error());
-  VORPIPE_TRY(run({*pipeline, pipelines_.targetPass(), target_.framebuffer(), target_.extent()}, 0, count));
-  for (std::size_t entry = 0; entry < count; entry++) status[entry] = statusAt(entry);
-  return {};
-}
-
-// Runs a pipeline over the entries first .. first + count - 1 of those in the buffer. Their statuses
-// come to host_status_, from 0 on.
+// Runs a pipeline over the entries first .. first + count - 1 of those in the buffers. Their
+// statuses come to host_status_, from 0 on. All entries have one mark, or first is 0.
 Result<void> GeometryBackend::run(const Pass& pass, std::size_t first, std::size_t count) {
   const VolkDeviceTable& api = device_.api();
   return device_.run([&](VkCommandBuffer commands) {
@@ -153,9 +138,8 @@ Result<void> GeometryBackend::run(const Pass& pass, std::size_t first, std::size
     const VkDescriptorSet set = bindings_.set();
     api.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, bindings_.layout(), 0, 1, &set, 0,
                                 nullptr);
-    const std::array buffers = {entries_.get(), marks_.get()};
-    const std::array<VkDeviceSize, 2> offsets = {first * sizeof(Entry), 0};
-    api.vkCmdBindVertexBuffers(commands, vertices_entries, 2, buffers.data(), offsets.data());
+    const std::array<VkDeviceSize, 2> offsets = {first * pass.stride, 0};
+    api.vkCmdBindVertexBuffers(commands, 0, 2, pass.vertices.data(), offsets.data());
     api.vkCmdDraw(commands, static_cast<std::uint32_t>(count), 1, 0, 0);
     api.vkCmdEndRenderPass(commands);
     order.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
@@ -165,12 +149,6 @@ Result<void> GeometryBackend::run(const Pass& pass, std::size_t first, std::size
     const VkBufferCopy copy{0, 0, count * status_bytes};
     api.vkCmdCopyBuffer(commands, status_.get(), host_status_.get(), 1, &copy);
   });
-}
-
-CellStatus GeometryBackend::statusAt(std::size_t entry) const {
-  std::uint32_t status = 0;
-  std::memcpy(&status, host_status_.data() + entry * status_bytes, status_bytes);
-  return status <= CELL_OPEN ? static_cast<CellStatus>(status) : CellStatus::missing;
 }
 
 Result<void> GeometryBackend::read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) {

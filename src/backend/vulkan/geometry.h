@@ -3,6 +3,7 @@
 
 #include <volk.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -18,6 +19,7 @@
 #include "backend/vulkan/physical.h"
 #include "backend/vulkan/pipelines.h"
 #include "backend/vulkan/target.h"
+#include "backend/vulkan/uploaded_sites.h"
 
 namespace vorpipe::vulkan {
 
@@ -27,32 +29,46 @@ class GeometryBackend final : public Backend {
   static Result<std::unique_ptr<Backend>> open(Instance instance, const Physical& physical);
 
   const BackendInfo& info() const override { return info_; }
-  /// Does nothing: the lines of a batch are all that the shaders need.
-  Result<void> upload(const SiteSet& sites) override;
+  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override;
+  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) override;
+  Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) override;
   Result<void> begin(const View& view) override;
-  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Room room,
+  Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
+                    std::span<CellStatus> status) override;
+  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
                     std::span<CellStatus> status) override;
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override;
-  Result<void> cells(const CellBatch<double>& batch, CellPolygons& out) override;
   std::vector<std::string> validationMessages() override { return instance_.messages().take(); }
 
  private:
+  /// Where a pipeline draws to, and the vertex buffers that it draws from.
   struct Pass {
     VkPipeline pipeline;
     VkRenderPass pass;
     VkFramebuffer framebuffer;
     VkExtent2D extent;
+    std::array<VkBuffer, 2> vertices;  ///< the second may be the first again
+    VkDeviceSize stride;               ///< of the first
+  };
+  struct CellWork {
+    Effort effort;
+    Entries entries;
+    VkBuffer vertices;
+    VkDeviceSize stride;
+    std::size_t count;
   };
 
   GeometryBackend(Instance instance, Device device, Bindings bindings, Pipelines pipelines, BackendInfo info);
 
   Result<void> setView(const View& view);
   Result<void> createEmptyFramebuffer();
-  Result<void> reserveBatch(std::size_t entries, std::size_t marks, std::size_t lines);
+  Result<void> sendBatch(const CellBatch<float>& batch, std::span<const DrawMark> marks);
+  Result<void> sendWhich(std::span<const std::uint32_t> which);
+  Result<void> reserveStatus(std::size_t entries);
+  Result<void> drawEntries(Entries entries, Effort effort, std::array<VkBuffer, 2> vertices,
+                           std::span<CellStatus> status);
+  Result<void> findCells(const CellWork& work, Neighborhoods& out);
   Result<void> run(const Pass& pass, std::size_t first, std::size_t count);
-  Result<void> runCells(const CellBatch<double>& batch, CellPolygons& out);
-  void appendCells(std::size_t count, CellPolygons& out) const;
-  [[nodiscard]] CellStatus statusAt(std::size_t entry) const;
 
   Instance instance_;
   Device device_;
@@ -60,8 +76,11 @@ class GeometryBackend final : public Backend {
   Pipelines pipelines_;
   BackendInfo info_;
   Target target_;
+  UploadedSites sites_;
+  View shown_{{0, 0, 1, 1}, 1, 1, {}};
+  Box domain_{0, 0, 1, 1};  ///< of the sites
   Handle<VkFramebuffer> empty_framebuffer_;
-  Buffer view_, palette_, entries_, marks_, lines_, status_, host_status_, edges_;
+  Buffer view_, palette_, entries_, marks_, lines_, which_, status_, host_status_, edges_;
 };
 
 }  // namespace vorpipe::vulkan

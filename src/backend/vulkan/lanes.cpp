@@ -1,8 +1,12 @@
 #include "backend/vulkan/lanes.h"
 
 #include <algorithm>
+#include <atomic>
+#include <new>
 #include <optional>
 
+#include "backend/cell_answers.h"
+#include "backend/vulkan/error.h"
 #include "parallel.h"
 
 namespace vorpipe::vulkan {
@@ -10,22 +14,32 @@ namespace {
 
 /// Fewer entries than this are not worth another lane.
 constexpr std::size_t entries_per_lane = std::size_t{1} << 14;
+/// A lane that is done with as many takes the next.
+constexpr std::size_t entries_at_once = std::size_t{1} << 16;
 constexpr std::size_t pixels_at_once = std::size_t{1} << 16;
 
-/// The entries [begin, end) of a batch with their lines.
-CellBatch<float> slice(const CellBatch<float>& batch, std::size_t begin, std::size_t end) {
-  CellBatch<float> part;
-  part.entries.assign(batch.entries.begin() + static_cast<std::ptrdiff_t>(begin),
-                      batch.entries.begin() + static_cast<std::ptrdiff_t>(end));
-  std::uint32_t first = part.entries.front().first;
+/// One of the parts that make up all entries.
+struct Part {
+  std::size_t index, begin, end;
+  [[nodiscard]] std::size_t size() const { return end - begin; }
+};
+
+/// Calls work with a part of the entries of a batch and their lines.
+template <class Real, class Work>
+Result<void> onSlice(const CellBatch<Real>& batch, const Part& part, const Work& work) {
+  if (part.size() == batch.entries.size()) return work(batch);
+  CellBatch<Real> cut;
+  cut.entries.assign(batch.entries.begin() + static_cast<std::ptrdiff_t>(part.begin),
+                     batch.entries.begin() + static_cast<std::ptrdiff_t>(part.end));
+  std::uint32_t first = cut.entries.front().first;
   std::uint32_t last = first;
-  for (const auto& entry : part.entries) {
+  for (const auto& entry : cut.entries) {
     first = std::min(first, entry.first);
     last = std::max(last, entry.first + entry.count);
   }
-  part.lines.assign(batch.lines.begin() + first, batch.lines.begin() + last);
-  for (auto& entry : part.entries) entry.first -= first;
-  return part;
+  cut.lines.assign(batch.lines.begin() + first, batch.lines.begin() + last);
+  for (auto& entry : cut.entries) entry.first -= first;
+  return work(cut);
 }
 
 class Lanes final : public Backend {
@@ -37,34 +51,64 @@ class Lanes final : public Backend {
 
   const BackendInfo& info() const override { return lanes_[0]->info(); }
 
-  Result<void> upload(const SiteSet& sites) override { return lanes_[0]->upload(sites); }
+  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override {
+    sites_ = &sites;
+    shade_.assign(shade.begin(), shade.end());
+    return each([&](Backend& lane) { return lane.upload(sites, shade_); });
+  }
+
+  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) override {
+    return collect(
+        which.size(),
+        [&](Backend& lane, const Part& part, Neighborhoods& found) {
+          return lane.cells(which.subspan(part.begin, part.size()), effort, found);
+        },
+        out);
+  }
+
+  Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) override {
+    return collect(
+        batch.entries.size(),
+        [&](Backend& lane, const Part& part, Neighborhoods& found) {
+          return onSlice(batch, part, [&](const auto& cut) { return lane.cells(cut, found); });
+        },
+        out);
+  }
 
   Result<void> begin(const View& view) override {
     view_ = view;
     drawings_ = 0;
-    return each([&](std::size_t lane) { return lanes_[lane]->begin(view); });
+    return each([&](Backend& lane) { return lane.begin(view); });
   }
 
-  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Room room,
+  Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
                     std::span<CellStatus> status) override {
-    const auto count = batch.entries.size();
-    const auto used = std::clamp<std::size_t>(count / entries_per_lane, 1, most_lanes_);
-    if (auto opened = openLanes(used); !opened) return opened;
-    if (used == 1) {
-      if (auto drawn = lanes_[0]->draw(batch, marks, room, status); !drawn) return drawn;
-    } else if (auto drawn = drawSlices(batch, marks, room, status, used); !drawn) {
-      return drawn;
-    }
-    noteDrawings(marks, status);
+    VORPIPE_TRY(spread(which.size(), [&](Backend& lane, const Part& part) {
+      return lane.draw(which.subspan(part.begin, part.size()), effort,
+                       status.subspan(part.begin, part.size()));
+    }));
+    noteDrawings(status, [&](std::size_t entry) { return sites_->id[which[entry]]; });
+    return {};
+  }
+
+  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
+                    std::span<CellStatus> status) override {
+    VORPIPE_TRY(spread(batch.entries.size(), [&](Backend& lane, const Part& part) {
+      return onSlice(batch, part, [&](const auto& cut) {
+        return lane.draw(cut, marks.subspan(part.begin, part.size()), effort,
+                         status.subspan(part.begin, part.size()));
+      });
+    }));
+    noteDrawings(status, [&](std::size_t entry) { return marks[entry].id; });
     return {};
   }
 
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override {
-    if (auto read = lanes_[0]->read(rgba, ids); !read) return read;
+    VORPIPE_TRY(lanes_[0]->read(rgba, ids));
     std::vector<std::uint32_t> lane_rgba(rgba.size());
     std::vector<std::uint32_t> lane_ids(ids.size());
     for (std::size_t lane = 1; lane < lanes_.size(); ++lane) {
-      if (auto read = lanes_[lane]->read(lane_rgba, lane_ids); !read) return read;
+      VORPIPE_TRY(lanes_[lane]->read(lane_rgba, lane_ids));
       parallelFor(ids.size(), pixels_at_once, 0, [&](std::size_t begin, std::size_t end) {
         for (auto i = begin; i < end; ++i) {
           if (lane_ids[i] == no_site || (ids[i] != no_site && drawn_[ids[i]] > drawn_[lane_ids[i]])) continue;
@@ -74,10 +118,6 @@ class Lanes final : public Backend {
       });
     }
     return {};
-  }
-
-  Result<void> cells(const CellBatch<double>& batch, CellPolygons& out) override {
-    return lanes_[0]->cells(batch, out);
   }
 
   std::vector<std::string> validationMessages() override {
@@ -95,40 +135,74 @@ class Lanes final : public Backend {
     std::vector<Result<void>> results(lanes_.size());
     const auto threads = static_cast<int>(lanes_.size());
     parallelFor(lanes_.size(), 1, threads,
-                [&](std::size_t lane, std::size_t) { results[lane] = work(lane); });
+                [&](std::size_t lane, std::size_t) { results[lane] = work(*lanes_[lane]); });
     for (auto& result : results) {
       if (!result) return result;
     }
     return {};
   }
 
+  [[nodiscard]] std::size_t lanesFor(std::size_t count) const {
+    return std::clamp<std::size_t>(count / entries_per_lane, 1, most_lanes_);
+  }
+
+  [[nodiscard]] std::size_t partsOf(std::size_t count) const {
+    const auto lanes = lanesFor(count);
+    const auto size = std::clamp(count / (2 * lanes), entries_per_lane, entries_at_once);
+    return lanes == 1 ? 1 : (count + size - 1) / size;
+  }
+
+  /// Calls work(lane, part) for every part. A lane takes one part after the other, in ascending order, so
+  /// that its picture has what was drawn last on top.
+  template <class Work>
+  Result<void> spread(std::size_t count, const Work& work) {
+    if (count == 0) return {};
+    VORPIPE_TRY(openLanes(lanesFor(count)));
+    const auto parts = partsOf(count);
+    std::atomic<std::size_t> next = 0;
+    return each([&](Backend& lane) -> Result<void> {
+      for (std::size_t part; (part = next.fetch_add(1)) < parts;) {
+        VORPIPE_TRY(work(lane, {part, count * part / parts, count * (part + 1) / parts}));
+      }
+      return {};
+    });
+  }
+
+  /// Calls work(lane, part, its cells) for every part; out becomes the cells of all.
+  template <class Work>
+  Result<void> collect(std::size_t count, const Work& work, Neighborhoods& out) {
+    try {
+      std::vector<Neighborhoods> found(partsOf(count));
+      VORPIPE_TRY(spread(
+          count, [&](Backend& lane, const Part& part) { return work(lane, part, found[part.index]); }));
+      out = std::move(found[0]);
+      if (out.first.empty()) out.first.push_back(0);
+      for (std::size_t part = 1; part < found.size(); ++part) append(found[part], out);
+      return {};
+    } catch (const std::bad_alloc&) {
+      return deviceError("not enough memory for " + std::to_string(count) +
+                         " cells: free some, or ask for fewer cells at a time");
+    }
+  }
+
   Result<void> openLanes(std::size_t count) {
     while (lanes_.size() < count) {
       auto lane = open_();
       if (!lane) return tl::unexpected(lane.error());
-      if (auto begun = (*lane)->begin(*view_); !begun) return begun;
+      if (sites_ != nullptr) VORPIPE_TRY((*lane)->upload(*sites_, shade_));
+      if (view_) VORPIPE_TRY((*lane)->begin(*view_));
       lanes_.push_back(std::move(*lane));
     }
     return {};
   }
 
-  Result<void> drawSlices(const CellBatch<float>& batch, std::span<const DrawMark> marks, Room room,
-                          std::span<CellStatus> status, std::size_t used) {
-    const auto count = batch.entries.size();
-    return each([&](std::size_t lane) -> Result<void> {
-      const auto begin = std::min(count, count * lane / used);
-      const auto end = std::min(count, count * (lane + 1) / used);
-      if (begin == end) return {};
-      return lanes_[lane]->draw(slice(batch, begin, end), marks.subspan(begin, end - begin), room,
-                                status.subspan(begin, end - begin));
-    });
-  }
-
-  void noteDrawings(std::span<const DrawMark> marks, std::span<const CellStatus> status) {
-    for (std::size_t e = 0; e < marks.size(); ++e) {
+  template <class IdOf>
+  void noteDrawings(std::span<const CellStatus> status, const IdOf& id_of) {
+    for (std::size_t entry = 0; entry < status.size(); ++entry) {
       ++drawings_;
-      if (marks[e].id >= drawn_.size()) drawn_.resize(marks[e].id + std::size_t{1});
-      if (status[e] == CellStatus::certified) drawn_[marks[e].id] = drawings_;
+      const std::size_t id = id_of(entry);
+      if (id >= drawn_.size()) drawn_.resize(id + 1);
+      if (status[entry] == CellStatus::certified) drawn_[id] = drawings_;
     }
   }
 
@@ -136,6 +210,8 @@ class Lanes final : public Backend {
   std::size_t most_lanes_;
   std::vector<std::unique_ptr<Backend>> lanes_;
   std::optional<View> view_;
+  const SiteSet* sites_ = nullptr;
+  std::vector<std::uint8_t> shade_;
   std::uint64_t drawings_ = 0;
   std::vector<std::uint64_t> drawn_;  ///< by id: when its cell was drawn last
 };

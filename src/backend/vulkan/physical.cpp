@@ -18,6 +18,8 @@ namespace {
 
 // Of cell.geom, which has the most: a position, a mark and a status.
 constexpr std::uint64_t components_per_vertex = 8;
+// Of polygons.comp.
+constexpr std::uint64_t vertex_bytes = 16;
 
 std::string_view typeName(VkPhysicalDeviceType type) {
   switch (type) {
@@ -55,13 +57,15 @@ bool contains(std::span<const VkExtensionProperties> extensions, const char* nam
   });
 }
 
+// A device that has graphics has a family that has both.
 std::optional<std::uint32_t> graphicsFamily(VkPhysicalDevice device) {
+  constexpr VkQueueFlags wanted = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
   std::uint32_t count = 0;
   vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
   std::vector<VkQueueFamilyProperties> families(count);
   vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
   for (std::uint32_t family = 0; family < count; family++) {
-    if ((families[family].queueFlags & VK_QUEUE_GRAPHICS_BIT) != 0) return family;
+    if ((families[family].queueFlags & wanted) == wanted) return family;
   }
   return std::nullopt;
 }
@@ -83,31 +87,55 @@ Capabilities capabilitiesOf(VkPhysicalDevice device, const VkPhysicalDeviceLimit
   return capabilities;
 }
 
-// Why the geometry pipelines cannot run; empty when they can.
-std::string whyNot(const Capabilities& capabilities) {
-  constexpr const char* remedy = ": use --backend opengl or --backend cpu, or another --device";
-  if (!capabilities.geometry_shader) return std::string("it lacks the feature geometryShader") + remedy;
-  if (!capabilities.vertex_pipeline_stores_and_atomics) {
-    return std::string("it lacks the feature vertexPipelineStoresAndAtomics") + remedy;
-  }
-  const std::pair<std::string_view, std::uint64_t> least[] = {
-      {"maxTexelBufferElements", 256},
-      {"maxStorageBufferRange", EDGES_MOST * sizeof(std::uint32_t[4])},
-      {"maxGeometryOutputVertices", EDGES_MOST},
-      {"maxGeometryTotalOutputComponents", std::uint64_t{EDGES_MOST} * components_per_vertex},
-      {"maxImageDimension2D", 1},
-      {"maxFramebufferWidth", 1},
-      {"maxFramebufferHeight", 1},
-  };
+using Needs = std::vector<std::pair<std::string_view, std::uint64_t>>;
+
+// Which of the limits is too low; empty when none is.
+std::string whatIsTooLow(const Capabilities& capabilities, const Needs& least) {
   for (const auto& [name, needed] : least) {
     const auto* const limit = std::ranges::find(known_limits, name, &NamedLimit::name);
     const std::uint64_t has = capabilities.*limit->member;
     if (has < needed) {
       return "its " + std::string(name) + " is " + std::to_string(has) + ", needed is " +
-             std::to_string(needed) + remedy;
+             std::to_string(needed);
     }
   }
   return {};
+}
+
+std::string whyNoGeometry(const Capabilities& capabilities) {
+  if (!capabilities.geometry_shader) return "it lacks the feature geometryShader";
+  if (!capabilities.vertex_pipeline_stores_and_atomics) {
+    return "it lacks the feature vertexPipelineStoresAndAtomics";
+  }
+  return whatIsTooLow(
+      capabilities, {{"maxTexelBufferElements", 256},
+                     {"maxStorageBufferRange", EDGES_MOST * sizeof(std::int32_t)},
+                     {"maxGeometryOutputVertices", EDGES_MOST},
+                     {"maxGeometryTotalOutputComponents", std::uint64_t{EDGES_MOST} * components_per_vertex},
+                     {"maxImageDimension2D", 1},
+                     {"maxFramebufferWidth", 1},
+                     {"maxFramebufferHeight", 1}});
+}
+
+std::string whyNoCompute(const Capabilities& capabilities) {
+  return whatIsTooLow(capabilities, {{"maxTexelBufferElements", 256},
+                                     {"maxStorageBufferRange", std::uint64_t{EDGES_MOST} * vertex_bytes},
+                                     {"maxImageDimension2D", 1},
+                                     {"maxFramebufferWidth", 1},
+                                     {"maxFramebufferHeight", 1}});
+}
+
+// Why a pipeline cannot run, and what would help; empty when it can.
+std::string whyNot(const Capabilities& capabilities, Pipeline pipeline) {
+  if (pipeline == Pipeline::compute) {
+    const std::string reason = whyNoCompute(capabilities);
+    return reason.empty() ? reason : reason + ": use --backend cpu, or another --device";
+  }
+  const std::string reason = whyNoGeometry(capabilities);
+  return reason.empty()
+             ? reason
+             : reason +
+                   ": use --backend vulkan-compute, --backend opengl or --backend cpu, or another --device";
 }
 
 std::string driverOf(VkPhysicalDevice device, const VkPhysicalDeviceProperties& properties, bool has_name) {
@@ -124,7 +152,7 @@ std::string driverOf(VkPhysicalDevice device, const VkPhysicalDeviceProperties& 
   return std::string(driver.driverName) + " " + driver.driverInfo + ", " + version;
 }
 
-Result<Physical> describe(VkPhysicalDevice handle, const Mask& mask) {
+Result<Physical> describe(VkPhysicalDevice handle, const Mask& mask, Pipeline pipeline) {
   VkPhysicalDeviceProperties properties{};
   vkGetPhysicalDeviceProperties(handle, &properties);
   Result<std::vector<VkExtensionProperties>> extensions = extensionsOf(handle);
@@ -137,7 +165,7 @@ Result<Physical> describe(VkPhysicalDevice handle, const Mask& mask) {
   device.portability_subset = contains(*extensions, "VK_KHR_portability_subset");
   const bool current = properties.apiVersion >= VK_API_VERSION_1_1;
   const bool has_driver_name = current && contains(*extensions, VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME);
-  device.info.backend = "vulkan-geometry";
+  device.info.backend = nameOf(pipeline);
   device.info.name = properties.deviceName;
   device.info.driver = driverOf(handle, properties, has_driver_name);
   device.info.type = typeName(properties.deviceType);
@@ -150,7 +178,7 @@ Result<Physical> describe(VkPhysicalDevice handle, const Mask& mask) {
   } else if (!family) {
     device.info.reason = "it has no graphics queue: use --backend cpu or another --device";
   } else {
-    device.info.reason = whyNot(device.capabilities);
+    device.info.reason = whyNot(device.capabilities, pipeline);
   }
   device.info.usable = device.info.reason.empty();
   return device;
@@ -186,7 +214,11 @@ std::string listed(std::span<const Physical> devices) {
 
 }  // namespace
 
-Result<std::vector<Physical>> enumerate(const Instance& instance, const Mask& mask) {
+std::string_view nameOf(Pipeline pipeline) {
+  return pipeline == Pipeline::geometry ? "vulkan-geometry" : "vulkan-compute";
+}
+
+Result<std::vector<Physical>> enumerate(const Instance& instance, const Mask& mask, Pipeline pipeline) {
   std::uint32_t count = 0;
   VORPIPE_TRY(
       check(vkEnumeratePhysicalDevices(instance.handle(), &count, nullptr), "vkEnumeratePhysicalDevices"));
@@ -200,7 +232,7 @@ Result<std::vector<Physical>> enumerate(const Instance& instance, const Mask& ma
   }
   std::vector<Physical> devices;
   for (const VkPhysicalDevice handle : handles) {
-    Result<Physical> device = describe(handle, mask);
+    Result<Physical> device = describe(handle, mask, pipeline);
     if (!device) return tl::unexpected(std::move(device).error());
     devices.push_back(std::move(*device));
   }
@@ -210,7 +242,7 @@ Result<std::vector<Physical>> enumerate(const Instance& instance, const Mask& ma
 Result<Physical> choose(std::span<const Physical> devices, std::string_view wanted) {
   const std::vector<const Physical*> found = candidates(devices, wanted);
   if (found.empty()) {
-    return deviceError("no Vulkan device '" + std::string(wanted) + "': there are " + listed(devices));
+    return deviceError("no Vulkan device '" + std::string(wanted) + "'; choose one of " + listed(devices));
   }
   const auto better = [](const Physical* a, const Physical* b) {
     const auto order = [](const Physical* device) {

@@ -24,9 +24,16 @@ struct Physical {
   bool portability_subset = false;
 };
 
-/// The devices in the order of vkEnumeratePhysicalDevices, as they would be with mask.
+/// What a device is to run; the backends "vulkan-geometry" and "vulkan-compute".
+enum class Pipeline : std::uint8_t { geometry, compute };
+
+/// The name of its backend.
+std::string_view nameOf(Pipeline pipeline);
+
+/// The devices in the order of vkEnumeratePhysicalDevices, as they would be for a pipeline and with mask.
 /// Errors: none at all (device), an unknown name in the mask (input).
-Result<std::vector<Physical>> enumerate(const Instance& instance, const Mask& mask);
+Result<std::vector<Physical>> enumerate(const Instance& instance, const Mask& mask,
+                                        Pipeline pipeline = Pipeline::geometry);
 
 /// The device that wanted names, by index or by a part of its name in any case; if empty, the best
 /// usable one. Error (device): there is none; the message lists what there is.

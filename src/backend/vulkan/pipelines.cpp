@@ -19,6 +19,7 @@ struct Pipelines::Stages {
   Code vertex, geometry, fragment;  ///< no fragment stage: nothing is rasterized
   VkRenderPass pass;
   std::uint32_t attachments;
+  Entries entries;
   std::uint32_t mark_stride;  ///< 0: every entry gets the first mark
 };
 
@@ -34,13 +35,20 @@ static_assert(offsetof(DrawMark, y) == offsetof(DrawMark, x) + 4);
 static_assert(offsetof(DrawMark, shade) == offsetof(DrawMark, id) + 4);
 
 // The inputs of cell.vert, by location.
-constexpr std::array<VkVertexInputAttributeDescription, 5> attributes = {{
-    {0, vertices_entries, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Entry, west)},
-    {1, vertices_entries, VK_FORMAT_R32G32_SFLOAT, offsetof(Entry, reach)},
-    {2, vertices_entries, VK_FORMAT_R32G32_UINT, offsetof(Entry, first)},
-    {3, vertices_marks, VK_FORMAT_R32G32_SFLOAT, offsetof(DrawMark, x)},
-    {4, vertices_marks, VK_FORMAT_R32G32_UINT, offsetof(DrawMark, id)},
+constexpr std::array<VkVertexInputAttributeDescription, 5> list_inputs = {{
+    {0, 0, VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Entry, west)},
+    {1, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(Entry, reach)},
+    {2, 0, VK_FORMAT_R32G32_UINT, offsetof(Entry, first)},
+    {3, 1, VK_FORMAT_R32G32_SFLOAT, offsetof(DrawMark, x)},
+    {4, 1, VK_FORMAT_R32G32_UINT, offsetof(DrawMark, id)},
 }};
+
+// The input of site.vert.
+constexpr std::array<VkVertexInputAttributeDescription, 1> site_inputs = {{{0, 0, VK_FORMAT_R32_UINT, 0}}};
+
+std::size_t placeOf(Entries entries, Effort effort) {
+  return (entries == Entries::sites ? 2U : 0U) + (effort == Effort::fast ? 0U : 1U);
+}
 
 Result<Handle<VkShaderModule>> createModule(const Device& device, Code code) {
   auto info = structure<VkShaderModuleCreateInfo>(VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO);
@@ -80,13 +88,16 @@ struct FixedState {
   VkPipelineDynamicStateCreateInfo dynamic =
       structure<VkPipelineDynamicStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO);
 
-  FixedState(std::uint32_t mark_stride, bool rasterized, std::uint32_t attachments)
-      : vertices{{{vertices_entries, sizeof(Entry), VK_VERTEX_INPUT_RATE_VERTEX},
-                  {vertices_marks, mark_stride, VK_VERTEX_INPUT_RATE_VERTEX}}} {
-    input.vertexBindingDescriptionCount = static_cast<std::uint32_t>(vertices.size());
+  FixedState(Entries entries, std::uint32_t mark_stride, bool rasterized, std::uint32_t attachments)
+      : vertices{{{0, sizeof(Entry), VK_VERTEX_INPUT_RATE_VERTEX},
+                  {1, mark_stride, VK_VERTEX_INPUT_RATE_VERTEX}}} {
+    const bool sites = entries == Entries::sites;
+    if (sites) vertices[0].stride = sizeof(std::uint32_t);
+    input.vertexBindingDescriptionCount = sites ? 1 : 2;
     input.pVertexBindingDescriptions = vertices.data();
-    input.vertexAttributeDescriptionCount = static_cast<std::uint32_t>(attributes.size());
-    input.pVertexAttributeDescriptions = attributes.data();
+    input.vertexAttributeDescriptionCount =
+        static_cast<std::uint32_t>(sites ? site_inputs.size() : list_inputs.size());
+    input.pVertexAttributeDescriptions = sites ? site_inputs.data() : list_inputs.data();
     assembly.topology = VK_PRIMITIVE_TOPOLOGY_POINT_LIST;
     viewport.viewportCount = 1;
     viewport.scissorCount = 1;
@@ -127,27 +138,36 @@ Result<Pipelines> Pipelines::create(const Device& device) {
   return pipelines;
 }
 
-Result<VkPipeline> Pipelines::draw(const Device& device, VkPipelineLayout layout, Room room) {
-  Handle<VkPipeline>& pipeline = draw_[static_cast<std::size_t>(room)];
+Result<VkPipeline> Pipelines::made(const Device& device, VkPipelineLayout layout, const Stages& stages,
+                                   Handle<VkPipeline>& pipeline) const {
   if (!pipeline) {
-    const Code geometry = room == Room::fast ? shaders::cell_geom_fast() : shaders::cell_geom_most();
-    Result<Handle<VkPipeline>> built =
-        build(device, layout,
-              {shaders::cell_vert(), geometry, shaders::cell_frag(), targetPass(), 2, sizeof(DrawMark)});
+    Result<Handle<VkPipeline>> built = build(device, layout, stages);
     if (!built) return tl::unexpected(std::move(built).error());
     pipeline = std::move(*built);
   }
   return pipeline.get();
 }
 
-Result<VkPipeline> Pipelines::edges(const Device& device, VkPipelineLayout layout) {
-  if (!edges_) {
-    Result<Handle<VkPipeline>> built =
-        build(device, layout, {shaders::cell_vert(), shaders::edges_geom_most(), Code{}, emptyPass(), 0, 0});
-    if (!built) return tl::unexpected(std::move(built).error());
-    edges_ = std::move(*built);
-  }
-  return edges_.get();
+Result<VkPipeline> Pipelines::draw(const Device& device, VkPipelineLayout layout, Entries entries,
+                                   Effort effort) {
+  const bool sites = entries == Entries::sites;
+  const Code vertex = sites ? shaders::site_vert() : shaders::cell_vert();
+  const Code fast = sites ? shaders::cell_grid_fast() : shaders::cell_list_fast();
+  const Code roomy = sites ? shaders::cell_grid_roomy() : shaders::cell_list_roomy();
+  const Code geometry = effort == Effort::fast ? fast : roomy;
+  return made(device, layout,
+              {vertex, geometry, shaders::cell_frag(), targetPass(), 2, entries, sizeof(DrawMark)},
+              draw_[placeOf(entries, effort)]);
+}
+
+Result<VkPipeline> Pipelines::edges(const Device& device, VkPipelineLayout layout, Entries entries,
+                                    Effort effort) {
+  const bool sites = entries == Entries::sites;
+  const Code vertex = sites ? shaders::site_vert() : shaders::cell_vert();
+  const Code roomy = sites ? shaders::edges_grid_roomy() : shaders::edges_list_roomy();
+  const Code geometry = sites && effort == Effort::fast ? Code(shaders::edges_grid_fast()) : roomy;
+  return made(device, layout, {vertex, geometry, Code{}, emptyPass(), 0, entries, 0},
+              edges_[placeOf(entries, effort)]);
 }
 
 Result<Handle<VkPipeline>> Pipelines::build(const Device& device, VkPipelineLayout layout,
@@ -169,7 +189,7 @@ Result<Handle<VkPipeline>> Pipelines::build(const Device& device, VkPipelineLayo
     stage_infos.push_back(stage_info);
     modules.push_back(std::move(*module));
   }
-  const FixedState fixed(stages.mark_stride, rasterized, stages.attachments);
+  const FixedState fixed(stages.entries, stages.mark_stride, rasterized, stages.attachments);
   auto info = structure<VkGraphicsPipelineCreateInfo>(VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO);
   info.stageCount = static_cast<std::uint32_t>(stage_infos.size());
   info.pStages = stage_infos.data();

@@ -13,18 +13,21 @@
 
 namespace vorpipe::vulkan {
 
-/// The vertex buffers: the entries of a batch and their marks, both as they lie in memory.
-inline constexpr std::uint32_t vertices_entries = 0;
-inline constexpr std::uint32_t vertices_marks = 1;
+/// What a pipeline takes for each point, and from which vertex buffers.
+enum class Entries : std::uint8_t {
+  lists,  ///< an entry of a batch from buffer 0 and its mark from buffer 1, both as they lie in memory
+  sites,  ///< the index of a site of the upload from buffer 0
+};
 
 class Pipelines {
  public:
   static Result<Pipelines> create(const Device& device);
 
   /// Clips and draws, within targetPass().
-  Result<VkPipeline> draw(const Device& device, VkPipelineLayout layout, Room room);
-  /// Clips and writes edges down, within emptyPass(); it reads one mark, whatever it holds.
-  Result<VkPipeline> edges(const Device& device, VkPipelineLayout layout);
+  Result<VkPipeline> draw(const Device& device, VkPipelineLayout layout, Entries entries, Effort effort);
+  /// Clips and writes neighbors down, within emptyPass(). It reads one mark, whatever it holds, and
+  /// lists are clipped with the most room.
+  Result<VkPipeline> edges(const Device& device, VkPipelineLayout layout, Entries entries, Effort effort);
 
   [[nodiscard]] VkRenderPass targetPass() const { return target_pass_.get(); }
   [[nodiscard]] VkRenderPass emptyPass() const { return empty_pass_.get(); }
@@ -33,13 +36,14 @@ class Pipelines {
   struct Stages;
 
   Pipelines() = default;
+  Result<VkPipeline> made(const Device& device, VkPipelineLayout layout, const Stages& stages,
+                          Handle<VkPipeline>& pipeline) const;
   Result<Handle<VkPipeline>> build(const Device& device, VkPipelineLayout layout, const Stages& stages) const;
 
   Handle<VkRenderPass> target_pass_;  ///< of Target
   Handle<VkRenderPass> empty_pass_;   ///< without an attachment
   Handle<VkPipelineCache> cache_;
-  std::array<Handle<VkPipeline>, 2> draw_;  ///< by Room
-  Handle<VkPipeline> edges_;
+  std::array<Handle<VkPipeline>, 4> draw_, edges_;  ///< by Entries, then by Effort
 };
 
 }  // namespace vorpipe::vulkan

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "backend/vulkan/compute.h"
+#include "backend/vulkan/driver_threads.h"
 #include "backend/vulkan/geometry.h"
 #include "backend/vulkan/instance.h"
 #include "backend/vulkan/lanes.h"
@@ -12,42 +14,59 @@
 namespace vorpipe {
 namespace {
 
+using vulkan::Pipeline;
+
 constexpr int most_lanes = 8;
 
-Result<std::unique_ptr<Backend>> openDevice(const BackendOptions& options) {
+Result<std::unique_ptr<Backend>> openDevice(const BackendOptions& options, Pipeline pipeline) {
   Result<vulkan::Instance> instance = vulkan::Instance::open(options.validation);
   if (!instance) return tl::unexpected(std::move(instance).error());
-  const Result<std::vector<vulkan::Physical>> devices = vulkan::enumerate(*instance, options.mask);
+  const Result<std::vector<vulkan::Physical>> devices = vulkan::enumerate(*instance, options.mask, pipeline);
   if (!devices) return tl::unexpected(devices.error());
   const Result<vulkan::Physical> device = vulkan::choose(*devices, options.device);
   if (!device) return tl::unexpected(device.error());
+  if (pipeline == Pipeline::compute) {
+    // Without a GPU the device is the host, which has the sites in their bins already.
+    const bool is_host = device->info.type == "cpu";
+    return vulkan::ComputeBackend::open(std::move(*instance), *device,
+                                        is_host ? vulkan::Placing::by_host : vulkan::Placing::by_device);
+  }
   return vulkan::GeometryBackend::open(std::move(*instance), *device);
 }
 
-DeviceInfo absent(const Error& error) {
-  DeviceInfo info;
-  info.backend = "vulkan-geometry";
-  info.reason = error.message;
-  return info;
+void listDevices(const Mask& mask, Pipeline pipeline, std::vector<DeviceInfo>& list) {
+  const auto absent = [&](const Error& error) {
+    DeviceInfo info;
+    info.backend = vulkan::nameOf(pipeline);
+    info.reason = error.message;
+    list.push_back(std::move(info));
+  };
+  const Result<vulkan::Instance> instance = vulkan::Instance::open(false);
+  if (!instance) return absent(instance.error());
+  const Result<std::vector<vulkan::Physical>> devices = vulkan::enumerate(*instance, mask, pipeline);
+  if (!devices) return absent(devices.error());
+  for (const vulkan::Physical& device : *devices) list.push_back(device.info);
 }
 
 }  // namespace
 
 Result<std::unique_ptr<Backend>> makeVulkanGeometryBackend(const BackendOptions& options) {
-  auto first = openDevice(options);
+  auto first = openDevice(options, Pipeline::geometry);
   if (!first || (*first)->info().device.type != "cpu") return first;
   const int lanes = std::min(threadCount(options.threads), most_lanes);
   return vulkan::makeLanes(
-      std::move(*first), [options] { return openDevice(options); }, lanes);
+      std::move(*first), [options] { return openDevice(options, Pipeline::geometry); }, lanes);
+}
+
+Result<std::unique_ptr<Backend>> makeVulkanComputeBackend(const BackendOptions& options) {
+  const vulkan::DriverThreads threads(options.threads);
+  return openDevice(options, Pipeline::compute);
 }
 
 std::vector<DeviceInfo> listVulkanDevices(const Mask& mask) {
-  const Result<vulkan::Instance> instance = vulkan::Instance::open(false);
-  if (!instance) return {absent(instance.error())};
-  const Result<std::vector<vulkan::Physical>> devices = vulkan::enumerate(*instance, mask);
-  if (!devices) return {absent(devices.error())};
   std::vector<DeviceInfo> list;
-  for (const vulkan::Physical& device : *devices) list.push_back(device.info);
+  listDevices(mask, Pipeline::geometry, list);
+  listDevices(mask, Pipeline::compute, list);
   return list;
 }
 

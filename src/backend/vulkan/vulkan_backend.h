@@ -1,4 +1,4 @@
-/// Vulkan behind the interface of backend.h: cells are clipped and drawn by a geometry shader.
+/// Vulkan behind the interface of backend.h: cells are clipped by a geometry shader or by a compute shader.
 #pragma once
 
 #include <memory>
@@ -13,8 +13,11 @@ namespace vorpipe {
 /// lacks a feature (device; the message names the remedy); an unknown name in the mask (input).
 Result<std::unique_ptr<Backend>> makeVulkanGeometryBackend(const BackendOptions& options);
 
-/// Every Vulkan device in the order of its index, as it would be with mask; without any, one
-/// entry that says why.
+/// The same for the pipeline without a geometry shader.
+Result<std::unique_ptr<Backend>> makeVulkanComputeBackend(const BackendOptions& options);
+
+/// Every Vulkan device in the order of its index, as it would be with mask, once for each pipeline;
+/// without any, one entry for each pipeline that says why.
 std::vector<DeviceInfo> listVulkanDevices(const Mask& mask);
 
 }  // namespace vorpipe

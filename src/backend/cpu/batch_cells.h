@@ -1,4 +1,4 @@
-/// Cells clipped by the shared algorithm on all threads.
+/// Lists of lines clipped by the shared algorithm on all threads.
 #pragma once
 
 #include "backend/backend.h"
@@ -7,11 +7,11 @@ namespace vorpipe::cpu {
 
 /// Clips each entry in float, widened by outset (scaled units along x and y), and writes what
 /// became of it. The statuses are those that a GPU would return.
-void clipStatuses(const CellBatch<float>& batch, float outset_x, float outset_y, Room room, int threads,
+void clipStatuses(const CellBatch<float>& batch, float outset_x, float outset_y, Effort effort, int threads,
                   std::span<CellStatus> status);
 
 /// Clips each entry in double, with room for as many edges as the entry has lines, up to 2^17 in all.
 /// `certified` tells of the shape: of lines that are parallel within rounding, any may carry an edge.
-void clipPolygons(const CellBatch<double>& batch, int threads, CellPolygons& out);
+void clipNeighborhoods(const CellBatch<double>& batch, int threads, Neighborhoods& out);
 
 }  // namespace vorpipe::cpu

@@ -1,0 +1,44 @@
+/// Neighborhoods found on all threads, put together in order.
+#pragma once
+
+#include <numeric>
+#include <utility>
+
+#include "backend/backend.h"
+#include "parallel.h"
+
+namespace vorpipe::cpu {
+
+constexpr std::size_t collect_grain = 1024;
+
+/// Replaces `out` with `count` neighborhoods. make() is called for every range of entries and returns
+/// what finds one: find(e, neighbors) appends the neighbors of entry e and returns its status.
+template <class Make>
+void collect(std::size_t count, int threads, Neighborhoods& out, const Make& make) {
+  constexpr std::size_t usual_neighbors = 8;
+  std::vector<std::vector<std::int32_t>> found((count + collect_grain - 1) / collect_grain);
+  out.status.resize(count);
+  out.first.resize(count + 1);
+  parallelFor(count, collect_grain, threads, [&](std::size_t begin, std::size_t end) {
+    auto find = make();
+    std::vector<std::int32_t> neighbors;
+    neighbors.reserve(usual_neighbors * (end - begin));
+    for (auto e = begin; e < end; ++e) {
+      out.first[e] = neighbors.size();
+      out.status[e] = find(e, neighbors);
+    }
+    found[begin / collect_grain] = std::move(neighbors);
+  });
+  std::vector<std::uint64_t> offset(found.size() + 1, 0);
+  for (std::size_t f = 0; f < found.size(); ++f) offset[f + 1] = offset[f] + found[f].size();
+  out.first[count] = offset.back();
+  out.neighbor.resize(offset.back());
+  parallelFor(count, collect_grain, threads, [&](std::size_t begin, std::size_t end) {
+    const auto range = begin / collect_grain;
+    for (auto e = begin; e < end; ++e) out.first[e] += offset[range];
+    std::copy(found[range].begin(), found[range].end(),
+              out.neighbor.begin() + static_cast<std::ptrdiff_t>(offset[range]));
+  });
+}
+
+}  // namespace vorpipe::cpu

@@ -1,0 +1,40 @@
+/// A kd-tree over the sites: the search that no distribution of sites makes slow.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "backend/backend.h"
+
+namespace vorpipe::cpu {
+
+/// What bounds the sites of a node: a rectangle turned any way, which holds point + (ux, uy) a + (-uy, ux) b
+/// for a in [low_a, high_a] and b in [low_b, high_b]; and a circle that they lie on or outside of, where that
+/// says more: sites along a curve. (ux, uy) is of length 1 up to rounding; the center is seen from the point.
+struct Bounds {
+  double x, y, ux, uy;
+  double low_a, high_a, low_b, high_b;
+  double center_x, center_y, radius;  ///< radius 0: no circle
+};
+
+/// Balanced: every node holds a run of places, its children the halves of it. Nodes are numbered as in a
+/// heap, from 1; those from first_leaf on are leaves. It depends on the sites alone.
+struct SiteTree {
+  struct Range {
+    std::uint32_t begin, end;
+    [[nodiscard]] std::uint32_t middle() const { return begin + (end - begin) / 2; }
+  };
+
+  SiteTree(const SiteSet& sites, int threads);
+
+  [[nodiscard]] bool isLeaf(std::uint32_t node) const { return node >= first_leaf; }
+  [[nodiscard]] Range all() const { return {0, static_cast<std::uint32_t>(site.size())}; }
+
+  std::uint32_t first_leaf = 1;
+  std::vector<Bounds> bounds;        ///< by node
+  std::vector<std::uint32_t> site;   ///< by place: an index in the set
+  std::vector<std::uint32_t> place;  ///< by index in the set
+  std::vector<double> x, y;          ///< by place
+};
+
+}  // namespace vorpipe::cpu

@@ -1,0 +1,30 @@
+/// The sites of an upload on the device, their grid, and those of them whose cells are wanted.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "backend/backend.h"
+#include "backend/opengl/buffer.h"
+#include "backend/opengl/gl.h"
+
+namespace vorpipe::opengl {
+
+class Sites {
+ public:
+  Sites();
+
+  /// Replaces what is on the device; shade may be empty if nothing will be drawn. Error (device): out of
+  /// memory.
+  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade);
+
+  /// Makes the sites `which` what the next draw call takes, a point for each. Error (device): out of memory.
+  Result<void> send(std::span<const std::uint32_t> which);
+
+ private:
+  GLuint vertices_ = 0;
+  Buffer which_, grid_;
+  TexelBuffer sites_, bins_, marks_;
+};
+
+}  // namespace vorpipe::opengl

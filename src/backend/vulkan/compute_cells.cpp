@@ -1,0 +1,85 @@
+// The part of the backend "vulkan-compute" that hands cells back as data.
+#include <algorithm>
+#include <cassert>
+#include <new>
+#include <string>
+#include <utility>
+
+#include "backend/cell_answers.h"
+#include "backend/to_float.h"
+#include "backend/vulkan/compute.h"
+#include "backend/vulkan/error.h"
+#include "shaders.h"
+
+namespace vorpipe::vulkan {
+namespace {
+
+// Entries whose neighbors are on the device at one time: few enough to stay in a cache on their way to
+// the host, enough to keep a device busy.
+constexpr std::size_t slice_entries = std::size_t{1} << 18;
+
+tl::unexpected<Error> outOfMemory(std::size_t cells) {
+  return deviceError("not enough memory for " + std::to_string(cells) +
+                     " cells: free some, or ask for fewer cells at a time");
+}
+
+Result<void> clear(Neighborhoods& out) {
+  out.status.clear();
+  out.first.assign(1, 0);
+  out.neighbor.clear();
+  return {};
+}
+
+}  // namespace
+
+Result<void> ComputeBackend::cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) {
+  assert(effort == Effort::fast || effort == Effort::roomy);
+  const bool fast = effort == Effort::fast;
+  if (which.empty()) return clear(out);
+  try {
+    VORPIPE_TRY(sendWhich(which));
+    return findCells(
+        {sites_bindings_, fast ? shaders::neighbors_grid_fast() : shaders::neighbors_grid_roomy(),
+         roomOf(effort), which.size()},
+        out);
+  } catch (const std::bad_alloc&) {
+    return outOfMemory(which.size());
+  }
+}
+
+Result<void> ComputeBackend::cells(const CellBatch<double>& batch, Neighborhoods& out) {
+  if (batch.entries.empty()) return clear(out);
+  try {
+    VORPIPE_TRY(sendBatch(toFloat(batch)));
+    return findCells(
+        {lists_bindings_, shaders::neighbors_list_roomy(), roomOf(Effort::roomy), batch.entries.size()}, out);
+  } catch (const std::bad_alloc&) {
+    return outOfMemory(batch.entries.size());
+  }
+}
+
+// Clips the entries that were sent, slice by slice.
+Result<void> ComputeBackend::findCells(const Clipping& clipping, Neighborhoods& out) {
+  VORPIPE_TRY(clear(out));
+  const std::size_t row_bytes = (clipping.room + 1) * sizeof(std::int32_t);
+  const std::size_t slice = std::min(clipping.count, sliceOf(slice_entries, row_bytes));
+  VORPIPE_TRY(answers_.reserve(device_, slice * row_bytes, storage_range_));
+  clipping.bindings.setStorage(device_, BINDING_STATUS, answers_.get(), slice * row_bytes);
+  bindPolygons(clipping.bindings);
+  const Result<VkPipeline> kernel =
+      kernels_.kernel(device_, clipping.bindings.layout(), clipping.code, placed_.has_value());
+  if (!kernel) return tl::unexpected(kernel.error());
+  for (std::size_t first = 0; first < clipping.count; first += slice) {
+    const std::size_t here = std::min(slice, clipping.count - first);
+    VORPIPE_TRY(device_.run([&](VkCommandBuffer commands) {
+      dispatch(device_, commands, *kernel, clipping.bindings,
+               {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(here)}, here);
+    }));
+    append(
+        {here, clipping.room, answers_.data(), row_bytes, answers_.data() + sizeof(std::int32_t), row_bytes},
+        out);
+  }
+  return {};
+}
+
+}  // namespace vorpipe::vulkan

@@ -1,0 +1,5 @@
+find_path(BOOST_MULTIPRECISION_INCLUDE_DIR boost/multiprecision/cpp_bin_float.hpp)
+if(BOOST_MULTIPRECISION_INCLUDE_DIR)
+  add_library(dep::boost INTERFACE IMPORTED)
+  target_include_directories(dep::boost SYSTEM INTERFACE ${BOOST_MULTIPRECISION_INCLUDE_DIR})
+endif()
