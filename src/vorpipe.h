@@ -69,8 +69,15 @@ struct Mask {
   std::vector<std::pair<std::string, std::uint64_t>> limits;
 };
 
+/// The names that BackendOptions::name takes.
+std::vector<std::string> backendNames();
+
+/// The names of features and of limits that a Mask takes.
+std::vector<std::string> featureNames();
+std::vector<std::string> limitNames();
+
 struct BackendOptions {
-  std::string name = "auto";  ///< auto, vulkan, vulkan-geometry, opengl, cpu
+  std::string name = "auto";  ///< auto, vulkan, vulkan-geometry, vulkan-compute, opengl, cpu
   std::string device;         ///< empty: the best; else an index or a part of a name, as devices() lists
   int threads = 0;            ///< CPU threads; 0: all
   Mask mask;
@@ -97,9 +104,15 @@ enum class Status : std::uint8_t {
   duplicate,  ///< an earlier site has the same position and owns the cell
 };
 
-/// The k nearest neighbors by FLANN, doubled for the cells that k does not certify.
+/// How the sites that may cut a cell are found.
+enum class Search : std::uint8_t {
+  grid,   ///< a walk over a uniform grid, fused with the clipping; no fixed number of neighbors
+  flann,  ///< the k nearest neighbors by FLANN, doubled for the cells that k does not certify
+};
+
 struct SearchOptions {
-  int neighbors = 30;  ///< 3 to 1024
+  Search method = Search::grid;
+  int neighbors = 30;  ///< FLANN's k, 3 to 1024
 };
 
 /// Called from the calling thread with a stage's name and the part done in [0, 1];
@@ -211,9 +224,17 @@ struct ImageDiff {
 ImageDiff diffImages(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, int width,
                      int height);
 
+/// Which parts of a Diagram are wanted; what is not costs no time.
+enum class Detail : std::uint8_t {
+  measures,    ///< status, owner, area, centroid, cell_offsets, neighbors
+  polygons,    ///< and perimeter, second moments, vertices, edge lengths
+  everything,  ///< and triangles
+};
+
 struct CellsOptions {
   Box domain;  ///< what cells are clipped to
   SearchOptions search;
+  Detail detail = Detail::everything;
   Progress progress;  ///< may be empty
 };
 
@@ -239,9 +260,51 @@ struct Diagram {
   std::vector<Point> vertices;
   std::vector<std::int64_t> neighbors;  ///< indices of sites, or walls
   std::vector<double> edge_lengths;
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< Delaunay, counter-clockwise; ties triangulated
+  /// The Delaunay triangulation of all sites but duplicates, whatever the domain: counter-clockwise from the
+  /// lowest index, ties triangulated from the lowest index; empty if all sites lie on a line.
+  std::vector<std::array<std::uint32_t, 3>> triangles;
   Report report;
 };
+
+/// The sum of the cells' areas, without what adding up would round off.
+double areaSum(const Diagram& diagram);
+
+/// Areas of one cell may differ by this part of the larger and this part of the mean cell.
+inline constexpr double area_slack_of_cell = 1e-5, area_slack_of_mean = 1e-9;
+
+/// One site whose cells differ in two diagrams, and how.
+struct CellDifference {
+  std::uint32_t site = 0;
+  bool status = false, neighbors = false, area = false;  ///< status stands for the owner as well
+  double area_a = 0, area_b = 0;
+};
+
+struct CellsDiff {
+  std::uint64_t equal = 0;                               ///< sites without a difference
+  std::uint64_t statuses = 0, neighbors = 0, areas = 0;  ///< sites that differ in each
+  std::uint32_t worst_site = 0;                          ///< whose areas differ most, by what is allowed
+  double worst_area = 0;                                 ///< that difference, as a part of what is allowed
+  std::vector<CellDifference> first;                     ///< the first 10 sites that differ
+  [[nodiscard]] bool agree() const { return statuses == 0 && neighbors == 0 && areas == 0; }
+};
+
+/// Compares two diagrams of the same sites and domain: status and owner of every site, the sets of its
+/// neighbors, walls included, and its area. Error (input): they have different numbers of sites.
+Result<CellsDiff> diffCells(const Diagram& a, const Diagram& b);
+
+/// Verifies what is promised about cells, with nothing of what computes them: statuses and owners, each
+/// record at its site's place, areas that add up to the domain's (to 1e-12), neighbors that name each
+/// other with the same edge, closed convex polygons, counter-clockwise, on the bisectors of their
+/// neighbors, Euler's formula for cells and triangles, and the nearest sites of sampled places. `options`
+/// are those of the run; parts that its detail leaves out are not looked at. Returns one line for each
+/// promise that is broken, which begins with its name. Error (device): out of memory.
+Result<std::vector<std::string>> check(const Sites& sites, const CellsOptions& options,
+                                       const Diagram& diagram, int threads = 0);
+
+/// The same for a picture: statuses and owners, no uncovered pixel, and the nearest site of each pixel
+/// in double (of 4 million sampled pixels in larger pictures).
+Result<std::vector<std::string>> check(const Sites& sites, const RenderOptions& options,
+                                       const Rendering& rendering, int threads = 0);
 
 class Backend;
 

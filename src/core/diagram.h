@@ -6,7 +6,7 @@
 namespace vorpipe {
 
 /// What Session::cells does, on an open backend.
-Result<Diagram> cellsOn(Backend& backend, Backend& judge, int threads, const Sites& sites,
+Result<Diagram> cellsOn(Backend& backend, Backend& judge_backend, int threads, const Sites& sites,
                         const CellsOptions& options);
 
 }  // namespace vorpipe

@@ -1,65 +1,137 @@
 #include "core/dual.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
+#include <array>
+#include <atomic>
+#include <utility>
+
+#include "core/outer_triangles.h"
+#include "core/predicates.h"
+#include "parallel.h"
 
 namespace vorpipe {
 namespace {
 
-struct Corner {
-  std::uint64_t root;
-  std::uint32_t cell;
-  bool at_wall;
-};
+constexpr std::size_t grain = 4096;
 
-std::vector<Corner> cornersByVertex(const SiteSet& sites, const Topology& topology, const Corners& corners) {
-  std::vector<Corner> all;
-  all.reserve(topology.neighbor.size());
-  for (std::uint32_t cell = 0; cell < sites.size(); ++cell) {
-    const auto begin = topology.first[cell];
-    const auto end = topology.first[cell + 1];
-    for (auto e = begin; e < end; ++e) {
-      const auto before = e > begin ? e - 1 : end - 1;
-      all.push_back({corners.root[e], cell, topology.neighbor[e] < 0 || topology.neighbor[before] < 0});
-    }
-  }
-  std::sort(all.begin(), all.end(), [](const Corner& a, const Corner& b) {
-    return a.root != b.root ? a.root < b.root : a.cell < b.cell;
-  });
-  return all;
+using Triple = std::array<std::int32_t, 3>;
+
+Triple sorted(std::int32_t a, std::int32_t b, std::int32_t c) {
+  if (a > b) std::swap(a, b);
+  if (b > c) std::swap(b, c);
+  if (a > b) std::swap(a, b);
+  return {a, b, c};
 }
 
-/// The input indices of cells around a vertex, counter-clockwise from the lowest.
-std::vector<std::uint32_t> sitesAround(const SiteSet& sites, Point vertex, std::vector<std::uint32_t> cells) {
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-  const auto angle = [&](std::uint32_t cell) {
-    return std::atan2(sites.y[cell] - vertex.y, sites.x[cell] - vertex.x);
+/// Whether a direction comes before another, counter-clockwise from a ray.
+bool turnsLess(Point a, Point b) {
+  const bool a_below = a.y < 0 || (a.y == 0 && a.x < 0);
+  const bool b_below = b.y < 0 || (b.y == 0 && b.x < 0);
+  return a_below != b_below ? b_below : a.x * b.y - a.y * b.x > 0;
+}
+
+/// Which vertices of tied cells are the meeting of just one triple.
+std::vector<std::uint8_t> plainVertices(const ProposedCells& agreed, const TiedCells& tied) {
+  std::vector<std::uint8_t> plain(tied.place.size(), 1);
+  std::vector<Triple> seen(tied.place.size());
+  for (std::size_t k = 0; k < tied.cell.size(); ++k) {
+    const auto row = edgesOf(agreed.cells, tied.cell[k]);
+    for (std::size_t e = 0; e < row.size(); ++e) {
+      const auto vertex = tied.vertex[tied.first[k] + e];
+      const auto here =
+          sorted(static_cast<std::int32_t>(tied.cell[k]), row[e > 0 ? e - 1 : row.size() - 1], row[e]);
+      if (seen[vertex] == Triple{}) seen[vertex] = here;
+      if (seen[vertex] != here) plain[vertex] = 0;
+    }
+  }
+  return plain;
+}
+
+/// The cells around a vertex, counter-clockwise from that of the lowest input index.
+void cellsAround(const ProposedCells& agreed, const TiedCells& tied, std::size_t vertex,
+                 std::vector<std::uint32_t>& around) {
+  const auto& sites = agreed.sites;
+  around.assign(tied.around.begin() + tied.around_first[vertex],
+                tied.around.begin() + tied.around_first[vertex + 1]);
+  around.erase(std::unique(around.begin(), around.end()), around.end());
+  const auto way = [&](std::uint32_t cell) {
+    return relativeTo({sites.x[cell], sites.y[cell]}, tied.place[vertex]);
   };
-  std::sort(cells.begin(), cells.end(), [&](auto a, auto b) { return angle(a) < angle(b); });
-  std::transform(cells.begin(), cells.end(), cells.begin(), [&](auto cell) { return sites.id[cell]; });
-  std::rotate(cells.begin(), std::min_element(cells.begin(), cells.end()), cells.end());
-  return cells;
+  std::sort(around.begin(), around.end(), [&](auto a, auto b) { return turnsLess(way(a), way(b)); });
+  const auto lowest = std::min_element(around.begin(), around.end(),
+                                       [&](auto a, auto b) { return sites.id[a] < sites.id[b]; });
+  std::rotate(around.begin(), lowest, around.end());
+}
+
+/// Calls put(triangle) for the fan of triangles that fills the polygon of the sites around a tie. Returns
+/// false where that is no triangulation, since some sites lie on one line.
+template <class Put>
+bool forFan(const SiteSet& sites, const std::vector<std::uint32_t>& around, const Put& put) {
+  const auto at = [&](std::size_t k) { return Point{sites.x[around[k]], sites.y[around[k]]}; };
+  bool proper = true;
+  for (std::size_t k = 2; k < around.size(); ++k) {
+    proper = proper && orientation(at(0), at(k - 1), at(k)) > 0;
+    put({sites.id[around[0]], sites.id[around[k - 1]], sites.id[around[k]]});
+  }
+  return proper;
+}
+
+/// Calls put(triangle) for each triangle of plain vertices whose lowest input index is that of `cell`.
+template <class Put>
+void forTriangles(const ProposedCells& agreed, const TiedCells& tied, const std::vector<std::uint8_t>& plain,
+                  std::size_t cell, const Put& put) {
+  const auto& id = agreed.sites.id;
+  const auto row = edgesOf(agreed.cells, cell);
+  const bool is_tied = tied.has(cell);
+  const auto own = id[cell];
+  for (std::size_t e = 0; e < row.size(); ++e) {
+    const auto before = row[e > 0 ? e - 1 : row.size() - 1];
+    const auto after = row[e];
+    if (before < 0 || after < 0) continue;
+    const auto p = id[static_cast<std::size_t>(before)];
+    const auto q = id[static_cast<std::size_t>(after)];
+    if (own > p || own > q) continue;
+    if (is_tied && plain[tied.vertex[tied.first[tied.entry[cell]] + e]] == 0) continue;
+    put({own, p, q});
+  }
+}
+
+/// Appends what each of `count` numbers makes: make(i, put) calls put(triangle) for each of its triangles.
+template <class Make>
+void append(std::size_t count, int threads, Triangles& triangles, const Make& make) {
+  std::vector<std::size_t> first((count + grain - 1) / grain + 1);
+  parallelFor(count, grain, threads, [&](std::size_t begin, std::size_t end) {
+    std::size_t made = 0;
+    for (auto i = begin; i < end; ++i) make(i, [&](const Triangles::value_type&) { ++made; });
+    first[begin / grain + 1] = made;
+  });
+  first[0] = triangles.size();
+  for (std::size_t b = 1; b < first.size(); ++b) first[b] += first[b - 1];
+  triangles.resize(first.back());
+  parallelFor(count, grain, threads, [&](std::size_t begin, std::size_t end) {
+    auto to = first[begin / grain];
+    for (auto i = begin; i < end; ++i) {
+      make(i, [&](const Triangles::value_type& triangle) { triangles[to++] = triangle; });
+    }
+  });
 }
 
 }  // namespace
 
-std::vector<std::array<std::uint32_t, 3>> dualTriangles(const SiteSet& sites, const Topology& topology,
-                                                        const Corners& corners) {
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  const auto all = cornersByVertex(sites, topology, corners);
-  for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
-    std::vector<std::uint32_t> cells;
-    bool at_wall = false;
-    for (end = begin; end < all.size() && all[end].root == all[begin].root; ++end) {
-      cells.push_back(all[end].cell);
-      at_wall = at_wall || all[end].at_wall;
-    }
-    if (at_wall) continue;
-    const auto around = sitesAround(sites, corners.position[all[begin].root], std::move(cells));
-    for (std::size_t k = 2; k < around.size(); ++k)
-      triangles.push_back({around[0], around[k - 1], around[k]});
-  }
+Triangles dualTriangles(const ProposedCells& agreed, const TiedCells& tied) {
+  const auto plain = plainVertices(agreed, tied);
+  Triangles triangles;
+  append(agreed.sites.size(), agreed.threads, triangles,
+         [&](std::size_t cell, const auto& put) { forTriangles(agreed, tied, plain, cell, put); });
+  std::atomic<bool> proper = true;
+  append(plain.size(), agreed.threads, triangles, [&](std::size_t vertex, const auto& put) {
+    if (plain[vertex] != 0 || tied.walls[vertex] != 0) return;
+    std::vector<std::uint32_t> around;
+    cellsAround(agreed, tied, vertex, around);
+    if (!forFan(agreed.sites, around, put)) proper = false;
+  });
+  if (!proper) return allTriangles(agreed.sites);
+  addOuterTriangles(agreed, tied, triangles);
   return triangles;
 }
 

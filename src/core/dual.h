@@ -1,13 +1,15 @@
 /// The triangulation that is dual to the cells.
 #pragma once
 
-#include "core/corners.h"
+#include "core/ties.h"
 
 namespace vorpipe {
 
-/// The Delaunay triangles (input indices, counter-clockwise) of the vertices inside the domain.
-/// Where more than three cells meet, the polygon of their sites is triangulated from its lowest index.
-std::vector<std::array<std::uint32_t, 3>> dualTriangles(const SiteSet& sites, const Topology& topology,
-                                                        const Corners& corners);
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+/// The Delaunay triangulation of all sites (input indices, counter-clockwise from the lowest), whatever the
+/// domain; empty if all lie on a line. Vertices inside the domain give their triangles; where more than
+/// three cells meet, the polygon of their sites is triangulated from its lowest index.
+Triangles dualTriangles(const ProposedCells& agreed, const TiedCells& tied);
 
 }  // namespace vorpipe

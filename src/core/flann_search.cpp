@@ -93,21 +93,4 @@ Candidates FlannSearch::neighbors(std::span<const std::uint32_t> which, std::siz
   return candidates;
 }
 
-void FlannSearch::nearest(std::span<const double> x, std::span<const double> y,
-                          std::span<std::uint32_t> out) const {
-  parallelFor(x.size(), grain, tree_->threads, [&](std::size_t begin, std::size_t end) {
-    const auto count = end - begin;
-    std::vector<double> queries(2 * count);
-    for (std::size_t i = 0; i < count; ++i) {
-      queries[2 * i] = x[begin + i];
-      queries[2 * i + 1] = y[begin + i];
-    }
-    std::vector<std::size_t> found(count);
-    std::vector<double> squared(count);
-    tree_->find(queries.data(), count, 1, found.data(), squared.data());
-    std::transform(found.begin(), found.end(), out.begin() + static_cast<std::ptrdiff_t>(begin),
-                   [](std::size_t i) { return static_cast<std::uint32_t>(i); });
-  });
-}
-
 }  // namespace vorpipe

@@ -10,15 +10,17 @@ namespace vorpipe {
 
 class FlannSearch {
  public:
+  /// Beyond this many, other ways to find a cell are cheaper.
+  static constexpr int fewest_neighbors = 3, most_neighbors = 1024;
+  /// Fewer certify few cells, however even the sites are.
+  static constexpr int usual_neighbors = 30;
+
   FlannSearch(const SiteSet& sites, int threads);  ///< `sites` must outlive this
   ~FlannSearch();
 
   /// The k nearest neighbors of each of `which` (indices in the set). Where k covers all sites,
   /// reach is infinite.
   [[nodiscard]] Candidates neighbors(std::span<const std::uint32_t> which, std::size_t k) const;
-
-  /// A site nearest to each point; x, y in scaled units.
-  void nearest(std::span<const double> x, std::span<const double> y, std::span<std::uint32_t> out) const;
 
  private:
   struct Tree;

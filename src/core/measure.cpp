@@ -3,33 +3,45 @@
 #include <cmath>
 
 namespace vorpipe {
+namespace {
+
+Point meanOf(std::span<const Point> points) {
+  const auto count = static_cast<double>(points.size());
+  Point mean{0, 0};
+  for (const auto& p : points) mean = {mean.x + p.x / count, mean.y + p.y / count};
+  return mean;
+}
+
+}  // namespace
+
+double lengthOf(Point way) {
+  const double squared = way.x * way.x + way.y * way.y;
+  return squared > 1e-280 && squared < 1e280 ? std::sqrt(squared) : std::hypot(way.x, way.y);
+}
 
 /// Green's theorem, edge by edge (Steger 1996, "On the calculation of arbitrary moments of polygons").
 Measures measurePolygon(std::span<const Point> vertices) {
   Measures m;
-  Point mean{0, 0};
-  for (std::size_t k = 0; k < vertices.size(); ++k) {
-    const auto a = vertices[k];
-    const auto b = vertices[k + 1 < vertices.size() ? k + 1 : 0];
+  if (vertices.empty()) return m;
+  double twice_area = 0, xx = 0, xy = 0, yy = 0;
+  Point first{0, 0};
+  Point a = vertices.back();
+  for (const auto b : vertices) {
     const double cross = a.x * b.y - b.x * a.y;
-    m.area += cross / 2;
-    m.perimeter += std::hypot(b.x - a.x, b.y - a.y);
-    m.centroid.x += cross * (a.x + b.x) / 6;
-    m.centroid.y += cross * (a.y + b.y) / 6;
-    m.second_moments[0] += cross * (a.x * a.x + a.x * b.x + b.x * b.x) / 12;
-    m.second_moments[1] += cross * (2 * a.x * a.y + a.x * b.y + b.x * a.y + 2 * b.x * b.y) / 24;
-    m.second_moments[2] += cross * (a.y * a.y + a.y * b.y + b.y * b.y) / 12;
-    mean.x += a.x / static_cast<double>(vertices.size());
-    mean.y += a.y / static_cast<double>(vertices.size());
+    const Point sum{a.x + b.x, a.y + b.y};
+    twice_area += cross;
+    m.perimeter += lengthOf({b.x - a.x, b.y - a.y});
+    first = {first.x + cross * sum.x, first.y + cross * sum.y};
+    xx += cross * (a.x * sum.x + b.x * b.x);
+    xy += cross * (sum.x * sum.y + a.x * a.y + b.x * b.y);
+    yy += cross * (a.y * sum.y + b.y * b.y);
+    a = b;
   }
-  if (m.area > 0) {
-    m.centroid = {m.centroid.x / m.area, m.centroid.y / m.area};
-  } else {
-    m.centroid = mean;
-  }
-  m.second_moments[0] -= m.area * m.centroid.x * m.centroid.x;
-  m.second_moments[1] -= m.area * m.centroid.x * m.centroid.y;
-  m.second_moments[2] -= m.area * m.centroid.y * m.centroid.y;
+  m.area = twice_area / 2;
+  m.centroid = m.area > 0 ? Point{first.x / (3 * twice_area), first.y / (3 * twice_area)} : meanOf(vertices);
+  m.second_moments = {xx / 12 - m.area * m.centroid.x * m.centroid.x,
+                      xy / 24 - m.area * m.centroid.x * m.centroid.y,
+                      yy / 12 - m.area * m.centroid.y * m.centroid.y};
   return m;
 }
 

@@ -14,6 +14,9 @@ struct Measures {
   std::array<double, 3> second_moments{0, 0, 0};  ///< integrals of xx, xy, yy about the centroid
 };
 
+/// As std::hypot, but fast where no square overflows or vanishes.
+double lengthOf(Point way);
+
 /// Measures a polygon whose vertices run counter-clockwise. For full precision they are relative to a
 /// point near it. A polygon without area has its centroid in the mean of its vertices.
 Measures measurePolygon(std::span<const Point> vertices);

@@ -11,10 +11,9 @@ namespace {
 /// direction from one to the other would be rounding.
 constexpr double least_edge = 1e-9;
 
-std::vector<Point> distinctVertices(std::span<const double> x, std::span<const double> y) {
+std::vector<Point> distinctVertices(std::span<const Point> polygon) {
   std::vector<Point> vertices;
-  for (std::size_t v = 0; v < x.size(); ++v) {
-    const Point p{x[v], y[v]};
+  for (const auto p : polygon) {
     const auto isNear = [&](Point q) { return std::hypot(p.x - q.x, p.y - q.y) < least_edge; };
     if (vertices.empty() || !(isNear(vertices.back()) || isNear(vertices.front()))) vertices.push_back(p);
   }
@@ -32,9 +31,8 @@ void appendLine(Point a, Point b, std::vector<Line<float>>& lines) {
 
 }  // namespace
 
-std::size_t appendPieces(std::span<const double> x, std::span<const double> y, std::size_t most_edges,
-                         CellBatch<float>& out) {
-  const auto vertices = distinctVertices(x, y);
+std::size_t appendPieces(std::span<const Point> polygon, std::size_t most_edges, CellBatch<float>& out) {
+  const auto vertices = distinctVertices(polygon);
   std::size_t pieces = 0;
   for (std::size_t from = 1; from + 1 < vertices.size(); ++pieces) {
     const auto to = std::min(from + most_edges - 2, vertices.size() - 1);

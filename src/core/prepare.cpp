@@ -4,16 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "core/flann_search.h"
+#include "core/grid.h"
+#include "core/order.h"
 #include "parallel.h"
 
 namespace vorpipe {
 namespace {
 
 constexpr std::size_t grain = 1 << 16;
-constexpr int farthest_exponent = 300;
-constexpr int fewest_neighbors = 3;
-constexpr int most_neighbors = 1024;
+constexpr double farthest = 0x1p300;  ///< in domains
+constexpr double infinite = std::numeric_limits<double>::infinity();
 
 tl::unexpected<Error> refuse(std::string message) {
   return tl::unexpected(Error{ErrorCode::input, std::move(message)});
@@ -37,112 +40,97 @@ int scaleExponent(const Box& domain) {
   return 1 - exponent;
 }
 
-Result<void> checkSites(const Sites& sites, int exponent) {
+/// What one pass over the sites finds out, in scaled units.
+struct Extent {
+  Box box{infinite, infinite, -infinite, -infinite};
+  std::size_t inside = 0;  ///< sites within the box that was asked about
+  bool usable = true;      ///< every coordinate is finite and not too far away
+
+  void add(double x, double y, const Box& near) {
+    box = {std::min(box.xmin, x), std::min(box.ymin, y), std::max(box.xmax, x), std::max(box.ymax, y)};
+    inside += x >= near.xmin && x <= near.xmax && y >= near.ymin && y <= near.ymax ? 1 : 0;
+    usable = usable && std::abs(x) <= farthest && std::abs(y) <= farthest;
+  }
+  void add(const Extent& other) {
+    const auto& b = other.box;
+    box = {std::min(box.xmin, b.xmin), std::min(box.ymin, b.ymin), std::max(box.xmax, b.xmax),
+           std::max(box.ymax, b.ymax)};
+    inside += other.inside;
+    usable = usable && other.usable;
+  }
+};
+
+Extent extentOf(const Sites& sites, const PowerOfTwo& scale, const Box& near, int threads) {
+  std::vector<Extent> extents((sites.size() + grain - 1) / grain);
+  parallelFor(sites.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    Extent extent;
+    for (auto i = begin; i < end; ++i) extent.add(scale(sites.x[i]), scale(sites.y[i]), near);
+    extents[begin / grain] = extent;
+  });
+  Extent all;
+  for (const auto& extent : extents) all.add(extent);
+  return all;
+}
+
+/// The error of the first site that is not usable; there is one.
+Error unusableSite(const Sites& sites, const PowerOfTwo& scale) {
+  const auto isUsable = [&](double value) { return std::abs(scale(value)) <= farthest; };
+  std::size_t i = 0;
+  while (isUsable(sites.x[i]) && isUsable(sites.y[i])) ++i;
+  const bool finite = std::isfinite(sites.x[i]) && std::isfinite(sites.y[i]);
+  return {ErrorCode::input,
+          fmt::format("site {} {}: {}, {}", i, finite ? "is too far from the domain" : "is not finite",
+                      sites.x[i], sites.y[i])};
+}
+
+Result<void> checkNumber(const Sites& sites) {
   if (sites.size() == 0) return refuse("there are no sites");
   if (sites.y.size() != sites.size() || (!sites.weight.empty() && sites.weight.size() != sites.size())) {
     return refuse("x, y and weight differ in length");
   }
   if (sites.size() >= no_site) return refuse(fmt::format("{} sites are more than 4294967294", sites.size()));
-  const double limit = std::ldexp(1.0, farthest_exponent - exponent);
-  for (std::size_t i = 0; i < sites.size(); ++i) {
-    if (!std::isfinite(sites.x[i]) || !std::isfinite(sites.y[i])) {
-      return refuse(fmt::format("site {} is not finite: {}, {}", i, sites.x[i], sites.y[i]));
-    }
-    if (std::abs(sites.x[i]) > limit || std::abs(sites.y[i]) > limit) {
-      return refuse(fmt::format("site {} is too far from the domain: {}, {}", i, sites.x[i], sites.y[i]));
-    }
-  }
   return {};
 }
 
-/// The place of cell (x, y) of a 2^32 x 2^32 grid on the Hilbert curve.
-std::uint64_t hilbertPlace(std::uint32_t x, std::uint32_t y) {
-  std::uint64_t place = 0;
-  for (std::uint32_t side = 1u << 31; side > 0; side >>= 1) {
-    const std::uint32_t right = (x & side) ? 1 : 0;
-    const std::uint32_t up = (y & side) ? 1 : 0;
-    place = (place << 2) | ((3 * right) ^ up);
-    if (up == 0) {
-      if (right == 1) {
-        x = ~x;
-        y = ~y;
-      }
-      std::swap(x, y);
-    }
-  }
-  return place;
+/// The domain and as much again on every side: farther sites bound few cells, and would make the bins
+/// of the others large.
+Box surroundings(const Box& domain) {
+  const double margin = std::max(domain.xmax - domain.xmin, domain.ymax - domain.ymin);
+  return {domain.xmin - margin, domain.ymin - margin, domain.xmax + margin, domain.ymax + margin};
 }
 
-struct Extent {
-  double low, scale;
-  [[nodiscard]] std::uint32_t place(double value) const {
-    return static_cast<std::uint32_t>(std::min((value - low) * scale, 4294967295.0));
-  }
-};
-
-Extent extentOf(const std::vector<double>& values) {
-  const auto [low, high] = std::minmax_element(values.begin(), values.end());
-  return {*low, *high > *low ? 4294967295.0 / (*high - *low) : 0.0};
-}
-
-struct Placed {
-  std::uint64_t place;
-  std::uint32_t index;
-};
-
-/// Input indices along the curve; equal positions stand together, the lowest index first.
-std::vector<Placed> orderAlongCurve(const Sites& sites, int threads) {
-  std::vector<Placed> order(sites.size());
-  const auto x = extentOf(sites.x);
-  const auto y = extentOf(sites.y);
-  parallelFor(order.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      order[i] = {hilbertPlace(x.place(sites.x[i]), y.place(sites.y[i])), static_cast<std::uint32_t>(i)};
-    }
-  });
-  std::sort(order.begin(), order.end(), [&](const Placed& a, const Placed& b) {
-    if (a.place != b.place) return a.place < b.place;
-    if (sites.x[a.index] != sites.x[b.index]) return sites.x[a.index] < sites.x[b.index];
-    if (sites.y[a.index] != sites.y[b.index]) return sites.y[a.index] < sites.y[b.index];
-    return a.index < b.index;
-  });
-  return order;
+/// What the grid covers: the box of the sites, as far as it lies in `near`. Where sites lie beyond,
+/// the grid ends outside the domain, so that the bins at its border may hold them: seen from inside
+/// the domain, such a site is farther away than its bin.
+Box gridBox(const Box& sites, const Box& near) {
+  return {std::clamp(sites.xmin, near.xmin, near.xmax), std::clamp(sites.ymin, near.ymin, near.ymax),
+          std::clamp(sites.xmax, near.xmin, near.xmax), std::clamp(sites.ymax, near.ymin, near.ymax)};
 }
 
 }  // namespace
 
 Result<void> checkSearch(const SearchOptions& search) {
-  if (search.neighbors >= fewest_neighbors && search.neighbors <= most_neighbors) return {};
-  return refuse(
-      fmt::format("{} neighbors: must be {} to {}", search.neighbors, fewest_neighbors, most_neighbors));
+  constexpr auto fewest = FlannSearch::fewest_neighbors;
+  constexpr auto most = FlannSearch::most_neighbors;
+  if (search.neighbors >= fewest && search.neighbors <= most) return {};
+  return refuse(fmt::format("{} neighbors: must be {} to {}", search.neighbors, fewest, most));
 }
 
 Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads) {
   if (auto checked = checkDomain(domain); !checked) return tl::unexpected(checked.error());
-  const int exponent = scaleExponent(domain);
-  if (auto checked = checkSites(sites, exponent); !checked) return tl::unexpected(checked.error());
-
-  const auto scaled = [exponent](double value) { return std::ldexp(value, exponent); };
+  if (auto checked = checkNumber(sites); !checked) return tl::unexpected(checked.error());
   Prepared prepared;
-  prepared.exponent = exponent;
+  prepared.exponent = scaleExponent(domain);
+  const PowerOfTwo scale(prepared.exponent);
   auto& set = prepared.set;
-  set.domain = {scaled(domain.xmin), scaled(domain.ymin), scaled(domain.xmax), scaled(domain.ymax)};
-  prepared.owner.resize(sites.size());
-  set.x.reserve(sites.size());
-  set.y.reserve(sites.size());
-  set.id.reserve(sites.size());
-  for (const auto& placed : orderAlongCurve(sites, threads)) {
-    const auto i = placed.index;
-    const auto last = set.id.empty() ? no_site : set.id.back();
-    if (last != no_site && sites.x[last] == sites.x[i] && sites.y[last] == sites.y[i]) {
-      prepared.owner[i] = last;
-      continue;
-    }
-    prepared.owner[i] = i;
-    set.id.push_back(i);
-    set.x.push_back(scaled(sites.x[i]));
-    set.y.push_back(scaled(sites.y[i]));
-  }
+  set.domain = {scale(domain.xmin), scale(domain.ymin), scale(domain.xmax), scale(domain.ymax)};
+  set.known = {-infinite, -infinite, infinite, infinite};
+
+  const auto near = surroundings(set.domain);
+  const auto extent = extentOf(sites, scale, near, threads);
+  if (!extent.usable) return tl::unexpected(unusableSite(sites, scale));
+  set.grid = layGrid(gridBox(extent.box, near), extent.inside);
+  orderByBins(sites, scale, threads, set, prepared.owner);
   return prepared;
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/cell_drawing.h"
 #include "core/colormap.h"
+#include "core/diagram.h"
 #include "core/overlay.h"
 #include "core/prepare.h"
 #include "core/shade.h"
@@ -62,6 +63,14 @@ void place(const Part& part, const std::vector<std::uint32_t>& from, const Image
   }
 }
 
+/// The measures that the colors follow; nothing for colors that do not.
+Result<Diagram> measure(Backend& backend, Backend& judge, int threads, const Sites& sites,
+                        const RenderOptions& options) {
+  if (options.color != ColorBy::area && options.color != ColorBy::neighbors) return Diagram{};
+  return cellsOn(backend, judge, threads, sites,
+                 {options.domain, options.search, Detail::measures, options.progress});
+}
+
 Result<Image> drawParts(Backend& backend, CellDrawing& drawing, const SiteSet& set, const Palette& palette,
                         const RenderOptions& options, double& download_seconds) {
   Image image{options.width, options.height, {}, {}};
@@ -72,7 +81,6 @@ Result<Image> drawParts(Backend& backend, CellDrawing& drawing, const SiteSet& s
   std::vector<std::uint32_t> ids;
   for (const auto& part : partsOf(options.width, options.height, backend.info().max_view)) {
     const View view{boxOf(part, set.domain, options.width, options.height), part.width, part.height, palette};
-    if (auto begun = backend.begin(view); !begun) return tl::unexpected(begun.error());
     if (auto drawn = drawing.draw(view); !drawn) return tl::unexpected(drawn.error());
     rgba.resize(static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height));
     ids.resize(rgba.size());
@@ -105,24 +113,20 @@ Result<Rendering> renderOn(Backend& backend, Backend& judge, int threads, const 
 
   Rendering rendering;
   auto& times = rendering.report.time_ms;
-  Stopwatch order_watch;
+  const auto cells = measure(backend, judge, threads, sites, options);
+  if (!cells) return tl::unexpected(cells.error());
+  times.cells = cells->report.time_ms.cells;
+
+  const Stopwatch order_watch;
   auto prepared = prepare(sites, options.domain, threads);
   if (!prepared) return tl::unexpected(prepared.error());
+  const auto shades = shadesOf(options.color, sites, prepared->set, *cells);
+  if (!shades) return tl::unexpected(shades.error());
   times.order = 1e3 * order_watch.seconds();
 
-  Stopwatch upload_watch;
-  if (auto uploaded = backend.upload(prepared->set); !uploaded) return tl::unexpected(uploaded.error());
-  times.upload = 1e3 * upload_watch.seconds();
-
-  Stopwatch tree_watch;
-  const FlannSearch search(prepared->set, threads);
-  const double tree_seconds = tree_watch.seconds();
-  const auto shades = shadesOf(options.color, sites, prepared->set, search, judge, threads, options.progress);
-  if (!shades) return tl::unexpected(shades.error());
-
   const int most = backend.info().max_view;
-  CellDrawing drawing({backend, judge, prepared->set, search, *shades,
-                       static_cast<std::size_t>(options.search.neighbors), threads, options.progress,
+  Judge set_judge(judge, prepared->set);
+  CellDrawing drawing({backend, set_judge, prepared->set, *shades, options.search, threads, options.progress,
                        options.width > most || options.height > most});
   double download_seconds = 0;
   auto image = drawParts(backend, drawing, prepared->set, *palette, options, download_seconds);
@@ -132,13 +136,10 @@ Result<Rendering> renderOn(Backend& backend, Backend& judge, int threads, const 
   if (options.show_sites) drawSites(rendering.image, sites, options.domain);
 
   auto& report = rendering.report;
-  times.search = 1e3 * (tree_seconds + drawing.searchSeconds());
-  times.draw = 1e3 * drawing.drawSeconds();
   times.download = 1e3 * download_seconds;
+  drawing.describe(report);
   countStatuses(*prepared, drawing.status(), rendering);
   rendering.owner = std::move(prepared->owner);
-  report.retried = drawing.retried();
-  report.in_double = drawing.inDouble();
   const auto& device = backend.info().device;
   report.backend = device.backend;
   report.device = device.name;

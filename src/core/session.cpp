@@ -39,8 +39,7 @@ Result<Rendering> Session::render(const Sites& sites, const RenderOptions& optio
   try {
     return renderOn(*state_->opened.backend, *state_->judge, state_->threads, sites, options);
   } catch (const std::bad_alloc&) {
-    return tl::unexpected(
-        Error{ErrorCode::device, "out of memory; fewer sites or a smaller picture would fit"});
+    return tl::unexpected(outOfMemory());
   }
 }
 

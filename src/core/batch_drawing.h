@@ -1,0 +1,46 @@
+/// Draws cells from lists of sites and from lines.
+#pragma once
+
+#include "backend/backend.h"
+#include "core/candidates.h"
+
+namespace vorpipe {
+
+/// What a drawing works with; all of it outlives the drawing.
+struct Canvas {
+  Backend& backend;
+  const SiteSet& sites;
+  std::span<const std::uint8_t> shade;  ///< by index in the set
+  int threads;
+};
+
+/// Entries of one batch, each a cell or a piece of one.
+struct Pieces {
+  std::vector<std::uint32_t> site;  ///< by entry
+  CellBatch<float> batch;
+};
+
+class BatchDrawing {
+ public:
+  explicit BatchDrawing(const Canvas& canvas) : canvas_(canvas) {}
+
+  /// Draws every entry of `candidates`, in as many batches as the device wants. Returns the status of each:
+  /// `missing` for a list that is longer than a batch.
+  Result<std::vector<CellStatus>> draw(const View& view, const Candidates& candidates, Effort effort);
+
+  /// Draws every entry. Error (device): one of them was not drawn.
+  Result<void> draw(const View& view, const Pieces& pieces);
+
+  [[nodiscard]] double seconds() const { return seconds_; }
+
+ private:
+  Result<void> drawBatch(const View& view, const CellBatch<float>& batch, std::span<const std::uint32_t> site,
+                         Effort effort, std::span<CellStatus> status);
+
+  Canvas canvas_;
+  std::vector<DrawMark> marks_;
+  CellBatch<float> batch_;
+  double seconds_ = 0;
+};
+
+}  // namespace vorpipe

@@ -1,0 +1,181 @@
+#include "core/cell_check.h"
+
+#include <array>
+#include <atomic>
+
+#include "core/corner_batch.h"
+#include "parallel.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr std::size_t grain = 4096;
+
+class Checking {
+ public:
+  Checking(const ProposedCells& proposed, const Records& records, std::span<std::uint8_t> rough)
+      : proposed_(proposed),
+        sites_(proposed.sites),
+        cells_(proposed.cells),
+        records_(records),
+        rough_(rough),
+        batch_(proposed.sites) {}
+
+  void check(std::uint32_t cell) {
+    const auto row = edgesOf(cells_, cell);
+    const bool certified = cells_.status[cell] == CellStatus::certified;
+    auto added = certified ? batch_.add(cell, row) : CornerBatch::Added::other;
+    if (added == CornerBatch::Added::full) {
+      finish();
+      added = batch_.add(cell, row);
+    }
+    if (added == CornerBatch::Added::other) {
+      checkAlone(cell, row);
+    } else {
+      records_.announce(cell);
+    }
+  }
+
+  /// Checks what is in the batch.
+  void finish() {
+    batch_.place();
+    bool any = false;
+    std::array<bool, CornerBatch::most_cells> passed{};
+    for (std::size_t k = 0; k < batch_.size(); ++k) {
+      passed[k] = passes(batch_.cell(k), batch_.row(k),
+                         [&, slot = batch_.slot(k)](std::size_t e) { return batch_.excess(slot + e) > 0; });
+      any = any || passed[k];
+    }
+    if (any) batch_.measure();
+    for (std::size_t k = 0; k < batch_.size(); ++k) {
+      if (passed[k]) record(k);
+    }
+    batch_.clear();
+  }
+
+ private:
+  void mark(std::int32_t neighbor) {
+    if (neighbor < 0 || static_cast<std::size_t>(neighbor) >= sites_.size()) return;
+    std::atomic_ref(rough_[static_cast<std::size_t>(neighbor)]).store(1, std::memory_order_relaxed);
+  }
+
+  /// Whether edge e of `cell` begins, in the cell on its other side, where it begins here. Done for all
+  /// edges of all cells, this says that they end together as well, and that neighbors are mutual.
+  bool beginsAlike(std::uint32_t cell, std::int32_t before, std::int32_t neighbor) const {
+    if (neighbor < 0) return true;
+    const auto other = static_cast<std::size_t>(neighbor);
+    const auto row = edgesOf(cells_, other);
+    const auto back = proposed_.index.find(row, other, static_cast<std::int32_t>(cell));
+    return back != EdgeIndex::none && row[back + 1 < row.size() ? back + 1 : 0] == before;
+  }
+
+  /// Checks every edge; isLong(e) says whether edge e is longer than a tie. A tie pulls in the cells
+  /// at its ends.
+  template <class IsLong>
+  bool passes(std::uint32_t cell, std::span<const std::int32_t> row, const IsLong& is_long) {
+    bool all = true;
+    auto before = row.back();
+    for (std::size_t e = 0; e < row.size(); ++e) {
+      const auto neighbor = row[e];
+      const bool tie = !is_long(e);
+      if (tie || !beginsAlike(cell, before, neighbor)) {
+        all = false;
+        mark(neighbor);
+        if (tie) {
+          mark(before);
+          mark(row[e + 1 < row.size() ? e + 1 : 0]);
+        }
+      }
+      before = neighbor;
+    }
+    if (!all) mark(static_cast<std::int32_t>(cell));
+    return all;
+  }
+
+  void record(std::size_t k) const {
+    const auto cell = batch_.cell(k);
+    const auto edges = batch_.row(k).size();
+    double cross = 0;
+    Point moment{0, 0};
+    for (std::size_t s = batch_.slot(k); s < batch_.slot(k) + edges; ++s) {
+      cross += batch_.cross(s);
+      moment.x += batch_.moment(s).x;
+      moment.y += batch_.moment(s).y;
+    }
+    const double third = 1 / (3 * cross);
+    records_.cell(cell, edges, cross / 2, {sites_.x[cell], sites_.y[cell]},
+                  {moment.x * third, moment.y * third});
+  }
+
+  void checkAlone(std::uint32_t cell, std::span<const std::int32_t> row) {
+    if (isRightlyEmpty(sites_, cells_, cell)) return records_.empty(cell);
+    if (!isWellFormed(sites_, cells_, cell)) return mark(static_cast<std::int32_t>(cell));
+    const auto self = static_cast<std::int32_t>(cell);
+    places_.resize(row.size());
+    for (std::size_t e = 0; e < row.size(); ++e) {
+      places_[e] = cornerPlace(sites_, self, row[e == 0 ? row.size() - 1 : e - 1], row[e]);
+    }
+    const bool passed = passes(cell, row, [&](std::size_t e) {
+      const auto before = e > 0 ? e - 1 : row.size() - 1, after = e + 1 < row.size() ? e + 1 : 0;
+      return !edgeSpan(sites_, self, row[before], row[e], row[after], places_[e], places_[after]).isTie();
+    });
+    if (!passed) return;
+    const auto origin = originOf(sites_, cell);
+    polygon_.resize(row.size());
+    for (std::size_t e = 0; e < row.size(); ++e) polygon_[e] = relativeTo(origin, places_[e]);
+    const auto m = measurePolygon(polygon_);
+    records_.cell(cell, row.size(), m.area, origin, m.centroid);
+  }
+
+  const ProposedCells& proposed_;
+  const SiteSet& sites_;
+  const Neighborhoods& cells_;
+  const Records& records_;
+  std::span<std::uint8_t> rough_;
+  CornerBatch batch_;
+  std::vector<Place> places_;
+  std::vector<Point> polygon_;
+};
+
+bool isInside(const Box& box, double x, double y) {
+  return x >= box.xmin && x <= box.xmax && y >= box.ymin && y <= box.ymax;
+}
+
+}  // namespace
+
+bool isWellFormed(const SiteSet& sites, const Neighborhoods& cells, std::size_t cell) {
+  const auto row = edgesOf(cells, cell);
+  if (cells.status[cell] != CellStatus::certified || row.size() < 3) return false;
+  for (const auto neighbor : row) {
+    if (neighbor < wall_ymax) return false;
+    if (neighbor >= 0 &&
+        (static_cast<std::size_t>(neighbor) >= sites.size() || static_cast<std::size_t>(neighbor) == cell)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool isRightlyEmpty(const SiteSet& sites, const Neighborhoods& cells, std::size_t cell) {
+  return cells.status[cell] == CellStatus::empty && cells.first[cell] == cells.first[cell + 1] &&
+         !isInside(sites.domain, sites.x[cell], sites.y[cell]);
+}
+
+void checkCells(const ProposedCells& proposed, std::span<const std::uint32_t> which, const Records& records,
+                std::span<std::uint8_t> rough) {
+  parallelFor(which.size(), grain, proposed.threads, [&](std::size_t begin, std::size_t end) {
+    Checking checking(proposed, records, rough);
+    for (auto k = begin; k < end; ++k) checking.check(which[k]);
+    checking.finish();
+  });
+}
+
+void checkCells(const ProposedCells& proposed, const Records& records, std::span<std::uint8_t> rough) {
+  parallelFor(proposed.sites.size(), grain, proposed.threads, [&](std::size_t begin, std::size_t end) {
+    Checking checking(proposed, records, rough);
+    for (auto cell = begin; cell < end; ++cell) checking.check(static_cast<std::uint32_t>(cell));
+    checking.finish();
+  });
+}
+
+}  // namespace vorpipe

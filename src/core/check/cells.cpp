@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <future>
+#include <new>
+
+#include "core/check/checks.h"
+
+namespace vorpipe {
+namespace checks {
+namespace {
+
+/// Of the domain's area: cells are measured in double.
+constexpr double area_sum_slack = 1e-12;
+
+std::string wrongNeighbor(const CheckedCells& run, std::size_t i) {
+  for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
+    const std::int64_t neighbor = run.diagram.neighbors[e];
+    const auto j = static_cast<std::size_t>(neighbor);
+    if (neighbor < 0 ? neighbor >= wall_ymax : j < run.size() && j != i && run.ok(j)) continue;
+    return fmt::format("site {} has {}, which is no wall and no other site with a cell", i, neighbor);
+  }
+  return {};
+}
+
+std::string wrongBesideCell(const CheckedCells& run, std::size_t i) {
+  const Diagram& d = run.diagram;
+  if (run.ok(i)) return {};
+  const double perimeter = run.detail == Detail::measures ? 0 : d.perimeter[i];
+  if (run.edges(i) != 0 || d.area[i] != 0 || perimeter != 0) {
+    return fmt::format("site {} has no cell, but {} edges, area {} and perimeter {}", i, run.edges(i),
+                       d.area[i], perimeter);
+  }
+  const Point centroid = d.centroid[i];
+  if (centroid.x == run.sites.x[i] && centroid.y == run.sites.y[i]) return {};
+  return fmt::format("site {} has no cell, and its centroid ({}, {}) is not the site", i, centroid.x,
+                     centroid.y);
+}
+
+std::vector<std::string> brokenBy(const CheckedCells& run) {
+  // The tree is built beside the other checks, which need one thread as well.
+  auto building = std::async(run.threads > 1 ? std::launch::async : std::launch::deferred,
+                             [&] { return NearestSite(run); });
+  Broken broken;
+  const Diagram& d = run.diagram;
+  const bool outcome = checkOutcome(run, {d.status, d.owner, d.report}, broken);
+  if (!checkArrays(run, broken) || !outcome) return broken.take();
+  checkMeasures(run, broken);
+  const Twins twins = findTwins(run);
+  if (checkSymmetry(run, twins, broken)) checkPartition(run, twins, broken);
+  if (run.detail == Detail::everything) checkTriangles(run, broken);
+  if (run.detail != Detail::measures) checkPolygons(run, broken);
+  checkNearest(run, building.get(), broken);
+  return broken.take();
+}
+
+}  // namespace
+
+bool checkArrays(const CheckedCells& run, Broken& broken) {
+  const Diagram& d = run.diagram;
+  const auto has = [&](std::string_view name, std::size_t size, std::size_t wanted) {
+    if (size != wanted) broken.add("arrays", fmt::format("{} has {} records, not {}", name, size, wanted));
+    return size == wanted;
+  };
+  const bool polygons = run.detail != Detail::measures;
+  bool right = has("area", d.area.size(), run.size()) && has("centroid", d.centroid.size(), run.size()) &&
+               has("cell_offsets", d.cell_offsets.size(), run.size() + 1) &&
+               (!polygons || (has("perimeter", d.perimeter.size(), run.size()) &&
+                              has("second_moments", d.second_moments.size(), run.size())));
+  if (!right) return false;
+  if (d.cell_offsets.front() != 0 || !std::ranges::is_sorted(d.cell_offsets)) {
+    broken.add("arrays", "cell_offsets do not ascend from 0");
+    return false;
+  }
+  const std::size_t entries = d.cell_offsets.back();
+  right = has("neighbors", d.neighbors.size(), entries) &&
+          (!polygons || (has("vertices", d.vertices.size(), entries) &&
+                         has("edge_lengths", d.edge_lengths.size(), entries)));
+  return right && broken.expect("neighbors", run.size(), run.threads,
+                                [&](std::size_t i) { return wrongNeighbor(run, i); });
+}
+
+void checkMeasures(const CheckedCells& run, Broken& broken) {
+  broken.expect("cells", run.size(), run.threads, [&](std::size_t i) { return wrongBesideCell(run, i); });
+  const Box& box = run.caller_domain;
+  const double domain = (box.xmax - box.xmin) * (box.ymax - box.ymin);
+  const double sum = areaSum(run.diagram);
+  if (std::abs(sum - domain) <= area_sum_slack * domain) return;
+  broken.add("areas", fmt::format("they add up to {}, the domain has {} ({:.1e} of it more)", sum, domain,
+                                  sum / domain - 1));
+}
+
+}  // namespace checks
+
+/// Neumaier's summation: what an addition rounds off is added up apart.
+double areaSum(const Diagram& diagram) {
+  double sum = 0, lost = 0;
+  for (const double area : diagram.area) {
+    const double next = sum + area;
+    lost += std::abs(sum) >= std::abs(area) ? (sum - next) + area : (area - next) + sum;
+    sum = next;
+  }
+  return sum + lost;
+}
+
+Result<std::vector<std::string>> check(const Sites& sites, const CellsOptions& options,
+                                       const Diagram& diagram, int threads) {
+  try {
+    return checks::brokenBy(checks::CheckedCells(sites, options, diagram, threads));
+  } catch (const std::bad_alloc&) {
+    return tl::unexpected(Error{ErrorCode::device, "there is not enough memory to check the cells"});
+  }
+}
+
+}  // namespace vorpipe

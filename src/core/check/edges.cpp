@@ -1,0 +1,160 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "core/check/checks.h"
+
+namespace vorpipe::checks {
+namespace {
+
+constexpr std::size_t grain = 4096;
+
+/// A vertex as one cell has it, where its edge `edge` begins.
+struct Corner {
+  std::size_t cell, edge;
+};
+
+/// The corners around a vertex: each is followed, clockwise, by that of the cell across its edge.
+struct Rotation {
+  const CheckedCells& run;
+  const Twins& twins;
+
+  [[nodiscard]] std::optional<Corner> after(Corner c) const {
+    if (run.diagram.neighbors[c.edge] < 0) return {};
+    const auto cell = static_cast<std::size_t>(run.diagram.neighbors[c.edge]);
+    return Corner{cell, run.next(cell, run.begin(cell) + twins[c.edge])};
+  }
+  [[nodiscard]] std::optional<Corner> before(Corner c) const {
+    const std::size_t edge = run.previous(c.cell, c.edge);
+    if (run.diagram.neighbors[edge] < 0) return {};
+    const auto cell = static_cast<std::size_t>(run.diagram.neighbors[edge]);
+    return Corner{cell, run.begin(cell) + twins[edge]};
+  }
+};
+
+/// Walks around a vertex from one of its corners, both ways in turn.
+class VertexWalk {
+ public:
+  VertexWalk(const Rotation& rotation, Corner corner)
+      : rotation_(rotation), start_(corner), ahead_(corner), behind_(corner) {}
+
+  /// Whether none of the vertex's corners stands earlier in the arrays. Looking both ways finds an
+  /// earlier one soon, on average, however many cells meet and in whatever order.
+  bool isFirst() {
+    while (!(wall_ahead_ && wall_behind_) && !closed_) {
+      if (!wall_ahead_) step(rotation_.after(ahead_), ahead_, behind_, wall_ahead_);
+      if (!wall_behind_ && !closed_ && !earlier_)
+        step(rotation_.before(behind_), behind_, ahead_, wall_behind_);
+      if (earlier_) return false;
+    }
+    return true;
+  }
+
+ private:
+  void step(const std::optional<Corner>& next, Corner& here, const Corner& other, bool& wall) {
+    wall = !next;
+    if (!next) return;
+    closed_ = next->edge == other.edge;
+    earlier_ = next->edge < start_.edge;
+    here = *next;
+  }
+
+  const Rotation& rotation_;
+  Corner start_, ahead_, behind_;
+  bool wall_ahead_ = false, wall_behind_ = false, closed_ = false, earlier_ = false;
+};
+
+struct Counts {
+  std::size_t vertices = 0, edges = 0, faces = 0;
+};
+
+Counts countCell(const Rotation& rotation, std::size_t i) {
+  const CheckedCells& run = rotation.run;
+  Counts counts;
+  counts.faces = run.edges(i) > 0 ? 1 : 0;
+  for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
+    const std::int64_t neighbor = run.diagram.neighbors[e];
+    counts.edges += neighbor < 0 || static_cast<std::size_t>(neighbor) > i ? 1 : 0;
+    if (VertexWalk(rotation, {i, e}).isFirst()) ++counts.vertices;
+  }
+  return counts;
+}
+
+Counts countAll(const Rotation& rotation) {
+  const CheckedCells& run = rotation.run;
+  std::vector<Counts> parts((run.size() + grain - 1) / grain);
+  parallelFor(run.size(), grain, run.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Counts cell = countCell(rotation, i);
+      Counts& part = parts[begin / grain];
+      part = {part.vertices + cell.vertices, part.edges + cell.edges, part.faces + cell.faces};
+    }
+  });
+  Counts all;
+  for (const Counts& part : parts) {
+    all = {all.vertices + part.vertices, all.edges + part.edges, all.faces + part.faces};
+  }
+  return all;
+}
+
+std::string wrongTwin(const CheckedCells& run, const Twins& twins, std::size_t i) {
+  const Diagram& d = run.diagram;
+  for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
+    if (d.neighbors[e] < 0) continue;
+    const auto j = static_cast<std::size_t>(d.neighbors[e]);
+    if (twins[e] == no_twin) return fmt::format("sites {} and {} do not name each other once each", i, j);
+    if (run.detail == Detail::measures) continue;
+    const std::size_t back = run.begin(j) + twins[e];
+    if (!(d.vertices[e] == d.vertices[run.next(j, back)] && d.vertices[back] == d.vertices[run.next(i, e)])) {
+      return fmt::format("the edge of sites {} and {} ends elsewhere in each cell", i, j);
+    }
+    if (d.edge_lengths[e] != d.edge_lengths[back]) {
+      return fmt::format("the edge of sites {} and {} is {} long in one cell and {} in the other", i, j,
+                         d.edge_lengths[e], d.edge_lengths[back]);
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Twins findTwins(const CheckedCells& run) {
+  const Diagram& d = run.diagram;
+  Twins twins(d.neighbors.size(), no_twin);
+  // Of a pair the cell with more edges looks through the list of the other: a cell with 100,000 neighbors
+  // is not looked through by each of them. So each place is written for one pair only.
+  parallelFor(run.size(), grain, run.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
+        const auto j = static_cast<std::size_t>(d.neighbors[e]);
+        if (d.neighbors[e] < 0 || std::pair(run.edges(j), j) > std::pair(run.edges(i), i)) continue;
+        std::size_t back = run.begin(j), found = 0;
+        for (std::size_t k = run.begin(j); k < run.end(j); ++k) {
+          if (d.neighbors[k] != static_cast<std::int64_t>(i)) continue;
+          back = k;
+          ++found;
+        }
+        if (found != 1 || twins[back] != no_twin) continue;
+        twins[e] = static_cast<std::uint32_t>(back - run.begin(j));
+        twins[back] = static_cast<std::uint32_t>(e - run.begin(i));
+      }
+    }
+  });
+  return twins;
+}
+
+bool checkSymmetry(const CheckedCells& run, const Twins& twins, Broken& broken) {
+  return broken.expect("symmetry", run.size(), run.threads,
+                       [&](std::size_t i) { return wrongTwin(run, twins, i); });
+}
+
+void checkPartition(const CheckedCells& run, const Twins& twins, Broken& broken) {
+  const Counts counts = countAll({run, twins});
+  if (counts.vertices + counts.faces + 1 != counts.edges + 2) {
+    broken.add("Euler", fmt::format("{} vertices, {} edges and {} faces with the outside are no partition",
+                                    counts.vertices, counts.edges, counts.faces + 1));
+  }
+}
+
+}  // namespace vorpipe::checks

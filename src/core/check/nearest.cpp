@@ -1,0 +1,110 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <random>
+
+#include "core/check/checks.h"
+
+namespace vorpipe::checks {
+namespace {
+
+constexpr std::size_t sampled_cells = 10'000;
+constexpr std::size_t sampled_places = 20'000;
+/// Of a cell; few have more.
+constexpr std::size_t most_vertices = 16;
+/// Of the distance to the site: where ties move a vertex.
+constexpr double tie_slack = 1e-5;
+
+using Random = std::mt19937_64;
+
+/// A number of [0, 1), the same on every platform.
+double fraction(Random& random) { return std::ldexp(static_cast<double>(random() >> 11), -53); }
+
+/// Cells with an area, each at most once: all, or `sampled_cells` of them.
+std::vector<std::uint32_t> sampleCells(const CheckedCells& run, Random& random) {
+  std::vector<std::uint32_t> cells;
+  for (std::uint32_t i = 0; i < run.size(); ++i) {
+    if (run.ok(i)) cells.push_back(i);
+  }
+  if (cells.size() <= sampled_cells) return cells;
+  for (std::size_t k = 0; k < sampled_cells; ++k)
+    std::swap(cells[k], cells[k + random() % (cells.size() - k)]);
+  cells.resize(sampled_cells);
+  return cells;
+}
+
+std::string wrongPlace(const CheckedCells& run, const NearestSite& nearest, std::size_t i, Point p) {
+  const std::uint32_t other = nearest.at(p);
+  const Point own = run.site(i), near = run.site(other);
+  if (near == own) return {};
+  const double slack = tie_slack * length(p - own) + run.rounding(i);
+  if (beyondBisector(own, near, p) <= slack) return {};
+  return fmt::format("({}, {}) in the cell of site {} is nearer to site {}", p.x / run.scale, p.y / run.scale,
+                     i, other);
+}
+
+/// Any cell that reaches into a convex one holds a vertex of it.
+std::string wrongCell(const CheckedCells& run, const NearestSite& nearest, std::size_t i) {
+  const Point centroid = run.diagram.centroid[i];
+  std::string wrong = wrongPlace(run, nearest, i, {centroid.x * run.scale, centroid.y * run.scale});
+  if (run.detail == Detail::measures) return wrong;
+  const std::size_t step = 1 + run.edges(i) / most_vertices;
+  for (std::size_t v = run.begin(i); v < run.end(i) && wrong.empty(); v += step) {
+    wrong = wrongPlace(run, nearest, i, run.vertex(v));
+  }
+  return wrong;
+}
+
+/// From p to the nearest point of the way from a to b.
+double distance(Point p, Point a, Point b) {
+  const Point edge = b - a, to = p - a;
+  const double square = dot(edge, edge);
+  const double along = square > 0 ? std::clamp(dot(to, edge) / square, 0.0, 1.0) : 0;
+  return length(to - Point{along * edge.x, along * edge.y});
+}
+
+/// Whether the way from a to b crosses the ray from p to the right.
+bool crossesRay(Point p, Point a, Point b) {
+  if ((a.y > p.y) == (b.y > p.y)) return false;
+  return (cross(b - a, p - a) > 0) == (b.y > a.y);
+}
+
+/// Whether p lies in the polygon of site i, or as near as ties may have moved a vertex. A short edge may
+/// point anywhere, so that the side of its line on which p lies says nothing.
+bool inCell(const CheckedCells& run, std::size_t i, Point p) {
+  bool inside = false;
+  double nearest = std::numeric_limits<double>::infinity(), reach = 0;
+  for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
+    const Point a = run.vertex(e), b = run.vertex(run.next(i, e));
+    inside = inside != crossesRay(p, a, b);
+    nearest = std::min(nearest, distance(p, a, b));
+    reach = std::max(reach, length(a - run.site(i)));
+  }
+  return inside || nearest <= tie_slack * reach + run.rounding(i);
+}
+
+}  // namespace
+
+void checkNearest(const CheckedCells& run, const NearestSite& nearest, Broken& broken) {
+  Random random(1);
+  const auto cells = sampleCells(run, random);
+  broken.expect("nearest sites", cells.size(), run.threads,
+                [&](std::size_t k) { return wrongCell(run, nearest, cells[k]); });
+  if (run.detail == Detail::measures) return;
+  std::vector<Point> places(sampled_places);
+  const Box& box = run.domain;
+  for (Point& p : places) {
+    p = {box.xmin + fraction(random) * (box.xmax - box.xmin),
+         box.ymin + fraction(random) * (box.ymax - box.ymin)};
+  }
+  broken.expect("nearest sites", places.size(), run.threads, [&](std::size_t k) -> std::string {
+    const Point p = places[k];
+    const std::uint32_t owner = run.diagram.owner[nearest.at(p)];
+    if (inCell(run, owner, p)) return {};
+    return fmt::format("({}, {}) does not lie in the cell of its nearest site {}", p.x / run.scale,
+                       p.y / run.scale, owner);
+  });
+}
+
+}  // namespace vorpipe::checks

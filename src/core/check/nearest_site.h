@@ -1,0 +1,27 @@
+/// The nearest site of a place, in double, for the checks.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "core/check/run.h"
+
+namespace vorpipe::checks {
+
+/// A kd-tree that shares nothing with what computes cells and pictures.
+class NearestSite {
+ public:
+  /// Keeps a reference to `run`.
+  explicit NearestSite(const CheckedSites& run);
+  NearestSite(NearestSite&&) noexcept;
+  ~NearestSite();
+
+  /// A site, in scaled coordinates, of least distance to p; of equally near ones any.
+  [[nodiscard]] std::uint32_t at(Point p) const;
+
+ private:
+  struct Tree;
+  std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace vorpipe::checks

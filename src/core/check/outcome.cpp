@@ -1,0 +1,67 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+
+#include "core/check/checks.h"
+
+namespace vorpipe::checks {
+namespace {
+
+std::size_t hash(Point p) {
+  // Adding 0 makes -0 and 0, which are equal, one bit pattern.
+  const auto x = std::bit_cast<std::uint64_t>(p.x + 0.0), y = std::bit_cast<std::uint64_t>(p.y + 0.0);
+  std::uint64_t bits = (x ^ std::rotl(y, 32)) * 0x9E3779B97F4A7C15u;
+  bits ^= bits >> 32;
+  bits *= 0xD6E8FEB86659FD93u;
+  return bits ^ bits >> 32;
+}
+
+/// For each site the first that has its position.
+std::vector<std::uint32_t> firstOfPosition(const CheckedSites& run) {
+  std::vector<std::uint32_t> slots(std::bit_ceil(2 * run.size() + 1), no_site), first(run.size());
+  const std::size_t mask = slots.size() - 1;
+  for (std::uint32_t i = 0; i < run.size(); ++i) {
+    std::size_t slot = hash(run.site(i)) & mask;
+    while (slots[slot] != no_site && !(run.site(slots[slot]) == run.site(i))) slot = (slot + 1) & mask;
+    if (slots[slot] == no_site) slots[slot] = i;
+    first[i] = slots[slot];
+  }
+  return first;
+}
+
+}  // namespace
+
+bool checkOutcome(const CheckedSites& run, const Outcome& outcome, Broken& broken) {
+  const auto& [status, owner, report] = outcome;
+  if (status.size() != run.size() || owner.size() != run.size()) {
+    broken.add("statuses", fmt::format("{} sites have {} statuses and {} owners", run.size(), status.size(),
+                                       owner.size()));
+    return false;
+  }
+  const auto first = firstOfPosition(run);
+  const bool owned = broken.expect("owners", run.size(), run.threads, [&](std::size_t i) {
+    return owner[i] == first[i]
+               ? std::string()
+               : fmt::format("site {} is owned by site {}, but site {} has its position first", i, owner[i],
+                             first[i]);
+  });
+  broken.expect("statuses", run.size(), run.threads, [&](std::size_t i) -> std::string {
+    const bool duplicate = status[i] == Status::duplicate;
+    if (status[i] > Status::duplicate) return fmt::format("site {} has none that is known", i);
+    if (duplicate != (first[i] != i)) {
+      return fmt::format("site {} is {}a duplicate", i, duplicate ? "" : "not ");
+    }
+    if (status[i] != Status::empty || !run.inDomain(run.site(i))) return {};
+    return fmt::format("site {} lies in the domain and cannot be empty", i);
+  });
+  std::array<std::uint64_t, 4> counts{};
+  for (const Status each : status) ++counts[std::min<std::size_t>(static_cast<std::size_t>(each), 3)];
+  if (counts != std::array<std::uint64_t, 4>{report.ok, report.empty, report.duplicate, 0}) {
+    broken.add("statuses", fmt::format("{} ok, {} empty, {} duplicate; the report says {}, {}, {}", counts[0],
+                                       counts[1], counts[2], report.ok, report.empty, report.duplicate));
+  }
+  return owned;
+}
+
+}  // namespace vorpipe::checks

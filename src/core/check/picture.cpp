@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+
+#include "core/check/checks.h"
+
+namespace vorpipe {
+namespace checks {
+namespace {
+
+constexpr std::uint64_t sampled_pixels = std::uint64_t{1} << 22;
+/// Squared distances that differ by less than this part of themselves may be in either order.
+constexpr double near_tie = 1e-14;
+
+Point centerOf(const CheckedSites& run, const Image& image, std::size_t pixel) {
+  const auto columns = static_cast<std::size_t>(image.width);
+  const double right = (static_cast<double>(pixel % columns) + 0.5) / image.width;
+  const double down = (static_cast<double>(pixel / columns) + 0.5) / image.height;
+  const Box& box = run.domain;
+  return {box.xmin + right * (box.xmax - box.xmin), box.ymax - down * (box.ymax - box.ymin)};
+}
+
+/// The pixel's own id if no site is nearer, else the nearest site's.
+std::uint32_t trueId(const CheckedSites& run, const Rendering& rendering, const NearestSite& nearest,
+                     std::size_t pixel) {
+  const std::uint32_t id = rendering.image.ids[pixel];
+  const Point p = centerOf(run, rendering.image, pixel);
+  const std::uint32_t other = rendering.owner[nearest.at(p)];
+  const Point own = p - run.site(id), to = p - run.site(other);
+  return dot(own, own) <= dot(to, to) * (1 + near_tie) ? id : other;
+}
+
+bool checkCovered(const CheckedSites& run, const Rendering& rendering, Broken& broken) {
+  const Image& image = rendering.image;
+  const auto columns = static_cast<std::size_t>(image.width);
+  return broken.expect("pixels", image.ids.size(), run.threads, [&](std::size_t pixel) -> std::string {
+    const std::uint32_t id = image.ids[pixel];
+    if (id < run.size() && rendering.status[id] == Status::ok) return {};
+    return fmt::format("row {}, column {} belongs to {}", pixel / columns, pixel % columns,
+                       id == no_site ? "no site" : fmt::format("site {}, which has no cell", id));
+  });
+}
+
+/// The ids as they should be, where they are sampled.
+std::vector<std::uint32_t> trueIds(const CheckedSites& run, const Rendering& rendering) {
+  const NearestSite nearest(run);
+  std::vector<std::uint32_t> ids = rendering.image.ids;
+  const std::uint64_t every = (ids.size() + sampled_pixels - 1) / sampled_pixels;
+  constexpr std::size_t grain = 4096;
+  parallelFor(ids.size(), grain, run.threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t pixel = begin; pixel < end; ++pixel) {
+      // Multiplied, so that the samples do not stand in columns.
+      if ((pixel * 0x9E3779B97F4A7C15u >> 32) % every != 0) continue;
+      ids[pixel] = trueId(run, rendering, nearest, pixel);
+    }
+  });
+  return ids;
+}
+
+void checkPixels(const CheckedSites& run, const RenderOptions& options, const Rendering& rendering,
+                 Broken& broken) {
+  const Image& image = rendering.image;
+  const auto diff =
+      diffIds(image.ids, trueIds(run, rendering), image.width, image.height, run.sites, options.domain);
+  if (!diff) {
+    broken.add("pixels", diff.error().message);
+  } else if (diff->wrong > 0) {
+    const IdDifference& first = diff->first.front();
+    broken.add("pixels",
+               fmt::format("row {}, column {} belongs to site {}, but site {} is nearer by {:.4g} px "
+                           "(the first of {})",
+                           first.row, first.column, first.a, first.b, first.distance, diff->wrong));
+  } else if (!diff->agree()) {
+    broken.add("pixels",
+               fmt::format("{} lie beside the cell of their nearest site, the cell boundaries allow {}",
+                           diff->ties, diff->ties_allowed));
+  }
+}
+
+std::vector<std::string> brokenBy(const CheckedSites& run, const RenderOptions& options,
+                                  const Rendering& rendering) {
+  Broken broken;
+  const Image& image = rendering.image;
+  const auto pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
+  const bool owned = checkOutcome(run, {rendering.status, rendering.owner, rendering.report}, broken);
+  if (image.width != options.width || image.height != options.height || image.ids.size() != pixels ||
+      image.rgba.size() != pixels) {
+    broken.add("pixels", fmt::format("there are {} ids and {} colors for {}x{}", image.ids.size(),
+                                     image.rgba.size(), options.width, options.height));
+  } else if (owned && checkCovered(run, rendering, broken)) {
+    checkPixels(run, options, rendering, broken);
+  }
+  return broken.take();
+}
+
+}  // namespace
+}  // namespace checks
+
+Result<std::vector<std::string>> check(const Sites& sites, const RenderOptions& options,
+                                       const Rendering& rendering, int threads) {
+  try {
+    return checks::brokenBy(checks::CheckedSites(sites, options.domain, threads), options, rendering);
+  } catch (const std::bad_alloc&) {
+    return tl::unexpected(Error{ErrorCode::device, "there is not enough memory to check the picture"});
+  }
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,179 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/check/checks.h"
+
+namespace vorpipe::checks {
+namespace {
+
+/// A vertex stands for all that ties join, each shorter than 1e-6 of the distance between two sites,
+/// which is at most twice the distance from vertex to site.
+constexpr double tie_slack = 1e-5;
+/// Of a sum of a cell's own numbers.
+constexpr double sum_slack = 1e-9;
+
+/// What may separate the vertices of a cell from where they belong.
+struct Slack {
+  double reach = 0;     ///< largest distance from the site to a vertex
+  double rounding = 0;  ///< of a coordinate
+  [[nodiscard]] double position() const { return tie_slack * reach + rounding; }
+};
+
+Slack slackOf(const CheckedCells& run, std::size_t i) {
+  Slack slack;
+  for (std::size_t v = run.begin(i); v < run.end(i); ++v) {
+    slack.reach = std::max(slack.reach, length(run.vertex(v) - run.site(i)));
+  }
+  slack.rounding = run.rounding(i);
+  return slack;
+}
+
+/// The outward unit normal of an edge of cell i, from its neighbor alone.
+Point normalOf(const CheckedCells& run, std::size_t i, std::int64_t neighbor) {
+  if (neighbor >= 0) {
+    const Point d = run.site(static_cast<std::size_t>(neighbor)) - run.site(i);
+    return {d.x / length(d), d.y / length(d)};
+  }
+  constexpr std::array<Point, 4> walls = {Point{-1, 0}, Point{1, 0}, Point{0, -1}, Point{0, 1}};
+  return walls[static_cast<std::size_t>(-1 - neighbor)];
+}
+
+/// How far outside the line between cell i and its neighbor p lies.
+double beyondEdge(const CheckedCells& run, std::size_t i, std::int64_t neighbor, Point p) {
+  const Box& box = run.domain;
+  switch (neighbor) {
+    case wall_xmin:
+      return box.xmin - p.x;
+    case wall_xmax:
+      return p.x - box.xmax;
+    case wall_ymin:
+      return box.ymin - p.y;
+    case wall_ymax:
+      return p.y - box.ymax;
+    default:
+      break;
+  }
+  return beyondBisector(run.site(i), run.site(static_cast<std::size_t>(neighbor)), p);
+}
+
+std::string wrongEdge(const CheckedCells& run, std::size_t i, std::size_t e, const Slack& slack) {
+  const Diagram& d = run.diagram;
+  const Point a = run.vertex(e), b = run.vertex(run.next(i, e));
+  const double apart = length(b - a), said = d.edge_lengths[e] * run.scale;
+  if (!(std::abs(apart - said) <= sum_slack * apart + slack.rounding)) {
+    return fmt::format("is {} long, its vertices are {} apart", said / run.scale, apart / run.scale);
+  }
+  for (const Point p : {a, b}) {
+    const double off = beyondEdge(run, i, d.neighbors[e], p);
+    if (!(std::abs(off) <= slack.position())) {
+      return fmt::format("ends {} off its line", std::abs(off) / run.scale);
+    }
+  }
+  const Box& box = run.domain;
+  const double outside = std::max({box.xmin - a.x, a.x - box.xmax, box.ymin - a.y, a.y - box.ymax});
+  if (!(outside <= run.rounding(i))) return "leaves the domain";
+  const Point c = run.vertex(run.next(i, run.next(i, e)));
+  if (!(cross(b - a, c - b) >= -slack.position() * length(c - a))) return "turns clockwise at its end";
+  return {};
+}
+
+struct Sums {
+  Point gap{0, 0};
+  double perimeter = 0, area = 0;
+  Point first{0, 0};  ///< moments about the site
+  std::array<double, 3> second{};
+};
+
+/// Over the triangles of the site and each edge. Edge lengths along the normals that the neighbors give
+/// add up to nothing in a closed polygon.
+Sums sumsOf(const CheckedCells& run, std::size_t i) {
+  const Diagram& d = run.diagram;
+  Sums sums;
+  for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
+    const double edge = d.edge_lengths[e] * run.scale;
+    const Point normal = normalOf(run, i, d.neighbors[e]);
+    sums.gap = {sums.gap.x + edge * normal.x, sums.gap.y + edge * normal.y};
+    sums.perimeter += edge;
+    const Point a = run.vertex(e) - run.site(i), b = run.vertex(run.next(i, e)) - run.site(i);
+    const double area = cross(a, b) / 2;
+    sums.area += area;
+    sums.first = {sums.first.x + area * (a.x + b.x) / 3, sums.first.y + area * (a.y + b.y) / 3};
+    sums.second[0] += area * (a.x * a.x + a.x * b.x + b.x * b.x) / 6;
+    sums.second[1] += area * (2 * a.x * a.y + a.x * b.y + b.x * a.y + 2 * b.x * b.y) / 12;
+    sums.second[2] += area * (a.y * a.y + a.y * b.y + b.y * b.y) / 6;
+  }
+  return sums;
+}
+
+/// Centroid and second moments against the vertices; `rounding` is of the area.
+std::string wrongMoments(const CheckedCells& run, std::size_t i, const Sums& sums, const Slack& slack,
+                         double rounding) {
+  const Diagram& d = run.diagram;
+  const Point said = Point{d.centroid[i].x * run.scale, d.centroid[i].y * run.scale} - run.site(i);
+  const Point off = {said.x * sums.area - sums.first.x, said.y * sums.area - sums.first.y};
+  const double allowed = (sum_slack * sums.area + rounding) * slack.reach + slack.rounding * sums.area;
+  if (!(length(off) <= allowed)) {
+    return fmt::format("has its centroid at ({}, {}), which is not that of its vertices", d.centroid[i].x,
+                       d.centroid[i].y);
+  }
+  const double area = sums.area;
+  const std::array<double, 3> central = {sums.second[0] - area * said.x * said.x,
+                                         sums.second[1] - area * said.x * said.y,
+                                         sums.second[2] - area * said.y * said.y};
+  // In the caller's units they may be out of a double's range.
+  const double square = run.scale * run.scale;
+  for (std::size_t k = 0; k < central.size(); ++k) {
+    const double said_moment = d.second_moments[i][k], wanted = central[k] / square / square;
+    if (said_moment == wanted) continue;
+    if (!(std::abs(said_moment - wanted) <= 4 * allowed * slack.reach / square / square)) {
+      return fmt::format("has second moment {}, its vertices give {}", said_moment, wanted);
+    }
+  }
+  return {};
+}
+
+std::string wrongCell(const CheckedCells& run, std::size_t i, const Slack& slack) {
+  const Diagram& d = run.diagram;
+  const Sums sums = sumsOf(run, i);
+  const auto edges = static_cast<double>(run.edges(i));
+  if (!(length(sums.gap) <= tie_slack * (sums.perimeter + slack.reach) + edges * slack.rounding)) {
+    return fmt::format("is open by {} of its perimeter", length(sums.gap) / sums.perimeter);
+  }
+  const double perimeter = d.perimeter[i] * run.scale, area = d.area[i] * run.scale * run.scale;
+  if (!(std::abs(sums.perimeter - perimeter) <= sum_slack * sums.perimeter)) {
+    return fmt::format("has perimeter {}, its edges add up to {}", d.perimeter[i],
+                       sums.perimeter / run.scale);
+  }
+  const double rounding = edges * epsilon * slack.reach * sums.perimeter + slack.rounding * sums.perimeter;
+  if (!(std::abs(sums.area - area) <= sum_slack * sums.area + rounding)) {
+    return fmt::format("has area {}, its vertices enclose {}", d.area[i],
+                       sums.area / (run.scale * run.scale));
+  }
+  // Ties may take every edge from a cell only where the site does not lie in the domain. Two are left of a
+  // strip between sites so near that the strip's ends are ties.
+  const bool inside = run.inDomain(run.site(i));
+  const bool filled = inside && edges >= 3 ? area > 0 : area >= -rounding && (edges >= 2 || !inside);
+  if (!filled) return fmt::format("has {} edges and area {}", edges, d.area[i]);
+  return wrongMoments(run, i, sums, slack, rounding);
+}
+
+}  // namespace
+
+void checkPolygons(const CheckedCells& run, Broken& broken) {
+  broken.expect("polygons", run.size(), run.threads, [&](std::size_t i) -> std::string {
+    if (!run.ok(i)) return {};
+    const Slack slack = slackOf(run, i);
+    for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
+      const std::string wrong = wrongEdge(run, i, e, slack);
+      if (wrong.empty()) continue;
+      return fmt::format("site {}: edge {} to neighbor {} {}", i, e - run.begin(i), run.diagram.neighbors[e],
+                         wrong);
+    }
+    const std::string wrong = wrongCell(run, i, slack);
+    return wrong.empty() ? wrong : fmt::format("site {}: the cell {}", i, wrong);
+  });
+}
+
+}  // namespace vorpipe::checks

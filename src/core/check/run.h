@@ -1,0 +1,132 @@
+/// A run's result as the checks see it. Nothing here relies on what computed it.
+#pragma once
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "parallel.h"
+#include "vorpipe.h"
+
+namespace vorpipe::checks {
+
+inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
+
+inline Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
+inline bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
+inline double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
+inline double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
+inline double length(Point a) { return std::sqrt(dot(a, a)); }
+
+/// How far p lies beyond the bisector of two sites, seen from the first.
+inline double beyondBisector(Point from, Point to, Point p) {
+  const Point d = to - from;
+  return dot(p - from, d) / length(d) - length(d) / 2;
+}
+
+/// The power of two that brings the domain's longer side into [1, 2), so that no square of a length is
+/// out of a double's range.
+inline double scaleOf(const Box& domain) {
+  constexpr int most = 1000;  // beyond, the power itself is out of range
+  int exponent = 0;
+  std::frexp(std::max(domain.xmax - domain.xmin, domain.ymax - domain.ymin), &exponent);
+  return std::ldexp(1.0, std::clamp(1 - exponent, -most, most));
+}
+
+/// The sites of a run and its domain, scaled.
+struct CheckedSites {
+  CheckedSites(const Sites& of, const Box& box, int thread_count)
+      : sites(of), caller_domain(box), threads(threadCount(thread_count)), scale(scaleOf(box)) {
+    domain = {box.xmin * scale, box.ymin * scale, box.xmax * scale, box.ymax * scale};
+    largest = std::max(
+        {std::abs(domain.xmin), std::abs(domain.xmax), std::abs(domain.ymin), std::abs(domain.ymax)});
+  }
+  [[nodiscard]] std::size_t size() const { return sites.size(); }
+  [[nodiscard]] Point site(std::size_t i) const { return {sites.x[i] * scale, sites.y[i] * scale}; }
+  [[nodiscard]] bool inDomain(Point p) const {
+    return p.x >= domain.xmin && p.x <= domain.xmax && p.y >= domain.ymin && p.y <= domain.ymax;
+  }
+  /// What a coordinate beside site i may have lost to rounding.
+  [[nodiscard]] double rounding(std::size_t i) const {
+    constexpr double steps = 16;
+    const Point p = site(i);
+    return steps * epsilon * std::max({largest, std::abs(p.x), std::abs(p.y)});
+  }
+
+  const Sites& sites;
+  Box caller_domain;
+  int threads;
+  double scale;
+  Box domain{};
+  double largest = 0;  ///< coordinate of the domain
+};
+
+/// Cells of such sites. Vertices and sites are scaled; other lengths are as the diagram has them.
+struct CheckedCells : CheckedSites {
+  CheckedCells(const Sites& of, const CellsOptions& options, const Diagram& result, int thread_count)
+      : CheckedSites(of, options.domain, thread_count), diagram(result), detail(options.detail) {}
+
+  [[nodiscard]] bool ok(std::size_t i) const { return diagram.status[i] == Status::ok; }
+  /// The vertices and edges of cell i are begin(i) .. end(i) - 1.
+  [[nodiscard]] std::size_t begin(std::size_t i) const { return diagram.cell_offsets[i]; }
+  [[nodiscard]] std::size_t end(std::size_t i) const { return diagram.cell_offsets[i + 1]; }
+  [[nodiscard]] std::size_t edges(std::size_t i) const { return end(i) - begin(i); }
+  /// What follows vertex or edge e of cell i, and what it follows.
+  [[nodiscard]] std::size_t next(std::size_t i, std::size_t e) const {
+    return e + 1 < end(i) ? e + 1 : begin(i);
+  }
+  [[nodiscard]] std::size_t previous(std::size_t i, std::size_t e) const {
+    return (e > begin(i) ? e : end(i)) - 1;
+  }
+  [[nodiscard]] Point vertex(std::size_t e) const {
+    return {diagram.vertices[e].x * scale, diagram.vertices[e].y * scale};
+  }
+
+  const Diagram& diagram;
+  Detail detail;
+};
+
+/// The lines of a check: one for each promise that is broken.
+class Broken {
+ public:
+  void add(std::string_view promise, const std::string& what) {
+    lines_.push_back(std::string(promise).append(": ").append(what));
+  }
+  [[nodiscard]] bool none() const { return lines_.empty(); }
+  [[nodiscard]] std::vector<std::string> take() { return std::move(lines_); }
+
+  /// Adds a line when `test(i)`, what is wrong with i or nothing, is not empty for some i below count: the
+  /// first of them, and how many there are. Returns whether the promise holds.
+  template <class Test>
+  bool expect(std::string_view promise, std::size_t count, int threads, const Test& test) {
+    constexpr std::size_t grain = 4096;
+    std::mutex mutex;
+    std::size_t first = count, wrong = 0;
+    std::string text;
+    parallelFor(count, grain, threads, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        std::string what = test(i);
+        if (what.empty()) continue;
+        const std::lock_guard lock(mutex);
+        ++wrong;
+        if (i < first) {
+          first = i;
+          text = std::move(what);
+        }
+      }
+    });
+    if (wrong == 0) return true;
+    if (wrong > 1) text += " (the first of " + std::to_string(wrong) + ")";
+    add(promise, text);
+    return false;
+  }
+
+ private:
+  std::vector<std::string> lines_;
+};
+
+}  // namespace vorpipe::checks

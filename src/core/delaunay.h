@@ -1,0 +1,27 @@
+/// The Delaunay triangulation of points, whatever their position.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+/// A triangle's corners, counter-clockwise, and the triangles beyond the edges that face them. One corner of
+/// triangles outside the hull is `beyond`.
+struct MeshTriangle {
+  std::array<std::int32_t, 3> corner;
+  std::array<std::int32_t, 3> across;
+};
+
+/// Stands for a point at infinity: a mesh closes over the hull.
+inline constexpr std::int32_t beyond = -1;
+
+/// Triangulates distinct points with exact decisions; of points on a circle, an order of insertion that
+/// follows from their number alone decides. Empty if all lie on a line. Points near each other in the
+/// plane should be near each other in the order. Coordinates: as predicates.h says.
+std::vector<MeshTriangle> delaunay(const std::vector<Point>& points);
+
+}  // namespace vorpipe

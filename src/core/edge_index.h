@@ -1,0 +1,61 @@
+/// Finds the edge of a cell to a given neighbor.
+#pragma once
+
+#include <bit>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "backend/backend.h"
+
+namespace vorpipe {
+
+/// The edges of one cell, counter-clockwise.
+inline std::span<const std::int32_t> edgesOf(const Neighborhoods& cells, std::size_t cell) {
+  return std::span(cells.neighbor)
+      .subspan(static_cast<std::size_t>(cells.first[cell]),
+               static_cast<std::size_t>(cells.first[cell + 1] - cells.first[cell]));
+}
+
+/// Looks neighbors up in cells of any number of edges. Cells outlive it unchanged.
+class EdgeIndex {
+ public:
+  EdgeIndex(const Neighborhoods& cells, int threads);
+
+  static constexpr std::size_t none = ~std::size_t{0};
+
+  /// Which edge of `cell`, whose edges are `row`, leads to `neighbor`; or none.
+  [[nodiscard]] std::size_t find(std::span<const std::int32_t> row, std::size_t cell,
+                                 std::int32_t neighbor) const {
+    if (row.size() > most_scanned) return findInLarge(cell, neighbor);
+    const auto* edge = row.data();
+    if (row.size() <= at_once && edge + at_once <= end_) {
+      // Looking at a few edges too many is faster than to guess where to stop.
+      std::uint32_t found = 0;
+      for (std::size_t e = 0; e < at_once; ++e) found |= std::uint32_t{edge[e] == neighbor} << e;
+      const auto first = static_cast<std::size_t>(std::countr_zero(found));
+      return first < row.size() ? first : none;
+    }
+    for (std::size_t e = 0; e < row.size(); ++e) {
+      if (edge[e] == neighbor) return e;
+    }
+    return none;
+  }
+
+ private:
+  /// Beyond this many edges a sorted list is faster than a look at each, and keeps a cell with many
+  /// neighbors, each of which asks for itself, from costing their number squared.
+  static constexpr std::size_t most_scanned = 64;
+  static constexpr std::size_t at_once = 8;
+
+  struct Large {
+    std::size_t cell;
+    std::vector<std::pair<std::int32_t, std::uint32_t>> edges;  ///< neighbor and place, ascending
+  };
+  [[nodiscard]] std::size_t findInLarge(std::size_t cell, std::int32_t neighbor) const;
+
+  const std::int32_t* end_;   ///< of all edges
+  std::vector<Large> large_;  ///< ascending
+};
+
+}  // namespace vorpipe

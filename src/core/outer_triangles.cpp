@@ -1,0 +1,147 @@
+#include "core/outer_triangles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "core/delaunay.h"
+
+namespace vorpipe {
+namespace {
+
+using Edge = std::pair<std::int32_t, std::int32_t>;
+
+/// Whether a cell does not lie inside the domain with all of its vertices. A triangle whose center is
+/// not inside the domain has three such sites: their cells, were they not clipped, would reach that center.
+bool isOpen(const ProposedCells& agreed, const TiedCells& tied, std::size_t cell) {
+  const auto row = edgesOf(agreed.cells, cell);
+  if (row.empty() || std::any_of(row.begin(), row.end(), [](auto n) { return n < 0; })) return true;
+  if (!tied.has(cell)) return false;
+  const auto k = tied.entry[cell];
+  return std::any_of(tied.vertex.begin() + static_cast<std::ptrdiff_t>(tied.first[k]),
+                     tied.vertex.begin() + static_cast<std::ptrdiff_t>(tied.first[k + 1]),
+                     [&](auto vertex) { return tied.walls[vertex] != 0; });
+}
+
+/// The Delaunay mesh of some of the sites.
+class OuterMesh {
+ public:
+  OuterMesh(const SiteSet& sites, std::vector<std::uint32_t> cells)
+      : sites_(sites), cells_(std::move(cells)) {
+    std::vector<Point> points;
+    points.reserve(cells_.size());
+    double largest = 0;
+    for (const auto cell : cells_) {
+      points.push_back({sites.x[cell], sites.y[cell]});
+      largest = std::max({largest, std::abs(points.back().x), std::abs(points.back().y)});
+    }
+    // The decisions multiply four coordinates.
+    constexpr double most = 0x1p240;
+    if (largest > most) {
+      for (auto& p : points) p = {std::ldexp(p.x, -64), std::ldexp(p.y, -64)};
+    }
+    mesh_ = delaunay(points);
+  }
+
+  [[nodiscard]] std::size_t hullEdges() const {
+    return static_cast<std::size_t>(
+        std::count_if(mesh_.begin(), mesh_.end(), [](const auto& t) { return isOutside(t); }));
+  }
+
+  /// Appends the triangles between the hull and those that are known, which lie to the left of `known`
+  /// edges; these are given in numbers of cells_, sorted.
+  void appendBeyond(const std::vector<Edge>& known, Triangles& triangles) const {
+    std::vector<std::uint8_t> reached(mesh_.size());
+    std::vector<std::size_t> open;
+    const auto reach = [&](std::size_t t) {
+      if (std::exchange(reached[t], std::uint8_t{1}) == 0) open.push_back(t);
+    };
+    for (std::size_t t = 0; t < mesh_.size(); ++t) {
+      if (isOutside(mesh_[t])) reach(t);
+    }
+    while (!open.empty()) {
+      const auto& here = mesh_[open.back()];
+      open.pop_back();
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Edge seen_from_there{here.corner[(k + 2) % 3], here.corner[(k + 1) % 3]};
+        if (!std::binary_search(known.begin(), known.end(), seen_from_there)) {
+          reach(static_cast<std::size_t>(here.across[k]));
+        }
+      }
+    }
+    for (std::size_t t = 0; t < mesh_.size(); ++t) {
+      if (reached[t] != 0 && !isOutside(mesh_[t])) triangles.push_back(named(mesh_[t]));
+    }
+  }
+
+  /// The number of each site in this mesh by input index, or `beyond`.
+  [[nodiscard]] std::vector<std::int32_t> numbers() const {
+    std::vector<std::int32_t> number;
+    const auto most = std::max_element(sites_.id.begin(), sites_.id.end());
+    number.assign(*most + std::size_t{1}, beyond);
+    for (std::size_t k = 0; k < cells_.size(); ++k)
+      number[sites_.id[cells_[k]]] = static_cast<std::int32_t>(k);
+    return number;
+  }
+
+ private:
+  static bool isOutside(const MeshTriangle& t) {
+    return std::find(t.corner.begin(), t.corner.end(), beyond) != t.corner.end();
+  }
+
+  /// By input index, the lowest first.
+  [[nodiscard]] Triangles::value_type named(const MeshTriangle& t) const {
+    Triangles::value_type ids{};
+    std::transform(t.corner.begin(), t.corner.end(), ids.begin(),
+                   [&](auto k) { return sites_.id[cells_[static_cast<std::size_t>(k)]]; });
+    std::rotate(ids.begin(), std::min_element(ids.begin(), ids.end()), ids.end());
+    return ids;
+  }
+
+  const SiteSet& sites_;
+  std::vector<std::uint32_t> cells_;
+  std::vector<MeshTriangle> mesh_;
+};
+
+/// The edges, sorted, of triangles between sites of the mesh.
+std::vector<Edge> knownEdges(const OuterMesh& mesh, const Triangles& triangles) {
+  const auto number = mesh.numbers();
+  std::vector<Edge> known;
+  for (const auto& triangle : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Edge edge{number[triangle[k]], number[triangle[(k + 1) % 3]]};
+      if (edge.first != beyond && edge.second != beyond) known.push_back(edge);
+    }
+  }
+  std::sort(known.begin(), known.end());
+  return known;
+}
+
+}  // namespace
+
+void addOuterTriangles(const ProposedCells& agreed, const TiedCells& tied, Triangles& triangles) {
+  const auto count = agreed.sites.size();
+  std::vector<std::uint32_t> cells;
+  for (std::size_t cell = 0; cell < count; ++cell) {
+    if (isOpen(agreed, tied, cell)) cells.push_back(static_cast<std::uint32_t>(cell));
+  }
+  const OuterMesh mesh(agreed.sites, std::move(cells));
+  const auto hull = mesh.hullEdges();
+  if (hull == 0) return;
+  mesh.appendBeyond(knownEdges(mesh, triangles), triangles);
+  // Euler's relation for a triangulation with that many sites on its hull.
+  if (triangles.size() == 2 * count - 2 - hull) return;
+  // Cells joined by ties may lack an edge between the known triangles and the rest.
+  triangles = allTriangles(agreed.sites);
+}
+
+Triangles allTriangles(const SiteSet& sites) {
+  std::vector<std::uint32_t> all(sites.size());
+  std::iota(all.begin(), all.end(), 0u);
+  Triangles triangles;
+  OuterMesh(sites, std::move(all)).appendBeyond({}, triangles);
+  return triangles;
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,14 @@
+/// The part of the triangulation that the domain cuts off.
+#pragma once
+
+#include "core/dual.h"
+
+namespace vorpipe {
+
+/// Completes the triangles of the vertices inside the domain to the Delaunay triangulation of all sites.
+void addOuterTriangles(const ProposedCells& agreed, const TiedCells& tied, Triangles& triangles);
+
+/// The Delaunay triangulation of all sites without the help of cells, on one thread.
+Triangles allTriangles(const SiteSet& sites);
+
+}  // namespace vorpipe

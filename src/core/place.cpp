@@ -1,0 +1,150 @@
+#include "core/place.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/circumcenter.h"
+#include "core/measure.h"
+#include "core/wide.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+constexpr Place nowhere{{not_a_number, not_a_number}, {0, 0}};
+/// What a corner may be off, as a part of its distance from the sites: circumcenterOf loses no more than
+/// three bits to cancellation.
+constexpr double relative_rounding = 0x1p-46;
+
+Point siteAt(const SiteSet& s, std::int32_t i) {
+  return {s.x[static_cast<std::size_t>(i)], s.y[static_cast<std::size_t>(i)]};
+}
+
+std::uint32_t idOf(const SiteSet& s, std::int32_t i) { return s.id[static_cast<std::size_t>(i)]; }
+
+double squaredDistance(Point a, Point b) {
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  return dx * dx + dy * dy;
+}
+
+/// The circle's center in twice the precision; the first point lies opposite the longest side.
+Place wideCircumcenter(Point i, Point j, Point k) {
+  const double longest = std::max({std::abs(j.x - i.x), std::abs(j.y - i.y), std::abs(k.x - i.x),
+                                   std::abs(k.y - i.y), std::numeric_limits<double>::min()});
+  int exponent = 0;
+  std::frexp(longest, &exponent);
+  const auto difference = [exponent](double a, double b) {
+    const Wide d = Wide::sum(a, -b);
+    return Wide{std::ldexp(d.high, -exponent), std::ldexp(d.low, -exponent)};
+  };
+  const Wide bx = difference(j.x, i.x), by = difference(j.y, i.y);
+  const Wide cx = difference(k.x, i.x), cy = difference(k.y, i.y);
+  const Wide area = bx * cy - by * cx;
+  const Wide twice = area + area;
+  const Wide bb = bx * bx + by * by;
+  const Wide cc = cx * cx + cy * cy;
+  const Wide rest_x = (cy * bb - by * cc) / twice;
+  const Wide rest_y = (bx * cc - cx * bb) / twice;
+  const auto placed = [exponent](double from, Wide way) {
+    return Wide{from, 0} + Wide{std::ldexp(way.high, exponent), std::ldexp(way.low, exponent)};
+  };
+  const Wide x = placed(i.x, rest_x), y = placed(i.y, rest_y);
+  return {{x.high, y.high}, {x.low, y.low}};
+}
+
+/// Three sites in the order of their input indices.
+Place amongSites(const SiteSet& s, std::int32_t a, std::int32_t b, std::int32_t c) {
+  Point i = siteAt(s, a);
+  Point j = siteAt(s, b);
+  Point k = siteAt(s, c);
+  const double ij = squaredDistance(i, j);
+  const double jk = squaredDistance(j, k);
+  const double ik = squaredDistance(i, k);
+  if (ik > jk && ik >= ij) {
+    std::swap(i, j);
+  } else if (ij > jk) {
+    std::swap(i, k);
+  }
+  const double bx = j.x - i.x, by = j.y - i.y;
+  const double cx = k.x - i.x, cy = k.y - i.y;
+  const double bb = bx * bx + by * by;
+  const double cc = cx * cx + cy * cy;
+  const double left = bx * cy, right = by * cx;
+  const double half = 0.5 / (left - right);
+  const Place place{i, {(cy * bb - by * cc) * half, (bx * cc - cx * bb) * half}};
+  const double twice_area = std::abs(left - right);
+  const bool exact = 8 * twice_area > std::abs(left) + std::abs(right) && twice_area > 1e-140;
+  const bool near = place.rest.x * place.rest.x + place.rest.y * place.rest.y < 64;
+  return exact && near ? place : wideCircumcenter(i, j, k);
+}
+
+/// Where the bisector of two sites meets a wall.
+Place atWall(const SiteSet& s, std::int32_t a, std::int32_t b, std::int32_t wall) {
+  const Point i = siteAt(s, a);
+  const double dx = s.x[static_cast<std::size_t>(b)] - i.x;
+  const double dy = s.y[static_cast<std::size_t>(b)] - i.y;
+  const double half = 0.5 * (dx * dx + dy * dy);
+  const double at = wallCoordinate(s.domain, wall);
+  if (isVerticalWall(wall)) return {{at, i.y}, {0, (half - (at - i.x) * dx) / dy}};
+  return {{i.x, at}, {(half - (at - i.y) * dy) / dx, 0}};
+}
+
+}  // namespace
+
+bool isVerticalWall(std::int32_t wall) { return wall == wall_xmin || wall == wall_xmax; }
+
+double wallCoordinate(const Box& domain, std::int32_t wall) {
+  if (wall == wall_xmin) return domain.xmin;
+  if (wall == wall_xmax) return domain.xmax;
+  return wall == wall_ymin ? domain.ymin : domain.ymax;
+}
+
+Place cornerPlace(const SiteSet& sites, std::int32_t cell, std::int32_t before, std::int32_t after) {
+  if (before < 0 && after < 0) {
+    if (isVerticalWall(before) == isVerticalWall(after)) return nowhere;
+    const auto vertical = isVerticalWall(before) ? before : after;
+    const auto level = isVerticalWall(before) ? after : before;
+    return {{wallCoordinate(sites.domain, vertical), wallCoordinate(sites.domain, level)}, {0, 0}};
+  }
+  if (before < 0 || after < 0) {
+    const auto other = std::max(before, after);
+    const auto wall = std::min(before, after);
+    return idOf(sites, cell) < idOf(sites, other) ? atWall(sites, cell, other, wall)
+                                                  : atWall(sites, other, cell, wall);
+  }
+  const Point i = siteAt(sites, cell), p = siteAt(sites, before), j = siteAt(sites, after);
+  const auto center = circumcenterOf(i.x, i.y, p.x, p.y, j.x, j.y);
+  if (center.sure != 0) return {{center.base_x, center.base_y}, {center.rest_x, center.rest_y}};
+  std::array<std::int32_t, 3> sorted{cell, before, after};
+  std::sort(sorted.begin(), sorted.end(),
+            [&](std::int32_t a, std::int32_t b) { return idOf(sites, a) < idOf(sites, b); });
+  return amongSites(sites, sorted[0], sorted[1], sorted[2]);
+}
+
+EdgeSpan edgeSpan(const SiteSet& sites, std::int32_t cell, std::int32_t before, std::int32_t neighbor,
+                  std::int32_t after, const Place& begin, const Place& end) {
+  const Point site = siteAt(sites, cell);
+  const Point way = wayBetween(begin, end);
+  const Point a = relativeTo(site, begin), b = relativeTo(site, end);
+  const double rounding = relative_rounding * (std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y));
+  if (neighbor < 0) {
+    const double outward = neighbor == wall_xmax || neighbor == wall_ymax ? 1 : -1;
+    const double along = outward * (isVerticalWall(neighbor) ? way.y : -way.x);
+    // A corner of the domain is no site; the cell's own stands in for it.
+    const Point p = before < 0 ? site : siteAt(sites, before);
+    const Point q = after < 0 ? site : siteAt(sites, after);
+    const double shortest = shortest_edge * lengthOf({q.x - p.x, q.y - p.y});
+    return {along - shortest, 2 * shortest + rounding, shortest + rounding};
+  }
+  const Point other = siteAt(sites, neighbor);
+  const double dx = other.x - site.x, dy = other.y - site.y;
+  const double distance = lengthOf({dx, dy});
+  const double shortest = shortest_edge * distance;
+  return {excessLength(dx, dy, way.x, way.y), (2 * shortest + rounding) * distance, shortest + rounding};
+}
+
+}  // namespace vorpipe

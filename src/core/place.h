@@ -1,0 +1,64 @@
+/// Where cells meet: the position of a corner from the sites and walls around it.
+#pragma once
+
+#include <cstdint>
+
+#include "backend/backend.h"
+
+namespace vorpipe {
+
+/// A position as the sum of a point and what it is away from there. Kept apart, the two tell positions
+/// near each other apart to the precision of their distance, wherever in the domain they lie.
+struct Place {
+  Point base, rest;
+};
+
+inline Point positionOf(const Place& p) { return {p.base.x + p.rest.x, p.base.y + p.rest.y}; }
+
+inline Point relativeTo(Point origin, const Place& p) {
+  return {(p.base.x - origin.x) + p.rest.x, (p.base.y - origin.y) + p.rest.y};
+}
+
+/// The way from a to b; from b to a it is the same with the other sign, to the bit.
+inline Point wayBetween(const Place& a, const Place& b) {
+  return {(b.base.x - a.base.x) + (b.rest.x - a.rest.x), (b.base.y - a.base.y) + (b.rest.y - a.rest.y)};
+}
+
+bool isVerticalWall(std::int32_t wall);
+
+/// Its x or y.
+double wallCoordinate(const Box& domain, std::int32_t wall);
+
+/// The place of the corner of `cell` between its neighbors `before` and `after`. It follows from the
+/// three sites that meet there, or two sites and a wall, and is the same to the bit for any order of
+/// them; of sites that could stand for each other the lower input index goes first. Not a number where
+/// the three do not meet.
+Place cornerPlace(const SiteSet& sites, std::int32_t cell, std::int32_t before, std::int32_t after);
+
+/// An edge shorter than this part of the distance between its two sites is a tie.
+inline constexpr double shortest_edge = 1e-6;
+
+/// How much longer than a tie an edge is, times the distance between its sites: (dx, dy) is the way from
+/// the cell's site to its neighbor's, (ex, ey) that from the edge's beginning to its end. Turned
+/// around, for the neighbor, it is the same to the bit.
+inline double excessLength(double dx, double dy, double ex, double ey) {
+  return (dx * ey - dy * ex) - shortest_edge * (dx * dx + dy * dy);
+}
+
+/// One edge of a cell. A tie at a wall is shorter than that part of the distance of the sites at its ends:
+/// so is the edge between their cells which ends just before the wall, where the sites lie a little
+/// differently.
+struct EdgeSpan {
+  double excess;     ///< as excessLength, or a length along a wall; a tie where it is not positive
+  double tolerance;  ///< below minus this, or not a number, the edge is turned around: no tie, but wrong
+  double slack;      ///< how far apart one end may be in the two cells: the shortest edge, and rounding
+  [[nodiscard]] bool isTie() const { return !(excess > 0); }
+  [[nodiscard]] bool isTurned() const { return !(excess >= -tolerance); }
+};
+
+/// The edge of `cell` to `neighbor`, a site or a wall, which runs from `begin`, where the neighbor before
+/// ends, to `end`, where the one after begins.
+EdgeSpan edgeSpan(const SiteSet& sites, std::int32_t cell, std::int32_t before, std::int32_t neighbor,
+                  std::int32_t after, const Place& begin, const Place& end);
+
+}  // namespace vorpipe

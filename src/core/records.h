@@ -1,0 +1,74 @@
+/// The records of a Diagram that is being made: from the sites of a SiteSet, in scaled units, to input
+/// order and the caller's units.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/measure.h"
+#include "core/place.h"
+
+namespace vorpipe {
+
+/// From scaled units to the caller's, by a power of two: nothing is rounded.
+class Unscale {
+ public:
+  explicit Unscale(int exponent) : exponent_(exponent), plain_(std::abs(exponent) < 200) {
+    if (!plain_) return;
+    for (int power = 1; power <= 4; ++power) factor_[power] = std::ldexp(1.0, -power * exponent);
+  }
+  [[nodiscard]] double operator()(double value, int power = 1) const {
+    return plain_ ? value * factor_[power] : std::ldexp(value, -power * exponent_);
+  }
+  [[nodiscard]] Point operator()(Point p) const { return {(*this)(p.x), (*this)(p.y)}; }
+
+ private:
+  int exponent_;
+  bool plain_;
+  double factor_[5] = {1, 1, 1, 1, 1};
+};
+
+/// Where coordinates of a cell begin: its site, or the domain's point nearest to it.
+inline Point originOf(const SiteSet& sites, std::size_t cell) {
+  return {std::clamp(sites.x[cell], sites.domain.xmin, sites.domain.xmax),
+          std::clamp(sites.y[cell], sites.domain.ymin, sites.domain.ymax)};
+}
+
+/// Writes the records of cells; any thread may write any cell. The arrays are as long as they need to be.
+struct Records {
+  const SiteSet& sites;
+  Unscale unscale;
+  Diagram& diagram;
+
+  /// Says that the record of `cell` will be written soon. Input order is anywhere in memory, and a
+  /// store that waits for it holds up those behind it.
+  void announce(std::size_t cell) const {
+#if defined(__GNUC__)
+    const auto id = sites.id[cell];
+    __builtin_prefetch(&diagram.status[id], 1);
+    __builtin_prefetch(&diagram.cell_offsets[id + std::size_t{1}], 1);
+    __builtin_prefetch(&diagram.area[id], 1);
+    __builtin_prefetch(&diagram.centroid[id], 1);
+#else
+    (void)cell;
+#endif
+  }
+  void empty(std::size_t cell) const {
+    const auto id = sites.id[cell];
+    diagram.status[id] = Status::empty;
+    diagram.cell_offsets[id + std::size_t{1}] = 0;
+    diagram.area[id] = 0;
+    diagram.centroid[id] = unscale(Point{sites.x[cell], sites.y[cell]});
+  }
+  /// `centroid` is relative to `origin`, as originOf has it. Until all offsets are summed up,
+  /// cell_offsets[i + 1] is the number of edges of cell i.
+  void cell(std::size_t cell, std::size_t edges, double area, Point origin, Point centroid) const {
+    const auto id = sites.id[cell];
+    diagram.status[id] = Status::ok;
+    diagram.cell_offsets[id + std::size_t{1}] = edges;
+    diagram.area[id] = unscale(area, 2);
+    diagram.centroid[id] = unscale(Point{origin.x + centroid.x, origin.y + centroid.y});
+  }
+};
+
+}  // namespace vorpipe

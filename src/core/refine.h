@@ -1,0 +1,19 @@
+/// A finer grid for a crowded region.
+#pragma once
+
+#include "core/crowding.h"
+
+namespace vorpipe {
+
+/// The sites of a region, and of the bins around it, in a grid that fits the region's own sites.
+struct RefinedRegion {
+  SiteSet sites;
+  std::vector<std::uint32_t> whole;  ///< by index in `sites`: index in the set that the region is of
+  std::vector<std::uint32_t> own;    ///< the region's own sites, indices in `sites`, ascending
+};
+
+/// The grid covers the region's own sites and little more; what else is known stands in the bins at its
+/// border. All sites whose cells are asked for lie within the grid.
+RefinedRegion refine(const SiteSet& sites, const CrowdedRegion& region, int threads);
+
+}  // namespace vorpipe

@@ -1,0 +1,202 @@
+#include "core/tied_vertices.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "parallel.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr std::size_t grain = 1024;
+constexpr std::uint8_t wall_at_x = 3, wall_at_y = 12, wall_placed = 16;
+
+/// 1, 2, 4, 8 for xmin, xmax, ymin, ymax; 0 for a site.
+std::uint8_t wallBit(std::int32_t neighbor) {
+  return neighbor < 0 ? static_cast<std::uint8_t>(1u << (-neighbor - 1)) : std::uint8_t{0};
+}
+
+std::size_t before(std::span<const std::int32_t> row, std::size_t e) {
+  return e > 0 ? e - 1 : row.size() - 1;
+}
+
+class Making {
+ public:
+  Making(const ProposedCells& proposed, DisjointSets& sets, TiedCells& tied)
+      : proposed_(proposed), sites_(proposed.sites), sets_(sets), tied_(tied) {}
+
+  void run() {
+    number();
+    gather();
+    placeRoots();
+    placeInside();
+    placeAtWalls();
+  }
+
+ private:
+  template <class Work>
+  void forEntries(const Work& work) {
+    parallelFor(tied_.cell.size(), grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
+      for (auto k = begin; k < end; ++k) work(k);
+    });
+  }
+
+  [[nodiscard]] std::span<const std::int32_t> rowOf(std::size_t k) const {
+    return edgesOf(proposed_.cells, tied_.cell[k]);
+  }
+
+  [[nodiscard]] Place cornerOf(std::size_t k, std::span<const std::int32_t> row, std::size_t e) const {
+    return cornerPlace(sites_, static_cast<std::int32_t>(tied_.cell[k]), row[before(row, e)], row[e]);
+  }
+
+  /// Numbers the sets in the order of their roots.
+  void number() {
+    std::vector<std::uint32_t> roots((tied_.cell.size() + grain - 1) / grain + 1);
+    parallelFor(tied_.cell.size(), grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
+      std::uint32_t count = 0;
+      for (auto c = tied_.first[begin]; c < tied_.first[end]; ++c) count += isRoot(c) ? 1u : 0u;
+      roots[begin / grain + 1] = count;
+    });
+    for (std::size_t b = 1; b < roots.size(); ++b) roots[b] += roots[b - 1];
+    parallelFor(tied_.cell.size(), grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
+      auto next = roots[begin / grain];
+      for (auto c = tied_.first[begin]; c < tied_.first[end]; ++c) {
+        if (isRoot(c)) tied_.vertex[c] = next++;
+      }
+    });
+    forEntries([&](std::size_t k) {
+      for (auto c = tied_.first[k]; c < tied_.first[k + 1]; ++c) {
+        const auto root = sets_.root(static_cast<std::uint32_t>(c));
+        if (root != c) tied_.vertex[c] = tied_.vertex[root];
+      }
+    });
+    tied_.place.resize(roots.back());
+    tied_.walls.resize(roots.back());
+  }
+
+  bool isRoot(std::uint64_t corner) { return sets_.root(static_cast<std::uint32_t>(corner)) == corner; }
+
+  /// Lists the cells at each vertex, ascending.
+  void gather() {
+    const auto vertices = tied_.place.size();
+    auto& first = tied_.around_first;
+    first.resize(vertices + 1);
+    forEntries([&](std::size_t k) {
+      for (auto c = tied_.first[k]; c < tied_.first[k + 1]; ++c) {
+        std::atomic_ref(first[tied_.vertex[c] + std::size_t{1}]).fetch_add(1, std::memory_order_relaxed);
+      }
+    });
+    for (std::size_t v = 0; v < vertices; ++v) first[v + 1] += first[v];
+    tied_.around.resize(tied_.vertex.size());
+    auto next = first;
+    forEntries([&](std::size_t k) {
+      for (auto c = tied_.first[k]; c < tied_.first[k + 1]; ++c) {
+        const auto at = std::atomic_ref(next[tied_.vertex[c]]).fetch_add(1, std::memory_order_relaxed);
+        tied_.around[at] = tied_.cell[k];
+      }
+    });
+  }
+
+  /// Each vertex lies where its root is, for now; notes the cells at walls.
+  void placeRoots() {
+    at_wall_.resize((tied_.cell.size() + grain - 1) / grain);
+    forEntries([&](std::size_t k) {
+      const auto row = rowOf(k);
+      bool wall = false;
+      for (std::size_t e = 0; e < row.size(); ++e) {
+        const auto c = tied_.first[k] + e;
+        wall = wall || row[e] < 0;
+        if (isRoot(c)) tied_.place[tied_.vertex[c]] = cornerOf(k, row, e);
+      }
+      if (wall) at_wall_[k / grain].push_back(static_cast<std::uint32_t>(k));
+    });
+  }
+
+  /// Vertices of three and more tied cells, by the site of the lowest input index, the one farthest from
+  /// it, and the one farthest from the line through both.
+  void placeInside() {
+    parallelFor(tied_.place.size(), grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
+      for (auto v = begin; v < end; ++v) {
+        const auto cells =
+            std::span(tied_.around)
+                .subspan(tied_.around_first[v], tied_.around_first[v + 1] - tied_.around_first[v]);
+        std::sort(cells.begin(), cells.end());
+        placeBetween(cells, tied_.place[v]);
+      }
+    });
+  }
+
+  void placeBetween(std::span<const std::uint32_t> cells, Place& place) const {
+    const auto first = *std::min_element(cells.begin(), cells.end(),
+                                         [&](auto a, auto b) { return sites_.id[a] < sites_.id[b]; });
+    const auto wayTo = [&](std::uint32_t cell) {
+      return Point{sites_.x[cell] - sites_.x[first], sites_.y[cell] - sites_.y[first]};
+    };
+    const auto farthest = [&](const auto& measure) {
+      auto best = first;
+      double most = 0;
+      for (const auto cell : cells) {
+        const double value = measure(wayTo(cell));
+        if (value > most || (value == most && sites_.id[cell] < sites_.id[best])) best = cell;
+        most = std::max(most, value);
+      }
+      return best;
+    };
+    const auto second = farthest([](Point p) { return p.x * p.x + p.y * p.y; });
+    const Point line = wayTo(second);
+    const auto third = farthest([line](Point p) { return std::abs(line.x * p.y - line.y * p.x); });
+    if (second == first || third == first || third == second) return;
+    place = cornerPlace(sites_, static_cast<std::int32_t>(first), static_cast<std::int32_t>(second),
+                        static_cast<std::int32_t>(third));
+  }
+
+  void placeAtWalls() {
+    for (const auto& some : at_wall_) {
+      for (const auto k : some) noteWalls(k);
+    }
+    for (const auto& some : at_wall_) {
+      for (const auto k : some) placeAtWalls(k);
+    }
+  }
+
+  void noteWalls(std::size_t k) {
+    const auto row = rowOf(k);
+    for (std::size_t e = 0; e < row.size(); ++e) {
+      auto& walls = tied_.walls[tied_.vertex[tied_.first[k] + e]];
+      walls = static_cast<std::uint8_t>(walls | wallBit(row[before(row, e)]) | wallBit(row[e]));
+    }
+  }
+
+  void placeAtWalls(std::size_t k) {
+    const auto row = rowOf(k);
+    for (std::size_t e = 0; e < row.size(); ++e) {
+      const auto vertex = tied_.vertex[tied_.first[k] + e];
+      auto& walls = tied_.walls[vertex];
+      if ((row[e] >= 0 && row[before(row, e)] >= 0) || (walls & wall_placed) != 0) continue;
+      const Box& domain = sites_.domain;
+      if ((walls & wall_at_x) != 0 && (walls & wall_at_y) != 0) {
+        tied_.place[vertex] = {{wallCoordinate(domain, (walls & 1) != 0 ? wall_xmin : wall_xmax),
+                                wallCoordinate(domain, (walls & 4) != 0 ? wall_ymin : wall_ymax)},
+                               {0, 0}};
+      } else {
+        tied_.place[vertex] = cornerOf(k, row, e);
+      }
+      walls |= wall_placed;
+    }
+  }
+
+  const ProposedCells& proposed_;
+  const SiteSet& sites_;
+  DisjointSets& sets_;
+  TiedCells& tied_;
+  std::vector<std::vector<std::uint32_t>> at_wall_;  ///< tied cells with walls, in parts
+};
+
+}  // namespace
+
+void makeVertices(const ProposedCells& proposed, DisjointSets& corners, TiedCells& tied) {
+  Making(proposed, corners, tied).run();
+}
+
+}  // namespace vorpipe

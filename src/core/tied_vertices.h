@@ -1,0 +1,13 @@
+/// The vertices that ties make.
+#pragma once
+
+#include "core/disjoint_sets.h"
+#include "core/ties.h"
+
+namespace vorpipe {
+
+/// Makes one vertex of each set of corners: numbers them, finds out which cells meet there, and places
+/// them, as untieCells says.
+void makeVertices(const ProposedCells& proposed, DisjointSets& corners, TiedCells& tied);
+
+}  // namespace vorpipe

@@ -1,0 +1,252 @@
+#include "core/ties.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+
+#include "core/disjoint_sets.h"
+#include "core/row_start.h"
+#include "core/tied_vertices.h"
+#include "parallel.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr std::size_t grain = 1024;
+/// No row of ties is this many ties long.
+constexpr double collapsed_ties = 1024;
+
+class Untying {
+ public:
+  Untying(const ProposedCells& proposed, TiedCells& tied)
+      : proposed_(proposed),
+        sites_(proposed.sites),
+        cells_(proposed.cells),
+        tied_(tied),
+        sets_(tied.first.back()),
+        disputed_(tied.cell.size()) {
+    tied_.tie.resize(tied_.first.back());
+    tied_.vertex.resize(tied_.first.back());
+  }
+
+  void run() {
+    parallelFor(tied_.cell.size(), grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
+      std::vector<Place> corners;
+      for (auto k = begin; k < end; ++k) join(k, corners);
+    });
+    listDisputed();
+    if (!tied_.disputed.empty()) return;
+    makeVertices(proposed_, sets_, tied_);
+    forEntries([&](std::size_t k) { findCollapsed(k); });
+    listDisputed();
+  }
+
+ private:
+  /// One edge as one of its two cells has it.
+  struct Seen {
+    Place begin, end;
+    EdgeSpan span;
+  };
+
+  template <class Work>
+  void forEntries(const Work& work) {
+    parallelFor(tied_.cell.size(), grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
+      for (auto k = begin; k < end; ++k) work(k);
+    });
+  }
+
+  static std::size_t after(std::span<const std::int32_t> row, std::size_t e) {
+    return e + 1 < row.size() ? e + 1 : 0;
+  }
+  static std::size_t before(std::span<const std::int32_t> row, std::size_t e) {
+    return e > 0 ? e - 1 : row.size() - 1;
+  }
+
+  [[nodiscard]] Place cornerOf(std::size_t cell, std::span<const std::int32_t> row, std::size_t e) const {
+    return cornerPlace(sites_, static_cast<std::int32_t>(cell), row[before(row, e)], row[e]);
+  }
+
+  [[nodiscard]] Seen see(std::size_t cell, std::span<const std::int32_t> row, std::size_t e,
+                         const Place& begin, const Place& end) const {
+    return {begin, end,
+            edgeSpan(sites_, static_cast<std::int32_t>(cell), row[before(row, e)], row[e], row[after(row, e)],
+                     begin, end)};
+  }
+
+  void dispute(std::int32_t cell) {
+    if (cell < 0) return;
+    const auto k = tied_.entry[static_cast<std::size_t>(cell)];
+    if (k != TiedCells::not_tied) std::atomic_ref(disputed_[k]).store(1, std::memory_order_relaxed);
+  }
+
+  /// All cells that meet at edge e.
+  void disputeAround(std::size_t cell, std::span<const std::int32_t> row, std::size_t e) {
+    dispute(static_cast<std::int32_t>(cell));
+    for (const auto other : {before(row, e), e, after(row, e)}) dispute(row[other]);
+  }
+
+  void join(std::size_t k, std::vector<Place>& corners) {
+    const auto cell = tied_.cell[k];
+    if (isRightlyEmpty(sites_, cells_, cell)) return;
+    if (!isWellFormed(sites_, cells_, cell)) return dispute(static_cast<std::int32_t>(cell));
+    const auto row = edgesOf(cells_, cell);
+    corners.resize(row.size());
+    for (std::size_t e = 0; e < row.size(); ++e) corners[e] = cornerOf(cell, row, e);
+    for (std::size_t e = 0; e < row.size(); ++e) {
+      const auto here = see(cell, row, e, corners[e], corners[after(row, e)]);
+      if (here.span.isTurned()) disputeAround(cell, row, e);
+      if (row[e] < 0) {
+        settle(k, row, e, here.span.isTie());
+      } else {
+        joinAcross(k, row, e, here);
+      }
+    }
+  }
+
+  /// Ties that were no ties may have joined both ends of an edge that is far longer than one.
+  void findCollapsed(std::size_t k) {
+    const auto cell = tied_.cell[k];
+    if (isRightlyEmpty(sites_, cells_, cell)) return;
+    const auto row = edgesOf(cells_, cell);
+    for (std::size_t e = 0; e < row.size(); ++e) {
+      const auto begin = tied_.first[k] + e, end = tied_.first[k] + after(row, e);
+      if (tied_.tie[begin] != 0 || tied_.vertex[begin] != tied_.vertex[end]) continue;
+      const auto here = see(cell, row, e, cornerOf(cell, row, e), cornerOf(cell, row, after(row, e)));
+      const double length = lengthOf(wayBetween(here.begin, here.end));
+      if (length > collapsed_ties * here.span.slack) disputeAround(cell, row, e);
+    }
+  }
+
+  void listDisputed() {
+    tied_.disputed.clear();
+    for (std::size_t k = 0; k < disputed_.size(); ++k) {
+      if (disputed_[k] != 0) tied_.disputed.push_back(tied_.cell[k]);
+    }
+  }
+
+  [[nodiscard]] std::uint32_t cornerNumber(std::size_t k, std::size_t e) const {
+    return static_cast<std::uint32_t>(tied_.first[k] + e);
+  }
+
+  /// The ends of an edge are the same in both cells; but a cell that is not tied has no ties to pass on.
+  /// Cells that name different sites at its ends compare where they see it, the lower one for both.
+  void joinAcross(std::size_t k, std::span<const std::int32_t> row, std::size_t e, const Seen& here) {
+    const auto cell = tied_.cell[k];
+    const auto other = static_cast<std::size_t>(row[e]);
+    const auto other_row = edgesOf(cells_, other);
+    const auto back = proposed_.index.find(other_row, other, static_cast<std::int32_t>(cell));
+    if (back == EdgeIndex::none) {
+      if (!here.span.isTie()) disputeBoth(cell, row[e]);
+      return settle(k, row, e, here.span.isTie());
+    }
+    const auto back_end = after(other_row, back);
+    const bool alike = other_row[back_end] == row[before(row, e)] &&
+                       other_row[before(other_row, back)] == row[after(row, e)];
+    if (alike) settle(k, row, e, here.span.isTie());
+    const auto other_k = tied_.entry[other];
+    // Whoever is not tied has passed its check, also of this edge, which then looks alike.
+    if (other_k == TiedCells::not_tied || other < cell) return;
+    sets_.join(cornerNumber(k, e), cornerNumber(other_k, back_end));
+    sets_.join(cornerNumber(k, after(row, e)), cornerNumber(other_k, back));
+    if (alike || !isWellFormed(sites_, cells_, other)) return;
+    const bool tie = compare(
+        cell, row[e], here,
+        see(other, other_row, back, cornerOf(other, other_row, back), cornerOf(other, other_row, back_end)));
+    settle(k, row, e, tie);
+    settle(other_k, other_row, back, tie);
+  }
+
+  void settle(std::size_t k, std::span<const std::int32_t> row, std::size_t e, bool tie) {
+    const auto corner = cornerNumber(k, e);
+    tied_.tie[corner] = tie ? 1 : 0;
+    if (tie) sets_.join(corner, cornerNumber(k, after(row, e)));
+  }
+
+  void disputeBoth(std::size_t cell, std::int32_t neighbor) {
+    dispute(static_cast<std::int32_t>(cell));
+    dispute(neighbor);
+  }
+
+  /// Whether an edge is a tie whose cells differ about where it ends; if not, they must nearly agree.
+  bool compare(std::size_t cell, std::int32_t neighbor, const Seen& here, const Seen& there) {
+    if (here.span.isTie() || there.span.isTie()) return true;
+    const auto apart = [](const Place& a, const Place& b) {
+      const Point way = wayBetween(a, b);
+      return lengthOf(way);
+    };
+    const double slack = here.span.slack;
+    if (!(apart(here.begin, there.end) <= slack) || !(apart(here.end, there.begin) <= slack)) {
+      disputeBoth(cell, neighbor);
+    }
+    return false;
+  }
+
+  const ProposedCells& proposed_;
+  const SiteSet& sites_;
+  const Neighborhoods& cells_;
+  TiedCells& tied_;
+  DisjointSets sets_;
+  std::vector<std::uint8_t> disputed_;
+};
+
+}  // namespace
+
+Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std::uint8_t> rough) {
+  TiedCells tied;
+  tied.first.push_back(0);
+  for (std::size_t cell = 0; cell < rough.size(); ++cell) {
+    if (rough[cell] == 0) continue;
+    if (tied.cell.empty()) tied.entry.assign(rough.size(), TiedCells::not_tied);
+    tied.entry[cell] = static_cast<std::uint32_t>(tied.cell.size());
+    tied.cell.push_back(static_cast<std::uint32_t>(cell));
+    tied.first.push_back(tied.first.back() + edgesOf(proposed.cells, cell).size());
+  }
+  if (tied.first.back() >= std::numeric_limits<std::uint32_t>::max()) {
+    return tl::unexpected(
+        Error{ErrorCode::input, fmt::format("{} tied corners are more than 4294967294", tied.first.back())});
+  }
+  if (!tied.cell.empty()) Untying(proposed, tied).run();
+  return tied;
+}
+
+void keptEdges(const ProposedCells& proposed, const TiedCells& tied, std::size_t k,
+               std::vector<std::uint32_t>& edges) {
+  edges.clear();
+  const auto row = edgesOf(proposed.cells, tied.cell[k]);
+  for (std::uint32_t e = 0; e < row.size(); ++e) {
+    if (tied.tie[tied.first[k] + e] == 0) edges.push_back(e);
+  }
+  const auto lowest = std::min_element(edges.begin(), edges.end(), [&](auto a, auto b) {
+    return outsideIndex(proposed.sites, row[a]) < outsideIndex(proposed.sites, row[b]);
+  });
+  std::rotate(edges.begin(), lowest, edges.end());
+}
+
+void recordTiedCells(const ProposedCells& proposed, const TiedCells& tied, const Records& records) {
+  parallelFor(tied.cell.size(), grain, proposed.threads, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint32_t> edges;
+    std::vector<Point> polygon;
+    for (auto k = begin; k < end; ++k) {
+      const auto cell = tied.cell[k];
+      if (proposed.cells.status[cell] == CellStatus::empty) {
+        records.empty(cell);
+        continue;
+      }
+      keptEdges(proposed, tied, k, edges);
+      if (edges.empty()) {  // The site lies outside, and its cell just touches the domain.
+        records.empty(cell);
+        continue;
+      }
+      const auto origin = originOf(proposed.sites, cell);
+      polygon.clear();
+      for (const auto e : edges) polygon.push_back(relativeTo(origin, tiedPlace(tied, k, e)));
+      const auto m = measurePolygon(polygon);
+      records.cell(cell, edges.size(), m.area, origin, m.centroid);
+    }
+  });
+}
+
+}  // namespace vorpipe

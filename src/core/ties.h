@@ -1,0 +1,61 @@
+/// Vertices where more than three cells meet, or nearly so.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/cell_check.h"
+
+namespace vorpipe {
+
+/// The cells that ties make differ from what their neighbors alone say. Corners of these cells that
+/// ties join are one vertex, with one place for all of them. Corner first[k] + e begins edge e of
+/// cell[k].
+struct TiedCells {
+  std::vector<std::uint32_t> cell;    ///< ascending
+  std::vector<std::uint32_t> entry;   ///< by cell: its index in `cell`, or not_tied; empty without tied cells
+  std::vector<std::uint64_t> first;   ///< size: tied cells + 1
+  std::vector<std::uint32_t> vertex;  ///< of each corner
+  std::vector<std::uint8_t> tie;      ///< whether the edge that a corner begins is too short to count
+  std::vector<Place> place;           ///< of each vertex
+  std::vector<std::uint8_t> walls;    ///< of each vertex; 0: it lies on no wall
+  std::vector<std::uint32_t> around_first,
+      around;                           ///< the tied cells of each vertex, as often as they meet it
+  std::vector<std::uint32_t> disputed;  ///< cells that no tie excuses, ascending; else all of this is right
+
+  static constexpr std::uint32_t not_tied = ~std::uint32_t{0};
+
+  [[nodiscard]] bool has(std::size_t cell_index) const {
+    return !entry.empty() && entry[cell_index] != not_tied;
+  }
+};
+
+/// Joins the corners of the cells marked in `rough`. Two corners are one vertex when a tie lies between
+/// them, or when they are ends of the same edge in its two cells. The vertex is a corner of the domain
+/// if walls of both directions meet in it, else where its lowest corner on a wall is, so that ties do not
+/// pull the domain's border inward; else the center of the circle through three sites far apart that meet
+/// there: it follows from the cells, not from the ties between them that were proposed.
+///
+/// Error (input): more than 2^32 - 2 corners.
+///
+/// Disputed are: cells that are not well-formed, and empty ones of sites in the domain; both cells of an
+/// edge that is longer than a tie, yet the other cell does not have it, or has it elsewhere; and
+/// all cells around an edge that is turned around.
+Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std::uint8_t> rough);
+
+/// Writes the records of the tied cells, which are not disputed.
+void recordTiedCells(const ProposedCells& proposed, const TiedCells& tied, const Records& records);
+
+/// What is left of tied cell k without its ties: the numbers of its edges, from that of the first
+/// neighbor as beginAtFirst has it. A corner after which only ties follow is left out, so that each vertex
+/// stands once and begins the edge that it stands with.
+void keptEdges(const ProposedCells& proposed, const TiedCells& tied, std::size_t k,
+               std::vector<std::uint32_t>& edges);
+
+/// The place where edge e of tied cell k begins.
+inline const Place& tiedPlace(const TiedCells& tied, std::size_t k, std::size_t e) {
+  return tied.place[tied.vertex[tied.first[k] + e]];
+}
+
+}  // namespace vorpipe

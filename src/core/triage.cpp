@@ -1,0 +1,41 @@
+#include "core/triage.h"
+
+#include <atomic>
+#include <numeric>
+
+#include "parallel.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr std::size_t grain = std::size_t{1} << 16;
+
+bool isInside(const SiteSet& sites, std::size_t i) {
+  const auto& box = sites.domain;
+  return sites.x[i] >= box.xmin && sites.x[i] <= box.xmax && sites.y[i] >= box.ymin && sites.y[i] <= box.ymax;
+}
+
+}  // namespace
+
+Triage sortOut(const SiteSet& sites, int threads) {
+  std::atomic<std::size_t> outside{0};
+  parallelFor(sites.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    std::size_t count = 0;
+    for (auto i = begin; i < end; ++i) count += isInside(sites, i) ? 0u : 1u;
+    outside += count;
+  });
+  Triage triage;
+  if (outside == 0) {
+    triage.inside.resize(sites.size());
+    std::iota(triage.inside.begin(), triage.inside.end(), 0u);
+    return triage;
+  }
+  triage.inside.reserve(sites.size() - outside);
+  triage.outside.reserve(outside);
+  for (std::uint32_t i = 0; i < sites.size(); ++i) {
+    (isInside(sites, i) ? triage.inside : triage.outside).push_back(i);
+  }
+  return triage;
+}
+
+}  // namespace vorpipe
