@@ -1,18 +1,15 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <cstdio>
+#include <algorithm>
 #include <memory>
 
-#include "cli/check_cells.h"
 #include "cli/command.h"
 #include "cli/input.h"
 #include "cli/options.h"
 #include "cli/progress.h"
+#include "cli/run_end.h"
 #include "cli/stats.h"
 #include "io/cells_file.h"
-#include "io/error.h"
-#include "io/output_file.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -32,7 +29,7 @@ struct CellsCommand {
   std::string stats;
 };
 
-Parsed<CellsFile> parseCellsFile(const std::string& text) {
+Parsed<CellsFile> parseCellsFile(std::string_view text) {
   auto path = parseFile(text, "");
   if (!path) return tl::unexpected(std::move(path.error()));
   const auto format = cellsFormatOf(*path);
@@ -48,37 +45,42 @@ std::vector<std::string> outputPaths(const CellsCommand& command) {
   return paths;
 }
 
+/// The parts of the cells that the outputs and the check need.
+Detail neededDetail(const CellsCommand& command) {
+  Detail detail = command.check ? Detail::everything : Detail::measures;
+  for (const CellsFile& file : command.files) detail = std::max(detail, detailOf(file.format));
+  return detail;
+}
+
+std::uint64_t neededBytesPerSite(const CellsCommand& command) {
+  std::uint64_t beside = command.check ? bytes_per_checked_site : 0;
+  for (const CellsFile& file : command.files) beside = std::max(beside, bytesToWriteSite(file.format));
+  return bytesPerSite(neededDetail(command)) + beside;
+}
+
 Result<void> writeFiles(const CellsCommand& command, const Input& input, const Diagram& diagram,
                         std::span<OutputFile> files, const Stopwatch& total) {
   const Stopwatch watch;
-  for (std::size_t i = 0; i < command.files.size(); ++i) {
-    const auto written = writeCells(files[i], input.sites, diagram, command.files[i].format);
-    if (!written) return written;
-    if (const auto go_on = stopIfAsked(); !go_on) return go_on;
+  std::vector<Writer> writers;
+  for (const CellsFile& file : command.files) {
+    writers.emplace_back([&input, &diagram, format = file.format](OutputFile& to) {
+      return writeCells(to, input.sites, diagram, format);
+    });
   }
   if (!command.stats.empty()) {
-    const Stats stats{"cells",         input, diagram.report, watch.milliseconds(), total.milliseconds(),
-                      areaSum(diagram)};
-    if (const auto written = files.back().write(statsJson(stats)); !written) return written;
+    writers.emplace_back([&](OutputFile& to) {
+      return to.write(statsJson(
+          {"cells", input, diagram.report, watch.milliseconds(), total.milliseconds(), areaSum(diagram)}));
+    });
   }
-  if (const auto go_on = stopIfAsked(); !go_on) return go_on;
-  return commitAll(files);
-}
-
-void printSummary(const CellsCommand& command, const Session& session, const Input& input,
-                  const Report& report, double milliseconds) {
-  fmt::print("{}: {} cells ({} empty, {} duplicate), {} on {}, {:.3f} s{}{}\n",
-             fmt::join(outputPaths(command), ", "), report.ok, report.empty, report.duplicate, report.backend,
-             report.device, milliseconds / 1000, command.check ? ", checked" : "",
-             input.sites.weight.empty() ? "" : "; weights are not used for the cells yet");
-  if (command.talk.verbose && !session.choice().empty()) fmt::print("{}\n", session.choice());
+  return writeOutputs(files, writers);
 }
 
 Result<ExitCode> cells(const CellsCommand& command) {
   const Stopwatch total;
   const std::vector<std::string> paths = outputPaths(command);
-  if (paths.empty()) return inputError("-o: name what to write, as in -o cells.csv (or --stats)");
-  const auto input = loadInput(command.input);
+  if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("cells.csv"));
+  const auto input = loadInput(command.input, neededBytesPerSite(command));
   if (!input) return tl::unexpected(input.error());
   stopOnSignals();
   auto files = createOutputs(paths);
@@ -86,37 +88,24 @@ Result<ExitCode> cells(const CellsCommand& command) {
   auto session = Session::open(command.backend);
   if (!session) return tl::unexpected(std::move(session.error()));
   ProgressBar bar(command.talk.quiet);
-  const auto diagram = session->cells(input->sites, {input->domain, command.search, bar.callback()});
-  if (!diagram) return tl::unexpected(diagram.error());
+  const CellsOptions options{input->domain, command.search, neededDetail(command), bar.callback()};
+  const auto diagram = session->cells(input->sites, options);
   bar.clear();
-  if (const auto& messages = diagram->report.validation_messages; !messages.empty()) {
-    for (const std::string& message : messages) printError("validation: " + message);
-    return exit_device;
-  }
+  if (!diagram) return tl::unexpected(diagram.error());
+  if (!validationIsSilent(diagram->report)) return exit_device;
   if (command.check) {
-    if (const std::string broken = checkCells(*input, *diagram); !broken.empty()) {
-      printError("--check: " + broken);
-      return exit_different;
-    }
+    const auto passed = passesCheck(check(input->sites, options, *diagram, command.backend.threads));
+    if (!passed) return tl::unexpected(passed.error());
+    if (!*passed) return exit_different;
   }
   const auto written = writeFiles(command, *input, *diagram, *files, total);
   if (!written) return tl::unexpected(written.error());
-  if (!command.talk.quiet) printSummary(command, *session, *input, diagram->report, total.milliseconds());
+  if (!command.talk.quiet) {
+    fmt::print("{}, {}\n", outcomeText(paths, diagram->report),
+               runText(diagram->report, total.milliseconds(), command.check, input->sites));
+  }
+  if (command.talk.verbose && !session->choice().empty()) fmt::print("{}\n", session->choice());
   return exit_done;
-}
-
-void addOutputFiles(CLI::App& app, std::vector<CellsFile>& files) {
-  auto* option = app.add_option_function<std::vector<std::string>>(
-      "-o",
-      [&files](const std::vector<std::string>& paths) {
-        for (const std::string& path : paths) files.push_back(*parseCellsFile(path));
-      },
-      "the cells in input order; .csv, .npz, .geojson, .svg, .obj, .ply, .vtk or .wkt; repeatable");
-  option->type_name("FILE")->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  option->check([](const std::string& text) {
-    const auto parsed = parseCellsFile(text);
-    return parsed ? std::string() : parsed.error();
-  });
 }
 
 }  // namespace
@@ -126,12 +115,16 @@ Subcommand addCells(CLI::App& app) {
   CLI::App* sub =
       app.add_subcommand("cells", "computes the cells of sites: areas, centroids, neighbors, polygons");
   addInputOptions(*sub, command->input)->required();
-  addOutputFiles(*sub, command->files);
+  addRepeatable(*sub, "-o", "FILE",
+                "the cells in input order; .csv, .npz, .geojson, .svg, .obj, .ply, .vtk or .wkt; repeatable",
+                parseCellsFile,
+                [files = &command->files](CellsFile file) { files->push_back(std::move(file)); });
   addBackendChoice(*sub, command->backend);
   addSearchOptions(*sub, command->search);
   addRunOptions(*sub, command->backend);
   addMaskOptions(*sub, command->backend.mask);
-  sub->add_flag("--check", command->check, "verifies the cells; exit code 1 if a promise is broken");
+  sub->add_flag("--check", command->check,
+                "verifies areas, neighbors, polygons and nearest sites; exit code 1 if a promise is broken");
   addFile(*sub, "--stats", command->stats, "", "what was done, in JSON");
   addTalkOptions(*sub, command->talk);
   return Subcommand{sub, [command] { return cells(*command); }};

@@ -1,16 +1,14 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <algorithm>
 #include <memory>
 
 #include "cli/command.h"
 #include "cli/comparison.h"
-#include "cli/difference_text.h"
 #include "cli/input.h"
 #include "cli/options.h"
 #include "cli/progress.h"
-#include "io/error.h"
-#include "io/output_file.h"
+#include "cli/run_end.h"
 #include "io/png_file.h"
 
 namespace vorpipe::cli {
@@ -42,24 +40,26 @@ Result<RenderOptions> pictureOptions(const CompareCommand& command, const Input&
   options.height = size.height;
   const std::uint64_t runs = command.backends.size(), pairs = runs * (runs - 1) / 2;
   const std::uint64_t montage = command.png.empty() ? 0 : pairs + runs;
-  if (const auto enough = forecastPicture(size, runs + pairs + montage); !enough) {
-    return tl::unexpected(enough.error());
-  }
-  return options;
+  return forecastPicture(size, runs + pairs + montage).map([&] { return options; });
 }
 
 Result<BackendRun> runBackend(const CompareCommand& command, const std::string& name, const Input& input,
-                              RenderOptions options) {
+                              RenderOptions picture) {
   BackendOptions backend = command.backend;
   backend.name = name;
   auto session = Session::open(backend);
   if (!session) return tl::unexpected(std::move(session.error()));
   ProgressBar bar(command.talk.quiet);
-  options.progress = bar.callback();
-  const Stopwatch watch;
-  auto rendering = session->render(input.sites, options);
+  picture.progress = bar.callback();
+  const Stopwatch render_watch;
+  auto rendering = session->render(input.sites, picture);
   if (!rendering) return tl::unexpected(std::move(rendering.error()));
-  return BackendRun{name, std::move(*rendering), watch.milliseconds()};
+  const double render_ms = render_watch.milliseconds();
+  const Stopwatch cells_watch;
+  auto cells =
+      session->cells(input.sites, {input.domain, picture.search, Detail::measures, picture.progress});
+  if (!cells) return tl::unexpected(std::move(cells.error()));
+  return BackendRun{name, std::move(*rendering), std::move(*cells), render_ms, cells_watch.milliseconds()};
 }
 
 /// Runs every backend; none when the validation layers spoke, after printing what they said.
@@ -69,9 +69,9 @@ Result<std::vector<BackendRun>> runBackends(const CompareCommand& command, const
   for (const std::string& name : command.backends) {
     auto run = runBackend(command, name, input, options);
     if (!run) return tl::unexpected(std::move(run.error()));
-    const auto& messages = run->rendering.report.validation_messages;
-    for (const std::string& message : messages) printError(fmt::format("validation: {}: {}", name, message));
-    if (!messages.empty()) return std::vector<BackendRun>{};
+    const bool silent =
+        validationIsSilent(run->rendering.report, name) && validationIsSilent(run->cells.report, name);
+    if (!silent) return std::vector<BackendRun>{};
     runs.push_back(std::move(*run));
   }
   return runs;
@@ -79,22 +79,23 @@ Result<std::vector<BackendRun>> runBackends(const CompareCommand& command, const
 
 Result<void> writeFiles(const CompareCommand& command, const Comparison& comparison, const Input& input,
                         std::span<OutputFile> files) {
-  std::size_t next = 0;
+  std::vector<Writer> writers;
   if (!command.report.empty()) {
-    const auto written = files[next++].write(comparisonJson(comparison, input));
-    if (!written) return written;
+    writers.emplace_back([&](OutputFile& to) { return to.write(comparisonJson(comparison, input)); });
   }
   if (!command.png.empty()) {
-    const Picture montage = comparisonMontage(comparison);
-    const auto written = writePng(files[next], montage.width, montage.height, montage.rgba);
-    if (!written) return written;
+    writers.emplace_back([&](OutputFile& to) {
+      const Picture montage = comparisonMontage(comparison);
+      return writePng(to, montage.width, montage.height, montage.rgba);
+    });
   }
-  if (const auto go_on = stopIfAsked(); !go_on) return go_on;
-  return commitAll(files);
+  return writeOutputs(files, writers);
 }
 
 Result<ExitCode> compare(const CompareCommand& command) {
-  const auto input = loadInput(command.input);
+  // Cells are kept of every run while the next is at work.
+  const std::uint64_t kept = (command.backends.size() - 1) * bytes_per_kept_site;
+  const auto input = loadInput(command.input, bytesPerSite(Detail::measures) + kept);
   if (!input) return tl::unexpected(input.error());
   const auto options = pictureOptions(command, *input);
   if (!options) return tl::unexpected(options.error());
@@ -110,11 +111,9 @@ Result<ExitCode> compare(const CompareCommand& command) {
   const auto written = writeFiles(command, comparison, *input, *files);
   if (!written) return tl::unexpected(written.error());
   if (!command.talk.quiet) fmt::print("{}", comparisonTable(comparison));
-  const auto bad =
-      std::ranges::find_if(comparison.pairs, [](const PairDiff& pair) { return !pair.diff.agree(); });
-  if (bad == comparison.pairs.end()) return exit_done;
-  printError(fmt::format("{} and {} differ: {}", comparison.runs[bad->a].name, comparison.runs[bad->b].name,
-                         disagreementText(bad->diff)));
+  const std::string differences = disagreementText(comparison);
+  if (differences.empty()) return exit_done;
+  printError(differences);
   return exit_different;
 }
 
@@ -122,10 +121,11 @@ Result<ExitCode> compare(const CompareCommand& command) {
 
 Subcommand addCompare(CLI::App& app) {
   auto command = std::make_shared<CompareCommand>();
-  CLI::App* sub =
-      app.add_subcommand("compare", "draws the same sites on several backends and compares every pair");
-  addParsed(*sub, "--backends", command->backends, "A,B,...", "two or more of vulkan-geometry, opengl, cpu",
-            parseBackends)
+  CLI::App* sub = app.add_subcommand(
+      "compare",
+      "draws and computes the same cells on several backends and compares every pair, pixels and cells");
+  addParsed(*sub, "--backends", command->backends, "A,B,...",
+            fmt::format("two or more of {}", fmt::join(backendNames(), ", ")), parseBackends)
       ->required();
   addInputOptions(*sub, command->input)->required();
   addSizeOption(*sub, command->size);

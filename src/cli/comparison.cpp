@@ -1,6 +1,7 @@
 #include "cli/comparison.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -12,10 +13,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::uint64_t differentStatuses(const std::vector<Status>& a, const std::vector<Status>& b) {
+std::uint64_t differentStatuses(const Rendering& a, const Rendering& b) {
   std::uint64_t different = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    if (a[i] != b[i]) ++different;
+  for (std::size_t i = 0; i < a.status.size(); ++i) {
+    if (a.status[i] != b.status[i] || a.owner[i] != b.owner[i]) ++different;
+  }
   return different;
 }
 
@@ -23,15 +25,60 @@ std::string pairName(const Comparison& comparison, const PairDiff& pair) {
   return fmt::format("{} / {}", comparison.runs[pair.a].name, comparison.runs[pair.b].name);
 }
 
+Json resolvedJson(const Report& report) {
+  return {{"retried", report.retried}, {"double", report.in_double}, {"exact", report.exact}};
+}
+
 Json runJson(const BackendRun& run) {
-  const Report& report = run.rendering.report;
+  const Report &picture = run.rendering.report, &cells = run.cells.report;
   return {{"name", run.name},
-          {"backend", report.backend},
-          {"device", report.device},
-          {"driver", report.driver},
-          {"status", {{"ok", report.ok}, {"empty", report.empty}, {"duplicate", report.duplicate}}},
-          {"resolved", {{"retried", report.retried}, {"double", report.in_double}, {"exact", report.exact}}},
-          {"render_ms", run.render_ms}};
+          {"backend", picture.backend},
+          {"device", picture.device},
+          {"driver", picture.driver},
+          {"status", {{"ok", cells.ok}, {"empty", cells.empty}, {"duplicate", cells.duplicate}}},
+          {"resolved", resolvedJson(picture)},
+          {"cells_resolved", resolvedJson(cells)},
+          {"render_ms", run.render_ms},
+          {"cells_ms", run.cells_ms}};
+}
+
+Json siteJson(const CellDifference& site) {
+  return {{"site", site.site}, {"status", site.status}, {"neighbors", site.neighbors},
+          {"area", site.area}, {"area_a", site.area_a}, {"area_b", site.area_b}};
+}
+
+Json cellsJson(const Comparison& comparison, const PairDiff& pair) {
+  const CellsDiff& diff = pair.cells;
+  Json first = Json::array();
+  for (const CellDifference& site : diff.first) first.push_back(siteJson(site));
+  return {{"agree", diff.agree()},
+          {"equal", diff.equal},
+          {"different_statuses", diff.statuses},
+          {"different_neighbors", diff.neighbors},
+          {"different_areas", diff.areas},
+          {"worst_area",
+           {{"site", diff.worst_site},
+            {"area_a", comparison.runs[pair.a].cells.area[diff.worst_site]},
+            {"area_b", comparison.runs[pair.b].cells.area[diff.worst_site]},
+            {"of_allowed", diff.worst_area}}},
+          {"first", std::move(first)}};
+}
+
+std::string cellsText(const CellsDiff& diff) {
+  const CellDifference& first = diff.first.front();
+  const std::string what = first.status      ? "its status or owner"
+                           : first.neighbors ? "its neighbors"
+                                             : fmt::format("its area, {} and {}", first.area_a, first.area_b);
+  return fmt::format("cells differ (status of {}, neighbors of {}, area of {} sites), first site {} in {}",
+                     diff.statuses, diff.neighbors, diff.areas, first.site, what);
+}
+
+std::string pairText(const PairDiff& pair) {
+  std::vector<std::string> parts;
+  if (!pair.pixels.agree()) parts.push_back(disagreementText(pair.pixels));
+  if (!pair.cells.agree()) parts.push_back(cellsText(pair.cells));
+  if (parts.empty()) parts.push_back(fmt::format("{} statuses in the pictures", pair.statuses));
+  return fmt::format("{}", fmt::join(parts, "; "));
 }
 
 }  // namespace
@@ -41,32 +88,52 @@ Result<std::vector<PairDiff>> comparePairs(const std::vector<BackendRun>& runs, 
   for (std::size_t a = 0; a < runs.size(); ++a) {
     for (std::size_t b = a + 1; b < runs.size(); ++b) {
       const Rendering &left = runs[a].rendering, &right = runs[b].rendering;
-      auto diff = diffIds(left.image.ids, right.image.ids, left.image.width, left.image.height, input.sites,
-                          input.domain);
-      if (!diff) return tl::unexpected(std::move(diff.error()));
-      pairs.push_back({a, b, std::move(*diff), differentStatuses(left.status, right.status)});
+      auto pixels = diffIds(left.image.ids, right.image.ids, left.image.width, left.image.height, input.sites,
+                            input.domain);
+      if (!pixels) return tl::unexpected(std::move(pixels.error()));
+      auto cells = diffCells(runs[a].cells, runs[b].cells);
+      if (!cells) return tl::unexpected(std::move(cells.error()));
+      pairs.push_back({a, b, std::move(*pixels), differentStatuses(left, right), std::move(*cells)});
     }
   }
   return pairs;
 }
 
 std::string comparisonTable(const Comparison& comparison) {
-  std::size_t column = 4;
+  std::size_t column = std::string_view("backend").size();
   for (const BackendRun& run : comparison.runs) column = std::max(column, run.name.size());
   for (const PairDiff& pair : comparison.pairs) column = std::max(column, pairName(comparison, pair).size());
-  std::string text = fmt::format("{:<{}}  {:>9}  {}\n", "backend", column, "seconds", "device");
+  std::string text =
+      fmt::format("{:<{}}  {:>10}  {:>10}  {}\n", "backend", column, "picture s", "cells s", "device");
   for (const BackendRun& run : comparison.runs) {
-    text += fmt::format("{:<{}}  {:>9.3f}  {}\n", run.name, column, run.render_ms / 1000,
-                        run.rendering.report.device);
+    text += fmt::format("{:<{}}  {:>10.3f}  {:>10.3f}  {}\n", run.name, column, run.render_ms / 1000,
+                        run.cells_ms / 1000, run.rendering.report.device);
   }
-  text += fmt::format("{:<{}}  {:>12}  {:>9}  {:>9}  {:>9}  {:>9}\n", "pair", column, "pixels equal", "ties",
-                      "allowed", "wrong", "statuses");
+  constexpr auto row = "{:<{}}  {:>10}  {:>10}  {:>10}  {:>10}  {:>10}\n";
+  text += fmt::format(fmt::runtime(row), "pixels", column, "equal", "ties", "allowed", "wrong", "statuses");
   for (const PairDiff& pair : comparison.pairs) {
-    const IdDiff& diff = pair.diff;
-    text += fmt::format("{:<{}}  {:>12}  {:>9}  {:>9}  {:>9}  {:>9}\n", pairName(comparison, pair), column,
-                        diff.equal, diff.ties, diff.ties_allowed, diff.wrong, pair.statuses);
+    const IdDiff& diff = pair.pixels;
+    text += fmt::format(fmt::runtime(row), pairName(comparison, pair), column, diff.equal, diff.ties,
+                        diff.ties_allowed, diff.wrong, pair.statuses);
   }
-  return text;
+  text += fmt::format(fmt::runtime(row), "cells", column, "equal", "statuses", "neighbors", "areas",
+                      "worst area");
+  for (const PairDiff& pair : comparison.pairs) {
+    const CellsDiff& diff = pair.cells;
+    text += fmt::format(fmt::runtime(row), pairName(comparison, pair), column, diff.equal, diff.statuses,
+                        diff.neighbors, diff.areas, fmt::format("{:.2g}", diff.worst_area));
+  }
+  return text + "(worst area: the largest difference, as a part of what is allowed)\n";
+}
+
+std::string disagreementText(const Comparison& comparison) {
+  const auto& pairs = comparison.pairs;
+  const auto bad = std::ranges::find_if_not(pairs, &PairDiff::agree);
+  if (bad == pairs.end()) return {};
+  const auto all = std::ranges::count_if(pairs, [](const PairDiff& pair) { return !pair.agree(); });
+  const std::string more = all > 1 ? fmt::format(" (the first of {} pairs that differ)", all) : "";
+  return fmt::format("{} and {} differ: {}{}", comparison.runs[bad->a].name, comparison.runs[bad->b].name,
+                     pairText(*bad), more);
 }
 
 std::string comparisonJson(const Comparison& comparison, const Input& input) {
@@ -80,15 +147,16 @@ std::string comparisonJson(const Comparison& comparison, const Input& input) {
   json["domain"] = {domain.xmin, domain.ymin, domain.xmax, domain.ymax};
   json["size"] = {image.width, image.height};
   json["tie_distance_px"] = tie_distance;
+  json["area_slack"] = {{"of_cell", area_slack_of_cell}, {"of_mean_cell", area_slack_of_mean}};
   json["backends"] = Json::array();
   for (const BackendRun& run : comparison.runs) json["backends"].push_back(runJson(run));
   json["pairs"] = Json::array();
   for (const PairDiff& pair : comparison.pairs) {
-    Json entry = {{"a", comparison.runs[pair.a].name},
-                  {"b", comparison.runs[pair.b].name},
-                  {"agree", pair.diff.agree()}};
-    entry.update(diffJson(pair.diff));
+    Json entry = {
+        {"a", comparison.runs[pair.a].name}, {"b", comparison.runs[pair.b].name}, {"agree", pair.agree()}};
+    entry.update(diffJson(pair.pixels));
     entry["different_statuses"] = pair.statuses;
+    entry["cells"] = cellsJson(comparison, pair);
     json["pairs"].push_back(std::move(entry));
   }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -108,7 +176,7 @@ Picture comparisonMontage(const Comparison& comparison) {
   column = 0;
   for (const PairDiff& pair : comparison.pairs) {
     Picture marked = grayOfIds(comparison.runs[pair.a].rendering.image.ids, image.width, image.height);
-    markDifferences(marked, pair.diff.pixels);
+    markDifferences(marked, pair.pixels.pixels);
     paste(montage, marked, image.height, column);
     column += image.width;
   }

@@ -13,13 +13,16 @@ namespace vorpipe::cli {
 struct BackendRun {
   std::string name;  ///< as --backends has it
   Rendering rendering;
-  double render_ms = 0;
+  Diagram cells;
+  double render_ms = 0, cells_ms = 0;
 };
 
 struct PairDiff {
   std::size_t a = 0, b = 0;  ///< of Comparison::runs
-  IdDiff diff;
-  std::uint64_t statuses = 0;  ///< sites of different status
+  IdDiff pixels;
+  std::uint64_t statuses = 0;  ///< sites of different status or owner in the pictures
+  CellsDiff cells;
+  [[nodiscard]] bool agree() const { return pixels.agree() && statuses == 0 && cells.agree(); }
 };
 
 struct Comparison {
@@ -27,11 +30,14 @@ struct Comparison {
   std::vector<PairDiff> pairs;
 };
 
-/// Compares every pair of runs; all are pictures of the same size of the input's domain.
+/// Compares every pair of runs; all are pictures of the same size and cells of the input's domain.
 Result<std::vector<PairDiff>> comparePairs(const std::vector<BackendRun>& runs, const Input& input);
 
-/// The table for people.
+/// The tables for people.
 std::string comparisonTable(const Comparison& comparison);
+
+/// Which pairs differ and what in the first of them, in one line; empty when all agree.
+std::string disagreementText(const Comparison& comparison);
 
 /// The object that `--report` writes, with a line's end.
 std::string comparisonJson(const Comparison& comparison, const Input& input);

@@ -75,11 +75,6 @@ void printTable(const std::vector<IndexedDevice>& listed) {
 }
 
 Result<ExitCode> listDevices(const DevicesCommand& command) {
-  // devices() has no way to refuse a name that no device knows; opening a session does.
-  BackendOptions cpu;
-  cpu.name = "cpu";
-  cpu.mask = command.mask;
-  if (const auto session = Session::open(cpu); !session) return tl::unexpected(session.error());
   const auto listed = indexed(devices(command.mask));
   command.json ? printJson(listed) : printTable(listed);
   return exit_done;

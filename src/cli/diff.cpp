@@ -33,7 +33,7 @@ bool namesIds(const std::string& path) { return path.ends_with(".npy") || path.e
 
 Result<IdDiff> idDiff(const DiffCommand& command, const Image& a, const Image& b) {
   if (command.input.sites.empty()) return diffIds(a.ids, b.ids, a.width, a.height);
-  const auto input = loadInput(command.input);
+  const auto input = loadInput(command.input, sizeof(double[3]));
   if (!input) return tl::unexpected(input.error());
   return diffIds(a.ids, b.ids, a.width, a.height, input->sites, input->domain);
 }

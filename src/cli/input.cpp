@@ -15,8 +15,6 @@ namespace vorpipe::cli {
 namespace {
 
 constexpr int default_longer_side = 1000;
-/// Coordinates, order, search tree and one batch of candidates.
-constexpr std::uint64_t bytes_per_site = 200;
 /// Color and id: on the device (whose memory is this machine's when it is software), and read back.
 constexpr std::uint64_t bytes_per_pixel_drawing = 16;
 constexpr std::uint64_t bytes_per_pixel_kept = 8;
@@ -38,8 +36,12 @@ Result<void> forecast(std::string_view option, std::uint64_t bytes) {
 
 }  // namespace
 
-Result<Input> loadInput(const InputOptions& options) {
+Result<Input> loadInput(const InputOptions& options, std::uint64_t bytes_per_site) {
   const Stopwatch watch;
+  const std::uint64_t generated = generatedCount(options.sites).value_or(0);
+  if (const auto enough = forecast("--sites", generated * bytes_per_site); !enough) {
+    return tl::unexpected(enough.error());
+  }
   auto source = loadSites(options.sites, options.seed);
   if (!source) {
     Error error = std::move(source.error());
@@ -82,6 +84,18 @@ Size defaultSize(const Box& domain) {
   };
   if (width >= height) return Size{default_longer_side, shorter(height / width)};
   return Size{shorter(width / height), default_longer_side};
+}
+
+std::uint64_t bytesPerSite(Detail detail) {
+  switch (detail) {
+    case Detail::measures:
+      return 250;
+    case Detail::polygons:
+      return 330;
+    case Detail::everything:
+      break;
+  }
+  return 350;
 }
 
 Result<void> forecastPicture(const Size& size, std::uint64_t pictures) {

@@ -13,9 +13,17 @@ struct Input {
   double read_ms = 0;
 };
 
-/// Loads or generates the sites of --sites. Errors: those of loadSites; there are too many sites for
-/// this machine's memory, or no default domain holds them (input).
-Result<Input> loadInput(const InputOptions& options);
+/// What one site takes at most while its cell is computed with that detail, by a mean cell.
+std::uint64_t bytesPerSite(Detail detail);
+/// The same while it is drawn, and what a check takes beside either.
+inline constexpr std::uint64_t bytes_per_drawn_site = 250;
+inline constexpr std::uint64_t bytes_per_checked_site = 80;
+/// What remains of a site once its cell is there, with Detail::measures, and drawn.
+inline constexpr std::uint64_t bytes_per_kept_site = 90;
+
+/// Loads or generates the sites of --sites, for a run that takes so many bytes for each. Errors: those of
+/// loadSites; there are too many sites for this machine's memory, or no default domain holds them (input).
+Result<Input> loadInput(const InputOptions& options, std::uint64_t bytes_per_site);
 
 /// The box of at least one site, grown on every side by 5 % of its longer side, or by 0.5 where all
 /// sites are equal; by more where so little would vanish beside the coordinates.

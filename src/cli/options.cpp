@@ -1,16 +1,14 @@
 #include "cli/options.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <cstdlib>
 
 namespace vorpipe::cli {
 namespace {
 
 constexpr int most_threads = 1024;
-
-/// Makes a repeatable option take one value each time, so that it does not swallow what follows.
-void repeatable(CLI::Option* option) {
-  option->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
 
 bool validationAskedByEnvironment() {
   const char* value = std::getenv("VORPIPE_VALIDATION");
@@ -35,17 +33,19 @@ CLI::Option* addInputOptions(CLI::App& app, InputOptions& options) {
   addParsed(app, "--seed", options.seed, "S", "seed of the generator [1]", [](std::string_view text) {
     return parseWhole(text, 0, UINT64_MAX);
   })->needs(sites);
-  addParsed(app, "--domain", options.domain, "XMIN,YMIN,XMAX,YMAX",
-            "what is drawn [0,0,1,1; for files the box of the sites, grown by 5 % of its longer side]",
-            parseDomain)
+  addParsed(
+      app, "--domain", options.domain, "XMIN,YMIN,XMAX,YMAX",
+      "what is drawn and measured [0,0,1,1; for files the box of the sites, grown by 5 % of its longer side]",
+      parseDomain)
       ->needs(sites);
   return sites;
 }
 
 void addBackendChoice(CLI::App& app, BackendOptions& options) {
-  app.add_option("--backend", options.name, "auto, vulkan, vulkan-geometry, opengl or cpu [auto]")
-      ->type_name("NAME");
-  app.add_option("--device", options.device, "index or part of the name, as `vorpipe devices` lists them")
+  addParsed(app, "--backend", options.name, "NAME",
+            fmt::format("{} [{}]", fmt::join(backendNames(), ", "), options.name), parseBackend);
+  app.add_option("--device", options.device,
+                 "index or part of the name, as `vorpipe devices` lists them [the best]")
       ->type_name("DEVICE");
 }
 
@@ -59,27 +59,22 @@ void addRunOptions(CLI::App& app, BackendOptions& options) {
 }
 
 void addMaskOptions(CLI::App& app, Mask& mask) {
-  auto* disable = app.add_option("--disable", mask.disabled,
-                                 "pretend that devices lack a feature, such as geometryShader; repeatable");
-  disable->type_name("FEATURE");
-  repeatable(disable);
-  auto* limit = app.add_option_function<std::vector<std::string>>(
-      "--limit",
-      [&mask](const std::vector<std::string>& texts) {
-        for (const std::string& text : texts) mask.limits.push_back(*parseLimit(text));
-      },
-      "pretend that devices have a smaller limit, such as maxTexelBufferElements=65536; repeatable");
-  limit->type_name("NAME=VALUE");
-  limit->check([](const std::string& text) {
-    const auto parsed = parseLimit(text);
-    return parsed ? std::string() : parsed.error();
-  });
-  repeatable(limit);
+  addRepeatable(
+      app, "--disable", "FEATURE",
+      fmt::format("pretend that devices lack a feature: {}; repeatable", fmt::join(featureNames(), ", ")),
+      parseFeature, [&mask](std::string name) { mask.disabled.push_back(std::move(name)); });
+  addRepeatable(app, "--limit", "NAME=VALUE",
+                fmt::format("pretend that devices have a smaller limit, as in maxTexelBufferElements=65536: "
+                            "{}; repeatable",
+                            fmt::join(limitNames(), ", ")),
+                parseLimit, [&mask](auto limit) { mask.limits.push_back(std::move(limit)); });
 }
 
 void addSearchOptions(CLI::App& app, SearchOptions& options) {
-  addParsed(app, "--search", options, "flann[:K]",
-            "the K nearest neighbors by FLANN, K from 3 to 1024 [flann:30]", parseSearch);
+  addParsed(
+      app, "--search", options, "grid or flann[:K]",
+      "how neighbors are found: a uniform grid, or the K nearest by FLANN, K from 3 to 1024 (30) [grid]",
+      parseSearch);
 }
 
 void addSizeOption(CLI::App& app, std::optional<Size>& size) {
@@ -88,7 +83,7 @@ void addSizeOption(CLI::App& app, std::optional<Size>& size) {
 
 void addTalkOptions(CLI::App& app, TalkOptions& options) {
   auto* quiet = app.add_flag("--quiet", options.quiet, "prints nothing but errors");
-  app.add_flag("--verbose", options.verbose, "says more")->excludes(quiet);
+  app.add_flag("--verbose", options.verbose, "also says why a backend was taken")->excludes(quiet);
 }
 
 }  // namespace vorpipe::cli

@@ -26,6 +26,25 @@ CLI::Option* addParsed(CLI::App& app, const std::string& name, Target& target, c
   return option;
 }
 
+/// Adds an option that may be given any number of times, with one value each time so that it does not
+/// swallow what follows; `take` gets what `parse` makes of each value.
+template <class Parse, class Take>
+CLI::Option* addRepeatable(CLI::App& app, const std::string& name, const std::string& value,
+                           const std::string& description, const Parse& parse, const Take& take) {
+  auto* option = app.add_option_function<std::vector<std::string>>(
+      name,
+      [parse, take](const std::vector<std::string>& texts) {
+        for (const std::string& text : texts) take(*parse(text));
+      },
+      description);
+  option->type_name(value)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  option->check([parse](const std::string& text) {
+    const auto parsed = parse(text);
+    return parsed ? std::string() : parsed.error();
+  });
+  return option;
+}
+
 /// Adds an option that names a file to write; `extension` as for parseFile.
 CLI::Option* addFile(CLI::App& app, const std::string& name, std::string& target,
                      const std::string& extension, const std::string& description);

@@ -36,6 +36,11 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 
 tl::unexpected<std::string> bad(std::string message) { return tl::unexpected(std::move(message)); }
 
+Parsed<std::string> oneOf(const std::vector<std::string>& names, std::string_view text) {
+  if (std::ranges::find(names, text) != names.end()) return std::string(text);
+  return bad(fmt::format("{} is not one of {}", quoted(text), fmt::join(names, ", ")));
+}
+
 }  // namespace
 
 Parsed<std::uint64_t> parseWhole(std::string_view text, std::uint64_t low, std::uint64_t high) {
@@ -81,22 +86,30 @@ Parsed<Size> parseSize(std::string_view text) {
 Parsed<SearchOptions> parseSearch(std::string_view text) {
   constexpr std::string_view flann = "flann";
   SearchOptions search;
+  if (text == "grid") return search;
+  search.method = Search::flann;
   if (text == flann) return search;
-  if (!text.starts_with("flann:")) return bad(fmt::format("{} is not flann or flann:K", quoted(text)));
+  if (!text.starts_with("flann:")) return bad(fmt::format("{} is not grid, flann or flann:K", quoted(text)));
   const auto neighbors = parseWhole(text.substr(flann.size() + 1), 3, 1024);
   if (!neighbors) return bad("flann: " + neighbors.error());
   search.neighbors = static_cast<int>(*neighbors);
   return search;
 }
 
+Parsed<std::string> parseBackend(std::string_view text) { return oneOf(backendNames(), text); }
+
+Parsed<std::string> parseFeature(std::string_view text) { return oneOf(featureNames(), text); }
+
 Parsed<std::pair<std::string, std::uint64_t>> parseLimit(std::string_view text) {
   const std::size_t equals = text.find('=');
   if (equals == 0 || equals == std::string_view::npos) {
     return bad(fmt::format("{} is not NAME=VALUE, as in maxTexelBufferElements=65536", quoted(text)));
   }
+  auto name = oneOf(limitNames(), text.substr(0, equals));
+  if (!name) return bad(std::move(name.error()));
   const auto value = parseWhole(text.substr(equals + 1), 0, UINT64_MAX);
-  if (!value) return bad(fmt::format("{}: {}", quoted(text.substr(0, equals)), value.error()));
-  return std::pair(std::string(text.substr(0, equals)), *value);
+  if (!value) return bad(fmt::format("{}: {}", *name, value.error()));
+  return std::pair(std::move(*name), *value);
 }
 
 Parsed<ColorBy> parseColor(std::string_view text) {
@@ -107,13 +120,7 @@ Parsed<ColorBy> parseColor(std::string_view text) {
   return named->color;
 }
 
-Parsed<std::string> parseColormap(std::string_view text) {
-  const auto names = colormaps();
-  if (std::ranges::find(names, text) == names.end()) {
-    return bad(fmt::format("{} is not one of {}", quoted(text), fmt::join(names, ", ")));
-  }
-  return std::string(text);
-}
+Parsed<std::string> parseColormap(std::string_view text) { return oneOf(colormaps(), text); }
 
 Parsed<std::vector<std::string>> parseBackends(std::string_view text) {
   std::vector<std::string> names;
@@ -122,7 +129,9 @@ Parsed<std::vector<std::string>> parseBackends(std::string_view text) {
     if (std::ranges::find(names, name) != names.end()) {
       return bad(fmt::format("{} is named twice", quoted(name)));
     }
-    names.emplace_back(name);
+    auto known = parseBackend(name);
+    if (!known) return bad(std::move(known.error()));
+    names.push_back(std::move(*known));
   }
   if (names.size() < 2) return bad("needs at least two backends, as in cpu,vulkan-geometry");
   return names;

@@ -31,10 +31,16 @@ Parsed<Box> parseDomain(std::string_view text);
 /// `WxH`, 1 to largest_side each.
 Parsed<Size> parseSize(std::string_view text);
 
-/// `flann` or `flann:K`.
+/// `grid`, `flann` or `flann:K`.
 Parsed<SearchOptions> parseSearch(std::string_view text);
 
-/// `NAME=VALUE`; whether the name is known is for the backends to say.
+/// One of backendNames().
+Parsed<std::string> parseBackend(std::string_view text);
+
+/// One of featureNames().
+Parsed<std::string> parseFeature(std::string_view text);
+
+/// `NAME=VALUE`, NAME one of limitNames().
 Parsed<std::pair<std::string, std::uint64_t>> parseLimit(std::string_view text);
 
 /// `site`, `area`, `neighbors` or `weight`.
@@ -43,7 +49,7 @@ Parsed<ColorBy> parseColor(std::string_view text);
 /// One of colormaps().
 Parsed<std::string> parseColormap(std::string_view text);
 
-/// Two or more different names, separated by commas.
+/// Two or more different backendNames(), separated by commas.
 Parsed<std::vector<std::string>> parseBackends(std::string_view text);
 
 /// A file name that ends in `extension`, such as ".png", or has none (/dev/stdout); any where

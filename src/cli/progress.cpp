@@ -67,14 +67,19 @@ void ProgressBar::clear() {
 }
 
 void ProgressBar::draw(std::string_view stage, double fraction) {
+  if (!shown_) return;
+  auto known = done_.find(stage);
+  if (known == done_.end()) known = done_.emplace(stage, 0).first;
+  double& done = known->second;
+  done = std::max(done, std::clamp(fraction, 0.0, 1.0));
   const auto now = std::chrono::steady_clock::now();
-  if (!shown_ || (drawn_ && now - last_ < redraw_after)) return;
-  fraction = std::clamp(fraction, 0.0, 1.0);
-  const int full = static_cast<int>(fraction * bar_width);
-  fmt::print(stderr, "\r\033[K{:<10} [{:#<{}}{:.<{}}] {:3.0f} %", stage, "", full, "", bar_width - full,
-             fraction * 100);
+  if (drawn_ && stage == stage_ && now - last_ < redraw_after) return;
+  const int full = static_cast<int>(done * bar_width);
+  fmt::print(stderr, "\r\033[K{:<16} [{:#<{}}{:.<{}}] {:3.0f} %", stage, "", full, "", bar_width - full,
+             done * 100);
   std::fflush(stderr);
   drawn_ = true;
+  stage_ = stage;
   last_ = now;
 }
 

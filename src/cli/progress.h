@@ -2,6 +2,8 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -22,7 +24,8 @@ int signalExitCode();
 /// ErrorCode::cancelled once a signal has asked to stop.
 Result<void> stopIfAsked();
 
-/// A bar on standard error.
+/// A bar on standard error. A stage that is left and taken up again goes on where it was; within a stage
+/// the bar does not go back.
 class ProgressBar {
  public:
   /// Shows nothing when quiet or when standard error is no terminal.
@@ -41,6 +44,8 @@ class ProgressBar {
 
   bool shown_;
   bool drawn_ = false;
+  std::string stage_;
+  std::map<std::string, double, std::less<>> done_;  ///< by stage
   std::chrono::steady_clock::time_point last_;
 };
 

@@ -1,18 +1,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cstdio>
 #include <memory>
 
-#include "cli/check.h"
 #include "cli/command.h"
 #include "cli/input.h"
 #include "cli/options.h"
 #include "cli/progress.h"
+#include "cli/run_end.h"
 #include "cli/stats.h"
 #include "io/error.h"
 #include "io/npy_ids.h"
-#include "io/output_file.h"
 #include "io/png_file.h"
 
 namespace vorpipe::cli {
@@ -37,8 +35,14 @@ std::vector<std::string> outputPaths(const RenderCommand& command) {
   return paths;
 }
 
+std::uint64_t neededBytesPerSite(const RenderCommand& command) {
+  const bool measured = command.picture.color == ColorBy::area || command.picture.color == ColorBy::neighbors;
+  return (measured ? bytesPerSite(Detail::measures) : bytes_per_drawn_site) +
+         (command.check ? bytes_per_checked_site : 0);
+}
+
 /// What is drawn, once the sites are known.
-Result<RenderOptions> pictureOptions(const RenderCommand& command, const Input& input, ProgressBar& bar) {
+Result<RenderOptions> pictureOptions(const RenderCommand& command, const Input& input) {
   if (command.picture.color == ColorBy::weight && input.sites.weight.empty()) {
     return inputError(
         fmt::format("--color: weight needs a column of weights, {} has none", command.input.sites));
@@ -48,78 +52,62 @@ Result<RenderOptions> pictureOptions(const RenderCommand& command, const Input& 
   const Size size = command.size.value_or(defaultSize(input.domain));
   options.width = size.width;
   options.height = size.height;
-  options.progress = bar.callback();
   const std::uint64_t pictures = command.check ? 2 : 1;
-  if (const auto enough = forecastPicture(size, pictures); !enough) return tl::unexpected(enough.error());
-  return options;
+  return forecastPicture(size, pictures).map([&] { return options; });
 }
 
 Result<void> writeFiles(const RenderCommand& command, const Input& input, const Rendering& rendering,
                         std::span<OutputFile> files, const Stopwatch& total) {
   const Stopwatch watch;
   const Image& image = rendering.image;
-  std::size_t next = 0;
+  std::vector<Writer> writers;
   if (!command.png.empty()) {
-    const auto written = writePng(files[next++], image.width, image.height, image.rgba);
-    if (!written) return written;
+    writers.emplace_back([&](OutputFile& to) { return writePng(to, image.width, image.height, image.rgba); });
   }
   if (!command.ids.empty()) {
-    const auto written = writeNpyIds(files[next++], image.width, image.height, image.ids);
-    if (!written) return written;
+    writers.emplace_back(
+        [&](OutputFile& to) { return writeNpyIds(to, image.width, image.height, image.ids); });
   }
   if (!command.stats.empty()) {
-    const Stats stats{"render", input, rendering.report, watch.milliseconds(), total.milliseconds()};
-    if (const auto written = files[next].write(statsJson(stats)); !written) return written;
+    writers.emplace_back([&](OutputFile& to) {
+      return to.write(
+          statsJson({"render", input, rendering.report, watch.milliseconds(), total.milliseconds()}));
+    });
   }
-  if (const auto go_on = stopIfAsked(); !go_on) return go_on;
-  return commitAll(files);
-}
-
-void printSummary(const RenderCommand& command, const Session& session, const Input& input,
-                  const Rendering& rendering, double milliseconds) {
-  const Report& report = rendering.report;
-  fmt::print("{}: {} cells ({} empty, {} duplicate), {}x{}, {} on {}, {:.3f} s{}{}\n",
-             fmt::join(outputPaths(command), ", "), report.ok, report.empty, report.duplicate,
-             rendering.image.width, rendering.image.height, report.backend, report.device,
-             milliseconds / 1000, command.check ? ", checked" : "",
-             input.sites.weight.empty() ? "" : "; weights are not used for the cells yet");
-  if (command.talk.verbose && !session.choice().empty()) fmt::print("{}\n", session.choice());
+  return writeOutputs(files, writers);
 }
 
 Result<ExitCode> render(const RenderCommand& command) {
   const Stopwatch total;
   const std::vector<std::string> paths = outputPaths(command);
-  if (paths.empty()) return inputError("-o: name what to write, as in -o picture.png (or --ids, --stats)");
-  const auto input = loadInput(command.input);
+  if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("picture.png"));
+  const auto input = loadInput(command.input, neededBytesPerSite(command));
   if (!input) return tl::unexpected(input.error());
+  auto options = pictureOptions(command, *input);
+  if (!options) return tl::unexpected(std::move(options.error()));
   stopOnSignals();
   auto files = createOutputs(paths);
   if (!files) return tl::unexpected(std::move(files.error()));
   auto session = Session::open(command.backend);
   if (!session) return tl::unexpected(std::move(session.error()));
   ProgressBar bar(command.talk.quiet);
-  const auto options = pictureOptions(command, *input, bar);
-  if (!options) return tl::unexpected(options.error());
+  options->progress = bar.callback();
   const auto rendering = session->render(input->sites, *options);
-  if (!rendering) return tl::unexpected(rendering.error());
-  if (const auto& messages = rendering->report.validation_messages; !messages.empty()) {
-    bar.clear();
-    for (const std::string& message : messages) printError("validation: " + message);
-    return exit_device;
-  }
-  if (command.check) {
-    const auto broken = checkRendering(*input, *options, *rendering, command.backend.threads);
-    if (!broken) return tl::unexpected(broken.error());
-    bar.clear();
-    if (!broken->empty()) {
-      printError("--check: " + *broken);
-      return exit_different;
-    }
-  }
   bar.clear();
+  if (!rendering) return tl::unexpected(rendering.error());
+  if (!validationIsSilent(rendering->report)) return exit_device;
+  if (command.check) {
+    const auto passed = passesCheck(check(input->sites, *options, *rendering, command.backend.threads));
+    if (!passed) return tl::unexpected(passed.error());
+    if (!*passed) return exit_different;
+  }
   const auto written = writeFiles(command, *input, *rendering, *files, total);
   if (!written) return tl::unexpected(written.error());
-  if (!command.talk.quiet) printSummary(command, *session, *input, *rendering, total.milliseconds());
+  if (!command.talk.quiet) {
+    fmt::print("{}, {}x{}, {}\n", outcomeText(paths, rendering->report), options->width, options->height,
+               runText(rendering->report, total.milliseconds(), command.check, input->sites));
+  }
+  if (command.talk.verbose && !session->choice().empty()) fmt::print("{}\n", session->choice());
   return exit_done;
 }
 
@@ -148,7 +136,7 @@ Subcommand addRender(CLI::App& app) {
   addRunOptions(*sub, command->backend);
   addMaskOptions(*sub, command->backend.mask);
   sub->add_flag("--check", command->check,
-                "verifies the picture, pixel by pixel; exit code 1 if it is wrong");
+                "verifies statuses and the nearest site of each pixel; exit code 1 if a promise is broken");
   addFile(*sub, "--stats", command->stats, "", "what was done, in JSON");
   addTalkOptions(*sub, command->talk);
   return Subcommand{sub, [command] { return render(*command); }};

@@ -2,7 +2,6 @@
 
 #include <sys/resource.h>
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace vorpipe::cli {
@@ -48,17 +47,6 @@ std::string statsJson(const Stats& stats) {
   json["peak_memory_bytes"] = peakMemoryBytes();
   // A driver's name may hold any bytes.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-/// Neumaier's summation: what an addition rounds off is added up apart.
-double areaSum(const Diagram& diagram) {
-  double sum = 0, lost = 0;
-  for (const double area : diagram.area) {
-    const double next = sum + area;
-    lost += std::abs(sum) >= std::abs(area) ? (sum - next) + area : (area - next) + sum;
-    sum = next;
-  }
-  return sum + lost;
 }
 
 }  // namespace vorpipe::cli

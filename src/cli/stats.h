@@ -20,7 +20,4 @@ struct Stats {
 /// The object that `--stats` writes, with a line's end; a figure that does not apply is null.
 std::string statsJson(const Stats& stats);
 
-/// The sum of the cells' areas without the rounding of adding up.
-double areaSum(const Diagram& diagram);
-
 }  // namespace vorpipe::cli

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -15,18 +16,30 @@ namespace {
 template <class Number, std::uint64_t columns = 1, class Row>
 void add(std::vector<ZipEntry>& entries, const char* name, const std::vector<Row>& rows) {
   NpyArray array = npyArray<Number, columns>(std::span<const Row>(rows));
-  entries.push_back({std::string(name) + ".npy", std::move(array.header), array.elements});
+  entries.push_back({std::string(name) + ".npy", std::move(array.header), zipBody(array.elements)});
+}
+
+/// Positions as pairs, which stand nowhere in memory: tens of millions of sites are not copied.
+ZipBody pairsOf(const Sites& sites) {
+  constexpr std::size_t row = 2 * sizeof(double);
+  return {sites.size() * row, [&sites](std::uint64_t offset, char* to, std::size_t length) {
+            // An offset may lie inside of a pair: libzip asks for as many bytes as it likes.
+            std::size_t copied = 0;
+            for (std::uint64_t site = offset / row; copied < length && site < sites.size(); ++site) {
+              const double pair[] = {sites.x[site], sites.y[site]};
+              const std::string_view bytes(reinterpret_cast<const char*>(pair), row);
+              copied += bytes.copy(to + copied, length - copied, (offset + copied) % row);
+            }
+            return copied;
+          }};
 }
 
 }  // namespace
 
 Result<void> writeNpzCells(OutputFile& file, const Sites& sites, const Diagram& diagram) {
-  std::vector<Point> positions(sites.size());
-  for (std::size_t site = 0; site < sites.size(); ++site) {
-    positions[site] = {sites.x[site], sites.y[site]};
-  }
   std::vector<ZipEntry> entries;
-  add<double, 2>(entries, "sites", positions);
+  const std::uint64_t shape[] = {sites.size(), 2};
+  entries.push_back({"sites.npy", npyHeader(npyType<double>(), shape), pairsOf(sites)});
   if (!sites.weight.empty()) {
     add<double>(entries, "weights", sites.weight);
   }

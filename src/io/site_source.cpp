@@ -34,23 +34,40 @@ std::optional<Pattern> patternNamed(std::string_view name) {
   return std::nullopt;
 }
 
+/// A whole number from 1 to max_sites.
+std::optional<std::uint64_t> countOf(std::string_view text) {
+  std::uint64_t n = 0;
+  const char* const last = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), last, n);
+  if (stop != last || error != std::errc() || n < 1 || n > max_sites) {
+    return std::nullopt;
+  }
+  return n;
+}
+
 Result<SiteSource> generateSites(Pattern pattern, std::string_view spec, std::string_view count,
                                  std::uint64_t seed) {
-  std::uint64_t n = 0;
-  const char* const last = count.data() + count.size();
-  const auto [stop, error] = std::from_chars(count.data(), last, n);
-  if (stop != last || error != std::errc() || n < 1 || n > max_sites) {
+  const auto n = countOf(count);
+  if (!n) {
     return inputError(fmt::format("{}: {} is not a number of sites; it must be a whole number from 1 to {}",
                                   spec, quoted(count), max_sites));
   }
   try {
-    return SiteSource{generate(pattern, n, seed), seed};
+    return SiteSource{generate(pattern, *n, seed), seed};
   } catch (const std::bad_alloc&) {
     return deviceError(fmt::format("{}: there is not enough memory for so many sites", spec));
   }
 }
 
 }  // namespace
+
+std::optional<std::uint64_t> generatedCount(std::string_view spec) {
+  const std::size_t colon = spec.find(':');
+  if (colon == std::string_view::npos || !patternNamed(spec.substr(0, colon))) {
+    return std::nullopt;
+  }
+  return countOf(spec.substr(colon + 1));
+}
 
 Result<SiteSource> loadSites(const std::string& spec, std::uint64_t seed) {
   const std::string_view text = spec;

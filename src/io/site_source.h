@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "vorpipe.h"
 
@@ -14,6 +15,9 @@ struct SiteSource {
   std::optional<std::uint64_t> seed;  ///< of the generator; none when the sites come from a file
   [[nodiscard]] bool generated() const { return seed.has_value(); }
 };
+
+/// The N that `spec` asks a generator for; none where it names a file or is wrong.
+std::optional<std::uint64_t> generatedCount(std::string_view spec);
 
 /// Reads or generates the sites of `spec`: PATTERN:N (random, square, hex, jitter, clusters, circle; N
 /// sites) or what readSites takes. A file of such a name is meant by ./PATTERN:N. Errors: those of

@@ -27,7 +27,8 @@ struct Columns {
 std::string headerText(const CsvReader& csv) {
   std::string names;
   for (std::size_t i = 0; i < csv.fields(); ++i) {
-    names += (i > 0 ? "," : "") + std::string(csv.field(i));
+    if (i > 0) names += ',';
+    names += csv.field(i);
   }
   return quoted(names);
 }

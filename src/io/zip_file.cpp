@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <zip.h>
 
+#include <array>
 #include <cassert>
 #include <cstddef>
 #include <cstdint>
@@ -25,10 +26,13 @@ struct EntryReader {
 
   std::uint64_t read(char* to, std::uint64_t length) {
     plan->reading = entry;
-    const std::string_view part = position < entry->head.size()
-                                      ? std::string_view(entry->head).substr(position)
-                                      : entry->body.substr(position - entry->head.size());
-    const std::size_t count = part.copy(to, length);
+    const std::uint64_t head = entry->head.size();
+    std::size_t count = 0;
+    if (position < head) {
+      count = entry->head.copy(to, length, position);
+    } else if (position - head < entry->body.size && length > 0) {
+      count = entry->body.read(position - head, to, length);
+    }
     position += count;
     return count;
   }
@@ -50,7 +54,7 @@ zip_int64_t onEntry(void* user, void* data, zip_uint64_t length, zip_source_cmd_
       reader.plan->reading = nullptr;
       return 0;
     case ZIP_SOURCE_STAT:
-      return zipStatOf(reader.entry->head.size() + reader.entry->body.size(), data);
+      return zipStatOf(reader.entry->head.size() + reader.entry->body.size, data);
     case ZIP_SOURCE_ERROR:
       return zip_error_to_data(&reader.error, data, length);
     case ZIP_SOURCE_FREE:
@@ -121,10 +125,28 @@ Result<void> writePiece(OutputFile& file, const ZipPiece& piece) {
   if (piece.entry == nullptr) {
     return file.write(piece.bytes);
   }
-  return file.write(piece.entry->head).and_then([&] { return file.write(piece.entry->body); });
+  if (auto written = file.write(piece.entry->head); !written) {
+    return written;
+  }
+  std::array<char, std::size_t{1} << 16> chunk;
+  const ZipBody& body = piece.entry->body;
+  for (std::uint64_t offset = 0; offset < body.size;) {
+    const std::size_t count = body.read(offset, chunk.data(), chunk.size());
+    if (auto written = file.write({chunk.data(), count}); !written) {
+      return written;
+    }
+    offset += count;
+  }
+  return {};
 }
 
 }  // namespace
+
+ZipBody zipBody(std::string_view bytes) {
+  return {bytes.size(), [bytes](std::uint64_t offset, char* to, std::size_t length) {
+            return bytes.copy(to, length, offset);
+          }};
+}
 
 Result<void> writeZip(OutputFile& file, std::span<const ZipEntry> entries) {
   assert(!entries.empty());

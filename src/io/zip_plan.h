@@ -22,7 +22,7 @@ struct ZipPiece {
   const ZipEntry* entry = nullptr;
 
   [[nodiscard]] std::uint64_t size() const {
-    return entry != nullptr ? entry->head.size() + entry->body.size() : bytes.size();
+    return entry != nullptr ? entry->head.size() + entry->body.size : bytes.size();
   }
 };
 

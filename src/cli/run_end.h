@@ -1,0 +1,38 @@
+/// How a run ends: what must be said of its result, and its output files.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/command.h"
+#include "io/output_file.h"
+#include "vorpipe.h"
+
+namespace vorpipe::cli {
+
+/// The error of a run that was asked for nothing; `example` is a file that it could write.
+Error nothingToDo(std::string_view example);
+
+/// Prints what the validation layers said, a line each, after `name`; whether they said nothing.
+bool validationIsSilent(const Report& report, std::string_view name = {});
+
+/// Prints what check() found, a line for each broken promise; whether all hold. Error: check()'s.
+Result<bool> passesCheck(const Result<std::vector<std::string>>& broken);
+
+/// Writes one file.
+using Writer = std::function<Result<void>(OutputFile&)>;
+
+/// Has each file written by the writer at its place, and puts all in place together. Errors: those of
+/// the writers; a signal has asked to stop.
+Result<void> writeOutputs(std::span<OutputFile> files, std::span<const Writer> writers);
+
+/// "a.png, b.npy: 10 cells (0 empty, 0 duplicate)", as summaries begin.
+std::string outcomeText(std::span<const std::string> paths, const Report& report);
+
+/// "cpu on NAME, 0.100 s, checked", as summaries end; what else a person should know of these sites.
+std::string runText(const Report& report, double milliseconds, bool checked, const Sites& sites);
+
+}  // namespace vorpipe::cli
