@@ -116,6 +116,12 @@ for color in site area neighbors; do
 done
 succeeds "check" render --backend cpu --sites clusters:500 --size 50x50 --check --stats out/g.json
 expect "checked"
+succeeds "nothing but the check" render --backend cpu --sites clusters:500 --size 50x50 --check
+expect "500 cells (0 empty, 0 duplicate), 50x50, cpu on "
+for search in grid flann flann:12; do
+  succeeds "search $search" render --backend cpu --sites random:300 --size 90x60 --search $search --ids out/s.npy
+  cmp -s out/a.npy out/s.npy || fail "the ids depend on the search"
+done
 
 printf 'y,x,weight\n1,0,5\n2,3,6\n1,0,7\n' >in/good.csv
 succeeds "file with weights" render --backend cpu --sites in/good.csv --color weight --size 30x30 -o out/h.png
@@ -141,13 +147,16 @@ expect '"backend": "cpu"'
 succeeds "a lower limit shows" devices --limit maxTexelBufferElements=65536
 expect "65536"
 
-for backend in vulkan-geometry opengl; do
+# The backends that take --backend by a name of their own.
+backends="cpu vulkan-geometry vulkan-compute opengl"
+
+for backend in vulkan-geometry vulkan-compute opengl; do
   succeeds "$backend" render --backend $backend --sites random:300 --size 90x60 --ids out/k.npy --check
   expect "$backend on "
 done
 
 # -- Cells --------------------------------------------------------------------------------------------
-for backend in cpu vulkan-geometry opengl; do
+for backend in $backends; do
   succeeds "cells on $backend" cells --backend $backend --sites random:2000 --check -o out/cells.csv -o out/cells.npz --stats out/cells.json
   expect "out/cells.csv, out/cells.npz, out/cells.json: 2000 cells (0 empty, 0 duplicate), $backend on "
   expect ", checked"
@@ -166,10 +175,23 @@ succeeds "cells in every format" cells --backend cpu --sites clusters:500 --chec
 for file in out/cells.{csv,npz,geojson,svg,obj,ply,vtk,WKT}; do [ -s "$file" ] || fail "$file is not there"; done
 succeeds "cells on one thread" cells --backend cpu --sites clusters:500 --threads 1 -o out/cells1.npz -o out/cells1.csv
 cmp -s out/cells.npz out/cells1.npz && cmp -s out/cells.csv out/cells1.csv || fail "two runs differ"
+succeeds "cells, another choice of files" cells --backend cpu --sites clusters:500 -o out/cells2.csv --stats out/cells.json
+cmp -s out/cells.csv out/cells2.csv || fail "what is in a file depends on the other files"
+area_sum=$(grep '"area_sum"' out/cells.json)
+succeeds "cells, only stats, no polygons" cells --backend cpu --sites clusters:500 --stats out/cells.json
+grep -qF "$area_sum" out/cells.json || fail "area_sum depends on the files"
+succeeds "cells, nothing but the check" cells --backend cpu --sites clusters:500 --check
+expect "500 cells (0 empty, 0 duplicate), cpu on "
+[ "$(wc -l <log/out)" -eq 1 ] || fail "not one line on standard output"
+for search in grid flann flann:12; do
+  succeeds "cells, search $search" cells --backend cpu --sites clusters:500 --search $search -o out/cells2.csv
+  # Not byte for byte: where a cell begins may depend on the order in which neighbors were found.
+  cmp -s <(cut -d, -f1-5,10 out/cells.csv) <(cut -d, -f1-5,10 out/cells2.csv) || fail "the cells depend on the search"
+done
 succeeds "cells, only stats" cells --backend cpu --sites hex:500 --search flann:8 --domain 0.2,0.2,0.4,0.5 --check --stats out/cells.json
 succeeds "verbose" cells --sites random:9 --verbose --stats out/cells.json
 expect "9 cells"
-for sites in square:400 circle:700 circle:300 random:1; do
+for sites in square:400 hex:400 circle:700 circle:300 random:1 random:2; do
   succeeds "cells of $sites" cells --backend cpu --sites $sites --check --stats out/cells.json
 done
 
@@ -212,7 +234,7 @@ fails 2 "cells, the second output cannot be written" "out/none/a.npz" cells --ba
 fails 2 "cells of a missing file" "in/missing.csv" cells --backend cpu --sites in/missing.csv -o out/old.csv --stats out/old.json
 fails 2 "cells with a bad search" "--search" cells --backend cpu --sites random:9 --search flann:2 -o out/old.csv
 fails 2 "cells with a bad domain" "--domain" cells --backend cpu --sites random:9 --domain 1,0,0,1 -o out/old.csv
-fails 2 "cells on an unknown backend" "nope" cells --backend nope --sites random:9 -o out/old.csv
+fails 2 "cells on an unknown backend" "--backend" cells --backend nope --sites random:9 -o out/old.csv
 fails 3 "cells, geometry shader masked" "geometryShader" cells --backend vulkan-geometry --disable geometryShader --sites random:9 -o out/old.csv
 if [ -w /dev/full ]; then
   fails 3 "cells, a full disk" "/dev/full" cells --backend cpu --sites random:9 -o out/old.csv --stats /dev/full
@@ -233,10 +255,19 @@ name="picture of differences"
 cases=$((cases + 1))
 run 1 diff out/a.npy in/mutant.npy -o out/where.png
 [ -s out/where.png ] || fail "no picture"
-succeeds "compare" compare --backends vulkan-geometry,opengl,cpu --sites random:300 --size 90x60 --report out/r.json -o out/m.png
-expect "vulkan-geometry / cpu"
+succeeds "compare" compare --backends "${backends// /,}" --sites random:300 --size 90x60 --report out/r.json -o out/m.png
+expect "cpu / vulkan-geometry"
+expect "vulkan-geometry / opengl"
+expect "worst area"
 grep -q '"wrong": 0' out/r.json || fail "out/r.json has no wrong"
-fails 2 "compare with an unknown backend" "nope" compare --backends cpu,nope --sites random:9 --report out/old.json
+for key in different_statuses different_neighbors different_areas worst_area of_allowed cells_ms area_slack; do
+  grep -q "\"$key\":" out/r.json || fail "out/r.json has no $key"
+done
+[ "$(grep -c '"equal": 300,' out/r.json)" -eq 6 ] || fail "not six pairs of 300 equal cells"
+succeeds "compare duplicates and sites outside" compare --quiet --backends cpu,vulkan-geometry --sites in/cells.csv --domain 0,0,1.5,2 --size 30x30
+[ -s log/out ] && fail "not quiet"
+fails 2 "compare with an unknown backend" '--backends: "nope" is not one of' compare --backends cpu,nope --sites random:9 --report out/old.json
+fails 2 "compare a backend with itself" "--backends" compare --backends cpu,cpu --sites random:9 --report out/old.json
 fails 2 "compare with one backend" "--backends" compare --backends cpu --sites random:9
 fails 2 "diff of a picture and ids" "out/a.npy" diff out/a.png out/a.npy
 fails 2 "diff with sites of pictures" "--sites" diff out/a.png out/b.png --sites random:300
@@ -256,21 +287,24 @@ done
 for domain in 1,0,0,1 0,1,1,0 0,0,0,1 0,0,1 0,0,1,1,1 0,0,1,nan 0,0,inf,1 0,0,1e999,1 a,0,1,1 -1e308,0,1e308,1; do
   refuses "domain $domain" "--domain" --sites random:9 --domain "$domain"
 done
-fails 2 "backend" "nope" render --sites random:9 --backend nope -o out/old.png
+fails 2 "backend" '--backend: "nope" is not one of auto, vulkan' render --sites random:9 --backend nope -o out/old.png
 for threads in 0 -1 1025 x; do refuses "threads $threads" "--threads" --sites random:9 --threads "$threads"; done
-for search in flann:2 flann:1025 flann: flann:x trees; do
+for search in flann:2 flann:1025 flann: flann:x trees grid:3 Grid ""; do
   refuses "search $search" "--search" --sites random:9 --search "$search"
 done
 for seed in -1 x 18446744073709551616; do refuses "seed $seed" "--seed" --sites random:9 --seed "$seed"; done
 for limit in maxTexelBufferElements maxTexelBufferElements=x =5; do
   refuses "limit $limit" "--limit" --sites random:9 --limit "$limit"
 done
-refuses "unknown limit" "maxNope" --sites random:9 --limit maxNope=5
-refuses "unknown feature" "nopeShader" --sites random:9 --disable nopeShader
-fails 2 "unknown feature of devices" "nopeShader" devices --disable nopeShader
+refuses "unknown limit" '--limit: "maxNope" is not one of maxTexelBufferElements' --sites random:9 --limit maxNope=5
+refuses "unknown feature" '--disable: "nopeShader" is not one of geometryShader' --sites random:9 --disable nopeShader
+fails 2 "unknown feature of devices" '--disable: "nopeShader"' devices --disable nopeShader
+fails 2 "unknown limit of devices" '--limit: "maxNope"' devices --limit maxNope=5
 refuses "color" "--color" --sites random:9 --color blue
 refuses "colormap" "viridis" --sites random:9 --colormap nope
-refuses "color by weight without weights" "--color" --sites random:9 --color weight
+refuses "color by weight without weights" "--color: weight needs a column of weights, random:9 has none" --sites random:9 --color weight
+refuses "more sites than memory" "--sites: needs about" --sites random:4294967294
+fails 2 "more cells than memory" "--sites: needs about" cells --backend cpu --sites random:4294967294 -o out/old.csv
 fails 2 "an option where a file belongs" "-o" render --backend cpu --sites random:9 -o --quiet
 fails 2 "the same for --stats" "--stats" render --backend cpu --sites random:9 --stats --quiet
 refuses "an option given twice" "--size" --sites random:9 --size 9x9 --size 8x8
@@ -328,6 +362,8 @@ broken_egl fails 3 "no EGL" "opengl" render --backend opengl --sites random:9 -o
 broken_egl succeeds "cpu without EGL" render --backend cpu --sites random:9 --size 9x9 -o out/l.png
 fails 3 "geometry shader masked" "geometryShader" render --backend vulkan-geometry --disable geometryShader --sites random:9 -o out/old.png
 fails 3 "no such device" "no-such-device" render --backend vulkan-geometry --device no-such-device --sites random:9 -o out/old.png
+fails 3 "no such index" "'77'" render --backend vulkan-geometry --device 77 --sites random:9 -o out/old.png
+grep -qF "there are 0" log/err && fail "it says that there are no devices"
 
 # -- Interrupted ------------------------------------------------------------------------------------------
 name="interrupted"

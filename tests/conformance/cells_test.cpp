@@ -5,40 +5,13 @@
 #include <array>
 #include <cmath>
 #include <set>
-#include <stdexcept>
 
+#include "conformance/cells_fixture.h"
 #include "support/cell_oracle.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {
 namespace {
-
-constexpr Box unit{0, 0, 1, 1};
-
-class Cells : public testing::TestWithParam<const char*> {
- protected:
-  static BackendOptions backend(const char* name) {
-    BackendOptions chosen;
-    chosen.name = name;
-    chosen.validation = true;
-    return chosen;
-  }
-
-  static Diagram cells(const Sites& sites, const CellsOptions& wanted, const BackendOptions& chosen) {
-    auto session = Session::open(chosen);
-    if (!session) throw std::runtime_error(session.error().message);
-    auto diagram = session->cells(sites, wanted);
-    if (!diagram) throw std::runtime_error(diagram.error().message);
-    EXPECT_EQ(diagram->report.validation_messages, std::vector<std::string>{});
-    return std::move(*diagram);
-  }
-
-  Diagram expectTiled(const Sites& sites, const Box& domain = unit) {
-    auto diagram = cells(sites, {domain, {}, {}}, backend(GetParam()));
-    expectTiling(diagram, sites, domain);
-    return diagram;
-  }
-};
 
 TEST_P(Cells, tileTheDomain) {
   for (const std::uint64_t n : {1u, 2u, 3u, 10u, 100u, 3000u}) {
@@ -218,34 +191,6 @@ TEST_P(Cells, tileTheDomainWhereATieEndsAtAWall) {
   }
 }
 
-TEST_P(Cells, ofAllBackendsAgree) {
-  for (const auto pattern : {Pattern::random, Pattern::jitter, Pattern::clusters, Pattern::hex}) {
-    const auto sites = generate(pattern, 1500, 21);
-    const auto mine = cells(sites, {unit, {}, {}}, backend(GetParam()));
-    const auto judge = cells(sites, {unit, {}, {}}, backend("cpu"));
-    EXPECT_EQ(mine.status, judge.status);
-    EXPECT_EQ(mine.triangles.size(), judge.triangles.size());
-    for (std::size_t i = 0; i < sites.size(); ++i) {
-      EXPECT_EQ(neighborSet(mine, i), neighborSet(judge, i)) << "site " << i;
-      EXPECT_NEAR(mine.area[i], judge.area[i], 1e-9 * judge.area[i]) << "site " << i;
-    }
-  }
-}
-
-TEST_P(Cells, doNotDependOnTheNumberOfCandidatesOrThreads) {
-  const auto sites = generate(Pattern::clusters, 1500, 4);
-  auto one = backend(GetParam());
-  one.threads = 1;
-  const auto first = cells(sites, {unit, {}, {}}, backend(GetParam()));
-  const auto single = cells(sites, {unit, {}, {}}, one);
-  EXPECT_EQ(first.area, single.area);
-  EXPECT_EQ(first.neighbors, single.neighbors);
-  EXPECT_EQ(first.edge_lengths, single.edge_lengths);
-  EXPECT_EQ(first.triangles, single.triangles);
-  const auto few = cells(sites, {unit, {5}, {}}, backend(GetParam()));
-  for (std::size_t i = 0; i < sites.size(); ++i) EXPECT_EQ(neighborSet(first, i), neighborSet(few, i));
-}
-
 TEST_P(Cells, areDualToTheDelaunayTriangles) {
   const auto sites = generate(Pattern::random, 300, 17);
   const auto diagram = expectTiled(sites, {-3000, -3000, 3000, 3000});
@@ -255,28 +200,25 @@ TEST_P(Cells, areDualToTheDelaunayTriangles) {
 }
 
 TEST_P(Cells, ofBadInputAreRefused) {
-  auto session = Session::open(backend(GetParam()));
-  ASSERT_TRUE(session) << session.error().message;
+  auto& session = sharedSession(GetParam());
   const auto sites = generate(Pattern::random, 50, 1);
   const auto refusal = [&](const Sites& bad, const CellsOptions& wanted) {
-    const auto result = session->cells(bad, wanted);
+    const auto result = session.cells(bad, wanted);
     EXPECT_TRUE(!result && !result.error().message.empty());
     return result ? ErrorCode::device : result.error().code;
   };
-  EXPECT_EQ(refusal({}, {unit, {}, {}}), ErrorCode::input);
-  EXPECT_EQ(refusal({{0.5, std::nan("")}, {0.5, 0.5}, {}}, {unit, {}, {}}), ErrorCode::input);
-  EXPECT_EQ(refusal(sites, {{0, 1, 1, 0}, {}, {}}), ErrorCode::input);
-  EXPECT_EQ(refusal(sites, {{0, 0, INFINITY, 1}, {}, {}}), ErrorCode::input);
-  EXPECT_EQ(refusal(sites, {unit, {2}, {}}), ErrorCode::input);
-  EXPECT_EQ(refusal(sites, {unit, {}, [](auto, double) { return false; }}), ErrorCode::cancelled);
+  EXPECT_EQ(refusal({}, within(unit)), ErrorCode::input);
+  EXPECT_EQ(refusal({{0.5, std::nan("")}, {0.5, 0.5}, {}}, within(unit)), ErrorCode::input);
+  EXPECT_EQ(refusal(sites, within({0, 1, 1, 0})), ErrorCode::input);
+  EXPECT_EQ(refusal(sites, within({0, 0, INFINITY, 1})), ErrorCode::input);
+  EXPECT_EQ(refusal(sites, within(unit, {Search::flann, 2})), ErrorCode::input);
+  auto stopped = within(unit);
+  stopped.progress = [](auto, double) { return false; };
+  EXPECT_EQ(refusal(sites, stopped), ErrorCode::cancelled);
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, Cells, testing::Values("cpu", "vulkan-geometry", "opengl"),
-                         [](const auto& instance) {
-                           std::string name = instance.param;
-                           std::erase(name, '-');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Backends, Cells, testing::ValuesIn(backend_names),
+                         [](const auto& instance) { return testName(instance.param); });
 
 }  // namespace
 }  // namespace vorpipe::test

@@ -1,260 +1,200 @@
-/// The cells of every backend against exact arithmetic.
+/// The cells of every backend, by name, against exact arithmetic: the data sets at small sizes, searches,
+/// and devices that can do less. The program exact_cells does the same at any size.
 ///
-/// CGAL's exact kernel gives the Delaunay neighbors; each cell is the domain cut by their bisectors,
-/// in the same exact numbers. Real sites are read from the folder VORPIPE_TEST_DATA, if it is set.
-#include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+/// Real sites are read from the folder VORPIPE_TEST_DATA, if it is set.
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
-#include <random>
+#include <stdexcept>
+#include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "io/sites_file.h"
-#include "vorpipe.h"
+#include "support/backends.h"
+#include "support/data_sets.h"
+#include "support/exact_comparison.h"
+#include "support/exact_triangles.h"
 
 namespace vorpipe::test {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Number = Kernel::FT;
-using Vertex = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
-using Delaunay = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex>>;
+constexpr std::uint64_t seed = 20261121;
 
-constexpr Box unit{0, 0, 1, 1};
-
-/// {p : a p.x + b p.y <= c}, p relative to the cell's site.
-struct HalfPlane {
-  Number a, b, c;
-  std::int64_t neighbor;
+/// A data set with its exact cells, made once for all tests of a process.
+struct Judged {
+  DataSet set;
+  ExactCells exact;
 };
 
-/// Where the border of a cell turns, and the half-plane whose border begins there.
-struct Turn {
-  Number x, y;
-  std::size_t plane;
+const Judged& judged(const std::string& name, std::uint64_t n) {
+  static std::map<std::pair<std::string, std::uint64_t>, Judged> known;
+  const auto [place, fresh] = known.try_emplace({name, n});
+  if (fresh) {
+    place->second.set = makeDataSet(name, n, seed);
+    place->second.exact = exactCells(place->second.set.sites, place->second.set.domain);
+  }
+  return place->second;
+}
+
+CellsOptions cellsOptions(const Box& domain, Search method = Search::grid, int neighbors = 30) {
+  CellsOptions options{};
+  options.domain = domain;
+  options.search = {method, neighbors};
+  return options;
+}
+
+void expectExact(Session& session, const Sites& sites, const CellsOptions& options, const ExactCells& exact) {
+  const auto diagram = session.cells(sites, options);
+  ASSERT_TRUE(diagram) << diagram.error().message;
+  EXPECT_EQ(diagram->report.validation_messages, std::vector<std::string>{});
+  const auto comparison = compareWithExact(*diagram, sites, options.domain, exact);
+  EXPECT_TRUE(comparison.agree()) << comparison.summary();
+  for (const auto& fault : comparison.first) ADD_FAILURE() << fault;
+  for (const auto& fault : findTriangleFaults(*diagram, sites, options.domain, exact.triangles).first)
+    ADD_FAILURE() << fault;
+}
+
+/// What a device is said to lack.
+struct Masked {
+  const char* name;
+  Mask mask;
 };
 
-/// An exact cell, in double once it is known.
-struct ExactCell {
-  double area = 0;
-  std::map<std::int64_t, double> edges;  ///< length by neighbor
-};
-
-Turn meet(const std::vector<HalfPlane>& planes, std::size_t before, std::size_t after) {
-  const auto& p = planes[before];
-  const auto& q = planes[after];
-  const Number det = p.a * q.b - p.b * q.a;
-  return {(p.c * q.b - p.b * q.c) / det, (p.a * q.c - p.c * q.a) / det, after};
-}
-
-/// Cuts a polygon by the last of the planes. Vertices follow from two planes each, never from others.
-void cut(std::vector<Turn>& polygon, const std::vector<HalfPlane>& planes) {
-  const auto& plane = planes.back();
-  std::vector<CGAL::Sign> side;
-  for (const auto& t : polygon) side.push_back(CGAL::sign(plane.a * t.x + plane.b * t.y - plane.c));
-  std::vector<Turn> kept;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const auto next = (k + 1) % polygon.size();
-    if (side[k] == CGAL::NEGATIVE || (side[k] == CGAL::ZERO && side[next] == CGAL::NEGATIVE)) {
-      kept.push_back(polygon[k]);
-    } else if (side[k] == CGAL::ZERO) {
-      kept.push_back({polygon[k].x, polygon[k].y, planes.size() - 1});
-    }
-    if (side[k] == CGAL::NEGATIVE && side[next] == CGAL::POSITIVE)
-      kept.push_back(meet(planes, polygon[k].plane, planes.size() - 1));
-    if (side[k] == CGAL::POSITIVE && side[next] == CGAL::NEGATIVE) {
-      auto entered = meet(planes, planes.size() - 1, polygon[k].plane);
-      kept.push_back(std::move(entered));
-    }
-  }
-  polygon = std::move(kept);
-}
-
-ExactCell exactCell(const Sites& sites, const Box& domain, std::uint32_t i,
-                    const std::vector<std::uint32_t>& neighbors) {
-  const Number x(sites.x[i]);
-  const Number y(sites.y[i]);
-  std::vector<HalfPlane> planes{{0, -1, y - domain.ymin, wall_ymin},
-                                {1, 0, domain.xmax - x, wall_xmax},
-                                {0, 1, domain.ymax - y, wall_ymax},
-                                {-1, 0, x - domain.xmin, wall_xmin}};
-  std::vector<Turn> polygon;
-  for (std::size_t k = 0; k < 4; ++k) polygon.push_back(meet(planes, (k + 3) % 4, k));
-  for (const auto j : neighbors) {
-    const Number dx = sites.x[j] - x;
-    const Number dy = sites.y[j] - y;
-    planes.push_back({dx, dy, (dx * dx + dy * dy) / 2, j});
-    cut(polygon, planes);
-  }
-  ExactCell cell;
-  if (polygon.size() < 3) return cell;
-  Number twice = 0;
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const auto& a = polygon[k];
-    const auto& b = polygon[(k + 1) % polygon.size()];
-    twice += a.x * b.y - a.y * b.x;
-    const Number dx = b.x - a.x;
-    const Number dy = b.y - a.y;
-    cell.edges[planes[a.plane].neighbor] += std::sqrt(CGAL::to_double(dx * dx + dy * dy));
-  }
-  cell.area = CGAL::to_double(twice) / 2;
-  return cell;
-}
-
-std::vector<ExactCell> exactCells(const Sites& sites, const Box& domain) {
-  std::map<std::pair<double, double>, std::uint32_t> owners;
-  for (std::uint32_t i = 0; i < sites.size(); ++i) owners.try_emplace({sites.x[i], sites.y[i]}, i);
-  std::vector<std::pair<Kernel::Point_2, std::uint32_t>> points;
-  for (const auto& [at, i] : owners) points.emplace_back(Kernel::Point_2(at.first, at.second), i);
-  const Delaunay delaunay(points.begin(), points.end());
-  std::vector<std::vector<std::uint32_t>> neighbors(sites.size());
-  for (auto edge = delaunay.finite_edges_begin(); edge != delaunay.finite_edges_end(); ++edge) {
-    const auto a = edge->first->vertex(Delaunay::cw(edge->second))->info();
-    const auto b = edge->first->vertex(Delaunay::ccw(edge->second))->info();
-    neighbors[a].push_back(b);
-    neighbors[b].push_back(a);
-  }
-  std::vector<ExactCell> cells(sites.size());
-  for (const auto& [at, i] : owners) cells[i] = exactCell(sites, domain, i, neighbors[i]);
-  return cells;
-}
-
-/// Compares one cell: an edge is reported when it is longer than a millionth of the distance between
-/// its two sites, and its area is within 1e-5 of itself and 1e-9 of the mean cell.
-void expectCell(const Diagram& diagram, std::size_t i, const ExactCell& exact, const Sites& sites,
-                const Box& domain) {
-  const double width = domain.xmax - domain.xmin;
-  const double height = domain.ymax - domain.ymin;
-  const double mean = width * height / static_cast<double>(sites.size());
-  EXPECT_NEAR(diagram.area[i], exact.area, 1e-5 * exact.area + 1e-9 * mean);
-  std::map<std::int64_t, double> reported;
-  for (auto e = diagram.cell_offsets[i]; e < diagram.cell_offsets[i + 1]; ++e)
-    reported[diagram.neighbors[e]] = diagram.edge_lengths[e];
-  const auto shortest = [&](std::int64_t neighbor) {
-    if (neighbor < 0) return 1e-9 * std::max(width, height);
-    const auto j = static_cast<std::size_t>(neighbor);
-    return 1e-6 * std::hypot(sites.x[j] - sites.x[i], sites.y[j] - sites.y[i]);
+const std::vector<Masked>& masks() {
+  static const std::vector<Masked> all{
+      {"noGeometryShader", {{"geometryShader"}, {}}},
+      {"noDoubles", {{"shaderFloat64"}, {}}},
+      {"smallDevice",
+       {{"geometryShader", "shaderFloat64"},
+        {{"maxTexelBufferElements", 65536}, {"maxStorageBufferRange", 134217728}}}},
+      {"smallTexelBuffers", {{}, {{"maxTexelBufferElements", 65536}}}},
+      {"tinyBuffers", {{}, {{"maxTexelBufferElements", 2048}, {"maxStorageBufferRange", 1 << 17}}}},
   };
-  for (const auto& [neighbor, length] : exact.edges) {
-    if (length <= shortest(neighbor) * (1 + 1e-3)) continue;
-    EXPECT_TRUE(reported.contains(neighbor)) << "lacks " << neighbor << ", edge " << length;
-  }
-  for (const auto& [neighbor, length] : reported) {
-    const auto found = exact.edges.find(neighbor);
-    const double expected = found == exact.edges.end() ? 0 : found->second;
-    const double least = neighbor < 0 ? 0 : shortest(neighbor) * (1 - 1e-3);
-    EXPECT_GT(expected, least) << "reports " << neighbor;
-    EXPECT_NEAR(length, expected, 1e-4 * expected + 1e-6 * std::sqrt(mean)) << "edge to " << neighbor;
-  }
+  return all;
 }
 
-void expectExact(const Sites& sites, const Box& domain) {
-  const auto exact = exactCells(sites, domain);
-  for (const char* name : {"cpu", "vulkan-geometry", "opengl"}) {
-    SCOPED_TRACE(name);
+bool lacks(const Mask& mask, const std::string& feature) {
+  return std::find(mask.disabled.begin(), mask.disabled.end(), feature) != mask.disabled.end();
+}
+
+/// Opens a backend's session once; it serves all tests of the process.
+class OnBackend {
+ protected:
+  static BackendOptions backendOptions(const std::string& name) {
     BackendOptions options;
     options.name = name;
-    auto session = Session::open(options);
-    ASSERT_TRUE(session) << session.error().message;
-    const auto diagram = session->cells(sites, {domain, {}, {}});
-    ASSERT_TRUE(diagram) << diagram.error().message;
-    for (std::size_t i = 0; i < sites.size() && !testing::Test::HasFailure(); ++i) {
-      SCOPED_TRACE(testing::Message() << "site " << i);
-      expectCell(*diagram, i, exact[i], sites, domain);
-    }
+    options.validation = true;
+    return options;
   }
-}
 
-class AgainstCgal : public testing::Test {
- protected:
-  static void SetUpTestSuite() { Number::set_relative_precision_of_to_double(1e-12); }
+  static Session& session(const std::string& name) {
+    static std::map<std::string, Session> open;
+    const auto known = open.find(name);
+    if (known != open.end()) return known->second;
+    auto opened = Session::open(backendOptions(name));
+    if (!opened) throw std::runtime_error(opened.error().message);
+    return open.emplace(name, std::move(*opened)).first->second;
+  }
 };
 
-TEST_F(AgainstCgal, randomSites) {
-  for (const std::uint64_t n : {1u, 2u, 3u, 10u, 2000u}) expectExact(generate(Pattern::random, n, 5), unit);
-  expectExact(generate(Pattern::random, 500, 6), {0.4, -0.2, 0.7, 0.3});
-}
+class AgainstExactCells : public testing::TestWithParam<std::tuple<const char*, std::string>>,
+                          protected OnBackend {
+ protected:
+  void SetUp() override { SKIP_UNUSABLE(backend()); }
+  static const char* backend() { return std::get<0>(GetParam()); }
+  static const std::string& set() { return std::get<1>(GetParam()); }
+};
 
-TEST_F(AgainstCgal, lattices) {
-  expectExact(generate(Pattern::square, 900, 1), unit);
-  expectExact(generate(Pattern::hex, 900, 1), unit);
-  auto turned = generate(Pattern::square, 900, 1);
-  for (std::size_t i = 0; i < turned.size(); ++i) {
-    const double x = turned.x[i];
-    turned.x[i] = 0.8 * x - 0.6 * turned.y[i];
-    turned.y[i] = 0.6 * x + 0.8 * turned.y[i];
+TEST_P(AgainstExactCells, agreeOn) {
+  for (const std::uint64_t n : {60u, 800u}) {
+    const auto& [set, exact] = judged(AgainstExactCells::set(), n);
+    SCOPED_TRACE(testing::Message() << set.sites.size() << " sites, seed " << seed);
+    expectExact(session(backend()), set.sites, cellsOptions(set.domain), exact);
   }
-  expectExact(turned, {-0.3, 0.2, 0.5, 1.1});
 }
 
-TEST_F(AgainstCgal, clusters) {
-  auto sites = generate(Pattern::clusters, 1500, 2);
-  expectExact(sites, unit);
-  const auto dust = generate(Pattern::random, 500, 3);
-  for (std::size_t i = 0; i < dust.size(); ++i) {
-    sites.x.push_back(0.3 + 1e-9 * dust.x[i]);
-    sites.y.push_back(0.6 + 1e-9 * dust.y[i]);
-  }
-  expectExact(sites, unit);
+std::vector<std::string> setNames() {
+  std::vector<std::string> names;
+  for (const auto& kind : dataSetKinds()) names.emplace_back(kind.name);
+  return names;
 }
 
-TEST_F(AgainstCgal, cocircularSites) {
-  auto sites = generate(Pattern::circle, 500, 1);
-  expectExact(sites, unit);
-  sites.x.push_back(0.5);
-  sites.y.push_back(0.5);
-  expectExact(sites, unit);
-}
+INSTANTIATE_TEST_SUITE_P(Backends, AgainstExactCells,
+                         testing::Combine(testing::ValuesIn(backend_names), testing::ValuesIn(setNames())),
+                         [](const auto& instance) {
+                           std::string set = std::get<1>(instance.param);
+                           std::replace(set.begin(), set.end(), '-', '_');
+                           return testName(std::get<0>(instance.param)) + "_" + set;
+                         });
 
-TEST_F(AgainstCgal, nearlyCollinearSites) {
-  std::mt19937_64 random(4);
-  std::uniform_real_distribution<double> along(0, 1);
-  for (const double noise : {0.0, 1e-12, 1e-9, 1e-6, 1e-3}) {
-    SCOPED_TRACE(noise);
-    Sites sites;
-    for (int i = 0; i < 300; ++i) {
-      sites.x.push_back(along(random));
-      sites.y.push_back(0.1 + 0.75 * sites.x.back() + noise * along(random));
+class ExactOnBackend : public testing::TestWithParam<const char*>, protected OnBackend {
+ protected:
+  void SetUp() override { SKIP_UNUSABLE(GetParam()); }
+};
+
+TEST_P(ExactOnBackend, whateverFindsTheNeighbors) {
+  for (const char* name : {"random", "clusters", "board", "pairs", "curves", "cropped", "square-cut"}) {
+    const auto& [set, exact] = judged(name, 800);
+    for (const int neighbors : {5, 30}) {
+      SCOPED_TRACE(testing::Message() << name << ", flann:" << neighbors << ", seed " << seed);
+      expectExact(session(GetParam()), set.sites, cellsOptions(set.domain, Search::flann, neighbors), exact);
     }
-    expectExact(sites, unit);
   }
 }
 
-TEST_F(AgainstCgal, sitesATrillionthOfTheDomainApart) {
-  auto sites = generate(Pattern::random, 300, 9);
-  for (std::size_t i = 0; i < 60; ++i) {
-    const double angle = static_cast<double>(i);
-    sites.x.push_back(sites.x[i] + 2e-12 * std::cos(angle));
-    sites.y.push_back(sites.y[i] + 2e-12 * std::sin(angle));
+TEST_P(ExactOnBackend, onMaskedDevices) {
+  for (const auto& [name, mask] : masks()) {
+    auto options = backendOptions(GetParam());
+    options.mask = mask;
+    auto masked = Session::open(options);
+    const bool needs_geometry =
+        GetParam() == std::string("vulkan-geometry") || GetParam() == std::string("opengl");
+    if (needs_geometry && lacks(mask, "geometryShader")) {
+      EXPECT_TRUE(!masked && masked.error().code == ErrorCode::device) << name;
+      continue;
+    }
+    ASSERT_TRUE(masked) << name << ": " << masked.error().message;
+    for (const char* kind : {"random", "clusters", "circle-center", "dust"}) {
+      const auto& [set, exact] = judged(kind, 3000);
+      SCOPED_TRACE(testing::Message() << kind << " on " << name << ", seed " << seed);
+      expectExact(*masked, set.sites, cellsOptions(set.domain), exact);
+    }
   }
-  expectExact(sites, unit);
 }
 
-TEST_F(AgainstCgal, realSites) {
+/// More sites than 65,536 texels or a view of 2^17 bytes hold.
+TEST_P(ExactOnBackend, whereTheSitesExceedTheTexels) {
+  const auto& [set, exact] = judged("random", 70000);
+  auto options = backendOptions(GetParam());
+  options.mask.limits = {{"maxTexelBufferElements", 65536}, {"maxStorageBufferRange", 134217728}};
+  auto masked = Session::open(options);
+  ASSERT_TRUE(masked) << masked.error().message;
+  expectExact(*masked, set.sites, cellsOptions(set.domain), exact);
+}
+
+TEST_P(ExactOnBackend, forRealSites) {
   const char* folder = std::getenv("VORPIPE_TEST_DATA");
   if (!folder) GTEST_SKIP() << "VORPIPE_TEST_DATA names no folder of real sites";
-  // Not those with sites nearer to each other than 1e-13 of the domain, and not the largest.
+  // Not those with sites nearer to each other than 1e-12 of the domain, and not the largest.
   std::vector<std::string> names{"navaids", "us_cities", "jcv_issue91", "delaunator_robustness4"};
   for (int i = 1; i <= 11; ++i) names.push_back("voronoice_degenerated" + std::to_string(i));
   for (const auto& name : names) {
     SCOPED_TRACE(name);
     const auto sites = readSites((std::filesystem::path(folder) / (name + ".csv")).string());
     ASSERT_TRUE(sites) << sites.error().message;
-    const auto [left, right] = std::minmax_element(sites->x.begin(), sites->x.end());
-    const auto [bottom, top] = std::minmax_element(sites->y.begin(), sites->y.end());
-    const double margin = 0.05 * std::max(*right - *left, *top - *bottom);
-    expectExact(*sites, {*left - margin, *bottom - margin, *right + margin, *top + margin});
-    if (HasFailure()) return;
+    const auto domain = boxAround(*sites);
+    expectExact(session(GetParam()), *sites, cellsOptions(domain), exactCells(*sites, domain));
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Backends, ExactOnBackend, testing::ValuesIn(backend_names),
+                         [](const auto& instance) { return testName(instance.param); });
 
 }  // namespace
 }  // namespace vorpipe::test

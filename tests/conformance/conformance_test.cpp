@@ -2,8 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "support/backends.h"
+#include "support/data_sets.h"
 #include "support/oracle.h"
 #include "vorpipe.h"
 
@@ -13,12 +19,13 @@ namespace {
 constexpr Box unit{0, 0, 1, 1};
 
 RenderOptions picture(Box domain, int width = 96, int height = 96) {
-  RenderOptions options{domain, width, height, ColorBy::site, "viridis", false, false, {}, {}};
-  return options;
+  return {domain, width, height, ColorBy::site, "viridis", false, false, {}, {}};
 }
 
 class Conformance : public testing::TestWithParam<const char*> {
  protected:
+  void SetUp() override { SKIP_UNUSABLE(GetParam()); }
+
   BackendOptions options() const {
     BackendOptions chosen;
     chosen.name = GetParam();
@@ -26,17 +33,34 @@ class Conformance : public testing::TestWithParam<const char*> {
     return chosen;
   }
 
-  Rendering render(const Sites& sites, const RenderOptions& wanted, const BackendOptions& chosen) {
+  static Session open(const BackendOptions& chosen) {
     auto session = Session::open(chosen);
     if (!session) throw std::runtime_error(session.error().message);
-    auto rendering = session->render(sites, wanted);
+    return std::move(*session);
+  }
+
+  static Rendering render(Session& session, const Sites& sites, const RenderOptions& wanted) {
+    auto rendering = session.render(sites, wanted);
     if (!rendering) throw std::runtime_error(rendering.error().message);
     EXPECT_EQ(rendering->report.validation_messages, std::vector<std::string>{});
     return std::move(*rendering);
   }
 
+  static Rendering render(const Sites& sites, const RenderOptions& wanted, const BackendOptions& chosen) {
+    auto session = open(chosen);
+    return render(session, sites, wanted);
+  }
+
+  /// On one session for all tests of a process.
+  Rendering render(const Sites& sites, const RenderOptions& wanted) {
+    static std::map<std::string, Session> sessions;
+    auto known = sessions.find(GetParam());
+    if (known == sessions.end()) known = sessions.emplace(GetParam(), open(options())).first;
+    return render(known->second, sites, wanted);
+  }
+
   Rendering expectRight(const Sites& sites, Box domain, int width = 96, int height = 96) {
-    auto rendering = render(sites, picture(domain, width, height), options());
+    auto rendering = render(sites, picture(domain, width, height));
     expectNearestEverywhere(rendering.image, sites, domain);
     const auto& report = rendering.report;
     EXPECT_EQ(report.ok + report.empty + report.duplicate, sites.size());
@@ -186,8 +210,8 @@ TEST_P(Conformance, wedgesThatMeetInAPointStayWithinTheirBisectors) {
 TEST_P(Conformance, fewNeighborsAreDoubledUntilCertified) {
   const auto sites = generate(Pattern::random, 2000, 2);
   auto wanted = picture(unit);
-  wanted.search.neighbors = 15;
-  const auto rendering = render(sites, wanted, options());
+  wanted.search = {Search::flann, 15};
+  const auto rendering = render(sites, wanted);
   EXPECT_EQ(rendering.report.ok, 2000u);
   EXPECT_GT(rendering.report.retried, 0u);
   expectNearestEverywhere(rendering.image, sites, unit);
@@ -209,7 +233,7 @@ TEST_P(Conformance, aSmallTexelLimitGivesTheSameBytes) {
   const auto sites = generate(Pattern::random, 20000, 4);
   auto masked = options();
   masked.mask.limits = {{"maxTexelBufferElements", 65536}, {"maxStorageBufferRange", 1 << 20}};
-  const auto free = render(sites, picture(unit, 300, 300), options());
+  const auto free = render(sites, picture(unit, 300, 300));
   const auto small = render(sites, picture(unit, 300, 300), masked);
   EXPECT_EQ(free.image.ids, small.image.ids);
   EXPECT_EQ(free.image.rgba, small.image.rgba);
@@ -242,12 +266,29 @@ TEST_P(Conformance, badInputIsRefused) {
   EXPECT_TRUE(refused(sites, picture(unit, 10, 40000)));
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, Conformance, testing::Values("cpu", "vulkan-geometry", "opengl"),
-                         [](const auto& instance) {
-                           std::string name = instance.param;
-                           std::erase(name, '-');
-                           return name;
-                         });
+TEST_P(Conformance, dataSetsDrawTheNearestEverywhere) {
+  for (const auto& kind : dataSetKinds()) {
+    SCOPED_TRACE(kind.name);
+    const auto set = makeDataSet(kind.name, 500, 3);
+    expectRight(set.sites, set.domain, 80, 80);
+  }
+}
+
+/// With room for 4,096 texels the sites go to the device in tiles.
+TEST_P(Conformance, sitesThatExceedTheDeviceAreDrawnInTiles) {
+  auto masked = options();
+  masked.mask.limits = {{"maxTexelBufferElements", 4096}, {"maxStorageBufferRange", 65536}};
+  for (const char* name : {"random", "clusters", "crowded"}) {
+    SCOPED_TRACE(name);
+    const auto set = makeDataSet(name, 20000, 4);
+    const auto rendering = render(set.sites, picture(set.domain), masked);
+    expectNearestEverywhere(rendering.image, set.sites, set.domain);
+    EXPECT_EQ(rendering.report.ok, set.sites.size());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, Conformance, testing::ValuesIn(backend_names),
+                         [](const auto& instance) { return testName(instance.param); });
 
 }  // namespace
 }  // namespace vorpipe::test

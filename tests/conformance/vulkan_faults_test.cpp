@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "backend/vulkan/geometry.h"
-#include "vulkan_scene.h"
+#include "backend_scene.h"
 
 namespace vorpipe::vulkan {
 namespace {
@@ -74,13 +74,27 @@ Result<void> picture(Backend& backend, const test::Scene& scene) {
   std::vector<std::uint32_t> rgba(32 * 32);
   std::vector<std::uint32_t> ids(32 * 32);
   return backend.begin(test::makeView(32, 32))
-      .and_then([&] { return backend.draw(test::toFloat(scene.batch), scene.marks, Room::fast, status); })
+      .and_then([&] { return backend.draw(toFloat(scene.batch), scene.marks, Effort::fast, status); })
       .and_then([&] { return backend.read(rgba, ids); });
 }
 
-Result<void> polygons(Backend& backend, const test::Scene& scene) {
-  CellPolygons cells;
-  return backend.cells(scene.batch, cells);
+Result<void> pictureOfSites(Backend& backend, const test::Scene& scene) {
+  std::vector<CellStatus> status(scene.set.size());
+  const auto all = test::range(0, scene.set.size());
+  return backend.upload(scene.set, scene.shade)
+      .and_then([&] { return backend.begin(test::makeView(32, 32)); })
+      .and_then([&] { return backend.draw(all, Effort::fast, status); });
+}
+
+Result<void> cells(Backend& backend, const test::Scene& scene) {
+  Neighborhoods found;
+  return backend.cells(scene.batch, found);
+}
+
+Result<void> cellsOfSites(Backend& backend, const test::Scene& scene) {
+  Neighborhoods found;
+  const auto all = test::range(0, scene.set.size());
+  return backend.upload(scene.set, {}).and_then([&] { return backend.cells(all, Effort::fast, found); });
 }
 
 // Does some work on a device whose call number `nth` fails.
@@ -103,7 +117,7 @@ Result<void> doWithFault(int nth, const Work& work, const test::Scene& scene) {
 // Lets the first call fail, then the second, and so on until the work is done before its turn.
 // Returns how many could fail.
 int failEveryCall(const Work& work) {
-  const test::Scene scene = test::makeScene(10, 7);
+  const test::Scene scene = test::makeScene(10);
   for (int nth = 1; nth < 1000; nth++) {
     failure = nth % 2 == 0 ? VK_ERROR_OUT_OF_DEVICE_MEMORY : VK_ERROR_DEVICE_LOST;
     const Result<void> done = doWithFault(nth, work, scene);
@@ -122,9 +136,13 @@ int failEveryCall(const Work& work) {
   return 0;
 }
 
-TEST(VulkanFaults, AreErrorsWhileAPictureIsDrawn) { EXPECT_GT(failEveryCall(picture), 40); }
+TEST(VulkanFaults, AreErrorsWhileListsAreDrawn) { EXPECT_GT(failEveryCall(picture), 40); }
 
-TEST(VulkanFaults, AreErrorsWhileCellsAreMeasured) { EXPECT_GT(failEveryCall(polygons), 30); }
+TEST(VulkanFaults, AreErrorsWhileSitesAreDrawn) { EXPECT_GT(failEveryCall(pictureOfSites), 40); }
+
+TEST(VulkanFaults, AreErrorsWhileListsAreClipped) { EXPECT_GT(failEveryCall(cells), 30); }
+
+TEST(VulkanFaults, AreErrorsWhileSitesAreClipped) { EXPECT_GT(failEveryCall(cellsOfSites), 30); }
 
 }  // namespace
 }  // namespace vorpipe::vulkan

@@ -1,124 +1,393 @@
-#include "core/corners.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
-#include <vector>
+#include <cstring>
+#include <map>
+#include <numbers>
+#include <set>
+#include <string>
+#include <utility>
 
-#include "core/dual.h"
+#include "core/delaunay.h"
+#include "unit/proposed_cells.h"
 
 namespace vorpipe::test {
 namespace {
 
-SiteSet sitesAt(std::vector<double> x, std::vector<double> y) {
-  SiteSet set{std::move(x), std::move(y), {}, {0, 0, 1, 1}};
-  set.id.resize(set.x.size());
-  std::iota(set.id.begin(), set.id.end(), 0u);
-  return set;
+using Neighbors = std::vector<std::int64_t>;
+
+Neighbors neighborsOf(const Diagram& d, std::size_t i) {
+  return {d.neighbors.begin() + static_cast<std::ptrdiff_t>(d.cell_offsets[i]),
+          d.neighbors.begin() + static_cast<std::ptrdiff_t>(d.cell_offsets[i + 1])};
 }
 
-Topology topologyOf(const std::vector<std::vector<std::int64_t>>& cells) {
-  Topology topology;
-  for (const auto& cell : cells) {
-    topology.status.push_back(cell.empty() ? CellStatus::empty : CellStatus::certified);
-    topology.neighbor.insert(topology.neighbor.end(), cell.begin(), cell.end());
-    topology.first.push_back(topology.neighbor.size());
+Neighbors fromLowest(Neighbors row) {
+  std::rotate(row.begin(), std::min_element(row.begin(), row.end()), row.end());
+  return row;
+}
+
+double sumOfAreas(const Diagram& d) { return std::accumulate(d.area.begin(), d.area.end(), 0.0); }
+
+/// Says how a diagram breaks what must hold of any; empty if it does not.
+std::string broken(const Diagram& d) {
+  std::map<std::pair<std::int64_t, std::int64_t>, std::size_t> half_edges;
+  std::set<std::pair<double, double>> vertices;
+  std::size_t faces = 1, edges = 0;
+  for (std::size_t i = 0; i + 1 < d.cell_offsets.size(); ++i) {
+    faces += d.status[i] == Status::ok ? 1u : 0u;
+    for (auto e = d.cell_offsets[i]; e < d.cell_offsets[i + 1]; ++e) {
+      vertices.insert({d.vertices[e].x, d.vertices[e].y});
+      const bool once = half_edges.insert({{static_cast<std::int64_t>(i), d.neighbors[e]}, e}).second;
+      if (!once) return "a cell has a neighbor twice";
+      edges += d.neighbors[e] < 0 ? 2u : 1u;
+    }
   }
-  return topology;
-}
-
-void expectPoint(Point p, double x, double y) {
-  EXPECT_EQ(p.x, x);
-  EXPECT_EQ(p.y, y);
-}
-
-TEST(Corners, ofTwoSitesLieOnTheWalls) {
-  const auto sites = sitesAt({0.25, 0.75}, {0.5, 0.5});
-  const auto topology =
-      topologyOf({{wall_ymin, 1, wall_ymax, wall_xmin}, {wall_ymin, wall_xmax, wall_ymax, 0}});
-  const auto agreement = agreeOnCorners(sites, topology, 1);
-  EXPECT_TRUE(agreement.disputed.empty());
-  const auto& corners = agreement.corners;
-  expectPoint(corners.position[0], 0, 0);
-  expectPoint(corners.position[1], 0.5, 0);
-  expectPoint(corners.position[2], 0.5, 1);
-  expectPoint(corners.position[3], 0, 1);
-  EXPECT_EQ(corners.root[1], corners.root[4]);
-  EXPECT_EQ(corners.root[2], corners.root[7]);
-  EXPECT_NE(corners.root[1], corners.root[2]);
-  EXPECT_EQ(corners.next[3], 0u);
-  EXPECT_TRUE(dualTriangles(sites, topology, corners).empty());
-}
-
-/// Southwest, southeast, northeast, northwest; `diagonal`: the first and the third believe to be
-/// neighbors.
-Topology fourQuarters(bool diagonal) {
-  if (!diagonal) {
-    return topologyOf({{wall_ymin, 1, 3, wall_xmin},
-                       {wall_ymin, wall_xmax, 2, 0},
-                       {1, wall_xmax, wall_ymax, 3},
-                       {0, 2, wall_ymax, wall_xmin}});
+  const auto end = [&](std::size_t cell, std::size_t e) {
+    return d.vertices[e + 1 < d.cell_offsets[cell + 1] ? e + 1 : d.cell_offsets[cell]];
+  };
+  for (const auto& [cells, e] : half_edges) {
+    if (cells.second < 0) continue;
+    const auto back = half_edges.find({cells.second, cells.first});
+    if (back == half_edges.end()) return "neighbors are not mutual";
+    const auto there = end(static_cast<std::size_t>(cells.second), back->second);
+    if (there.x != d.vertices[e].x || there.y != d.vertices[e].y) return "a vertex differs between cells";
+    if (d.edge_lengths[e] != d.edge_lengths[back->second]) return "a length differs between cells";
   }
-  return topologyOf({{wall_ymin, 1, 2, 3, wall_xmin},
-                     {wall_ymin, wall_xmax, 2, 0},
-                     {1, wall_xmax, wall_ymax, 3, 0},
-                     {0, 2, wall_ymax, wall_xmin}});
+  if (std::abs(sumOfAreas(d) - 1) > 1e-12) return "the areas do not add up";
+  // V + F = E + 2, edges counted twice.
+  return 2 * vertices.size() + 2 * faces == edges + 4 ? "" : "Euler's relation does not hold";
 }
 
-const SiteSet& quarterSites() {
-  static const auto sites = sitesAt({0.25, 0.75, 0.75, 0.25}, {0.25, 0.25, 0.75, 0.75});
-  return sites;
-}
+/// Southwest, southeast, northeast, northwest.
+SiteSet quarterSites() { return sitesAt({0.25, 0.75, 0.75, 0.25}, {0.25, 0.25, 0.75, 0.75}); }
 
-TEST(Corners, whereFourCellsMeetAreOneVertex) {
-  const auto topology = fourQuarters(false);
-  const auto agreement = agreeOnCorners(quarterSites(), topology, 1);
-  EXPECT_TRUE(agreement.disputed.empty());
-  const auto root = agreement.corners.root[2];
-  for (const std::size_t e : {2u, 7u, 8u, 13u}) {
-    EXPECT_EQ(agreement.corners.root[e], root) << e;
-    expectPoint(agreement.corners.position[e], 0.5, 0.5);
+const Rows quarters{{wall_ymin, 1, 3, wall_xmin},
+                    {wall_ymin, wall_xmax, 2, 0},
+                    {1, wall_xmax, wall_ymax, 3},
+                    {0, 2, wall_ymax, wall_xmin}};
+
+TEST(Cells, ofTwoSitesMeetTheWalls) {
+  const auto set = sitesAt({0.25, 0.75}, {0.5, 0.5});
+  const auto result =
+      assemble(set, cellsOf({{wall_ymin, 1, wall_ymax, wall_xmin}, {wall_ymin, wall_xmax, wall_ymax, 0}}));
+  ASSERT_TRUE(result.disputed.empty());
+  const auto& d = result.diagram;
+  EXPECT_EQ(broken(d), "");
+  EXPECT_EQ(neighborsOf(d, 0), (Neighbors{wall_ymax, wall_xmin, wall_ymin, 1}));
+  const std::vector<std::pair<double, double>> corners{{0.5, 1}, {0, 1}, {0, 0}, {0.5, 0}};
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_EQ(d.vertices[k].x, corners[k].first);
+    EXPECT_EQ(d.vertices[k].y, corners[k].second);
   }
-  const auto triangles = dualTriangles(quarterSites(), topology, agreement.corners);
-  EXPECT_EQ(triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_EQ(d.area[0], 0.5);
+  EXPECT_EQ(d.centroid[1].x, 0.75);
+  EXPECT_EQ(d.edge_lengths[3], 1);
+  EXPECT_EQ(d.perimeter[0], 3);
+  EXPECT_TRUE(d.triangles.empty());
 }
 
-TEST(Corners, ofAnEdgeWithoutLengthAreOneVertexAndTheEdgeIsATie) {
-  const auto topology = fourQuarters(true);
-  const auto agreement = agreeOnCorners(quarterSites(), topology, 1);
-  EXPECT_TRUE(agreement.disputed.empty());
-  int ties = 0;
-  for (std::size_t e = 0; e < topology.neighbor.size(); ++e) ties += agreement.corners.tie[e] ? 1 : 0;
-  EXPECT_EQ(ties, 2);
-  EXPECT_TRUE(agreement.corners.tie[2]);
-  EXPECT_EQ(agreement.corners.root[2], agreement.corners.root[3]);
-  EXPECT_EQ(dualTriangles(quarterSites(), topology, agreement.corners).size(), 2u);
+TEST(Cells, ofASingleSiteAreTheDomain) {
+  const auto result =
+      assemble(sitesAt({0.2}, {0.9}), cellsOf({{wall_xmax, wall_ymax, wall_xmin, wall_ymin}}));
+  ASSERT_TRUE(result.disputed.empty());
+  EXPECT_DOUBLE_EQ(result.diagram.area[0], 1);
+  EXPECT_EQ(neighborsOf(result.diagram, 0), (Neighbors{wall_ymax, wall_xmin, wall_ymin, wall_xmax}));
 }
 
-TEST(Corners, areDisputedByCellsThatDoNotKnowEachOther) {
-  const auto sites = sitesAt({0.25, 0.75}, {0.5, 0.5});
-  const auto topology =
-      topologyOf({{wall_ymin, 1, wall_ymax, wall_xmin}, {wall_ymin, wall_xmax, wall_ymax, wall_xmin}});
-  EXPECT_EQ(agreeOnCorners(sites, topology, 1).disputed, (std::vector<std::uint32_t>{0, 1}));
+TEST(Cells, passAsTheyAreWithoutTies) {
+  const auto set = jitteredSites(12, 0.5);
+  const auto rows = rowsOf(set);
+  const auto result = assemble(set, cellsOf(rows));
+  ASSERT_TRUE(result.disputed.empty());
+  EXPECT_EQ(result.rough, 0u);
+  EXPECT_EQ(broken(result.diagram), "");
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    Neighbors expected;
+    for (const auto n : rows[i]) {
+      expected.push_back(n < 0 ? std::int64_t{n} : std::int64_t{set.id[static_cast<std::size_t>(n)]});
+    }
+    EXPECT_EQ(neighborsOf(result.diagram, set.id[i]), fromLowest(expected));
+  }
 }
 
-TEST(Corners, doNotDependOnTheOrderOfTheSet) {
-  auto sites = sitesAt({0.21, 0.83, 0.47}, {0.19, 0.32, 0.91});
-  const auto topology = topologyOf(
-      {{wall_ymin, 1, 2, wall_xmin}, {wall_ymin, wall_xmax, 2, 0}, {0, 1, wall_xmax, wall_ymax, wall_xmin}});
-  const auto straight = agreeOnCorners(sites, topology, 1);
-  ASSERT_TRUE(straight.disputed.empty());
-  // The same three sites, stored from last to first.
-  SiteSet turned{{0.47, 0.83, 0.21}, {0.91, 0.32, 0.19}, {2, 1, 0}, sites.domain};
-  const auto turned_topology = topologyOf(
-      {{2, 1, wall_xmax, wall_ymax, wall_xmin}, {wall_ymin, wall_xmax, 0, 2}, {wall_ymin, 1, 0, wall_xmin}});
-  const auto other = agreeOnCorners(turned, turned_topology, 1);
-  const auto vertex = straight.corners.position[2];
-  EXPECT_NEAR(std::hypot(vertex.x - 0.21, vertex.y - 0.19), std::hypot(vertex.x - 0.47, vertex.y - 0.91),
-              1e-15);
-  for (const std::size_t e : {7u, 9u}) expectPoint(straight.corners.position[e], vertex.x, vertex.y);
-  for (const std::size_t e : {1u, 8u, 11u}) expectPoint(other.corners.position[e], vertex.x, vertex.y);
+TEST(Cells, keepTheirBitsWhateverThreadsAndDetail) {
+  const std::size_t side = 80;
+  for (const double jitter : {0.0, 0.4}) {
+    const auto set = jitteredSites(side, jitter);
+    const auto cells = cellsOf(rowsOfJittered(set, side));
+    const auto one = assemble(set, cells, 1);
+    ASSERT_TRUE(one.disputed.empty());
+    EXPECT_EQ(broken(one.diagram), "");
+    const auto same = [](const auto& a, const auto& b) {
+      return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0;
+    };
+    for (const int threads : {2, 3, 8}) {
+      const auto many = assemble(set, cells, threads);
+      EXPECT_TRUE(same(one.diagram.area, many.diagram.area));
+      EXPECT_TRUE(same(one.diagram.centroid, many.diagram.centroid));
+      EXPECT_TRUE(same(one.diagram.vertices, many.diagram.vertices));
+      EXPECT_TRUE(same(one.diagram.neighbors, many.diagram.neighbors));
+      EXPECT_TRUE(same(one.diagram.edge_lengths, many.diagram.edge_lengths));
+      EXPECT_TRUE(same(one.diagram.second_moments, many.diagram.second_moments));
+      EXPECT_TRUE(same(one.diagram.triangles, many.diagram.triangles));
+    }
+    const auto measures = assemble(set, cells, 2, Detail::measures).diagram;
+    EXPECT_TRUE(same(one.diagram.area, measures.area));
+    EXPECT_TRUE(same(one.diagram.neighbors, measures.neighbors));
+    EXPECT_TRUE(measures.vertices.empty() && measures.edge_lengths.empty() && measures.perimeter.empty() &&
+                measures.second_moments.empty() && measures.triangles.empty());
+  }
+}
+
+/// The triangulation of all sites as exact decisions alone give it.
+Triangles exactTriangles(const SiteSet& set) {
+  std::vector<Point> points;
+  for (std::size_t i = 0; i < set.size(); ++i) points.push_back({set.x[i], set.y[i]});
+  Triangles triangles;
+  for (const auto& t : delaunay(points)) {
+    if (std::find(t.corner.begin(), t.corner.end(), beyond) != t.corner.end()) continue;
+    Triangles::value_type ids{};
+    for (std::size_t k = 0; k < 3; ++k) ids[k] = set.id[static_cast<std::size_t>(t.corner[k])];
+    std::rotate(ids.begin(), std::min_element(ids.begin(), ids.end()), ids.end());
+    triangles.push_back(ids);
+  }
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
+
+TEST(Cells, areDualToTheTrianglesOfAllSitesWhateverTheDomain) {
+  const auto set = jitteredSites(14, 0.5, 9);
+  const auto exact = exactTriangles(set);
+  for (const Box domain : {Box{0, 0, 1, 1}, Box{-50, -80, 20, 30}, Box{0.3, 0.4, 0.7, 0.6},
+                           Box{0.5, 0.5, 0.51, 0.51}, Box{2, 0, 3, 1}, Box{0.2, -1, 0.21, 2}}) {
+    auto cropped = set;
+    cropped.domain = domain;
+    auto result = assemble(cropped, cellsOf(rowsOf(cropped)));
+    ASSERT_TRUE(result.disputed.empty());
+    std::sort(result.diagram.triangles.begin(), result.diagram.triangles.end());
+    EXPECT_EQ(result.diagram.triangles, exact);
+  }
+}
+
+/// Another search begins cells elsewhere, and sees other ties.
+TEST(Cells, areTheSameBitsWhereverTheirEdgesBegin) {
+  for (const double jitter : {0.0, 0.3}) {
+    const auto set = jitteredSites(11, jitter, 5);
+    const auto rows = rowsOf(set);
+    auto turned = rows;
+    for (std::size_t i = 0; i < turned.size(); ++i) {
+      std::rotate(turned[i].begin(), turned[i].begin() + static_cast<std::ptrdiff_t>(i % turned[i].size()),
+                  turned[i].end());
+    }
+    const auto a = assemble(set, cellsOf(rows)).diagram, b = assemble(set, cellsOf(turned)).diagram;
+    EXPECT_EQ(a.area, b.area);
+    EXPECT_EQ(a.perimeter, b.perimeter);
+    EXPECT_EQ(a.neighbors, b.neighbors);
+    EXPECT_EQ(a.triangles, b.triangles);
+    for (std::size_t v = 0; v < a.vertices.size(); ++v) {
+      EXPECT_EQ(a.vertices[v].x, b.vertices[v].x);
+      EXPECT_EQ(a.vertices[v].y, b.vertices[v].y);
+    }
+  }
+}
+
+/// Which of its two diagonals a cell sees where four meet: none, its own, or one that only it sees.
+TEST(Cells, whereFourMeetShareOneVertexWhicheverDiagonalsTheySee) {
+  const std::vector<std::int32_t> with_diagonal[4] = {{wall_ymin, 1, 2, 3, wall_xmin},
+                                                      {wall_ymin, wall_xmax, 2, 3, 0},
+                                                      {1, wall_xmax, wall_ymax, 3, 0},
+                                                      {0, 1, 2, wall_ymax, wall_xmin}};
+  for (unsigned seen = 0; seen < 16; ++seen) {
+    auto rows = quarters;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if ((seen >> i) & 1u) rows[i] = with_diagonal[i];
+    }
+    const auto result = assemble(quarterSites(), cellsOf(rows));
+    ASSERT_TRUE(result.disputed.empty()) << seen;
+    const auto& d = result.diagram;
+    EXPECT_EQ(broken(d), "") << seen;
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_EQ(neighborsOf(d, i), fromLowest({quarters[i].begin(), quarters[i].end()})) << seen;
+      EXPECT_EQ(d.area[i], 0.25);
+    }
+    EXPECT_EQ(d.triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 2, 3}})) << seen;
+  }
+}
+
+TEST(Cells, ofALatticeHaveFourNeighborsInside) {
+  const std::size_t side = 9;
+  const auto set = jitteredSites(side, 0);
+  const auto result = assemble(set, cellsOf(rowsOf(set)), 2);
+  ASSERT_TRUE(result.disputed.empty());
+  EXPECT_EQ(broken(result.diagram), "");
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    EXPECT_EQ(neighborsOf(result.diagram, i).size(), 4u);
+    EXPECT_NEAR(result.diagram.area[i], 1.0 / 81, 1e-16);
+  }
+  EXPECT_EQ(result.diagram.triangles.size(), 2 * (side - 1) * (side - 1));
+}
+
+TEST(Cells, ofSixSitesOnACircleMeetInItsCenter) {
+  std::vector<double> x, y;
+  for (int k = 0; k < 6; ++k) {
+    x.push_back(0.45 + 0.3 * std::cos(0.1 + k * std::numbers::pi / 3));
+    y.push_back(0.52 + 0.3 * std::sin(0.1 + k * std::numbers::pi / 3));
+  }
+  const auto set = sitesAt(x, y);
+  const auto result = assemble(set, cellsOf(rowsOf(set)));
+  ASSERT_TRUE(result.disputed.empty());
+  EXPECT_EQ(broken(result.diagram), "");
+  EXPECT_EQ(result.diagram.triangles,
+            (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}));
+  for (std::size_t i = 0; i < 6; ++i) {
+    const auto neighbors = neighborsOf(result.diagram, i);
+    const auto sites = std::count_if(neighbors.begin(), neighbors.end(), [](auto n) { return n >= 0; });
+    EXPECT_EQ(sites, 2) << i;
+  }
+}
+
+TEST(Cells, ofManyNeighborsAreCheckedAsOthers) {
+  const int count = 200;
+  std::vector<double> x{0.5}, y{0.5};
+  for (int k = 0; k < count; ++k) {
+    const double angle = 2 * std::numbers::pi * (k + 0.3) / count;
+    x.push_back(0.5 + 0.4 * std::cos(angle));
+    y.push_back(0.5 + 0.4 * std::sin(angle));
+  }
+  const auto set = sitesAt(x, y);
+  auto rows = rowsOf(set);
+  const auto result = assemble(set, cellsOf(rows));
+  ASSERT_TRUE(result.disputed.empty());
+  EXPECT_EQ(broken(result.diagram), "");
+  EXPECT_EQ(neighborsOf(result.diagram, 0).size(), 200u);
+  std::swap(rows[0][50], rows[0][90]);
+  const auto wrong = assemble(set, cellsOf(rows));
+  EXPECT_TRUE(std::binary_search(wrong.disputed.begin(), wrong.disputed.end(), 0u));
+}
+
+TEST(Cells, whereATieTouchesAWallStayOnTheWall) {
+  // The center of the circle through the first three lies on the lower wall, up to rounding.
+  for (const double below : {0.0, 1e-9, -1e-9}) {
+    const auto set = sitesAt({0.2, 0.5, 0.8}, {0.4, 0.5 + below, 0.4});
+    const auto result = assemble(set, cellsOf(rowsOf(set)));
+    ASSERT_TRUE(result.disputed.empty()) << below;
+    EXPECT_EQ(broken(result.diagram), "") << below;
+    EXPECT_EQ(neighborsOf(result.diagram, 1).size(), 3u) << below;
+    for (const auto& v : result.diagram.vertices) {
+      EXPECT_TRUE(v.y == 0 || v.y > 0.1);
+    }
+  }
+}
+
+TEST(Cells, thatTouchTheDomainOnlyAreEmpty) {
+  // The cell of the second is beyond the corner of the domain, or a speck of rounding inside it.
+  const auto set = sitesAt({0.25, 1.75}, {0.25, 1.75});
+  Rows rows{{wall_ymin, wall_xmax, 1, wall_ymax, wall_xmin}, {wall_xmax, wall_ymax, 0}};
+  const auto result = assemble(set, cellsOf(rows));
+  ASSERT_TRUE(result.disputed.empty());
+  EXPECT_EQ(result.diagram.status[1], Status::empty);
+  EXPECT_EQ(neighborsOf(result.diagram, 0), (Neighbors{wall_ymax, wall_xmin, wall_ymin, wall_xmax}));
+  EXPECT_EQ(result.diagram.report.empty, 1u);
+  EXPECT_EQ(broken(result.diagram), "");
+}
+
+TEST(Cells, keepTheirPrecisionFarFromTheOrigin) {
+  auto set = jitteredSites(8, 0.5, 7);
+  const auto here = assemble(set, cellsOf(rowsOf(set)));
+  const auto rows = rowsOf(set);
+  const double far = 0x1p24;
+  for (auto& x : set.x) x = far + std::ldexp(std::floor(std::ldexp(x, 20)), -20);
+  for (auto& y : set.y) y = far + std::ldexp(std::floor(std::ldexp(y, 20)), -20);
+  set.domain = {far, far, far + 1, far + 1};
+  const auto there = assemble(set, cellsOf(rows));
+  for (auto& x : set.x) x -= far;
+  for (auto& y : set.y) y -= far;
+  set.domain = {0, 0, 1, 1};
+  const auto moved = assemble(set, cellsOf(rows));
+  ASSERT_TRUE(there.disputed.empty() && moved.disputed.empty() && here.disputed.empty());
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    EXPECT_NEAR(there.diagram.area[i], moved.diagram.area[i], 1e-14 * moved.diagram.area[i]);
+  }
+}
+
+class WrongCells : public testing::Test {
+ protected:
+  void expectDisputed(const Rows& wrong, std::initializer_list<std::int32_t> culprits) {
+    for (const int threads : {1, 4}) {
+      const auto result = assemble(set, cellsOf(wrong), threads);
+      for (const auto i : culprits) {
+        EXPECT_TRUE(std::binary_search(result.disputed.begin(), result.disputed.end(), i)) << i;
+      }
+      EXPECT_LE(result.disputed.size(), 16u);
+    }
+  }
+  /// A cell without walls, in the middle.
+  static constexpr std::int32_t cell = 78;
+  const SiteSet set = jitteredSites(12, 0.4);
+  const Rows rows = rowsOf(set);
+};
+
+TEST_F(WrongCells, thatMissANeighborAreDisputed) {
+  for (std::size_t e = 0; e < rows[cell].size(); ++e) {
+    auto wrong = rows;
+    wrong[cell].erase(wrong[cell].begin() + static_cast<std::ptrdiff_t>(e));
+    expectDisputed(wrong, {cell, rows[cell][e]});
+  }
+}
+
+TEST_F(WrongCells, thatSwapNeighborsAreDisputed) {
+  for (std::size_t e = 0; e < rows[cell].size(); ++e) {
+    auto wrong = rows;
+    std::swap(wrong[cell][e], wrong[cell][(e + 1) % rows[cell].size()]);
+    expectDisputed(wrong, {cell});
+  }
+}
+
+TEST_F(WrongCells, thatRunClockwiseAreDisputed) {
+  auto wrong = rows;
+  std::reverse(wrong[cell].begin(), wrong[cell].end());
+  expectDisputed(wrong, {cell});
+}
+
+/// All four cells agree on the diagonal that is not Delaunay.
+TEST_F(WrongCells, aroundAFlippedDiagonalAreDisputed) {
+  const auto remove = [](auto& row, std::int32_t n) { row.erase(std::find(row.begin(), row.end(), n)); };
+  const auto insertBefore = [](auto& row, std::int32_t next, std::int32_t n) {
+    row.insert(std::find(row.begin(), row.end(), next), n);
+  };
+  for (std::size_t e = 0; e < rows[cell].size(); ++e) {
+    const auto size = rows[cell].size();
+    const auto p = rows[cell][(e + size - 1) % size], other = rows[cell][e], q = rows[cell][(e + 1) % size];
+    auto wrong = rows;
+    remove(wrong[cell], other);
+    remove(wrong[static_cast<std::size_t>(other)], cell);
+    // Counter-clockwise, p sees the other before the cell, and q the cell before the other.
+    insertBefore(wrong[static_cast<std::size_t>(p)], cell, q);
+    insertBefore(wrong[static_cast<std::size_t>(q)], other, p);
+    expectDisputed(wrong, {cell});
+  }
+}
+
+TEST_F(WrongCells, thatAreNoCellsAreDisputed) {
+  for (const auto& row : {std::vector<std::int32_t>{},
+                          {wall_xmin, wall_xmax},
+                          {wall_xmin, cell, wall_xmax},
+                          {wall_xmin, 1000, wall_ymax},
+                          {wall_xmin, -5, wall_ymax}}) {
+    auto wrong = rows;
+    wrong[cell] = row;
+    expectDisputed(wrong, {cell});
+  }
+  auto cells = cellsOf(rows);
+  cells.status[cell] = CellStatus::missing;
+  const auto disputed = assemble(set, cells).disputed;
+  EXPECT_TRUE(std::binary_search(disputed.begin(), disputed.end(), cell));
+}
+
+TEST_F(WrongCells, withAWallInTheMiddleAreDisputed) {
+  auto wrong = rows;
+  wrong[cell][0] = wall_ymin;
+  expectDisputed(wrong, {cell, rows[cell][0]});
 }
 
 }  // namespace

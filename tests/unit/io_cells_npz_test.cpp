@@ -92,8 +92,10 @@ TEST_F(CellsFile, ZipKeepsLargeAndEmptyEntries) {
     large += std::to_string(i);
   }
   large.resize(1'000'003);
-  const std::vector<ZipEntry> entries = {
-      {"a", "", large}, {"b", "", ""}, {"c", "head ", "body"}, {"d", "x", ""}};
+  const std::vector<ZipEntry> entries = {{"a", "", zipBody(large)},
+                                         {"b", "", zipBody("")},
+                                         {"c", "head ", zipBody("body")},
+                                         {"d", "x", zipBody("")}};
   auto file = OutputFile::create(path("a.zip"));
   ASSERT_TRUE(file);
   const auto result = writeZip(*file, entries);

@@ -136,5 +136,13 @@ TEST_F(SitesFile, LoadSitesExplainsOtherNames) {
   EXPECT_THAT(loadSites("./random:5", 1).error().message, HasSubstr("is neither a file"));
 }
 
+TEST(GeneratedCount, IsKnownBeforeTheSites) {
+  EXPECT_EQ(generatedCount("random:12"), 12u);
+  EXPECT_EQ(generatedCount("hex:4000000000"), 4'000'000'000u);
+  for (const char* spec : {"random:", "random:0", "random:x", "random", "other:3", "a.csv", "-", ""}) {
+    EXPECT_EQ(generatedCount(spec), std::nullopt) << spec;
+  }
+}
+
 }  // namespace
 }  // namespace vorpipe::test

@@ -1,0 +1,170 @@
+// What is the backend's "vulkan-compute" alone; device_*_test.cpp is compiled with it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "backend/vulkan/compute.h"
+#include "backend/vulkan/vulkan_backend.h"
+#include "backend_scene.h"
+
+namespace vorpipe::test {
+
+std::unique_ptr<Backend> openBackend(const Mask& mask, int threads) {
+  BackendOptions options;
+  options.mask = mask;
+  options.threads = threads;
+  options.validation = true;
+  Result<std::unique_ptr<Backend>> backend = makeVulkanComputeBackend(options);
+  if (!backend) {
+    ADD_FAILURE() << backend.error().message;
+    return nullptr;
+  }
+  return std::move(*backend);
+}
+
+namespace {
+
+using vulkan::ComputeBackend;
+using vulkan::Placing;
+
+// The backend as it is on a device that is not the host, on any device.
+std::unique_ptr<Backend> openPlacing(Placing placing, const Mask& mask = {}) {
+  Result<vulkan::Instance> instance = vulkan::Instance::open(true);
+  if (!instance) {
+    ADD_FAILURE() << instance.error().message;
+    return nullptr;
+  }
+  const auto devices = vulkan::enumerate(*instance, mask, vulkan::Pipeline::compute);
+  const auto physical = devices ? vulkan::choose(*devices, "") : tl::unexpected(devices.error());
+  if (!physical) {
+    ADD_FAILURE() << physical.error().message;
+    return nullptr;
+  }
+  auto backend = ComputeBackend::open(std::move(*instance), *physical, placing);
+  if (!backend) {
+    ADD_FAILURE() << backend.error().message;
+    return nullptr;
+  }
+  return std::move(*backend);
+}
+
+// Both ways to place sites, which must not show in any answer.
+class BothPlacings : public testing::Test {
+ protected:
+  void SetUp() override {
+    host_ = openPlacing(Placing::by_host);
+    device_ = openPlacing(Placing::by_device);
+    ASSERT_TRUE(host_ && device_);
+  }
+
+  void expectSilence() {
+    EXPECT_EQ(host_->validationMessages(), std::vector<std::string>());
+    EXPECT_EQ(device_->validationMessages(), std::vector<std::string>());
+  }
+
+  std::unique_ptr<Backend> host_, device_;
+};
+
+class OfSites : public BothPlacings, public testing::WithParamInterface<Pattern> {};
+
+std::vector<std::int32_t> sortedRow(const Neighborhoods& cells, std::size_t entry) {
+  const auto at = [&](std::uint64_t k) { return cells.neighbor.begin() + static_cast<std::ptrdiff_t>(k); };
+  std::vector<std::int32_t> row(at(cells.first[entry]), at(cells.first[entry + 1]));
+  std::ranges::sort(row);
+  return row;
+}
+
+// How many entries differ in their status or in their set of neighbors.
+std::size_t differing(const Neighborhoods& a, const Neighborhoods& b) {
+  EXPECT_EQ(a.status.size(), b.status.size());
+  std::size_t count = 0;
+  for (std::size_t entry = 0; entry < a.status.size(); entry++) {
+    count += a.status[entry] != b.status[entry] || sortedRow(a, entry) != sortedRow(b, entry) ? 1U : 0U;
+  }
+  return count;
+}
+
+// A site within rounding of the side of its bin may stand in another one, so that a search tries sites in
+// another order, or one more before it gives up. Nothing else may differ.
+TEST_P(OfSites, GiveTheSameCells) {
+  // The second set is the smaller one, and the third needs more room than both.
+  for (const std::size_t count : {6000U, 50U, 30000U}) {
+    const SiteSet set = prepared(generate(GetParam(), count, 3));
+    ASSERT_TRUE(host_->upload(set, {}).has_value());
+    ASSERT_TRUE(device_->upload(set, {}).has_value());
+    for (const Effort effort : {Effort::fast, Effort::roomy}) {
+      Neighborhoods by_host;
+      Neighborhoods by_device;
+      const auto all = range(0, set.size());
+      ASSERT_TRUE(host_->cells(all, effort, by_host).has_value());
+      ASSERT_TRUE(device_->cells(all, effort, by_device).has_value());
+      EXPECT_GT(std::ranges::count(by_device.status, CellStatus::certified), std::ssize(set.x) / 2);
+      EXPECT_LE(differing(by_host, by_device), set.size() / 1000);
+    }
+  }
+  expectSilence();
+}
+
+TEST_P(OfSites, GiveTheSamePicture) {
+  const SiteSet set = prepared(generate(GetParam(), 6000, 4));
+  std::vector<std::uint8_t> shade;
+  for (const std::uint32_t id : set.id) shade.push_back(static_cast<std::uint8_t>(id % 251));
+  const View view = makeView(300, 200);
+  std::vector<Image> pictures;
+  std::vector<std::vector<CellStatus>> statuses;
+  for (Backend* backend : {host_.get(), device_.get()}) {
+    ASSERT_TRUE(backend->upload(set, shade).has_value());
+    ASSERT_TRUE(backend->begin(view).has_value());
+    std::vector<CellStatus> status(set.size());
+    ASSERT_TRUE(backend->draw(range(0, set.size()), Effort::roomy, status).has_value());
+    pictures.push_back(read(*backend, view));
+    statuses.push_back(std::move(status));
+  }
+  std::size_t differing = 0;
+  for (std::size_t k = 0; k < set.size(); k++) differing += statuses[0][k] != statuses[1][k] ? 1U : 0U;
+  EXPECT_LE(differing, set.size() / 1000);
+  if (differing == 0) {
+    EXPECT_EQ(pictures[0].ids, pictures[1].ids);
+    EXPECT_EQ(pictures[0].rgba, pictures[1].rgba);
+  }
+  expectSilence();
+}
+
+INSTANTIATE_TEST_SUITE_P(Compute, OfSites,
+                         testing::Values(Pattern::random, Pattern::clusters, Pattern::hex, Pattern::jitter));
+
+// To draw lists with more room replaces buffers that the search for cells has bound.
+TEST(ComputeBackend, FindsCellsAfterDrawingLists) {
+  const auto backend = openBackend({}, 0);
+  ASSERT_TRUE(backend);
+  const Scene scene = makeScene(200);
+  ASSERT_TRUE(backend->upload(scene.set, scene.shade).has_value());
+  Neighborhoods before;
+  ASSERT_TRUE(backend->cells(range(0, 200), Effort::roomy, before).has_value());
+  ASSERT_TRUE(backend->begin(makeView(64, 64)).has_value());
+  drawSites(*backend, range(0, 200), Effort::fast);
+  drawLists(*backend, scene, range(0, 200), Effort::roomy);
+  Neighborhoods after;
+  ASSERT_TRUE(backend->cells(range(0, 200), Effort::roomy, after).has_value());
+  EXPECT_EQ(before.status, after.status);
+  EXPECT_EQ(before.neighbor, after.neighbor);
+  EXPECT_EQ(backend->validationMessages(), std::vector<std::string>());
+}
+
+TEST(ComputeBackend, TakesItsSitesFromTheStorageRangeWhereTheDevicePlacesThem) {
+  const auto backend = openPlacing(Placing::by_device, {{}, {{"maxStorageBufferRange", 4096}}});
+  ASSERT_TRUE(backend);
+  EXPECT_EQ(backend->info().max_sites, 256U);
+  EXPECT_EQ(backend->info().max_bins, 1023U);
+  EXPECT_EQ(backend->info().max_entries, 128U);
+  const SiteSet set = prepared(generate(Pattern::random, 256, 7));
+  ASSERT_TRUE(backend->upload(set, {}).has_value());
+  Neighborhoods cells;
+  ASSERT_TRUE(backend->cells(range(0, 128), Effort::roomy, cells).has_value());
+  EXPECT_EQ(cells.status, std::vector(128, CellStatus::certified));
+  EXPECT_EQ(backend->validationMessages(), std::vector<std::string>());
+}
+
+}  // namespace
+}  // namespace vorpipe::test

@@ -1,0 +1,85 @@
+#include "core/place.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "unit/proposed_cells.h"
+
+namespace vorpipe::test {
+namespace {
+
+bool same(const Place& a, const Place& b) {
+  return a.base.x == b.base.x && a.base.y == b.base.y && a.rest.x == b.rest.x && a.rest.y == b.rest.y;
+}
+
+/// Calls check(place) for the corner of sites 0, 1, 2 as each order of them gives it.
+template <class Check>
+void forOrders(const SiteSet& set, const Check& check) {
+  std::array<std::int32_t, 3> order{0, 1, 2};
+  do {
+    check(cornerPlace(set, order[0], order[1], order[2]));
+  } while (std::next_permutation(order.begin(), order.end()));
+}
+
+TEST(CornerPlace, isTheSameForEveryOrderOfItsSites) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int round = 0; round < 200; ++round) {
+    const double flat = round % 3 == 0 ? 1e-9 : 1;
+    auto set = sitesAt({unit(random), unit(random), unit(random)},
+                       {0.5 + flat * unit(random), 0.5 + flat * unit(random), 0.5 + flat * unit(random)});
+    if (round % 5 == 0) set.x[1] = set.x[0];
+    std::shuffle(set.id.begin(), set.id.end(), random);
+    const auto first = cornerPlace(set, 0, 1, 2);
+    forOrders(set, [&](const Place& place) { EXPECT_TRUE(same(first, place)); });
+    EXPECT_TRUE(same(cornerPlace(set, 0, 1, wall_ymin), cornerPlace(set, 1, wall_ymin, 0)));
+  }
+}
+
+TEST(CornerPlace, ofEqualSidesFollowsFromTheInputOrderAlone) {
+  auto set = sitesAt({0, 1, 0.5}, {0, 0, 0.5 * std::sqrt(3.0)});
+  auto turned = sitesAt({set.x[2], set.x[0], set.x[1]}, {set.y[2], set.y[0], set.y[1]});
+  turned.id = {2, 0, 1};
+  EXPECT_TRUE(same(cornerPlace(set, 0, 1, 2), cornerPlace(turned, 0, 1, 2)));
+}
+
+/// The center lies at x = 0.5; its y follows from 0.25 + y^2 = (y - h)^2 with h = 2^-30, a power of two.
+TEST(CornerPlace, ofSitesNearlyOnALineKeepsItsPrecision) {
+  const double h = 0x1p-30;
+  const auto set = sitesAt({0, 0.5, 1}, {0, h, 0});
+  const auto place = cornerPlace(set, 0, 1, 2);
+  EXPECT_DOUBLE_EQ(positionOf(place).x, 0.5);
+  EXPECT_DOUBLE_EQ(positionOf(place).y, (h * h - 0.25) / (2 * h));
+}
+
+TEST(CornerPlace, keepsWhatPositionsWouldRoundOff) {
+  // Three sites 2^-40 apart, far from the origin: their distances are exact, and so is the center.
+  const double d = 0x1p-40;
+  const auto set = sitesAt({1, 1 + d, 1}, {1, 1, 1 + d});
+  const auto place = cornerPlace(set, 0, 1, 2);
+  const auto way = relativeTo({1, 1}, place);
+  EXPECT_EQ(way.x, d / 2);
+  EXPECT_EQ(way.y, d / 2);
+}
+
+TEST(CornerPlace, ofWallsThatDoNotMeetIsNowhere) {
+  const auto set = sitesAt({0.5}, {0.5});
+  EXPECT_TRUE(std::isnan(cornerPlace(set, 0, wall_xmin, wall_xmax).base.x));
+  EXPECT_EQ(cornerPlace(set, 0, wall_xmin, wall_ymax).base.y, 1);
+}
+
+TEST(EdgeSpan, isTheSameFromBothSides) {
+  const auto set = jitteredSites(4, 0.4);
+  const auto a = cornerPlace(set, 5, 6, 9), b = cornerPlace(set, 5, 6, 1);
+  const auto here = edgeSpan(set, 5, 9, 6, 1, a, b), there = edgeSpan(set, 6, 1, 5, 9, b, a);
+  EXPECT_EQ(here.excess, there.excess);
+  EXPECT_EQ(here.isTie(), there.isTie());
+  EXPECT_NE(here.isTurned(), edgeSpan(set, 5, 1, 6, 9, b, a).isTurned());
+}
+
+}  // namespace
+}  // namespace vorpipe::test

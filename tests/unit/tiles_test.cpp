@@ -1,0 +1,197 @@
+#include "core/tiles.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "backend/cpu/cpu.h"
+#include "core/prepare.h"
+#include "core/topology.h"
+
+namespace vorpipe::test {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+SiteSet preparedSites(Pattern pattern, std::size_t count) {
+  return prepare(generate(pattern, count, 1), {0, 0, 1, 1}, 1)->set;
+}
+
+std::vector<std::uint32_t> allOf(const SiteSet& sites) {
+  std::vector<std::uint32_t> all(sites.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
+
+/// The cpu, which refuses more sites or bins than it says it takes.
+class Small final : public Backend {
+ public:
+  Small(std::uint64_t most_sites, std::uint64_t most_bins)
+      : cpu_(makeCpuBackend(BackendOptions{})), info_(cpu_->info()) {
+    info_.max_sites = most_sites;
+    info_.max_bins = most_bins;
+  }
+
+  const BackendInfo& info() const override { return info_; }
+  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override {
+    ++uploads;
+    EXPECT_LE(sites.size(), info_.max_sites);
+    EXPECT_LE(sites.grid.first.size() - 1, info_.max_bins);
+    return cpu_->upload(sites, shade);
+  }
+  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) override {
+    return cpu_->cells(which, effort, out);
+  }
+  Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) override {
+    return cpu_->cells(batch, out);
+  }
+  Result<void> begin(const View& view) override { return cpu_->begin(view); }
+  Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
+                    std::span<CellStatus> status) override {
+    return cpu_->draw(which, effort, status);
+  }
+  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
+                    std::span<CellStatus> status) override {
+    return cpu_->draw(batch, marks, effort, status);
+  }
+  Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override {
+    return cpu_->read(rgba, ids);
+  }
+
+  int uploads = 0;
+
+ private:
+  std::unique_ptr<Backend> cpu_;
+  BackendInfo info_;
+};
+
+void expectEverySiteInOneTile(const SiteSet& sites, std::uint64_t most_sites, std::uint64_t most_bins) {
+  BackendInfo info;
+  info.max_sites = most_sites;
+  info.max_bins = most_bins;
+  std::vector<int> times(sites.size());
+  const auto left = forTiles(sites, info, allOf(sites), 2, [&](const Tile& tile) -> Result<void> {
+    EXPECT_LE(tile.sites.size(), most_sites);
+    EXPECT_LE(tile.sites.grid.first.size() - 1, most_bins);
+    EXPECT_TRUE(std::is_sorted(tile.own.begin(), tile.own.end()));
+    for (const auto site : tile.own) {
+      ++times[tile.wholeIndex(site)];
+      EXPECT_EQ(tile.sites.id[site], sites.id[tile.wholeIndex(site)]);
+    }
+    return {};
+  });
+  ASSERT_TRUE(left);
+  for (const auto site : *left) ++times[site];
+  for (std::size_t i = 0; i < times.size(); ++i) ASSERT_EQ(times[i], 1) << "site " << i;
+}
+
+TEST(Tiles, EverySiteIsInOne) {
+  for (const auto pattern : {Pattern::random, Pattern::clusters, Pattern::circle}) {
+    const auto sites = preparedSites(pattern, 20000);
+    expectEverySiteInOneTile(sites, 3000, 1 << 20);
+    expectEverySiteInOneTile(sites, 1 << 20, 900);
+    expectEverySiteInOneTile(sites, 400, 200);
+    expectEverySiteInOneTile(sites, 1 << 20, 1 << 20);
+  }
+}
+
+TEST(Tiles, SitesThatNoTileHoldsAreLeft) {
+  BackendInfo info;
+  info.max_sites = 20;
+  info.max_bins = 20;
+  const auto sites = preparedSites(Pattern::random, 5000);
+  const auto left = forTiles(sites, info, allOf(sites), 2, [](const Tile&) -> Result<void> {
+    ADD_FAILURE() << "a tile with a halo has more than 20 bins";
+    return {};
+  });
+  ASSERT_TRUE(left);
+  EXPECT_EQ(*left, allOf(sites));
+}
+
+TEST(Tiles, KnowTheirSites) {
+  const auto sites = preparedSites(Pattern::random, 5000);
+  std::vector<std::uint32_t> whole;
+  const BinBlock block{3, 0, 12, 9};
+  const auto tile = cutOut(sites, block, whole);
+  EXPECT_EQ(tile.known.ymin, -infinite);
+  EXPECT_DOUBLE_EQ(tile.known.xmin, sites.grid.xmin + 3 * sites.grid.size);
+  EXPECT_DOUBLE_EQ(tile.known.xmax, sites.grid.xmin + 13 * sites.grid.size);
+  EXPECT_DOUBLE_EQ(tile.known.ymax, sites.grid.ymin + 10 * sites.grid.size);
+  std::size_t inside = 0;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const bool known = sites.x[i] >= tile.known.xmin && sites.x[i] <= tile.known.xmax &&
+                       sites.y[i] >= tile.known.ymin && sites.y[i] <= tile.known.ymax;
+    inside += known ? 1 : 0;
+  }
+  ASSERT_EQ(tile.size(), inside);
+  for (std::size_t i = 0; i < tile.size(); ++i) {
+    ASSERT_EQ(tile.x[i], sites.x[whole[i]]);
+    ASSERT_EQ(tile.id[i], sites.id[whole[i]]);
+    const auto bin = binOf(tile.grid, tile.x[i], tile.y[i]);
+    ASSERT_TRUE(i >= tile.grid.first[bin] && i < tile.grid.first[bin + 1]);
+  }
+}
+
+/// Cell by cell, each beginning with its least neighbor.
+std::vector<std::vector<std::int32_t>> rotated(const Topology& topology) {
+  std::vector<std::vector<std::int32_t>> cells;
+  for (std::size_t i = 0; i < topology.status.size(); ++i) {
+    const auto* neighbors = topology.neighbor.data();
+    std::vector<std::int32_t> cell(neighbors + topology.first[i], neighbors + topology.first[i + 1]);
+    std::rotate(cell.begin(), std::min_element(cell.begin(), cell.end()), cell.end());
+    cells.push_back(std::move(cell));
+  }
+  return cells;
+}
+
+struct Found {
+  std::vector<std::vector<std::int32_t>> cells;
+  Report report;
+  int uploads;
+};
+
+Found cellsInTiles(const SiteSet& sites, std::uint64_t most_sites, std::uint64_t most_bins) {
+  Small backend(most_sites, most_bins);
+  const auto cpu = makeCpuBackend(BackendOptions{});
+  Judge judge(*cpu, sites);
+  const SearchOptions search;
+  const Progress progress;
+  Report report;
+  const auto topology = findTopology({backend, judge, sites, search, 2, progress}, report);
+  EXPECT_TRUE(topology) << topology.error().message;
+  return {rotated(*topology), report, backend.uploads};
+}
+
+TEST(Tiles, FindCrowdedCellsInFinerGrids) {
+  const auto sites = preparedSites(Pattern::clusters, 60000);
+  constexpr std::uint64_t all = 1 << 20;
+  const auto found = cellsInTiles(sites, all, all);
+  EXPECT_GT(found.uploads, 3);
+  EXPECT_LT(found.report.in_double, 3000u);
+  const auto cpu = makeCpuBackend(BackendOptions{});
+  Judge judge(*cpu, sites);
+  std::uint64_t exact = 0;
+  const auto judged = judge.find(allOf(sites), Effort::in_double, 2, {}, exact);
+  ASSERT_TRUE(judged);
+  EXPECT_EQ(found.cells, rotated(*judged));
+}
+
+TEST(Tiles, GiveTheSameCells) {
+  constexpr std::uint64_t all = 1 << 20;
+  const auto sites = preparedSites(Pattern::random, 30000);
+  const auto whole = cellsInTiles(sites, all, all);
+  EXPECT_EQ(whole.uploads, 1);
+  const auto few_sites = cellsInTiles(sites, 4000, all);
+  EXPECT_GT(few_sites.uploads, 8);
+  EXPECT_LT(few_sites.report.in_double, 600u) << "cells at the borders of tiles are found in the halo";
+  EXPECT_EQ(few_sites.cells, whole.cells);
+  const auto few_bins = cellsInTiles(sites, all, 2000);
+  EXPECT_GT(few_bins.uploads, 8);
+  EXPECT_EQ(few_bins.cells, whole.cells);
+}
+
+}  // namespace
+}  // namespace vorpipe::test
