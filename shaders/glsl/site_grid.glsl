@@ -6,7 +6,7 @@ layout(std140, set = 0, binding = BINDING_GRID) uniform SiteGrid {
     vec4 known_low;
     vec4 corner;  // of the grid, like a site
     float size;   // of a bin
-    float slack;
+    float slack;  // of the longest way from an origin to a corner of the grid
     int columns;
     int rows;
     int most;

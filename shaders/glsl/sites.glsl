@@ -39,7 +39,9 @@ int clipSiteAt(inout Cell cell, int place, vec2 outset) {
     bins.rows = site_grid.rows;
     bins.size = site_grid.size;
     bins.low = offsetFromHere(site_grid.corner) - origin;
-    bins.slack = site_grid.slack;
+    vec2 high = bins.low + vec2(float(bins.columns), float(bins.rows)) * bins.size;
+    vec2 longest = max(abs(bins.low), abs(high));
+    bins.slack = site_grid.slack * max(longest.x, longest.y);
     bins.known = boxFromHere(site_grid.known_high, site_grid.known_low) - origin.xyxy;
     bins.most = site_grid.most;
     vec4 walls = boxFromHere(site_grid.domain_high, site_grid.domain_low) - origin.xyxy;

@@ -70,12 +70,8 @@ SiteGridUniform siteGridUniform(const SiteSet& sites) {
   block.corner = fromCenter(center, grid.xmin, grid.ymin);
   block.size = static_cast<float>(grid.size);
   // The corner seen from an origin, the size of a bin, their product with an index and the sum are
-  // rounded: each by 2^-24 at most of the longest way between a point of the domain and one of the grid.
-  const double width = std::max(sites.domain.xmax, grid.xmin + grid.size * grid.columns) -
-                       std::min(sites.domain.xmin, grid.xmin);
-  const double height =
-      std::max(sites.domain.ymax, grid.ymin + grid.size * grid.rows) - std::min(sites.domain.ymin, grid.ymin);
-  block.slack = static_cast<float>(std::ldexp(std::max(width, height), -21));
+  // rounded: each by 2^-24 at most of the longest way from the origin to a corner of the grid.
+  block.slack = 0x1p-21F;
   block.columns = static_cast<std::int32_t>(grid.columns);
   block.rows = static_cast<std::int32_t>(grid.rows);
   block.most = most_tried;

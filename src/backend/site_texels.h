@@ -30,7 +30,7 @@ struct SiteGridUniform {
   float known_high[4], known_low[4];
   SiteTexel corner;  ///< of the grid, at its lowest coordinates
   float size;        ///< of a bin
-  float slack;       ///< by how much a site may lie outside of its bin, as floats see it
+  float slack;  ///< by how much a site may lie outside of its bin, of the way to the grid's farthest corner
   std::int32_t columns, rows;
   std::int32_t most;  ///< sites that a search tries before it gives up
   std::int32_t padding[3];
