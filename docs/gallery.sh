@@ -30,3 +30,7 @@ thesis square-10000 --sites square:10000 --edges
 draw area --sites jitter:2000 --color area --colormap viridis --edges --size 500x500
 draw neighbors --sites random:2000 --color neighbors --colormap plasma --edges --size 500x500
 draw circle --sites circle:60 --colormap turbo --edges --show-sites --size 500x500
+
+draw power --sites random:300 --random-weights 0,0.01 --color weight --edges --show-sites --size 500x500
+draw periodic --sites random:40 --seed 3 --periodic xy --colormap turbo --edges --show-sites --size 500x500
+draw islands --sites random:2000 --domain "$root/docs/examples/islands.geojson" --edges

@@ -42,11 +42,43 @@ struct Box {
   double xmin, ymin, xmax, ymax;
 };
 
-/// Sites in the caller's order. `weight` is empty or as long as x and y.
+struct Point {
+  double x, y;
+};
+
+/// A domain of any shape: polygons with holes, none of which cross or overlap. Ring r has the points
+/// ring_offsets[r] .. ring_offsets[r + 1] - 1, the first of which is not repeated at its end; polygon p has
+/// the rings polygon_offsets[p] .. polygon_offsets[p + 1] - 1: its outer ring, then its holes, each in either
+/// direction. No points: there is no outline.
+struct Outline {
+  std::vector<Point> points;
+  std::vector<std::uint64_t> ring_offsets, polygon_offsets;
+  [[nodiscard]] bool empty() const { return points.empty(); }
+};
+
+/// The axes along which the domain repeats itself.
+enum class Periodic : std::uint8_t { none, x, y, xy };
+
+/// A density over the domain, constant in each pixel; laid out as Image. Finite, and not negative.
+struct Density {
+  int width = 0, height = 0;
+  std::vector<double> values;  ///< mass per unit of area; empty: there is no density
+};
+
+/// Sites in the caller's order. `weight` is empty or as long as x and y. The cell of site i is where
+/// |x - p_i|^2 - w_i is least (a power diagram; also Laguerre, radical or weighted Voronoi diagram). Adding
+/// a number to all weights changes nothing; with equal weights it is the Voronoi diagram.
 struct Sites {
   std::vector<double> x, y, weight;
   [[nodiscard]] std::size_t size() const { return x.size(); }
 };
+
+/// The sites as a periodic domain takes them. Along the axes that repeat, a site beyond the domain is moved
+/// into it, by whole periods, and coordinates are rounded to some 2^-52 of the domain's side or of its
+/// largest coordinate, if that is larger: then images are exact copies. Sites that are now equal, modulo the
+/// period, are duplicates. Errors (input): no valid domain, no sites or not finite ones; a site more than
+/// 2^50 periods away.
+Result<Sites> wrapped(const Sites& sites, const Box& domain, Periodic periodic);
 
 /// Generators of sites in the unit square; the same seed gives the same sites on every platform.
 enum class Pattern : std::uint8_t {
@@ -100,8 +132,8 @@ std::vector<DeviceInfo> devices(const Mask& mask);
 /// What became of a site.
 enum class Status : std::uint8_t {
   ok,         ///< it has a cell inside the domain, certified
-  empty,      ///< certified: no part of the domain is nearest to it
-  duplicate,  ///< an earlier site has the same position and owns the cell
+  empty,      ///< certified: no part of the domain is nearest to it; it lies outside, or others hide it
+  duplicate,  ///< another site has the same position and owns the cell: the heaviest, then the earliest
 };
 
 /// How the sites that may cut a cell are found.
@@ -123,6 +155,8 @@ enum class ColorBy : std::uint8_t { site, area, neighbors, weight };
 
 struct RenderOptions {
   Box domain;         ///< what is drawn, and what cells are clipped to
+  Outline outline{};  ///< what cells are clipped to besides, inside the domain; pixels beyond it have no site
+  Periodic periodic = Periodic::none;
   int width, height;  ///< pixels, 1 to 32768 each
   ColorBy color = ColorBy::site;
   std::string colormap = "viridis";  ///< one of colormaps()
@@ -207,9 +241,11 @@ IdDiff diffIds(std::span<const std::uint32_t> a, std::span<const std::uint32_t> 
 /// in the image that has less of it: a row of pixel centers that lies on a boundary (as a lattice
 /// may have it everywhere) is one tie for each pixel side of that boundary, and nothing legal is more.
 ///
-/// Error (input): no valid domain.
+/// In a periodic domain the bisector is that of the images nearest to the center.
+///
+/// Errors (input): no valid domain; those of wrapped().
 Result<IdDiff> diffIds(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, int width,
-                       int height, const Sites& sites, const Box& domain);
+                       int height, const Sites& sites, const Box& domain, Periodic periodic = Periodic::none);
 
 /// Where and how much two pictures differ; rows and columns are inclusive and only set when different > 0.
 struct ImageDiff {
@@ -232,24 +268,28 @@ enum class Detail : std::uint8_t {
 };
 
 struct CellsOptions {
-  Box domain;  ///< what cells are clipped to
+  Box domain;         ///< what cells are clipped to
+  Outline outline{};  ///< what cells are clipped to besides, inside the domain
+  Periodic periodic = Periodic::none;
+  Density density{};  ///< over the domain
   SearchOptions search;
   Detail detail = Detail::everything;
   Progress progress;  ///< may be empty
 };
 
-/// In `Diagram::neighbors`: the domain's walls xmin, xmax, ymin, ymax.
-inline constexpr std::int64_t wall_xmin = -1, wall_xmax = -2, wall_ymin = -3, wall_ymax = -4;
-
-struct Point {
-  double x, y;
-};
+/// In `Diagram::neighbors`: the domain's walls xmin, xmax, ymin, ymax, and the outline.
+inline constexpr std::int64_t wall_xmin = -1, wall_xmax = -2, wall_ymin = -3, wall_ymax = -4,
+                              wall_outline = -5;
 
 /// Cells as data, in input order and in the caller's units: one record for each site, whatever
 /// happened to it. Cell i has the vertices cell_offsets[i] .. cell_offsets[i + 1] - 1, counter-
 /// clockwise; edge k of a cell runs from its vertex k to the next and belongs to its neighbor k, so
 /// that one table of offsets serves vertices, neighbors and edge lengths.
 /// An edge shorter than 1e-6 of the distance between its two sites is a tie: neither cell has it.
+///
+/// In a domain with an outline a cell may have several rings, outer ones counter-clockwise, each followed
+/// by its holes, clockwise; a neighbor may have several edges. Where an axis is periodic, a cell is whole,
+/// around its site, as wrapped() places it, and may reach beyond the domain; it may neighbor itself.
 struct Diagram {
   std::vector<Status> status;
   std::vector<std::uint32_t> owner;  ///< the site that owns the cell: itself unless a duplicate
@@ -260,8 +300,17 @@ struct Diagram {
   std::vector<Point> vertices;
   std::vector<std::int64_t> neighbors;  ///< indices of sites, or walls
   std::vector<double> edge_lengths;
+  /// Of a periodic domain, one for each of `neighbors`: the image of the neighbor that the cell meets stands
+  /// that many widths and heights of the domain from the neighbor itself, as wrapped() places it.
+  std::vector<std::array<std::int32_t, 2>> neighbor_shifts;
+  /// Of a domain with an outline: where in `vertices` each ring begins, ascending; it ends where the next one
+  /// or the cell does. Empty without an outline: every cell is one ring.
+  std::vector<std::uint64_t> ring_starts;
+  std::vector<double> mass;          ///< of a density, by site: its integral over the cell
+  std::vector<Point> mass_centroid;  ///< by site: center of the mass; the centroid where there is no mass
   /// The Delaunay triangulation of all sites but duplicates, whatever the domain: counter-clockwise from the
-  /// lowest index, ties triangulated from the lowest index; empty if all sites lie on a line.
+  /// lowest index, ties triangulated from the lowest index; empty if all sites lie on a line. With weights,
+  /// the regular triangulation, without hidden sites. Empty where the domain is periodic.
   std::vector<std::array<std::uint32_t, 3>> triangles;
   Report report;
 };
@@ -289,7 +338,7 @@ struct CellsDiff {
 };
 
 /// Compares two diagrams of the same sites and domain: status and owner of every site, the sets of its
-/// neighbors, walls included, and its area. Error (input): they have different numbers of sites.
+/// neighbors, walls and shifts included, and its area. Error (input): they have different numbers of sites.
 Result<CellsDiff> diffCells(const Diagram& a, const Diagram& b);
 
 /// Verifies what is promised about cells, with nothing of what computes them: statuses and owners, each

@@ -17,7 +17,7 @@ set(kinds
     "^view/")
 set(may_include
     "^$"
-    "^(vorpipe\\.h|parallel\\.h|core/.*|backend/(backend|registry)\\.h)$"
+    "^(vorpipe\\.h|parallel\\.h|core/.*|backend/(backend|collect|registry)\\.h)$"
     "^(vorpipe\\.h|backend/[^/]*\\.h|backend/cpu/cpu\\.h|backend/vulkan/vulkan_backend\\.h|backend/opengl/opengl_backend\\.h)$"
     "^(vorpipe\\.h|parallel\\.h|backend/[^/]*\\.h|backend/cpu/.*|(layout|bins|cell|grid|list)\\.glsl)$"
     "^(vorpipe\\.h|parallel\\.h|backend/[^/]*\\.h|backend/vulkan/.*|layout\\.glsl|shaders\\.h)$"
@@ -36,6 +36,8 @@ set(guarded_headers
     "^GLFW/"
     "^flann/"
     "^(csv|png|zip)\\.h$"
+    "^geos_c\\.h$"
+    "^boost/geometry/"
     "^CLI/")
 set(users
     "^(core/|backend/registry\\.)"
@@ -45,6 +47,8 @@ set(users
     "^view/"
     "^core/flann_"
     "^io/"
+    "^(core/outline_|io/)"
+    "^core/outline_"
     "^cli/")
 
 # Sets allowed to whether file (relative to src) may include header, quoted or in angle brackets.

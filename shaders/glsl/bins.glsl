@@ -1,6 +1,9 @@
 // The bins of a uniform grid over sites, and which of them a search turns to when. Whoever includes this
 // file defines before it
 //   int firstOfBin(int bin)  the first site of a bin, row by row; at columns * rows, the number of sites
+// and with WEIGHTED
+//   real leadOf(int number)  a number of Grid::heaviest minus the weight of the cell's site, rounded up
+//   int heavyAt(int k)       site k of SiteSet::heavy
 //
 // The sites stand bin by bin, so that bins side by side in a row are one run of sites.
 
@@ -13,6 +16,9 @@ struct Bins {
     real slack;  // by how much a site may lie outside of its bin, as seen from here
     vec4 known;  // west, south, east, north: the sites beyond this box are not in the grid
     int most;    // sites to try before the search gives up
+#ifdef WEIGHTED
+    int heavy;  // sites in SiteSet::heavy
+#endif
 };
 
 // Bins by column and row, all inclusive.
@@ -125,7 +131,30 @@ Runs runsOfBlock(IN(Bins) bins, int column, int row) {
     return runs;
 }
 
+#ifdef WEIGHTED
+// The heavy sites come before step 0, some in each step.
+int firstStep(IN(Bins) bins) { return -((bins.heavy + MOST_RUNS - 1) / MOST_RUNS); }
+
+Runs runsOfHeavy(IN(Bins) bins, int step) {
+    Runs runs;
+    runs.count = 0;
+    for (int r = 0; r < MOST_RUNS; r++) {
+        int k = (-1 - step) * MOST_RUNS + r;
+        bool some = k < bins.heavy;
+        runs.shift[r] = heavyAt(some ? k : 0) - runs.count;
+        runs.count += some ? 1 : 0;
+        runs.end[r] = runs.count;
+    }
+    return runs;
+}
+#endif
+
 Runs runsOfStep(IN(Bins) bins, IN(BinRange) range, int step, int column, int row) {
+#ifdef WEIGHTED
+    if (step < 0) {
+        return runsOfHeavy(bins, step);
+    }
+#endif
     Runs runs;
     runs.count = 0;
     for (int r = 0; r < MOST_RUNS; r++) {
@@ -138,10 +167,56 @@ Runs runsOfStep(IN(Bins) bins, IN(BinRange) range, int step, int column, int row
     return runs;
 }
 
-// Whether step `step` or a later one, none of them the first, has bins of `range` to try.
+// Whether step `step` or a later one has bins of `range` to try; asked after step 0.
 bool isLeft(IN(BinRange) range, int step, int column, int row) {
+#ifdef WEIGHTED
+    if (step <= 0) {
+        return true;
+    }
+#endif
     bool wide = range.west < column - 2 || range.east > column + 2;
     int next = wide ? 2 * step - 2 : max(2 * step - 2, 3);
     return range.south <= row - next || range.north >= row + next;
 }
 
+
+#ifdef WEIGHTED
+// By how much the sites of the bins in `range`, but for the heavy ones, are heavier than the cell's own: a
+// bound from above. It comes from the finest level of Grid::heaviest where the range has few numbers.
+real leadIn(IN(Bins) bins, IN(BinRange) range) {
+    int first = 0;
+    int columns = bins.columns;
+    int rows = bins.rows;
+    BinRange seen = range;
+    while (seen.east - seen.west > 2 || seen.north - seen.south > 2) {
+        first += columns * rows;
+        columns = (columns + 1) / 2;
+        rows = (rows + 1) / 2;
+        seen.west = seen.west / 2;
+        seen.south = seen.south / 2;
+        seen.east = seen.east / 2;
+        seen.north = seen.north / 2;
+    }
+    real lead = -FAR;
+    for (int k = 0; k < 9; k++) {
+        int column = min(seen.west + k % 3, seen.east);
+        int row = min(seen.south + k / 3, seen.north);
+        real here = leadOf(first + row * columns + column);
+        lead = here > lead ? here : lead;
+    }
+    return lead;
+}
+
+// The same of all sites.
+real leadOfAll(IN(Bins) bins) {
+    int top = 0;
+    int columns = bins.columns;
+    int rows = bins.rows;
+    while (columns > 1 || rows > 1) {
+        top += columns * rows;
+        columns = (columns + 1) / 2;
+        rows = (rows + 1) / 2;
+    }
+    return leadOf(top);
+}
+#endif

@@ -11,6 +11,7 @@
 //   IN(T), INOUT(T)          parameter modes
 //   ROUNDING                 the relative rounding error of real
 //   FAR                      farther than anything
+//   WEIGHTED                 defined or not: whether sites have weights
 //   NOWHERE, SAME            parallel lines get this sine, and lines that are the same this much of a
 //                            distance, which rounding swallows for any others: so the former meet far
 //                            away, and the latter do too
@@ -32,6 +33,9 @@ struct Cell {
     EDGES(cell_int, line);  // index of the line in the list, or a WALL
     cell_bool empty;        // no edge is left, and none comes back
     cell_bool overflow;     // an edge found no free slot
+#ifdef WEIGHTED
+    cell_int last;  // where nothing is left: the line that cut off the rest. It and the slots leave nothing
+#endif
 };
 
 cell_bool isEdge(IN(Cell) c, int k) { return c.lo[k] < c.hi[k]; }
@@ -55,6 +59,9 @@ void beginCell(INOUT(Cell) c, vec4 walls) {
     }
     c.empty = cell_bool(false);
     c.overflow = cell_bool(false);
+#ifdef WEIGHTED
+    c.last = cell_int(WALL_XMIN);
+#endif
 }
 
 // Keeps the part of the cell where p . n <= h.
@@ -96,6 +103,9 @@ void cutCell(INOUT(Cell) c, vec2 n, real h, cell_int line) {
     cell_bool waiting = lo < hi && !gone;
     some = some || waiting;
     c.empty = gone || !some;
+#ifdef WEIGHTED
+    c.last = gone ? c.last : line;
+#endif
     for (int k = 0; k < EDGE_END; k++) {
         cell_bool edge = isEdge(c, k);
         cell_bool put = waiting && !edge;
@@ -109,6 +119,18 @@ void cutCell(INOUT(Cell) c, vec2 n, real h, cell_int line) {
     }
     c.overflow = waiting || c.overflow;
 }
+
+#ifdef WEIGHTED
+// Whether the line carries an edge. To cut by it again might give its edge to both, as rounding has it.
+cell_bool hasEdge(IN(Cell) c, cell_int line) {
+    cell_bool found = cell_bool(false);
+    for (int k = 0; k < EDGE_END; k++) {
+        cell_bool same = isEdge(c, k) && c.line[k] == line;
+        found = found || same;
+    }
+    return found;
+}
+#endif
 
 // Where edge k begins.
 vec2 edgeStart(IN(Cell) c, int k) {

@@ -2,11 +2,17 @@
 // cell.glsl and defines before it
 //   int firstOfBin(int bin)   the first site of a bin, row by row; at columns * rows, the number of sites
 //   vec2 offsetTo(cell_int place)  the site at `place` minus the site of the cell, exact or nearly so
+// and with WEIGHTED, besides what bins.glsl wants,
+//   real weightAgainst(cell_int place)  the weight of the cell's site minus that of the site at `place`
 //
 // The cell is cut by every site of the 3 x 3 bins around its origin. After that few sites cut, so the
 // rest of those that might is only tried, vertex by vertex, and the cell is cut by those that do: first
 // what is in the next ring of bins, which ends the search for nearly all cells of evenly spread sites,
 // then in all other rows, outward.
+//
+// With weights w, the site j has the points p for which |p - j|^2 - w_j is less than |p - i|^2 - w_i. That
+// moves the bisector, along the same normal; the disk around a vertex in which a site must lie to cut it off
+// grows with the weight of that site; and the cell may lie anywhere, or be empty.
 //
 // Loops are of the form do { } while, with a first pass that always has something to do. Lanes of a
 // software driver pass through a loop together, and once more than the longest of them where the test
@@ -19,11 +25,14 @@ struct Viewpoint {
     cell_int self;  // its place
     vec2 shift;     // the way from the origin of its cell to it
     vec2 outset;    // that of clipSite
+#ifdef WEIGHTED
+    real lead;  // bounds by how much a site that is left to try is heavier than the cell's own
+#endif
 };
 
 #define MOST_FOUND 4
 
-// The coordinates of the vertices, or zeros for a free slot.
+// The coordinates of the vertices, or of a point of the cell for a free slot: without weights, its origin.
 struct Vertices {
     EDGES(real, x);
     EDGES(real, y);
@@ -47,6 +56,9 @@ Bisector bisectorWith(IN(Viewpoint) view, cell_int place) {
     real inverse = real(1.0) / distance;
     b.n = vec2(b.apart ? d.x * inverse : real(1.0), d.y * inverse);
     real h = real(0.5) * distance + (view.shift.x * b.n.x + view.shift.y * b.n.y);
+#ifdef WEIGHTED
+    h += real(0.5) * weightAgainst(place) * inverse;
+#endif
     real wider = abs(b.n.x) * view.outset.x + abs(b.n.y) * view.outset.y;
     b.h = b.apart ? h + wider : FAR;
     return b;
@@ -56,17 +68,28 @@ Bisector bisectorWith(IN(Viewpoint) view, cell_int place) {
 // near to each other for that.
 bool cutBySite(INOUT(Cell) c, IN(Viewpoint) view, int place) {
     Bisector b = bisectorWith(view, place);
+#ifdef WEIGHTED
+    b.h = hasEdge(c, place) ? FAR : b.h;  // a heavy site comes twice
+#endif
     cutCell(c, b.n, b.h, place);
     bool own = place == view.self;
     return b.apart || own;
 }
 
 Vertices verticesOf(IN(Cell) c) {
+    vec2 inside = vec2(real(0.0), real(0.0));
+#ifdef WEIGHTED
+    for (int k = 0; k < EDGE_END; k++) {
+        vec2 start = edgeStart(c, k);
+        inside.x = isEdge(c, k) ? start.x : inside.x;
+        inside.y = isEdge(c, k) ? start.y : inside.y;
+    }
+#endif
     Vertices v;
     for (int k = 0; k < EDGE_END; k++) {
         vec2 start = edgeStart(c, k);
-        v.x[k] = isEdge(c, k) ? start.x : real(0.0);
-        v.y[k] = isEdge(c, k) ? start.y : real(0.0);
+        v.x[k] = isEdge(c, k) ? start.x : inside.x;
+        v.y[k] = isEdge(c, k) ? start.y : inside.y;
     }
     return v;
 }
@@ -74,25 +97,40 @@ Vertices verticesOf(IN(Cell) c) {
 // Whether the bisector with the site at `place` cuts a vertex off, or nearly so.
 cell_bool mayCut(IN(Vertices) v, IN(Viewpoint) view, cell_int place) {
     vec2 d = offsetTo(place);
-    real farthest = real(0.0);
+    real farthest = -FAR;
     for (int k = 0; k < EDGE_END; k++) {
         real along = v.x[k] * d.x + v.y[k] * d.y;
         farthest = along > farthest ? along : farthest;
     }
     real halfway = real(0.49999) * (d.x * d.x + d.y * d.y) + (view.shift.x * d.x + view.shift.y * d.y);
+#ifdef WEIGHTED
+    real against = real(0.5) * weightAgainst(place);
+    halfway += against - real(0.00001) * abs(against);
+#endif
     cell_bool other = place != view.self;
     return farthest > halfway && other;
 }
 
 // The box of all sites that can cut the cell: a site cuts a vertex off if it is nearer to the vertex than
 // the cell's own site is, so it lies in a disk around the vertex. Together the disks are the flower.
-vec4 flowerBox(IN(Cell) c, vec2 site) {
+// With weights the square of the disk's radius is larger by how much heavier the site may be; if that is
+// less than nothing, there is no disk.
+vec4 flowerBox(IN(Cell) c, IN(Viewpoint) view) {
+    vec2 site = view.shift;
     vec4 box = vec4(site.x, site.y, site.x, site.y);
     for (int k = 0; k < EDGE_END; k++) {
         vec2 v = edgeStart(c, k);
         vec2 d = vec2(v.x - site.x, v.y - site.y);
-        real radius = sqrt(d.x * d.x + d.y * d.y) * (real(1.0) + real(32.0) * ROUNDING);
         cell_bool edge = isEdge(c, k);
+#ifdef WEIGHTED
+        real away = d.x * d.x + d.y * d.y;
+        real squared = away * (real(1.0) + real(64.0) * ROUNDING) + view.lead;
+        cell_bool some = squared > real(0.0);
+        edge = edge && some;
+        real radius = sqrt(some ? squared : real(0.0)) + real(32.0) * ROUNDING * (sqrt(away) + sqrt(abs(view.lead)));
+#else
+        real radius = sqrt(d.x * d.x + d.y * d.y) * (real(1.0) + real(32.0) * ROUNDING);
+#endif
         real west = edge ? v.x - radius : site.x;
         real south = edge ? v.y - radius : site.y;
         real east = edge ? v.x + radius : site.x;
@@ -145,6 +183,9 @@ bool cutByBlock(INOUT(Cell) c, IN(Viewpoint) view, IN(Runs) runs, bool worthwhil
         Bisector b = next;
         i++;
         going = going && i < runs.count;
+#ifdef WEIGHTED
+        going = going && !c.empty;
+#endif
         next = bisectorWith(view, going ? placeInBlock(runs, i) : view.self);
         cutCell(c, b.n, b.h, b.place);
         bool own = b.place == view.self;
@@ -152,6 +193,19 @@ bool cutByBlock(INOUT(Cell) c, IN(Viewpoint) view, IN(Runs) runs, bool worthwhil
     } while (going);
     return certain;
 }
+
+#ifdef WEIGHTED
+// The box of all sites that can cut the cell, but for those in `heavy`; lowers view.lead to what the bins in
+// it say: a site that can cut is no heavier, so it lies in the box, whose bins bound its weight.
+vec4 boxLeft(IN(Cell) c, IN(Bins) bins, INOUT(Viewpoint) view, int rounds) {
+    vec4 box = flowerBox(c, view);
+    for (int round = 0; round < rounds; round++) {
+        view.lead = min(view.lead, leadIn(bins, binsOf(bins, box)));
+        box = flowerBox(c, view);
+    }
+    return box;
+}
+#endif
 
 // Clips the cell of the site at place `self`, which lies at `shift` from the origin of the cell, by
 // every site that can cut it. outset moves every line outward, by up to its two components along x and
@@ -168,8 +222,14 @@ int clipSite(INOUT(Cell) c, IN(Bins) bins, vec4 walls, vec2 outset, int self, ve
     int tried = runs.count;
     bool left = tried <= bins.most;
     bool certain = cutByBlock(c, view, runs, left);
+#ifdef WEIGHTED
+    int step = firstStep(bins);
+    view.lead = leadOfAll(bins);
+    vec4 box = boxLeft(c, bins, view, 2);
+#else
     int step = 0;
-    vec4 box = flowerBox(c, shift);
+    vec4 box = flowerBox(c, view);
+#endif
     do {
         runs = runsOfStep(bins, binsOf(bins, box), step, column, row);
         tried += runs.count + MOST_RUNS;
@@ -177,7 +237,11 @@ int clipSite(INOUT(Cell) c, IN(Bins) bins, vec4 walls, vec2 outset, int self, ve
         runs.count = left ? runs.count : 0;
         bool apart = cutByRuns(c, view, runs);
         certain = certain && apart;
-        box = flowerBox(c, shift);
+#ifdef WEIGHTED
+        box = boxLeft(c, bins, view, 1);
+#else
+        box = flowerBox(c, view);
+#endif
         step++;
         left = left && isLeft(binsOf(bins, box), step, column, row);
     } while (left);

@@ -44,6 +44,11 @@
 #define BINDING_PLACED_SITES 17
 #define BINDING_FROM 18
 #define BINDING_MERGES 19
+#define BINDING_WEIGHTS 20
+#define BINDING_HEAVIEST 21
+
+// The most heavy sites; a multiple of 4.
+#define MOST_HEAVY 32
 
 // Invocations in a group of a compute shader, and counts that one of them adds up.
 #define GROUP_SIZE 64

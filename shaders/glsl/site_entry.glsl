@@ -34,17 +34,35 @@ layout(set = 0, binding = BINDING_SITES) uniform samplerBuffer sites;
 layout(set = 0, binding = BINDING_BINS) uniform usamplerBuffer bin_starts;
 layout(set = 0, binding = BINDING_MARKS) uniform usamplerBuffer marks;
 
+#ifdef WEIGHTED
+layout(set = 0, binding = BINDING_WEIGHTS) uniform samplerBuffer weights;
+layout(set = 0, binding = BINDING_HEAVIEST) uniform samplerBuffer heaviest;
+
+vec2 weightAt(int place) { return texelFetch(weights, place).xy; }
+
+// Four numbers to a texel: there are up to twice as many as bins.
+float heaviestAt(int number) { return texelFetch(heaviest, number / 4)[number % 4]; }
+#endif
+
 vec4 siteAt(int place) { return texelFetch(sites, place); }
 int firstOfBin(int bin) { return int(texelFetch(bin_starts, bin).x); }
 
 #include "cell.glsl"
 #include "sites.glsl"
 
-// The way from an origin to its site brings rounding errors in proportion. Where a picture might show
-// them, somebody more precise is to draw the cell.
+// The way from an origin to its site brings rounding errors in proportion; with weights, the way to a neighbor
+// does, which may be heavy and far away. Where a picture might show them, somebody more precise is to draw
+// the cell.
 int clipEntry(inout Cell cell, vec2 outset) {
-    int status = clipSiteAt(cell, placeOf(entry_site[0]), outset);
+    int self = placeOf(entry_site[0]);
+    int status = clipSiteAt(cell, self, outset);
     vec2 far = abs(offsetToOrigin()) * (32.0 * ROUNDING);
+#ifdef WEIGHTED
+    for (int k = 0; k < EDGE_END; k++) {
+        bool neighbor = isEdge(cell, k) && cell.line[k] >= 0;
+        far = max(far, abs(offsetTo(neighbor ? cell.line[k] : self)) * (8.0 * ROUNDING));
+    }
+#endif
     bool shows = outset.x > 0.0 && max(far.x, far.y) > min(outset.x, outset.y);
     return status == CELL_CERTIFIED && shows ? CELL_UNSECURED : status;
 }

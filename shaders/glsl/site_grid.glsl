@@ -10,4 +10,6 @@ layout(std140, set = 0, binding = BINDING_GRID) uniform SiteGrid {
     int columns;
     int rows;
     int most;
+    int heavy_count;
+    ivec4 heavy[MOST_HEAVY / 4];  // heavy_count of them count
 } site_grid;

@@ -2,7 +2,10 @@
 // included cell.glsl and defines before it
 //   vec4 siteAt(int place)   a site: x_high, y_high, x_low, y_low from the center of the domain
 //   int firstOfBin(int bin)  as grid.glsl wants it
-// src/backend/site_texels.h writes both.
+// and with WEIGHTED
+//   vec2 weightAt(int place)     its weight: high, low
+//   float heaviestAt(int number)  of Grid::heaviest, rounded up
+// src/backend/site_texels.h writes all of them.
 
 #include "site_grid.glsl"
 
@@ -22,6 +25,23 @@ vec4 boxFromHere(vec4 high, vec4 low) {
 
 vec2 offsetTo(int place) { return offsetFromHere(siteAt(place)); }
 
+#ifdef WEIGHTED
+vec2 weight_here;
+
+real weightAgainst(int place) {
+    vec2 other = weightAt(place);
+    precise float difference = (weight_here.x - other.x) + (weight_here.y - other.y);
+    return difference;
+}
+
+real leadOf(int number) {
+    precise float lead = (heaviestAt(number) - weight_here.x) - weight_here.y;
+    return lead + abs(lead) * (2.0 * ROUNDING);
+}
+
+int heavyAt(int k) { return site_grid.heavy[k / 4][k % 4]; }
+#endif
+
 #include "grid.glsl"
 
 // From `here` to the origin of its cell: nothing, or the way to the nearest point of the domain.
@@ -33,6 +53,9 @@ vec2 offsetToOrigin() {
 // Clips the cell of the site at `place`, which becomes `here`. outset is that of clipCell.
 int clipSiteAt(inout Cell cell, int place, vec2 outset) {
     here = siteAt(place);
+#ifdef WEIGHTED
+    weight_here = weightAt(place);
+#endif
     vec2 origin = offsetToOrigin();
     Bins bins;
     bins.columns = site_grid.columns;
@@ -44,6 +67,9 @@ int clipSiteAt(inout Cell cell, int place, vec2 outset) {
     bins.slack = site_grid.slack * max(longest.x, longest.y);
     bins.known = boxFromHere(site_grid.known_high, site_grid.known_low) - origin.xyxy;
     bins.most = site_grid.most;
+#ifdef WEIGHTED
+    bins.heavy = site_grid.heavy_count;
+#endif
     vec4 walls = boxFromHere(site_grid.domain_high, site_grid.domain_low) - origin.xyxy;
     return clipSite(cell, bins, walls, outset, place, -origin);
 }

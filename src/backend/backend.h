@@ -26,20 +26,33 @@ struct Line {
 
 /// A uniform grid of square bins over sites; shaders/glsl/grid.glsl walks it.
 /// Bin (column, row) holds the sites first[row * columns + column] up to the next entry. A site lies in
-/// [xmin + column * size, xmin + (column + 1) * size] and in its row likewise, up to rounding in double.
+/// [xmin + column * size, xmin + (column + 1) * size] and in its row likewise, up to rounding in double;
+/// one beyond the grid stands in the bin at its border that is nearest.
 struct Grid {
   double xmin = 0, ymin = 0, size = 1;
   std::uint32_t columns = 1, rows = 1;
   std::vector<std::uint32_t> first;  ///< size: columns * rows + 1
+  /// Where sites have weights: the largest weight in each bin, those of SiteSet::heavy left out, and minus
+  /// infinity in a bin without others; then in each 2 x 2 of these numbers, and so on up to one number for
+  /// the whole grid. Level l has ceil(columns / 2^l) x ceil(rows / 2^l) numbers, row by row.
+  std::vector<double> heaviest{};
 };
+
+inline constexpr std::size_t most_heavy = 32;
 
 /// Unique sites, in scaled units (the input times a power of two, so that the domain's longer side
 /// is in [1, 2)), bin by bin of their grid, row by row; inside a bin by input index.
 struct SiteSet {
   std::vector<double> x, y;
+  /// Empty where all are equal; else in scaled units squared, and relative to the least of the input: only
+  /// their differences mean something.
+  std::vector<double> weight{};
   std::vector<std::uint32_t> id;  ///< index in the input
   Box domain{};                   ///< what cells are clipped to
   Box known{};                    ///< every site in here is in the set; unbounded but for a tile
+  /// At most most_heavy sites, so much heavier than the others that every cell is cut by them first: they
+  /// would make the search of every cell wide.
+  std::vector<std::uint32_t> heavy{};
   Grid grid;
   [[nodiscard]] std::size_t size() const { return x.size(); }
 };
@@ -88,7 +101,8 @@ struct View {
 
 /// The neighbors of cells, entry by entry and counter-clockwise: those of entry e stand at first[e] up
 /// to first[e + 1]. A neighbor is the index of a site in the SiteSet, or of a line in its entry of a
-/// batch, or one of the walls -1..-4. An entry that is not `certified` has none.
+/// batch, or one of the walls -1..-4. An entry that is not `certified` has none; but one that is `empty` in
+/// a set with weights has the sites and walls that leave nothing of it, in any order, some perhaps twice.
 struct Neighborhoods {
   std::vector<CellStatus> status;
   std::vector<std::uint64_t> first;  ///< size: entries + 1
@@ -123,8 +137,9 @@ class Backend {
 
   virtual const BackendInfo& info() const = 0;
 
-  /// Replaces the sites, which outlive every later call. shade[i] is the index into a view's palette
-  /// for the cell of site i; empty when nothing will be drawn.
+  /// Replaces the sites. shade[i] is the index into a view's palette for the cell of site i; empty when
+  /// nothing will be drawn. Both outlive every later call that names sites by index, and read(); the calls
+  /// for batches, and begin(), may come when they are gone.
   virtual Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) = 0;
 
   /// Finds the cells of the sites `which` (indices in the set) by the search over the grid, or by

@@ -34,10 +34,12 @@ void append(const CellAnswers& answers, Neighborhoods& out) {
   out.first.resize(before + answers.count + 1);
   for (std::size_t entry = 0; entry < answers.count; ++entry) {
     const std::uint32_t word = wordAt(answers, entry);
-    const std::uint32_t edges = word / status_values;
-    const CellStatus status = edges <= answers.room ? statusIn(word) : CellStatus::missing;
+    const bool sane = word / status_values <= answers.room;
+    const CellStatus status = sane ? statusIn(word) : CellStatus::missing;
+    const bool listed = status == CellStatus::certified || status == CellStatus::empty;
+    const std::uint32_t edges = listed ? word / status_values : 0;
     out.status[before + entry] = status;
-    out.first[before + entry + 1] = out.first[before + entry] + (status == CellStatus::certified ? edges : 0);
+    out.first[before + entry + 1] = out.first[before + entry] + edges;
   }
   out.neighbor.resize(out.first.back());
   parallelFor(answers.count, entries_at_once, 0, [&](std::size_t begin, std::size_t end) {

@@ -19,6 +19,10 @@ struct CellAnswers {
   std::size_t row_stride;
 };
 
+/// The numbers in a row of edges.geom with room for so many edges, in fours: with weights, the lines that
+/// leave nothing of a cell are one more than that.
+constexpr std::size_t answerRoom(std::size_t edges, bool weighted) { return edges + (weighted ? 4 : 0); }
+
 /// The status in a word; `missing` if it makes no sense.
 CellStatus statusIn(std::uint32_t word);
 

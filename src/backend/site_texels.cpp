@@ -4,8 +4,11 @@
 #include <cassert>
 #include <cmath>
 #include <cstring>
+#include <iterator>
+#include <limits>
 #include <utility>
 
+#include "layout.glsl"
 #include "parallel.h"
 
 namespace vorpipe {
@@ -13,9 +16,13 @@ namespace {
 
 // Searches beyond are left to the judge, whose tree takes no longer where sites crowd in few bins.
 constexpr std::int32_t most_tried = 512;
+// Where weights differ by far more than the square of a spacing, cells have many spacings to search.
+constexpr std::int32_t most_tried_weighted = 4096;
 
 // Stands for infinity, which shaders need not know; FAR of cell.glsl.
 constexpr double far = 1e30;
+
+static_assert(most_heavy == MOST_HEAVY);
 
 constexpr std::size_t sites_at_once = std::size_t{1} << 14;
 
@@ -74,7 +81,10 @@ SiteGridUniform siteGridUniform(const SiteSet& sites) {
   block.slack = 0x1p-21F;
   block.columns = static_cast<std::int32_t>(grid.columns);
   block.rows = static_cast<std::int32_t>(grid.rows);
-  block.most = most_tried;
+  block.most = sites.weight.empty() ? most_tried : most_tried_weighted;
+  assert(sites.heavy.size() <= most_heavy);
+  block.heavy_count = static_cast<std::int32_t>(sites.heavy.size());
+  std::ranges::copy(sites.heavy, std::begin(block.heavy));
   return block;
 }
 
@@ -87,6 +97,30 @@ void writeSiteTexels(const SiteSet& sites, std::byte* to) {
 void writeSiteMarks(const SiteSet& sites, std::span<const std::uint8_t> shade, std::byte* to) {
   assert(shade.size() == sites.size());
   writeAll<SiteMark>(sites.size(), to, [&](std::size_t i) { return SiteMark{sites.id[i], shade[i]}; });
+}
+
+void writeWeightTexels(const SiteSet& sites, std::byte* to) {
+  writeAll<WeightTexel>(sites.size(), to, [&](std::size_t i) {
+    const Split weight = split(sites.weight[i]);
+    return WeightTexel{weight.high, weight.low};
+  });
+}
+
+std::size_t heaviestBytes(const SiteSet& sites) {
+  constexpr std::size_t texel = 4;
+  return (sites.grid.heaviest.size() + texel - 1) / texel * texel * sizeof(float);
+}
+
+void writeHeaviest(const SiteSet& sites, std::byte* to) {
+  const std::vector<double>& heaviest = sites.grid.heaviest;
+  writeAll<float>(heaviestBytes(sites) / sizeof(float), to, [&](std::size_t number) {
+    if (number >= heaviest.size()) return 0.0F;
+    // Shaders know a weight to 2^-48 of it.
+    const double bound = std::clamp(heaviest[number] + std::abs(heaviest[number]) * 0x1p-46, -far, far);
+    const auto rounded = static_cast<float>(bound);
+    return static_cast<double>(rounded) < bound ? std::nextafter(rounded, std::numeric_limits<float>::max())
+                                                : rounded;
+  });
 }
 
 }  // namespace vorpipe

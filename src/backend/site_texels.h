@@ -33,7 +33,9 @@ struct SiteGridUniform {
   float slack;  ///< by how much a site may lie outside of its bin, of the way to the grid's farthest corner
   std::int32_t columns, rows;
   std::int32_t most;  ///< sites that a search tries before it gives up
-  std::int32_t padding[3];
+  std::int32_t heavy_count;
+  std::int32_t padding[2];
+  std::int32_t heavy[most_heavy];  ///< SiteSet::heavy
 };
 
 /// Returns the block for the sites of an upload.
@@ -45,5 +47,19 @@ void writeSiteTexels(const SiteSet& sites, std::byte* to);
 
 /// Writes a SiteMark for every site likewise; shade has an element for each.
 void writeSiteMarks(const SiteSet& sites, std::span<const std::uint8_t> shade, std::byte* to);
+
+/// A weight: what a float holds of it, and what a float holds of the rest.
+struct WeightTexel {
+  float high, low;
+};
+
+/// Writes a WeightTexel for every site likewise. The set has weights.
+void writeWeightTexels(const SiteSet& sites, std::byte* to);
+
+/// How many bytes writeHeaviest() writes: a float for each of Grid::heaviest, in texels of four.
+std::size_t heaviestBytes(const SiteSet& sites);
+
+/// Writes Grid::heaviest, rounded up.
+void writeHeaviest(const SiteSet& sites, std::byte* to);
 
 }  // namespace vorpipe

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 
 #include "cli/command.h"
 #include "cli/input.h"
@@ -10,6 +11,7 @@
 #include "cli/run_end.h"
 #include "cli/stats.h"
 #include "io/cells_file.h"
+#include "io/density_file.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -26,7 +28,7 @@ struct CellsCommand {
   SearchOptions search;
   bool check = false;
   std::vector<CellsFile> files;
-  std::string stats;
+  std::string density, stats;
 };
 
 Parsed<CellsFile> parseCellsFile(std::string_view text) {
@@ -58,6 +60,11 @@ std::uint64_t neededBytesPerSite(const CellsCommand& command) {
   return bytesPerSite(neededDetail(command)) + beside;
 }
 
+std::optional<double> massSum(const Diagram& diagram) {
+  if (diagram.mass.empty()) return std::nullopt;
+  return std::accumulate(diagram.mass.begin(), diagram.mass.end(), 0.0);
+}
+
 Result<void> writeFiles(const CellsCommand& command, const Input& input, const Diagram& diagram,
                         std::span<OutputFile> files, const Stopwatch& total) {
   const Stopwatch watch;
@@ -69,11 +76,27 @@ Result<void> writeFiles(const CellsCommand& command, const Input& input, const D
   }
   if (!command.stats.empty()) {
     writers.emplace_back([&](OutputFile& to) {
-      return to.write(statsJson(
-          {"cells", input, diagram.report, watch.milliseconds(), total.milliseconds(), areaSum(diagram)}));
+      return to.write(statsJson({"cells", input, diagram.report, watch.milliseconds(), total.milliseconds(),
+                                 areaSum(diagram), massSum(diagram)}));
     });
   }
   return writeOutputs(files, writers);
+}
+
+/// What is computed, but for the progress.
+Result<CellsOptions> cellsOptions(const CellsCommand& command, const Input& input) {
+  CellsOptions options{};
+  if (!command.density.empty()) {
+    auto density = readDensity(command.density);
+    if (!density) return named("--density", std::move(density.error()));
+    options.density = std::move(*density);
+  }
+  options.domain = input.domain;
+  options.outline = input.outline;
+  options.periodic = input.periodic;
+  options.search = command.search;
+  options.detail = neededDetail(command);
+  return options;
 }
 
 Result<ExitCode> cells(const CellsCommand& command) {
@@ -82,19 +105,20 @@ Result<ExitCode> cells(const CellsCommand& command) {
   if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("cells.csv"));
   const auto input = loadInput(command.input, neededBytesPerSite(command));
   if (!input) return tl::unexpected(input.error());
-  stopOnSignals();
-  auto files = createOutputs(paths);
+  auto options = cellsOptions(command, *input);
+  if (!options) return tl::unexpected(std::move(options.error()));
+  auto files = openOutputs(paths);
   if (!files) return tl::unexpected(std::move(files.error()));
   auto session = Session::open(command.backend);
   if (!session) return tl::unexpected(std::move(session.error()));
   ProgressBar bar(command.talk.quiet);
-  const CellsOptions options{input->domain, command.search, neededDetail(command), bar.callback()};
-  const auto diagram = session->cells(input->sites, options);
+  options->progress = bar.callback();
+  const auto diagram = session->cells(input->sites, *options);
   bar.clear();
-  if (!diagram) return tl::unexpected(diagram.error());
+  if (!diagram) return asOption(diagram.error());
   if (!validationIsSilent(diagram->report)) return exit_device;
   if (command.check) {
-    const auto passed = passesCheck(check(input->sites, options, *diagram, command.backend.threads));
+    const auto passed = passesCheck(check(input->sites, *options, *diagram, command.backend.threads));
     if (!passed) return tl::unexpected(passed.error());
     if (!*passed) return exit_different;
   }
@@ -102,7 +126,7 @@ Result<ExitCode> cells(const CellsCommand& command) {
   if (!written) return tl::unexpected(written.error());
   if (!command.talk.quiet) {
     fmt::print("{}, {}\n", outcomeText(paths, diagram->report),
-               runText(diagram->report, total.milliseconds(), command.check, input->sites));
+               runText(diagram->report, total.milliseconds(), command.check));
   }
   if (command.talk.verbose && !session->choice().empty()) fmt::print("{}\n", session->choice());
   return exit_done;
@@ -113,12 +137,18 @@ Result<ExitCode> cells(const CellsCommand& command) {
 Subcommand addCells(CLI::App& app) {
   auto command = std::make_shared<CellsCommand>();
   CLI::App* sub =
-      app.add_subcommand("cells", "computes the cells of sites: areas, centroids, neighbors, polygons");
+      app.add_subcommand("cells",
+                         "computes the cells of sites: areas, centroids, neighbors, polygons; with weights, "
+                         "those of the power diagram");
   addInputOptions(*sub, command->input)->required();
   addRepeatable(*sub, "-o", "FILE",
                 "the cells in input order; .csv, .npz, .geojson, .svg, .obj, .ply, .vtk or .wkt; repeatable",
                 parseCellsFile,
                 [files = &command->files](CellsFile file) { files->push_back(std::move(file)); });
+  addFile(*sub, "--density", command->density, "",
+          "a density over the domain, .png (dark is dense) or .npy, pixels with row 0 at the top: the mass "
+          "of each "
+          "cell and its center");
   addBackendChoice(*sub, command->backend);
   addSearchOptions(*sub, command->search);
   addRunOptions(*sub, command->backend);

@@ -35,12 +35,26 @@ std::vector<std::string> outputPaths(const CompareCommand& command) {
 Result<RenderOptions> pictureOptions(const CompareCommand& command, const Input& input) {
   RenderOptions options = command.picture;
   options.domain = input.domain;
+  options.outline = input.outline;
+  options.periodic = input.periodic;
   const Size size = command.size.value_or(defaultSize(input.domain));
   options.width = size.width;
   options.height = size.height;
   const std::uint64_t runs = command.backends.size(), pairs = runs * (runs - 1) / 2;
   const std::uint64_t montage = command.png.empty() ? 0 : pairs + runs;
   return forecastPicture(size, runs + pairs + montage).map([&] { return options; });
+}
+
+/// The cells of what is drawn.
+CellsOptions cellsOptions(const RenderOptions& picture) {
+  CellsOptions options{};
+  options.domain = picture.domain;
+  options.outline = picture.outline;
+  options.periodic = picture.periodic;
+  options.search = picture.search;
+  options.detail = Detail::measures;
+  options.progress = picture.progress;
+  return options;
 }
 
 Result<BackendRun> runBackend(const CompareCommand& command, const std::string& name, const Input& input,
@@ -53,12 +67,11 @@ Result<BackendRun> runBackend(const CompareCommand& command, const std::string& 
   picture.progress = bar.callback();
   const Stopwatch render_watch;
   auto rendering = session->render(input.sites, picture);
-  if (!rendering) return tl::unexpected(std::move(rendering.error()));
+  if (!rendering) return asOption(std::move(rendering.error()));
   const double render_ms = render_watch.milliseconds();
   const Stopwatch cells_watch;
-  auto cells =
-      session->cells(input.sites, {input.domain, picture.search, Detail::measures, picture.progress});
-  if (!cells) return tl::unexpected(std::move(cells.error()));
+  auto cells = session->cells(input.sites, cellsOptions(picture));
+  if (!cells) return asOption(std::move(cells.error()));
   return BackendRun{name, std::move(*rendering), std::move(*cells), render_ms, cells_watch.milliseconds()};
 }
 
@@ -99,8 +112,7 @@ Result<ExitCode> compare(const CompareCommand& command) {
   if (!input) return tl::unexpected(input.error());
   const auto options = pictureOptions(command, *input);
   if (!options) return tl::unexpected(options.error());
-  stopOnSignals();
-  auto files = createOutputs(outputPaths(command));
+  auto files = openOutputs(outputPaths(command));
   if (!files) return tl::unexpected(std::move(files.error()));
   auto runs = runBackends(command, *input, *options);
   if (!runs) return tl::unexpected(std::move(runs.error()));

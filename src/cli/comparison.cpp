@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/difference_text.h"
+#include "cli/stats.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -89,7 +90,7 @@ Result<std::vector<PairDiff>> comparePairs(const std::vector<BackendRun>& runs, 
     for (std::size_t b = a + 1; b < runs.size(); ++b) {
       const Rendering &left = runs[a].rendering, &right = runs[b].rendering;
       auto pixels = diffIds(left.image.ids, right.image.ids, left.image.width, left.image.height, input.sites,
-                            input.domain);
+                            input.domain, input.periodic);
       if (!pixels) return tl::unexpected(std::move(pixels.error()));
       auto cells = diffCells(runs[a].cells, runs[b].cells);
       if (!cells) return tl::unexpected(std::move(cells.error()));
@@ -145,6 +146,7 @@ std::string comparisonJson(const Comparison& comparison, const Input& input) {
   json["sites"] = input.sites.size();
   json["seed"] = input.seed ? Json(*input.seed) : Json(nullptr);
   json["domain"] = {domain.xmin, domain.ymin, domain.xmax, domain.ymax};
+  addShape(json, input);
   json["size"] = {image.width, image.height};
   json["tie_distance_px"] = tie_distance;
   json["area_slack"] = {{"of_cell", area_slack_of_cell}, {"of_mean_cell", area_slack_of_mean}};

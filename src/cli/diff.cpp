@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 #include "cli/command.h"
@@ -8,10 +9,9 @@
 #include "cli/difference_text.h"
 #include "cli/input.h"
 #include "cli/options.h"
-#include "cli/progress.h"
+#include "cli/run_end.h"
 #include "io/error.h"
 #include "io/npy_ids.h"
-#include "io/output_file.h"
 #include "io/png_file.h"
 
 namespace vorpipe::cli {
@@ -35,7 +35,7 @@ Result<IdDiff> idDiff(const DiffCommand& command, const Image& a, const Image& b
   if (command.input.sites.empty()) return diffIds(a.ids, b.ids, a.width, a.height);
   const auto input = loadInput(command.input, sizeof(double[3]));
   if (!input) return tl::unexpected(input.error());
-  return diffIds(a.ids, b.ids, a.width, a.height, input->sites, input->domain);
+  return diffIds(a.ids, b.ids, a.width, a.height, input->sites, input->domain, input->periodic);
 }
 
 Result<Outcome> compareIds(const DiffCommand& command, const Image& a, const Image& b) {
@@ -74,13 +74,12 @@ Outcome compareColors(const DiffCommand& command, const Image& a, const Image& b
 }
 
 Result<void> writePicture(const std::string& path, const Picture& picture) {
-  stopOnSignals();
-  auto file = OutputFile::create(path);
-  if (!file) return tl::unexpected(std::move(file.error()));
-  const auto written = writePng(*file, picture.width, picture.height, picture.rgba);
-  if (!written) return written;
-  if (const auto go_on = stopIfAsked(); !go_on) return go_on;
-  return file->commit();
+  auto files = openOutputs(std::array{path});
+  if (!files) return tl::unexpected(std::move(files.error()));
+  const Writer writer = [&](OutputFile& file) {
+    return writePng(file, picture.width, picture.height, picture.rgba);
+  };
+  return writeOutputs(*files, std::array{writer});
 }
 
 Result<ExitCode> diff(const DiffCommand& command) {

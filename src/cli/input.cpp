@@ -4,12 +4,17 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
 
 #include "cli/progress.h"
 #include "io/error.h"
+#include "io/outline_file.h"
 #include "io/site_source.h"
+#include "io/weights_file.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -34,6 +39,72 @@ Result<void> forecast(std::string_view option, std::uint64_t bytes) {
                                 static_cast<double>(memory) / gigabyte));
 }
 
+Box boxOf(std::span<const Point> points) {
+  const auto [left, right] = std::ranges::minmax(points, {}, &Point::x);
+  const auto [low, high] = std::ranges::minmax(points, {}, &Point::y);
+  return {left.x, low.y, right.x, high.y};
+}
+
+Result<void> takeWeights(const InputOptions& options, Input& input) {
+  const std::string_view option = options.random_weights ? "--random-weights" : "--weights";
+  if (!options.random_weights && options.weights.empty()) return {};
+  if (!input.sites.weight.empty()) {
+    return inputError(fmt::format("{}: {} has weights of its own", option, options.sites));
+  }
+  if (options.random_weights) {
+    if (!input.seed) {
+      return inputError(fmt::format("{}: is for generators; give {} its weights by --weights or a column",
+                                    option, options.sites));
+    }
+    const auto [low, high] = *options.random_weights;
+    input.sites.weight = randomWeights(low, high, input.sites.size(), *input.seed);
+    return {};
+  }
+  auto weights = readWeights(options.weights, input.sites.size());
+  if (!weights) return named(option, std::move(weights.error()));
+  input.sites.weight = std::move(*weights);
+  return {};
+}
+
+/// The least square around the box, with the same center.
+Box squareAround(const Box& box) {
+  const double width = box.xmax - box.xmin, height = box.ymax - box.ymin;
+  const double grown = (std::max(width, height) - std::min(width, height)) / 2;
+  return width < height ? Box{box.xmin - grown, box.ymin, box.xmax + grown, box.ymax}
+                        : Box{box.xmin, box.ymin - grown, box.xmax, box.ymax + grown};
+}
+
+Result<void> takeOutline(const InputOptions& options, Input& input) {
+  auto outline = readOutline(options.domain.file);
+  if (!outline) return named("--domain", std::move(outline.error()));
+  if (input.periodic != Periodic::none) {
+    return inputError("--periodic: a domain with an outline does not repeat itself");
+  }
+  input.outline = std::move(*outline);
+  input.domain = boxOf(input.outline.points);
+  if (input.seed) {
+    // A square keeps the shapes of the patterns.
+    const Box square = squareAround(input.domain);
+    for (double& x : input.sites.x) x = square.xmin + x * (square.xmax - square.xmin);
+    for (double& y : input.sites.y) y = square.ymin + y * (square.ymax - square.ymin);
+  }
+  return {};
+}
+
+Result<void> takeDomain(const InputOptions& options, Input& input) {
+  if (!options.domain.file.empty()) return takeOutline(options, input);
+  if (options.domain.box) {
+    input.domain = *options.domain.box;
+  } else if (!input.seed) {
+    input.domain = domainOfSites(input.sites);
+    const Box& box = input.domain;
+    if (!std::isfinite(box.xmax - box.xmin) || !std::isfinite(box.ymax - box.ymin)) {
+      return inputError("--domain: the sites reach too far for a default, name what to draw");
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<Input> loadInput(const InputOptions& options, std::uint64_t bytes_per_site) {
@@ -43,26 +114,32 @@ Result<Input> loadInput(const InputOptions& options, std::uint64_t bytes_per_sit
     return tl::unexpected(enough.error());
   }
   auto source = loadSites(options.sites, options.seed);
-  if (!source) {
-    Error error = std::move(source.error());
-    if (error.code == ErrorCode::input) error.message.insert(0, "--sites: ");
-    return tl::unexpected(std::move(error));
-  }
+  if (!source) return named("--sites", std::move(source.error()));
   if (const auto enough = forecast("--sites", source->sites.size() * bytes_per_site); !enough) {
     return tl::unexpected(enough.error());
   }
-  Input input{std::move(source->sites), Box{0, 0, 1, 1}, source->seed, 0};
-  if (options.domain) {
-    input.domain = *options.domain;
-  } else if (!input.seed) {
-    input.domain = domainOfSites(input.sites);
-    const Box& box = input.domain;
-    if (!std::isfinite(box.xmax - box.xmin) || !std::isfinite(box.ymax - box.ymin)) {
-      return inputError("--domain: the sites reach too far for a default, name what to draw");
-    }
-  }
+  Input input;
+  input.sites = std::move(source->sites);
+  input.seed = source->seed;
+  input.periodic = options.periodic;
+  if (auto taken = takeWeights(options, input); !taken) return tl::unexpected(std::move(taken.error()));
+  if (auto taken = takeDomain(options, input); !taken) return tl::unexpected(std::move(taken.error()));
   input.read_ms = watch.milliseconds();
   return input;
+}
+
+tl::unexpected<Error> named(std::string_view option, Error error) {
+  if (error.code == ErrorCode::input) error.message.insert(0, fmt::format("{}: ", option));
+  return tl::unexpected(std::move(error));
+}
+
+tl::unexpected<Error> asOption(Error error) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> options = {
+      {{"outline: ", "--domain: "}, {"density: ", "--density: "}, {"search by FLANN: ", "--search: "}}};
+  for (const auto& [what, option] : options) {
+    if (error.message.starts_with(what)) error.message.replace(0, what.size(), option);
+  }
+  return tl::unexpected(std::move(error));
 }
 
 Box domainOfSites(const Sites& sites) {

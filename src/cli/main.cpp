@@ -38,6 +38,7 @@ int runSubcommand(std::span<const Subcommand> subcommands) {
   const auto chosen =
       std::ranges::find_if(subcommands, [](const Subcommand& sub) { return sub.app->parsed(); });
   const auto done = chosen->run();
+  ignoreSignals();
   if (!done) {
     printError(done.error().code == ErrorCode::cancelled ? "interrupted" : done.error().message);
     return exitCode(done.error());

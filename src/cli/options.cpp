@@ -15,6 +15,20 @@ bool validationAskedByEnvironment() {
   return value != nullptr && std::string_view(value) == "1";
 }
 
+/// --weights, --random-weights
+void addWeightOptions(CLI::App& app, InputOptions& options, CLI::Option* sites) {
+  auto* file =
+      addFile(app, "--weights", options.weights, "",
+              "a weight for each site, a line each: .txt, .csv or .npy. The cell of site p of weight w "
+              "is where |x - p|^2 - w is least: a power diagram (also Laguerre, radical or weighted "
+              "Voronoi diagram); a radius r is the weight r^2");
+  addParsed(app, "--random-weights", options.random_weights, "LO,HI",
+            "for generators: weights evenly distributed from LO to HI, by --seed", parseWeightRange)
+      ->needs(sites)
+      ->excludes(file);
+  file->needs(sites);
+}
+
 }  // namespace
 
 CLI::Option* addFile(CLI::App& app, const std::string& name, std::string& target,
@@ -33,10 +47,16 @@ CLI::Option* addInputOptions(CLI::App& app, InputOptions& options) {
   addParsed(app, "--seed", options.seed, "S", "seed of the generator [1]", [](std::string_view text) {
     return parseWhole(text, 0, UINT64_MAX);
   })->needs(sites);
-  addParsed(
-      app, "--domain", options.domain, "XMIN,YMIN,XMAX,YMAX",
-      "what is drawn and measured [0,0,1,1; for files the box of the sites, grown by 5 % of its longer side]",
-      parseDomain)
+  addParsed(app, "--domain", options.domain, "XMIN,YMIN,XMAX,YMAX or FILE",
+            "what is drawn and measured [0,0,1,1; for files the box of the sites, grown by 5 % of its longer "
+            "side]; "
+            "or its outline, polygons with holes: .geojson, .json or .wkt, over the square around which "
+            "generators are spread",
+            parseDomain)
+      ->needs(sites);
+  addWeightOptions(app, options, sites);
+  addParsed(app, "--periodic", options.periodic, "x, y or xy",
+            "axes along which the domain repeats itself: cells go on at the other side", parsePeriodic)
       ->needs(sites);
   return sites;
 }

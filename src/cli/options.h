@@ -52,14 +52,17 @@ CLI::Option* addFile(CLI::App& app, const std::string& name, std::string& target
 struct InputOptions {
   std::string sites;
   std::uint64_t seed = 1;
-  std::optional<Box> domain;
+  DomainChoice domain;
+  std::string weights;  ///< a file
+  std::optional<WeightRange> random_weights;
+  Periodic periodic = Periodic::none;
 };
 
 struct TalkOptions {
   bool quiet = false, verbose = false;
 };
 
-/// --sites, --seed, --domain
+/// --sites, --seed, --domain, --weights, --random-weights, --periodic
 CLI::Option* addInputOptions(CLI::App& app, InputOptions& options);
 /// --backend, --device
 void addBackendChoice(CLI::App& app, BackendOptions& options);

@@ -7,9 +7,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 
 #include "io/error.h"
+#include "io/extension.h"
 #include "io/number.h"
 
 namespace vorpipe::cli {
@@ -41,23 +41,12 @@ Parsed<std::string> oneOf(const std::vector<std::string>& names, std::string_vie
   return bad(fmt::format("{} is not one of {}", quoted(text), fmt::join(names, ", ")));
 }
 
-}  // namespace
-
-Parsed<std::uint64_t> parseWhole(std::string_view text, std::uint64_t low, std::uint64_t high) {
-  std::uint64_t value = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, code] = std::from_chars(text.data(), end, value);
-  if (code != std::errc() || stop != end || value < low || value > high) {
-    return bad(fmt::format("{} is not a whole number from {} to {}", quoted(text), low, high));
-  }
-  return value;
-}
-
-Parsed<Box> parseDomain(std::string_view text) {
+Parsed<Box> parseBox(std::string_view text) {
   constexpr std::array<std::string_view, 4> names = {"xmin", "ymin", "xmax", "ymax"};
   const auto parts = split(text, ',');
   if (parts.size() != names.size()) {
-    return bad(fmt::format("{} is not XMIN,YMIN,XMAX,YMAX", quoted(text)));
+    return bad(
+        fmt::format("{} is neither XMIN,YMIN,XMAX,YMAX nor a .geojson, .json or .wkt file", quoted(text)));
   }
   std::array<double, 4> values{};
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -71,6 +60,44 @@ Parsed<Box> parseDomain(std::string_view text) {
   if (!std::isfinite(box.xmax - box.xmin)) return bad("xmax - xmin is too large for a double");
   if (!std::isfinite(box.ymax - box.ymin)) return bad("ymax - ymin is too large for a double");
   return box;
+}
+
+}  // namespace
+
+Parsed<std::uint64_t> parseWhole(std::string_view text, std::uint64_t low, std::uint64_t high) {
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, code] = std::from_chars(text.data(), end, value);
+  if (code != std::errc() || stop != end || value < low || value > high) {
+    return bad(fmt::format("{} is not a whole number from {} to {}", quoted(text), low, high));
+  }
+  return value;
+}
+
+Parsed<DomainChoice> parseDomain(std::string_view text) {
+  const std::string extension = lowerExtension(std::string(text));
+  if (extension == ".geojson" || extension == ".json" || extension == ".wkt") {
+    return DomainChoice{std::nullopt, std::string(text)};
+  }
+  return parseBox(text).map([](const Box& box) { return DomainChoice{box, {}}; });
+}
+
+Parsed<Periodic> parsePeriodic(std::string_view text) {
+  if (text == "x") return Periodic::x;
+  if (text == "y") return Periodic::y;
+  if (text == "xy") return Periodic::xy;
+  return bad(fmt::format("{} is not one of x, y, xy", quoted(text)));
+}
+
+Parsed<WeightRange> parseWeightRange(std::string_view text) {
+  const auto parts = split(text, ',');
+  if (parts.size() != 2) return bad(fmt::format("{} is not LO,HI, as in 0,0.001", quoted(text)));
+  const auto low = parseNumber(parts[0]), high = parseNumber(parts[1]);
+  if (!low) return bad("LO: " + low.error());
+  if (!high) return bad("HI: " + high.error());
+  if (*low > *high) return bad(fmt::format("LO {} is above HI {}", *low, *high));
+  if (!std::isfinite(*high - *low)) return bad("HI - LO is too large for a double");
+  return WeightRange{*low, *high};
 }
 
 Parsed<Size> parseSize(std::string_view text) {
@@ -140,9 +167,7 @@ Parsed<std::vector<std::string>> parseBackends(std::string_view text) {
 Parsed<std::string> parseFile(std::string_view text, std::string_view extension) {
   if (text.empty() || text.starts_with('-'))
     return bad(fmt::format("{} is not the name of a file", quoted(text)));
-  std::string found = std::filesystem::path(text).extension().string();
-  std::ranges::transform(found, found.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  const std::string found = lowerExtension(std::string(text));
   if (!extension.empty() && !found.empty() && found != extension)
     return bad(fmt::format("{} does not end in {}", quoted(text), extension));
   return std::string(text);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -25,8 +26,24 @@ inline constexpr int largest_side = 32768;
 /// A whole number from low to high.
 Parsed<std::uint64_t> parseWhole(std::string_view text, std::uint64_t low, std::uint64_t high);
 
-/// `XMIN,YMIN,XMAX,YMAX`, a valid box.
-Parsed<Box> parseDomain(std::string_view text);
+/// A box, or the name of a file with an outline.
+struct DomainChoice {
+  std::optional<Box> box;
+  std::string file;  ///< empty: there is none
+};
+
+/// `XMIN,YMIN,XMAX,YMAX`, a valid box, or a file name that ends in .geojson, .json or .wkt.
+Parsed<DomainChoice> parseDomain(std::string_view text);
+
+/// `x`, `y` or `xy`.
+Parsed<Periodic> parsePeriodic(std::string_view text);
+
+struct WeightRange {
+  double low = 0, high = 0;
+};
+
+/// `LO,HI`, LO not above HI.
+Parsed<WeightRange> parseWeightRange(std::string_view text);
 
 /// `WxH`, 1 to largest_side each.
 Parsed<Size> parseSize(std::string_view text);

@@ -2,17 +2,25 @@
 
 #include <fmt/format.h>
 #include <signal.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cstdio>
+#include <vector>
 
 namespace vorpipe::cli {
 namespace {
 
 std::atomic<int> caught{0};
-static_assert(std::atomic<int>::is_always_lock_free, "the signal handler stores into it");
+std::atomic<bool> over{false};  ///< somebody ends the program already
+std::atomic<bool> bar_is_shown{false};
+bool ignoring = false;  ///< ignoreSignals was called, by the one thread that calls it
+std::atomic<const std::vector<std::string>*> unfinished{nullptr};  ///< the files to remove
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
+                  decltype(unfinished)::is_always_lock_free,
+              "signal handlers use them");
 
 constexpr int bar_width = 30;
 constexpr auto redraw_after = std::chrono::milliseconds(50);
@@ -20,26 +28,65 @@ constexpr auto redraw_after = std::chrono::milliseconds(50);
 /// What shells add to a signal's number for the exit code of what it ended.
 constexpr int killed_by_signal = 128;
 
-void install(void (*handler)(int)) {
+/// How long a run that was asked to stop may take: a driver, a file system or a long computation may not
+/// look up for seconds.
+constexpr int grace_microseconds = 200'000;
+
+void install(int signal, void (*handler)(int)) {
   struct sigaction action {};
   action.sa_handler = handler;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  action.sa_flags = static_cast<int>(SA_RESTART);
+  sigaction(signal, &action, nullptr);
+}
+
+/// In a signal handler, on any thread: only what is safe there.
+void endProgram(int signal) {
+  if (over.exchange(true)) return;
+  if (const auto* const paths = unfinished.load()) {
+    for (const std::string& path : *paths) unlink(path.c_str());
+  }
+  constexpr std::string_view clear = "\r\033[K", line = "vorpipe: interrupted\n";
+  bool written = !bar_is_shown || write(STDERR_FILENO, clear.data(), clear.size()) >= 0;
+  written = write(STDERR_FILENO, line.data(), line.size()) >= 0 && written;
+  _exit(written ? killed_by_signal + signal : killed_by_signal);
+}
+
+void askToStop(int signal) {
+  int none = 0;
+  if (!caught.compare_exchange_strong(none, signal)) return endProgram(signal);
+  const itimerval grace{{0, 0}, {0, grace_microseconds}};
+  setitimer(ITIMER_REAL, &grace, nullptr);
 }
 
 }  // namespace
 
 void endOnSignals() {
-  install([](int signal) {
-    constexpr std::string_view line = "vorpipe: interrupted\n";
-    const auto written = write(STDERR_FILENO, line.data(), line.size());
-    _exit(written < 0 ? killed_by_signal : killed_by_signal + signal);
-  });
+  install(SIGINT, endProgram);
+  install(SIGTERM, endProgram);
 }
 
 void stopOnSignals() {
-  install([](int signal) { caught = signal; });
+  install(SIGALRM, [](int) { endProgram(caught); });
+  install(SIGINT, askToStop);
+  install(SIGTERM, askToStop);
+}
+
+void removeOnSignals(std::span<const OutputFile> files) {
+  static std::vector<std::string> paths;
+  unfinished = nullptr;
+  paths.clear();
+  for (const OutputFile& file : files) {
+    if (!file.temporary().empty()) paths.push_back(file.temporary());
+  }
+  unfinished = &paths;
+}
+
+void ignoreSignals() {
+  if (over.exchange(true) && !ignoring) {
+    // A handler on another thread was first: the program ends any moment.
+    for (;;) pause();
+  }
+  ignoring = true;
 }
 
 int signalExitCode() { return killed_by_signal + caught; }
@@ -63,7 +110,7 @@ Progress ProgressBar::callback() {
 void ProgressBar::clear() {
   if (!drawn_) return;
   std::fputs("\r\033[K", stderr);
-  drawn_ = false;
+  drawn_ = bar_is_shown = false;
 }
 
 void ProgressBar::draw(std::string_view stage, double fraction) {
@@ -78,7 +125,7 @@ void ProgressBar::draw(std::string_view stage, double fraction) {
   fmt::print(stderr, "\r\033[K{:<16} [{:#<{}}{:.<{}}] {:3.0f} %", stage, "", full, "", bar_width - full,
              done * 100);
   std::fflush(stderr);
-  drawn_ = true;
+  drawn_ = bar_is_shown = true;
   stage_ = stage;
   last_ = now;
 }

@@ -4,9 +4,11 @@
 #include <chrono>
 #include <functional>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 
+#include "io/output_file.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {
@@ -14,9 +16,16 @@ namespace vorpipe::cli {
 /// From now on SIGINT and SIGTERM end the program at once, with a line that says so.
 void endOnSignals();
 
-/// From now on, since there is something to clean up, they only ask the run to stop; a second one ends
-/// the program.
+/// From now on, since there is something to clean up, they only ask the run to stop. If it has not soon,
+/// or at a second one, the program ends where it is, and leaves none of the files for which
+/// removeOnSignals was called.
 void stopOnSignals();
+
+/// Removes what was written of these so far when a signal ends the program.
+void removeOnSignals(std::span<const OutputFile> files);
+
+/// From now on signals do nothing: the run is over, or its files are being put in place.
+void ignoreSignals();
 
 /// The exit code of a run that was asked to stop.
 int signalExitCode();

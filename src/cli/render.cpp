@@ -44,11 +44,13 @@ std::uint64_t neededBytesPerSite(const RenderCommand& command) {
 /// What is drawn, once the sites are known.
 Result<RenderOptions> pictureOptions(const RenderCommand& command, const Input& input) {
   if (command.picture.color == ColorBy::weight && input.sites.weight.empty()) {
-    return inputError(
-        fmt::format("--color: weight needs a column of weights, {} has none", command.input.sites));
+    return inputError(fmt::format("--color: weight needs weights; {} has none, and there is no --weights",
+                                  command.input.sites));
   }
   RenderOptions options = command.picture;
   options.domain = input.domain;
+  options.outline = input.outline;
+  options.periodic = input.periodic;
   const Size size = command.size.value_or(defaultSize(input.domain));
   options.width = size.width;
   options.height = size.height;
@@ -85,8 +87,7 @@ Result<ExitCode> render(const RenderCommand& command) {
   if (!input) return tl::unexpected(input.error());
   auto options = pictureOptions(command, *input);
   if (!options) return tl::unexpected(std::move(options.error()));
-  stopOnSignals();
-  auto files = createOutputs(paths);
+  auto files = openOutputs(paths);
   if (!files) return tl::unexpected(std::move(files.error()));
   auto session = Session::open(command.backend);
   if (!session) return tl::unexpected(std::move(session.error()));
@@ -94,7 +95,7 @@ Result<ExitCode> render(const RenderCommand& command) {
   options->progress = bar.callback();
   const auto rendering = session->render(input->sites, *options);
   bar.clear();
-  if (!rendering) return tl::unexpected(rendering.error());
+  if (!rendering) return asOption(rendering.error());
   if (!validationIsSilent(rendering->report)) return exit_device;
   if (command.check) {
     const auto passed = passesCheck(check(input->sites, *options, *rendering, command.backend.threads));
@@ -105,7 +106,7 @@ Result<ExitCode> render(const RenderCommand& command) {
   if (!written) return tl::unexpected(written.error());
   if (!command.talk.quiet) {
     fmt::print("{}, {}x{}, {}\n", outcomeText(paths, rendering->report), options->width, options->height,
-               runText(rendering->report, total.milliseconds(), command.check, input->sites));
+               runText(rendering->report, total.milliseconds(), command.check));
   }
   if (command.talk.verbose && !session->choice().empty()) fmt::print("{}\n", session->choice());
   return exit_done;
@@ -128,7 +129,8 @@ void addPictureOptions(CLI::App& app, RenderCommand& command) {
 
 Subcommand addRender(CLI::App& app) {
   auto command = std::make_shared<RenderCommand>();
-  CLI::App* sub = app.add_subcommand("render", "draws the Voronoi diagram of sites");
+  CLI::App* sub =
+      app.add_subcommand("render", "draws the Voronoi diagram of sites; with weights, the power diagram");
   addInputOptions(*sub, command->input)->required();
   addPictureOptions(*sub, *command);
   addBackendChoice(*sub, command->backend);

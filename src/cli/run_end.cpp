@@ -27,12 +27,20 @@ Result<bool> passesCheck(const Result<std::vector<std::string>>& broken) {
   return broken->empty();
 }
 
+Result<std::vector<OutputFile>> openOutputs(std::span<const std::string> paths) {
+  stopOnSignals();
+  auto files = createOutputs(paths);
+  if (files) removeOnSignals(*files);
+  return files;
+}
+
 Result<void> writeOutputs(std::span<OutputFile> files, std::span<const Writer> writers) {
   assert(files.size() == writers.size());
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (const auto written = writers[i](files[i]); !written) return written;
-    if (const auto go_on = stopIfAsked(); !go_on) return go_on;
   }
+  ignoreSignals();
+  if (const auto go_on = stopIfAsked(); !go_on) return go_on;
   return commitAll(files);
 }
 
@@ -41,10 +49,9 @@ std::string outcomeText(std::span<const std::string> paths, const Report& report
                      paths.empty() ? "" : ": ", report.ok, report.empty, report.duplicate);
 }
 
-std::string runText(const Report& report, double milliseconds, bool checked, const Sites& sites) {
-  return fmt::format("{} on {}, {:.3f} s{}{}", report.backend, report.device, milliseconds / 1000,
-                     checked ? ", checked" : "",
-                     sites.weight.empty() ? "" : "; weights are not used for the cells yet");
+std::string runText(const Report& report, double milliseconds, bool checked) {
+  return fmt::format("{} on {}, {:.3f} s{}", report.backend, report.device, milliseconds / 1000,
+                     checked ? ", checked" : "");
 }
 
 }  // namespace vorpipe::cli

@@ -22,17 +22,21 @@ bool validationIsSilent(const Report& report, std::string_view name = {});
 /// Prints what check() found, a line for each broken promise; whether all hold. Error: check()'s.
 Result<bool> passesCheck(const Result<std::vector<std::string>>& broken);
 
+/// Creates the output files of a run that from now on stops, and leaves none of them, when a signal asks it
+/// to. Errors: those of vorpipe::createOutputs.
+Result<std::vector<OutputFile>> openOutputs(std::span<const std::string> paths);
+
 /// Writes one file.
 using Writer = std::function<Result<void>(OutputFile&)>;
 
 /// Has each file written by the writer at its place, and puts all in place together. Errors: those of
-/// the writers; a signal has asked to stop.
+/// the writers; a signal has asked to stop. One that comes after that is too late.
 Result<void> writeOutputs(std::span<OutputFile> files, std::span<const Writer> writers);
 
 /// "a.png, b.npy: 10 cells (0 empty, 0 duplicate)", as summaries begin.
 std::string outcomeText(std::span<const std::string> paths, const Report& report);
 
-/// "cpu on NAME, 0.100 s, checked", as summaries end; what else a person should know of these sites.
-std::string runText(const Report& report, double milliseconds, bool checked, const Sites& sites);
+/// "cpu on NAME, 0.100 s, checked", as summaries end.
+std::string runText(const Report& report, double milliseconds, bool checked);
 
 }  // namespace vorpipe::cli

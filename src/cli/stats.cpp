@@ -2,6 +2,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace vorpipe::cli {
@@ -22,7 +23,33 @@ std::uint64_t peakMemoryBytes() {
   return static_cast<std::uint64_t>(usage.ru_maxrss) * unit;
 }
 
+std::string_view axesOf(Periodic periodic) {
+  switch (periodic) {
+    case Periodic::x:
+      return "x";
+    case Periodic::y:
+      return "y";
+    default:
+      return "xy";
+  }
+}
+
 }  // namespace
+
+void addShape(nlohmann::ordered_json& json, const Input& input) {
+  const auto& weight = input.sites.weight;
+  const auto& rings = input.outline.ring_offsets;
+  json["outline"] = nullptr;
+  if (!input.outline.empty()) {
+    json["outline"] = {{"polygons", input.outline.polygon_offsets.size() - 1}, {"rings", rings.size() - 1}};
+  }
+  json["periodic"] = input.periodic == Periodic::none ? Json(nullptr) : Json(axesOf(input.periodic));
+  json["weights"] = nullptr;
+  if (!weight.empty()) {
+    const auto [least, greatest] = std::ranges::minmax(weight);
+    json["weights"] = {least, greatest};
+  }
+}
 
 std::string statsJson(const Stats& stats) {
   const Report& report = stats.report;
@@ -37,9 +64,11 @@ std::string statsJson(const Stats& stats) {
   json["sites"] = stats.input.sites.size();
   json["seed"] = stats.input.seed ? Json(*stats.input.seed) : Json(nullptr);
   json["domain"] = {domain.xmin, domain.ymin, domain.xmax, domain.ymax};
+  addShape(json, stats.input);
   json["status"] = {{"ok", report.ok}, {"empty", report.empty}, {"duplicate", report.duplicate}};
   json["resolved"] = {{"retried", report.retried}, {"double", report.in_double}, {"exact", report.exact}};
   json["area_sum"] = stats.area_sum ? Json(*stats.area_sum) : Json(nullptr);
+  json["mass_sum"] = stats.mass_sum ? Json(*stats.mass_sum) : Json(nullptr);
   json["time_ms"] = {
       {"read", time(stats.input.read_ms)}, {"order", time(times.order)},    {"upload", time(times.upload)},
       {"search", time(times.search)},      {"cells", time(times.cells)},    {"draw", time(times.draw)},

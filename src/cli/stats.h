@@ -1,6 +1,7 @@
 /// The figures of a run as JSON, for --stats.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
@@ -15,7 +16,12 @@ struct Stats {
   const Report& report;
   double write_ms, total_ms;
   std::optional<double> area_sum{};  ///< none where cells were only drawn
+  std::optional<double> mass_sum{};  ///< none without a density
 };
+
+/// Adds what the domain is besides its box, and between which numbers the weights are: "outline", "periodic"
+/// and "weights", each null where there is none.
+void addShape(nlohmann::ordered_json& json, const Input& input);
 
 /// The object that `--stats` writes, with a line's end; a figure that does not apply is null.
 std::string statsJson(const Stats& stats);

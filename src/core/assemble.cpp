@@ -81,17 +81,15 @@ class Writing {
       places_.clear();
       for (std::size_t e = 0; e < row.size(); ++e) places_.push_back(batch_.placeOf(batch_.slot(k) + e));
       writePolygon(batch_.cell(k), row);
+      writeMoments(batch_.cell(k), places_);
     }
     batch_.clear();
   }
 
   void writeAlone(std::size_t cell, std::span<const std::int32_t> row) {
-    places_.clear();
-    for (std::size_t e = 0; e < row.size(); ++e) {
-      places_.push_back(
-          cornerPlace(sites_, static_cast<std::int32_t>(cell), row[e > 0 ? e - 1 : row.size() - 1], row[e]));
-    }
+    placeCorners(sites_, cell, row, places_);
     writePolygon(cell, row);
+    writeMoments(cell, places_);
   }
 
   void writeTied(std::size_t cell) {
@@ -105,24 +103,30 @@ class Writing {
       kept_.push_back(row[e]);
     }
     writePolygon(cell, kept_);
+    placeCorners(sites_, cell, row, places_);
+    writeMoments(cell, places_);
   }
 
   /// Writes the cell with these neighbors whose edges begin in places_.
   void writePolygon(std::size_t cell, std::span<const std::int32_t> row) {
     const auto id = sites_.id[cell];
-    const auto origin = originOf(sites_, cell);
     auto out = diagram_.cell_offsets[id];
-    polygon_.clear();
+    double perimeter = 0;
     for (std::size_t e = 0; e < row.size(); ++e, ++out) {
       const auto& begin = places_[e];
-      const Point way = wayBetween(begin, places_[e + 1 < row.size() ? e + 1 : 0]);
-      polygon_.push_back(relativeTo(origin, begin));
+      const double length = lengthOf(wayBetween(begin, places_[e + 1 < row.size() ? e + 1 : 0]));
+      perimeter += length;
       diagram_.vertices[out] = records_.unscale(positionOf(begin));
       diagram_.neighbors[out] = outsideIndex(sites_, row[e]);
-      diagram_.edge_lengths[out] = records_.unscale(lengthOf(way));
+      diagram_.edge_lengths[out] = records_.unscale(length);
     }
-    const auto m = measurePolygon(polygon_);
-    diagram_.perimeter[id] = records_.unscale(m.perimeter);
+    diagram_.perimeter[id] = records_.unscale(perimeter);
+  }
+
+  /// Writes the second moments of the cell with these corners, before ties join them.
+  void writeMoments(std::size_t cell, std::span<const Place> corners) {
+    const auto id = sites_.id[cell];
+    const auto m = measureCell(measuringOrigin(sites_, cell, corners.front()), corners);
     for (std::size_t k = 0; k < 3; ++k) {
       diagram_.second_moments[id][k] = records_.unscale(m.second_moments[k], 4);
     }
@@ -138,7 +142,6 @@ class Writing {
   std::vector<std::uint32_t> edges_;
   std::vector<std::int32_t> kept_;
   std::vector<Place> places_;
-  std::vector<Point> polygon_;
 };
 
 }  // namespace

@@ -92,7 +92,21 @@ class Checking {
     return all;
   }
 
-  void record(std::size_t k) const {
+  /// Marks a cell that is so flat, or turned around, that in truth weights may leave nothing of it: where its
+  /// longest edges have the same line, neither need be short.
+  void markFlat(std::uint32_t cell, double area, double perimeter) {
+    if (!(area > 1e-6 * perimeter * perimeter)) mark(static_cast<std::int32_t>(cell));
+  }
+
+  [[nodiscard]] double perimeterOf(std::size_t k) const {
+    double perimeter = 0;
+    for (std::size_t s = batch_.slot(k); s < batch_.slot(k) + batch_.row(k).size(); ++s) {
+      perimeter += lengthOf(wayBetween(batch_.placeOf(s), batch_.placeOf(s + 1)));
+    }
+    return perimeter;
+  }
+
+  void record(std::size_t k) {
     const auto cell = batch_.cell(k);
     const auto edges = batch_.row(k).size();
     double cross = 0;
@@ -102,28 +116,25 @@ class Checking {
       moment.x += batch_.moment(s).x;
       moment.y += batch_.moment(s).y;
     }
+    if (!sites_.weight.empty()) markFlat(cell, cross / 2, perimeterOf(k));
     const double third = 1 / (3 * cross);
-    records_.cell(cell, edges, cross / 2, {sites_.x[cell], sites_.y[cell]},
-                  {moment.x * third, moment.y * third});
+    const auto origin = measuringOrigin(sites_, cell, batch_.placeOf(batch_.slot(k)));
+    records_.cell(cell, edges, cross / 2, origin, {moment.x * third, moment.y * third});
   }
 
   void checkAlone(std::uint32_t cell, std::span<const std::int32_t> row) {
     if (isRightlyEmpty(sites_, cells_, cell)) return records_.empty(cell);
     if (!isWellFormed(sites_, cells_, cell)) return mark(static_cast<std::int32_t>(cell));
     const auto self = static_cast<std::int32_t>(cell);
-    places_.resize(row.size());
-    for (std::size_t e = 0; e < row.size(); ++e) {
-      places_[e] = cornerPlace(sites_, self, row[e == 0 ? row.size() - 1 : e - 1], row[e]);
-    }
+    placeCorners(sites_, cell, row, places_);
     const bool passed = passes(cell, row, [&](std::size_t e) {
       const auto before = e > 0 ? e - 1 : row.size() - 1, after = e + 1 < row.size() ? e + 1 : 0;
       return !edgeSpan(sites_, self, row[before], row[e], row[after], places_[e], places_[after]).isTie();
     });
     if (!passed) return;
-    const auto origin = originOf(sites_, cell);
-    polygon_.resize(row.size());
-    for (std::size_t e = 0; e < row.size(); ++e) polygon_[e] = relativeTo(origin, places_[e]);
-    const auto m = measurePolygon(polygon_);
+    const auto origin = measuringOrigin(sites_, cell, places_.front());
+    const auto m = measureCell(origin, places_);
+    if (!sites_.weight.empty()) markFlat(cell, m.area, m.perimeter);
     records_.cell(cell, row.size(), m.area, origin, m.centroid);
   }
 
@@ -134,7 +145,6 @@ class Checking {
   std::span<std::uint8_t> rough_;
   CornerBatch batch_;
   std::vector<Place> places_;
-  std::vector<Point> polygon_;
 };
 
 bool isInside(const Box& box, double x, double y) {
@@ -157,8 +167,8 @@ bool isWellFormed(const SiteSet& sites, const Neighborhoods& cells, std::size_t 
 }
 
 bool isRightlyEmpty(const SiteSet& sites, const Neighborhoods& cells, std::size_t cell) {
-  return cells.status[cell] == CellStatus::empty && cells.first[cell] == cells.first[cell + 1] &&
-         !isInside(sites.domain, sites.x[cell], sites.y[cell]);
+  const bool may_be = !sites.weight.empty() || !isInside(sites.domain, sites.x[cell], sites.y[cell]);
+  return cells.status[cell] == CellStatus::empty && cells.first[cell] == cells.first[cell + 1] && may_be;
 }
 
 void checkCells(const ProposedCells& proposed, std::span<const std::uint32_t> which, const Records& records,

@@ -33,7 +33,8 @@ void checkCells(const ProposedCells& proposed, const Records& records, std::span
 /// Whether a cell could be one: certified, of at least three edges, which lead to other sites and walls.
 bool isWellFormed(const SiteSet& sites, const Neighborhoods& cells, std::size_t cell);
 
-/// Whether `cell` may be empty: certified so, without edges, and its site lies outside the domain.
+/// Whether `cell` may be empty: certified so, and without edges. A site in the domain has a cell, unless
+/// weights hide it, which proveEmpty has proved.
 bool isRightlyEmpty(const SiteSet& sites, const Neighborhoods& cells, std::size_t cell);
 
 }  // namespace vorpipe

@@ -12,6 +12,8 @@ namespace {
 constexpr std::size_t lines_per_batch = std::size_t{1} << 21;
 /// The walls of an entry take room as its lines do.
 constexpr std::size_t walls = 4;
+/// By how much a cell drawn in pieces may be too large: what the rest leaves of 1/128 (docs/algorithm.md).
+constexpr double pixels_beyond = 0.0005;
 
 }  // namespace
 
@@ -45,10 +47,12 @@ Result<void> CellDrawing::giveAll() {
 Result<void> CellDrawing::prepare() {
   const bool by_grid = input_.search.method == Search::grid;
   auto triage = sortOut(input_.sites, input_.threads);
+  leaveHidden(triage.inside);
+  leaveHidden(triage.outside);
   on_device_ = std::move(triage.inside);
   if (by_grid) {
-    grid_ =
-        std::make_unique<GridDrawing>(input_.backend, upload_, input_.sites, input_.threads, input_.progress);
+    grid_ = std::make_unique<GridDrawing>(input_.backend, upload_, input_.judge, input_.sites, input_.threads,
+                                          input_.progress);
   } else {
     const Stopwatch watch;
     lists_ = std::make_unique<ListDrawing>(Canvas{input_.backend, input_.sites, input_.shade, input_.threads},
@@ -57,6 +61,15 @@ Result<void> CellDrawing::prepare() {
     tree_seconds_ = watch.seconds();
   }
   return judge(std::move(triage.outside));
+}
+
+/// Takes the cells that are known to be empty from some.
+void CellDrawing::leaveHidden(Indices& which) {
+  if (input_.hidden.empty()) return;
+  std::erase_if(which, [&](std::uint32_t site) {
+    if (input_.hidden[site] != 0) status_[site] = CellStatus::empty;
+    return input_.hidden[site] != 0;
+  });
 }
 
 /// Finds cells that the device does not, and takes them from it.
@@ -96,6 +109,9 @@ Result<void> CellDrawing::drawPieces(const View& view, const JudgedCells& cells,
   const auto& info = input_.backend.info();
   const auto most_lines = std::min<std::uint64_t>(info.max_lines, lines_per_batch);
   const auto edges = static_cast<std::size_t>(info.most_edges) - walls;
+  const auto& box = view.box;
+  const double tolerance =
+      pixels_beyond * std::min((box.xmax - box.xmin) / view.width, (box.ymax - box.ymin) / view.height);
   Pieces pieces;
   for (const auto e : entries) {
     const auto polygon = cellPolygon(input_.sites, cells.which[e], cells.neighbors(e));
@@ -103,7 +119,7 @@ Result<void> CellDrawing::drawPieces(const View& view, const JudgedCells& cells,
       if (auto drawn = batches_.draw(view, pieces); !drawn) return drawn;
       pieces = {};
     }
-    const auto added = appendPieces(polygon, edges, pieces.batch);
+    const auto added = appendPieces(polygon, edges, tolerance, pieces.batch);
     pieces.site.insert(pieces.site.end(), added, cells.which[e]);
   }
   return pieces.site.empty() ? Result<void>{} : batches_.draw(view, pieces);

@@ -19,7 +19,8 @@ struct DrawingInput {
   const SearchOptions& search;
   int threads;
   const Progress& progress;
-  bool several_views;  ///< draw is called more than once
+  bool several_views;                      ///< draw is called more than once
+  std::span<const std::uint8_t> hidden{};  ///< by index in the set: 1 for cells that are empty; or none
 };
 
 /// The device finds and draws what it can; the judge finds the rest, which is drawn from the sites that
@@ -42,6 +43,7 @@ class CellDrawing {
 
   Result<void> prepare();
   Result<void> giveAll();
+  void leaveHidden(Indices& which);
   Result<void> judge(Indices which);
   Result<void> drawJudged(const View& view, const JudgedCells& cells);
   Result<void> drawPieces(const View& view, const JudgedCells& cells, const Indices& entries);

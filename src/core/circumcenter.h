@@ -1,4 +1,4 @@
-/// The center of the circle through three points, the fast way; place.cpp has the slow one.
+/// Where three cells meet, the fast way; place.cpp has the slow one.
 #pragma once
 
 namespace vorpipe {
@@ -8,6 +8,12 @@ struct Circumcenter {
   double sure;  ///< 0: it must be found another way; else 1
 };
 
+/// The terms that a place is the sum of may be so much larger than the lengths that it is compared with.
+inline constexpr double most_terms = 16;
+
+/// The center of the circle through three points i, p, j; with weights, the point whose powers to all three
+/// are equal. Without them iw, pw and jw are not looked at.
+///
 /// Differences are taken to the point opposite the longest side: of two points side by side and one far
 /// away, they stay exact. Unsure when that point is not unique, or when cancellation, underflow or
 /// a far center would cost precision. The result is the same to the bit for any order of the points: to
@@ -15,7 +21,9 @@ struct Circumcenter {
 ///
 /// Choices are products with 0 and 1, which are exact, and which compilers do in loops on several
 /// triples at once.
-inline Circumcenter circumcenterOf(double ix, double iy, double px, double py, double jx, double jy) {
+template <bool weighted>
+inline Circumcenter circumcenterOf(double ix, double iy, double iw, double px, double py, double pw,
+                                   double jx, double jy, double jw) {
   const auto larger = [](double a, double b) { return a > b ? a : b; };
   const auto magnitude = [](double a) { return a < 0 ? -a : a; };
   const double ip_x = px - ix, ip_y = py - iy;
@@ -31,8 +39,17 @@ inline Circumcenter circumcenterOf(double ix, double iy, double px, double py, d
   const double b_y = (at_i - at_p) * ip_y - at_j * pj_y;
   const double c_x = (at_i - at_j) * ij_x + at_p * pj_x;
   const double c_y = (at_i - at_j) * ij_y + at_p * pj_y;
-  const double bb = (at_i + at_p) * ip + at_j * pj;
-  const double cc = (at_i + at_j) * ij + at_p * pj;
+  double bb = (at_i + at_p) * ip + at_j * pj;
+  double cc = (at_i + at_j) * ij + at_p * pj;
+  double b_size = bb, c_size = cc;
+  if constexpr (weighted) {
+    const double b_lead = (at_i - at_p) * (iw - pw) + at_j * (jw - pw);
+    const double c_lead = (at_i - at_j) * (iw - jw) + at_p * (pw - jw);
+    bb += b_lead;
+    cc += c_lead;
+    b_size += magnitude(b_lead);
+    c_size += magnitude(c_lead);
+  }
   const double left = b_x * c_y;
   const double right = b_y * c_x;
   const double half = 0.5 / (left - right);
@@ -41,8 +58,16 @@ inline Circumcenter circumcenterOf(double ix, double iy, double px, double py, d
   const double size = magnitude(left) + magnitude(right);
   const double twice_area = magnitude(left - right);
   // Each of these is false of what is not a number.
-  const double exact = 8 * twice_area > larger(size, 1e-139) ? 1 : 0;
+  double exact = 8 * twice_area > larger(size, 1e-139) ? 1 : 0;
   const double near = rest_x * rest_x + rest_y * rest_y < 64 ? 1 : 0;
+  if constexpr (weighted) {
+    // Of three points that are nearly on a line the center may be near only with weights: the numerators
+    // cancel.
+    const double b_length = magnitude(b_x) + magnitude(b_y), c_length = magnitude(c_x) + magnitude(c_y);
+    const double length = b_length + c_length + magnitude(rest_x) + magnitude(rest_y);
+    const double terms = (b_length * c_size + c_length * b_size) * magnitude(half);
+    exact *= terms < most_terms * length ? 1 : 0;
+  }
   return {at_i * ix + at_p * px + at_j * jx, at_i * iy + at_p * py + at_j * jy, rest_x, rest_y,
           (at_i + at_p + at_j) * exact * near};
 }

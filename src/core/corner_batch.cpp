@@ -39,20 +39,44 @@ CornerBatch::Added CornerBatch::add(std::uint32_t cell, std::span<const std::int
   cell_[cells_] = cell;
   slot_[cells_] = begin;
   row_[cells_] = row;
+  if (!sites_.weight.empty()) addWeights(cells_);
   ++cells_;
   slots_ = last + 1;
   return Added::yes;
 }
 
-FOR_WIDE_TOO void CornerBatch::place() {
+void CornerBatch::addWeights(std::size_t cell) {
+  const auto row = row_[cell];
+  const auto begin = slot_[cell];
+  for (std::size_t e = 0; e <= row.size(); ++e) {
+    const auto before = static_cast<std::size_t>(row[e == 0 ? row.size() - 1 : e - 1]);
+    const auto after = static_cast<std::size_t>(row[e == row.size() ? 0 : e]);
+    site_w_[begin + e] = sites_.weight[cell_[cell]];
+    before_w_[begin + e] = sites_.weight[before];
+    after_w_[begin + e] = sites_.weight[after];
+  }
+}
+
+/// Inlined into each version of place().
+template <bool weighted>
+[[gnu::always_inline]] inline void CornerBatch::placeAll() {
   for (std::size_t s = 0; s < slots_; ++s) {
-    const auto c =
-        circumcenterOf(site_x_[s], site_y_[s], before_x_[s], before_y_[s], after_x_[s], after_y_[s]);
+    const auto c = circumcenterOf<weighted>(site_x_[s], site_y_[s], weighted ? site_w_[s] : 0, before_x_[s],
+                                            before_y_[s], weighted ? before_w_[s] : 0, after_x_[s],
+                                            after_y_[s], weighted ? after_w_[s] : 0);
     base_x_[s] = c.base_x;
     base_y_[s] = c.base_y;
     rest_x_[s] = c.rest_x;
     rest_y_[s] = c.rest_y;
     sure_[s] = c.sure;
+  }
+}
+
+FOR_WIDE_TOO void CornerBatch::place() {
+  if (sites_.weight.empty()) {
+    placeAll<false>();
+  } else {
+    placeAll<true>();
   }
   placeWhereUnsure();
   for (std::size_t s = 0; s + 1 < slots_; ++s) {
@@ -79,12 +103,29 @@ void CornerBatch::placeWhereUnsure() {
   }
 }
 
-FOR_WIDE_TOO void CornerBatch::measure() {
+/// Every slot of a cell gets the place of its first.
+void CornerBatch::takeOrigins() {
+  for (std::size_t k = 0; k < cells_; ++k) {
+    const Point origin = positionOf(placeOf(slot_[k]));
+    for (auto s = slot_[k]; s <= slot_[k] + row_[k].size(); ++s) {
+      origin_x_[s] = origin.x;
+      origin_y_[s] = origin.y;
+    }
+  }
+}
+
+void CornerBatch::measure() {
+  if (sites_.weight.empty()) return measureAbout(site_x_, site_y_);
+  takeOrigins();
+  measureAbout(origin_x_, origin_y_);
+}
+
+FOR_WIDE_TOO void CornerBatch::measureAbout(const Lane& x, const Lane& y) {
   for (std::size_t s = 0; s + 1 < slots_; ++s) {
-    const double ax = (base_x_[s] - site_x_[s]) + rest_x_[s];
-    const double ay = (base_y_[s] - site_y_[s]) + rest_y_[s];
-    const double bx = (base_x_[s + 1] - site_x_[s]) + rest_x_[s + 1];
-    const double by = (base_y_[s + 1] - site_y_[s]) + rest_y_[s + 1];
+    const double ax = (base_x_[s] - x[s]) + rest_x_[s];
+    const double ay = (base_y_[s] - y[s]) + rest_y_[s];
+    const double bx = (base_x_[s + 1] - x[s]) + rest_x_[s + 1];
+    const double by = (base_y_[s + 1] - y[s]) + rest_y_[s + 1];
     const double cross = ax * by - bx * ay;
     cross_[s] = cross;
     moment_x_[s] = cross * (ax + bx);

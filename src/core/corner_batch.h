@@ -47,12 +47,17 @@ class CornerBatch {
     return {{base_x_[slot], base_y_[slot]}, {rest_x_[slot], rest_y_[slot]}};
   }
   /// After measure(): twice the signed area of the triangle from the site to the edge, and six times its
-  /// first moments about the site.
+  /// first moments about the site; with weights, from and about the cell's first corner.
   [[nodiscard]] double cross(std::size_t slot) const { return cross_[slot]; }
   [[nodiscard]] Point moment(std::size_t slot) const { return {moment_x_[slot], moment_y_[slot]}; }
 
  private:
   using Lane = std::array<double, most_slots>;
+  void addWeights(std::size_t cell);
+  template <bool weighted>
+  void placeAll();
+  void takeOrigins();
+  void measureAbout(const Lane& x, const Lane& y);
   void placeWhereUnsure();
 
   const SiteSet& sites_;
@@ -61,6 +66,7 @@ class CornerBatch {
   std::array<std::size_t, most_cells> slot_;
   std::array<std::span<const std::int32_t>, most_cells> row_;
   Lane site_x_, site_y_, before_x_, before_y_, after_x_, after_y_;
+  Lane site_w_, before_w_, after_w_, origin_x_, origin_y_;  ///< where sites have weights
   Lane base_x_, base_y_, rest_x_, rest_y_, sure_;
   Lane excess_, cross_, moment_x_, moment_y_;
 };

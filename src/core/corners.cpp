@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
+#include "core/hidden.h"
 #include "core/row_start.h"
 #include "parallel.h"
 
@@ -52,6 +54,27 @@ void addWithNeighbors(const Topology& topology, const std::vector<std::uint32_t>
   }
 }
 
+void sortUnique(std::vector<std::uint32_t>& cells) {
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+}
+
+/// Those of the disputed cells that are certified, although their neighbors leave nothing of them.
+std::vector<std::uint32_t> cellsWithoutArea(const SiteSet& sites, const Topology& topology,
+                                            const std::vector<std::uint32_t>& disputed) {
+  std::vector<std::uint32_t> cells;
+  if (sites.weight.empty()) return cells;
+  std::copy_if(disputed.begin(), disputed.end(), std::back_inserter(cells), [&](std::uint32_t cell) {
+    return topology.status[cell] == CellStatus::certified &&
+           leaveNothing(sites, cell, edgesOf(topology, cell));
+  });
+  return cells;
+}
+
+Neighborhoods emptyCells(std::size_t count) {
+  return {std::vector(count, CellStatus::empty), std::vector<std::uint64_t>(count + 1), {}};
+}
+
 /// What to try for cells in dispute. Where they cannot be blamed, since all of them are exact, a cell beside
 /// them must be wrong that agrees with both sides: the rings of cells around them, one after the other.
 std::pair<std::vector<std::uint32_t>, Effort> nextAround(const Topology& topology,
@@ -62,8 +85,7 @@ std::pair<std::vector<std::uint32_t>, Effort> nextAround(const Topology& topolog
   for (int ring = 0; next.first.empty() && ring < rings; ++ring) {
     std::vector<std::uint32_t> wider;
     addWithNeighbors(topology, disputed, wider);
-    std::sort(wider.begin(), wider.end());
-    wider.erase(std::unique(wider.begin(), wider.end()), wider.end());
+    sortUnique(wider);
     disputed = std::move(wider);
     next = efforts.next(disputed);
   }
@@ -99,6 +121,14 @@ Result<TiedCells> agreeOnCells(const TopologyInput& input, Topology& topology, c
       recordTiedCells(proposed, *tied, records);
       return tied;
     }
+    const auto vanished = cellsWithoutArea(input.sites, topology, tied->disputed);
+    if (!vanished.empty()) {
+      changed.clear();
+      addWithNeighbors(topology, vanished, changed);
+      sortUnique(changed);
+      replaceCells(vanished, emptyCells(vanished.size()), input.threads, topology);
+      continue;
+    }
     const auto [which, effort] = nextAround(topology, tied->disputed, efforts);
     if (which.empty()) {
       return tl::unexpected(
@@ -113,8 +143,7 @@ Result<TiedCells> agreeOnCells(const TopologyInput& input, Topology& topology, c
     for (const auto cell : which) beginAtFirst(input.sites, rowOf(topology, cell));
     (effort == Effort::exact ? report.exact : report.in_double) += which.size();
     addWithNeighbors(topology, which, changed);
-    std::sort(changed.begin(), changed.end());
-    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    sortUnique(changed);
   }
 }
 

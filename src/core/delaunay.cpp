@@ -1,8 +1,10 @@
-/// Bowyer 1981, Watson 1981, inserting in rounds of growing size (Amenta, Choi, Rote 2003).
+/// Bowyer 1981, Watson 1981, by weight Edelsbrunner and Shah 1996, inserting in rounds of growing size
+/// (Amenta, Choi, Rote 2003).
 #include "core/delaunay.h"
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <utility>
 
 #include "core/predicates.h"
@@ -20,24 +22,26 @@ std::uint64_t mixed(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// Each point is in the last round with probability 1/2, in the one before with 1/4, and so on, so that
-/// cavities stay small whatever the points; inside a round they keep their order, so that walks are short.
+/// The round from the end in which a point is inserted: 0 with probability 1/2, 1 with 1/4, and so on.
+std::size_t roundOf(std::size_t point) { return static_cast<std::size_t>(std::countr_zero(mixed(point))); }
+
+/// Rounds keep cavities small whatever the points; inside a round they keep their order, so that walks are
+/// short.
 std::vector<std::int32_t> insertionOrder(std::size_t count) {
-  std::vector<std::pair<int, std::int32_t>> rounds(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    rounds[i] = {-std::countr_zero(mixed(i)), static_cast<std::int32_t>(i)};
-  }
-  std::sort(rounds.begin(), rounds.end());
+  std::array<std::size_t, 66> end{};
+  for (std::size_t i = 0; i < count; ++i) ++end[roundOf(i)];
+  for (auto r = end.size() - 1; r > 0; --r) end[r - 1] += end[r];
   std::vector<std::int32_t> order(count);
-  std::transform(rounds.begin(), rounds.end(), order.begin(), [](const auto& r) { return r.second; });
+  for (auto i = count; i-- > 0;) order[--end[roundOf(i)]] = static_cast<std::int32_t>(i);
   return order;
 }
 
-class Mesh {
+class Triangulation {
  public:
-  explicit Mesh(const std::vector<Point>& points) : points_(points), spoke_(points.size() + 1) {}
+  Triangulation(const std::vector<Point>& points, const std::vector<double>& weights)
+      : points_(points), weights_(weights), spoke_(points.size() + 1, none) {}
 
-  std::vector<MeshTriangle> build() {
+  Mesh build() {
     auto order = insertionOrder(points_.size());
     if (!begin(order)) return {};
     for (std::size_t k = 3; k < order.size(); ++k) insert(order[k]);
@@ -46,6 +50,9 @@ class Mesh {
 
  private:
   [[nodiscard]] Point at(std::int32_t i) const { return points_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] WeightedPoint weighted(std::int32_t i) const {
+    return {at(i), weights_[static_cast<std::size_t>(i)]};
+  }
   MeshTriangle& triangle(std::int32_t t) { return triangles_[static_cast<std::size_t>(t)]; }
 
   /// Makes the first triangle, of the first two points and the next that is not on their line.
@@ -64,20 +71,29 @@ class Mesh {
                   {{c, b, beyond}, {1, 3, 0}},
                   {{a, c, beyond}, {2, 1, 0}}};
     marked_.assign(4, 0);
+    for (const auto corner : {a, b, c}) spoke(corner) = 0;
     return true;
   }
 
-  /// Whether p is inside a triangle's circle. That of an edge of the hull and the point at infinity is the
-  /// half-plane outside, and the edge itself.
-  bool conflicts(std::int32_t t, Point p) {
+  /// Whether point i is inside a triangle's circle. That of an edge of the hull and the point at infinity is
+  /// the half-plane outside, and the edge itself, as far as it does not hide the point by weight.
+  bool conflicts(std::int32_t t, std::int32_t i) {
     const auto& corner = triangle(t).corner;
     for (std::size_t k = 0; k < 3; ++k) {
       if (corner[k] != beyond) continue;
-      const auto a = at(corner[next(k)]), b = at(corner[next(next(k))]);
-      const int side = orientation(a, b, p);
-      return side > 0 || (side == 0 && isBetween(a, b, p));
+      const auto a = corner[next(k)], b = corner[next(next(k))];
+      const int side = orientation(at(a), at(b), at(i));
+      return side > 0 || (side == 0 && conflictsOnLine(a, b, i));
     }
-    return inCircle(at(corner[0]), at(corner[1]), at(corner[2]), p) > 0;
+    return weights_.empty()
+               ? inCircle(at(corner[0]), at(corner[1]), at(corner[2]), at(i)) > 0
+               : inCircle(weighted(corner[0]), weighted(corner[1]), weighted(corner[2]), weighted(i)) > 0;
+  }
+
+  /// For point i on the line through a and b.
+  bool conflictsOnLine(std::int32_t a, std::int32_t b, std::int32_t i) {
+    return weights_.empty() ? isBetween(at(a), at(b), at(i))
+                            : inInterval(weighted(a), weighted(b), weighted(i)) > 0;
   }
 
   /// For p on the line through a and b.
@@ -85,14 +101,24 @@ class Mesh {
     return a.x != b.x ? (a.x < p.x) == (p.x < b.x) : (a.y < p.y) == (p.y < b.y);
   }
 
-  /// Walks to a triangle that p conflicts with.
-  std::int32_t locate(Point p) {
-    auto t = last_;
+  /// A triangle at the point that was inserted and is next to i in the order of points, or near it there.
+  std::int32_t nearby(std::int32_t i) {
+    constexpr std::int32_t most_looked_at = 64;
+    const auto first = std::max(0, i - most_looked_at);
+    while (--i >= first) {
+      if (spoke(i) != none) return spoke(i);
+    }
+    return last_;
+  }
+
+  /// Walks to a triangle that point i is in, or outside of the hull, conflicts with.
+  std::int32_t locate(std::int32_t i, std::int32_t t) {
+    const Point p = at(i);
     for (;;) {
       const auto& here = triangle(t);
       const auto outside = std::find(here.corner.begin(), here.corner.end(), beyond);
       if (outside != here.corner.end()) {
-        if (conflicts(t, p)) return t;
+        if (conflicts(t, i)) return t;
         t = here.across[static_cast<std::size_t>(outside - here.corner.begin())];
         if (containsOrLeave(t, p)) return t;
         continue;
@@ -114,16 +140,20 @@ class Mesh {
   }
 
   void insert(std::int32_t i) {
-    const Point p = at(i);
-    cavity_.assign(1, locate(p));
-    mark(cavity_[0]);
+    const auto first = locate(i, nearby(i));
+    if (!weights_.empty() && !conflicts(first, i)) {
+      hidden_.push_back(i);
+      return;
+    }
+    cavity_.assign(1, first);
+    mark(first);
     rim_.clear();
     for (std::size_t c = 0; c < cavity_.size(); ++c) {
       const auto here = triangle(cavity_[c]);
       for (std::size_t k = 0; k < 3; ++k) {
         const auto other = here.across[k];
         if (isMarked(other)) continue;
-        if (conflicts(other, p)) {
+        if (conflicts(other, i)) {
           mark(other);
           cavity_.push_back(other);
         } else {
@@ -131,21 +161,47 @@ class Mesh {
         }
       }
     }
+    if (rim_.size() != cavity_.size() + 2) noteCorners();
     fill(i);
+    hideCorners();
   }
 
-  /// Makes a triangle of p and each edge of the cavity's rim. There are two more than the cavity had.
+  /// Each corner that is hidden leaves two triangles fewer.
+  void noteCorners() {
+    for (const auto t : cavity_) {
+      for (const auto corner : triangle(t).corner) corners_.push_back(corner);
+    }
+  }
+
+  /// Hides those of the noted corners that no triangle is at any more.
+  void hideCorners() {
+    for (const auto corner : corners_) {
+      auto& at_corner = spoke(corner);
+      if (at_corner == none) continue;
+      const auto& left = triangle(at_corner).corner;
+      if (std::find(left.begin(), left.end(), corner) != left.end()) continue;
+      at_corner = none;
+      hidden_.push_back(corner);
+    }
+    corners_.clear();
+  }
+
+  std::int32_t newTriangle() {
+    if (!free_.empty()) {
+      const auto t = free_.back();
+      free_.pop_back();
+      return t;
+    }
+    triangles_.emplace_back();
+    marked_.push_back(0);
+    return static_cast<std::int32_t>(triangles_.size()) - 1;
+  }
+
+  /// Makes a triangle of p and each edge of the cavity's rim.
   void fill(std::int32_t p) {
     for (std::size_t r = 0; r < rim_.size(); ++r) {
       const auto [from, to, outer] = rim_[r];
-      std::int32_t t = 0;
-      if (r < cavity_.size()) {
-        t = cavity_[r];
-      } else {
-        t = static_cast<std::int32_t>(triangles_.size());
-        triangles_.emplace_back();
-        marked_.push_back(0);
-      }
+      const auto t = r < cavity_.size() ? cavity_[r] : newTriangle();
       marked_[static_cast<std::size_t>(t)] = 0;
       triangle(t) = {{p, from, to}, {outer, beyond, beyond}};
       auto& back = triangle(outer);
@@ -162,27 +218,75 @@ class Mesh {
       triangle(after).across[2] = edge.outer;
     }
     last_ = rim_[0].outer;
+    spoke(p) = last_;
+    for (auto c = rim_.size(); c < cavity_.size(); ++c) {
+      triangle(cavity_[c]).corner = {beyond, beyond, beyond};
+      free_.push_back(cavity_[c]);
+    }
   }
 
   std::int32_t& spoke(std::int32_t corner) { return spoke_[static_cast<std::size_t>(corner + 1)]; }
   void mark(std::int32_t t) { marked_[static_cast<std::size_t>(t)] = 1; }
   [[nodiscard]] bool isMarked(std::int32_t t) const { return marked_[static_cast<std::size_t>(t)] != 0; }
-  std::vector<MeshTriangle> finish() { return std::move(triangles_); }
+
+  /// Hidden points lie in triangles of others.
+  void placeHidden() {
+    for (const auto i : hidden_) spoke(i) = locate(i, nearby(i));
+  }
+
+  /// Closes the gaps between the triangles.
+  void closeGaps() {
+    std::sort(free_.begin(), free_.end());
+    const auto moved = [&](std::int32_t t) {
+      return t - static_cast<std::int32_t>(std::lower_bound(free_.begin(), free_.end(), t) - free_.begin());
+    };
+    for (std::int32_t t = 0; t < static_cast<std::int32_t>(triangles_.size()); ++t) {
+      auto here = triangle(t);
+      for (auto& across : here.across) across = moved(across);
+      triangle(moved(t)) = here;
+    }
+    triangles_.resize(triangles_.size() - free_.size());
+    for (auto& t : spoke_) t = moved(t);
+  }
+
+  Mesh finish() {
+    placeHidden();
+    if (!free_.empty()) closeGaps();
+    // Every corner of a triangle that went begins a rim edge of those that replaced it.
+    spoke_.erase(spoke_.begin());
+    return {std::move(triangles_), std::move(spoke_)};
+  }
+
+  static constexpr std::int32_t none = -1;
 
   struct RimEdge {
     std::int32_t from, to, outer;  ///< and the triangle behind it; in the end, the one before it
   };
   const std::vector<Point>& points_;
+  const std::vector<double>& weights_;
   std::vector<MeshTriangle> triangles_;
   std::vector<std::uint8_t> marked_;
   std::vector<std::int32_t> cavity_;
   std::vector<RimEdge> rim_;
-  std::vector<std::int32_t> spoke_;  ///< by corner: the new triangle whose rim edge begins there
+  std::vector<std::int32_t> free_;     ///< triangles that are none any more
+  std::vector<std::int32_t> corners_;  ///< of the cavity, if some go with it
+  std::vector<std::int32_t> hidden_;
+  std::vector<std::int32_t> spoke_;  ///< by corner: a triangle there; the new one whose rim edge begins there
   std::int32_t last_ = 0;
 };
 
 }  // namespace
 
-std::vector<MeshTriangle> delaunay(const std::vector<Point>& points) { return Mesh(points).build(); }
+Mesh delaunay(std::vector<Point> points, std::vector<double> weights) {
+  double largest = 0;
+  for (const auto& p : points) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  // The decisions multiply four coordinates.
+  constexpr double most = 0x1p240;
+  if (largest > most) {
+    for (auto& p : points) p = {std::ldexp(p.x, -64), std::ldexp(p.y, -64)};
+    for (auto& weight : weights) weight = std::ldexp(weight, -128);
+  }
+  return Triangulation(points, weights).build();
+}
 
 }  // namespace vorpipe

@@ -19,9 +19,16 @@ struct MeshTriangle {
 /// Stands for a point at infinity: a mesh closes over the hull.
 inline constexpr std::int32_t beyond = -1;
 
-/// Triangulates distinct points with exact decisions; of points on a circle, an order of insertion that
-/// follows from their number alone decides. Empty if all lie on a line. Points near each other in the
-/// plane should be near each other in the order. Coordinates: as predicates.h says.
-std::vector<MeshTriangle> delaunay(const std::vector<Point>& points);
+struct Mesh {
+  std::vector<MeshTriangle> triangles;
+  std::vector<std::int32_t>
+      at;  ///< by point: a triangle with that corner, or of a hidden point that it is in
+};
+
+/// Triangulates distinct points, by weight if there are weights (a regular triangulation), with exact
+/// decisions; of points on a circle, an order of insertion that follows from their number alone decides.
+/// Empty if all lie on a line. Points near each other in the plane should be near each other in the order.
+/// Coordinates: as predicates.h says, or up to 2^300, if their differences are not below 2^-136 then.
+Mesh delaunay(std::vector<Point> points, std::vector<double> weights = {});
 
 }  // namespace vorpipe

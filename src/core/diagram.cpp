@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include "core/assemble.h"
 #include "core/corners.h"
 #include "core/dual.h"
+#include "core/outline_cells.h"
+#include "core/periodic_cells.h"
 #include "core/prepare.h"
 #include "core/stopwatch.h"
 #include "core/topology.h"
@@ -45,22 +48,42 @@ Result<TiedCells> agree(const TopologyInput& input, Topology& topology, const Re
 
 }  // namespace
 
+void dropPolygons(Diagram& diagram) {
+  diagram.perimeter = {};
+  diagram.second_moments = {};
+  diagram.vertices = {};
+  diagram.edge_lengths = {};
+  diagram.ring_starts = {};
+}
+
 Result<Diagram> cellsOn(Backend& backend, Backend& judge_backend, int threads, const Sites& sites,
                         const CellsOptions& options) {
   if (auto checked = checkSearch(options.search); !checked) return tl::unexpected(checked.error());
+  if (auto checked = checkOutline(options.outline, options.periodic); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  if (options.periodic != Periodic::none) {
+    return periodicCellsOn(backend, judge_backend, threads, sites, options);
+  }
   Diagram diagram;
   auto& times = diagram.report.time_ms;
   Stopwatch order_watch;
   auto prepared = prepare(sites, options.domain, threads);
   if (!prepared) return tl::unexpected(prepared.error());
+  if (auto checked = checkSearch(options.search, prepared->set); !checked) {
+    return tl::unexpected(checked.error());
+  }
   times.order = 1e3 * order_watch.seconds();
 
   Stopwatch cells_watch;
-  Judge judge(judge_backend, prepared->set);
+  SiteMesh mesh(prepared->set, threads);
+  Judge judge(judge_backend, mesh);
   const TopologyInput input{backend, judge, prepared->set, options.search, threads, options.progress};
   auto topology = findTopology(input, diagram.report);
   if (!topology) return tl::unexpected(topology.error());
-  makeArrays(*prepared, sites, *topology, options.detail, threads, diagram);
+  // To clip cells takes their polygons, whether they are wanted or not.
+  const Detail detail = options.outline.empty() ? options.detail : std::max(options.detail, Detail::polygons);
+  makeArrays(*prepared, sites, *topology, detail, threads, diagram);
   const Records records{prepared->set, Unscale(prepared->exponent), diagram};
   const auto tied = agree(input, *topology, records, options.domain, diagram.report);
   if (!tied) return tl::unexpected(tied.error());
@@ -68,8 +91,15 @@ Result<Diagram> cellsOn(Backend& backend, Backend& judge_backend, int threads, c
   {
     const EdgeIndex index(*topology, threads);
     const ProposedCells agreed{prepared->set, *topology, index, threads};
-    writeEdges(agreed, *tied, options.detail, records);
-    if (options.detail == Detail::everything) diagram.triangles = dualTriangles(agreed, *tied);
+    writeEdges(agreed, *tied, detail, records);
+    if (detail == Detail::everything) diagram.triangles = dualTriangles(agreed, *tied, mesh);
+  }
+  if (!options.outline.empty()) {
+    const ClippedRun run{sites, options.domain, prepared->set.id, prepared->exponent, threads};
+    if (auto clipped = clipToOutline(run, options.outline, diagram); !clipped) {
+      return tl::unexpected(clipped.error());
+    }
+    if (options.detail == Detail::measures) dropPolygons(diagram);
   }
   times.cells = 1e3 * cells_watch.seconds() - std::max(times.upload, 0.0) - std::max(times.search, 0.0);
 

@@ -9,4 +9,7 @@ namespace vorpipe {
 Result<Diagram> cellsOn(Backend& backend, Backend& judge_backend, int threads, const Sites& sites,
                         const CellsOptions& options);
 
+/// Leaves of a diagram what Detail::measures has.
+void dropPolygons(Diagram& diagram);
+
 }  // namespace vorpipe

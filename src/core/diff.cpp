@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -20,24 +21,71 @@ struct Grid {
   [[nodiscard]] std::size_t size() const { return at(height, 0); }
 };
 
-/// Distance in pixels from the center of a pixel to the bisector of two sites; infinite where there
-/// is no bisector. Only differences of coordinates are used, so that it holds far from the origin.
+/// Some images of a site.
+struct Images {
+  std::array<Point, 4> place;
+  std::size_t count = 0;
+  [[nodiscard]] auto all() const { return std::span(place).first(count); }
+};
+
+/// Distance in pixels from the center of a pixel to the bisector of two sites, by weight; infinite where
+/// there is no bisector. Only differences of coordinates are used, so that it holds far from the origin. Of
+/// sites in a periodic domain, which stand in it, the nearest images count.
 class BisectorDistance {
  public:
-  BisectorDistance(const Sites& sites, const Box& domain, Grid grid)
+  BisectorDistance(const Sites& sites, const Box& domain, Periodic periodic, Grid grid)
       : sites_(&sites),
         domain_(domain),
+        repeats_x_(periodic == Periodic::x || periodic == Periodic::xy),
+        repeats_y_(periodic == Periodic::y || periodic == Periodic::xy),
         pixel_x_((domain.xmax - domain.xmin) / grid.width),
-        pixel_y_((domain.ymax - domain.ymin) / grid.height) {
-    const double longer = std::max(pixel_x_, pixel_y_);
-    metric_x_ = pixel_x_ / longer * (pixel_x_ / longer);
-    metric_y_ = pixel_y_ / longer * (pixel_y_ / longer);
+        pixel_y_((domain.ymax - domain.ymin) / grid.height),
+        longer_(std::max(pixel_x_, pixel_y_)) {
+    metric_x_ = pixel_x_ / longer_ * (pixel_x_ / longer_);
+    metric_y_ = pixel_y_ / longer_ * (pixel_y_ / longer_);
   }
 
   double operator()(int row, int column, std::uint32_t a, std::uint32_t b) const {
-    constexpr double none = std::numeric_limits<double>::infinity();
     if (a >= sites_->size() || b >= sites_->size()) return none;
-    const double ax = sites_->x[a], ay = sites_->y[a], bx = sites_->x[b], by = sites_->y[b];
+    const double lead = sites_->weight.empty() ? 0 : sites_->weight[a] - sites_->weight[b];
+    const Images of_a = imagesNear(row, column, a), of_b = imagesNear(row, column, b);
+    double least = none;
+    for (const Point at_a : of_a.all()) {
+      for (const Point at_b : of_b.all()) least = std::min(least, between(row, column, at_a, at_b, lead));
+    }
+    return least;
+  }
+
+ private:
+  static constexpr double none = std::numeric_limits<double>::infinity();
+
+  /// The nearest image of a site, and those that are farther by less than a pixel.
+  [[nodiscard]] Images imagesNear(int row, int column, std::uint32_t i) const {
+    const Point site{sites_->x[i], sites_->y[i]};
+    if (!repeats_x_ && !repeats_y_) return {{site}, 1};
+    const Point center{domain_.xmin + (column + 0.5) * pixel_x_, domain_.ymax - (row + 0.5) * pixel_y_};
+    const auto along = [](double from, double to, double period, bool repeats) {
+      const double first = from + std::floor((to - from) / period) * period;
+      return repeats ? std::array{first, first + period} : std::array{from, none};
+    };
+    const auto xs = along(site.x, center.x, domain_.xmax - domain_.xmin, repeats_x_);
+    const auto ys = along(site.y, center.y, domain_.ymax - domain_.ymin, repeats_y_);
+    const auto distance = [&](double x, double y) { return std::hypot(x - center.x, y - center.y); };
+    double nearest = none;
+    for (const double x : xs) {
+      for (const double y : ys) nearest = std::min(nearest, distance(x, y));
+    }
+    Images images;
+    for (const double x : xs) {
+      for (const double y : ys) {
+        if (distance(x, y) <= nearest + std::max(pixel_x_, pixel_y_)) images.place[images.count++] = {x, y};
+      }
+    }
+    return images;
+  }
+
+  [[nodiscard]] double between(int row, int column, Point at_a, Point at_b, double lead) const {
+    const double ax = at_a.x, ay = at_a.y, bx = at_b.x, by = at_b.y;
     // The bisector's normal: with pixels that are not square it is not along b - a on the picture.
     const double nx = (bx - ax) / pixel_x_ * metric_x_;
     const double ny = (by - ay) / pixel_y_ * metric_y_;
@@ -45,14 +93,15 @@ class BisectorDistance {
     // Twice the way from the midpoint of the sites to the center, y upward.
     const double x = 2 * (column + 0.5) - (ax - domain_.xmin) / pixel_x_ - (bx - domain_.xmin) / pixel_x_;
     const double y = (domain_.ymax - ay) / pixel_y_ + (domain_.ymax - by) / pixel_y_ - 2 * (row + 0.5);
-    const double distance = std::abs(x * (nx / length) + y * (ny / length)) / 2;
+    const double moved = lead / longer_ / longer_ / length;
+    const double distance = std::abs(x * (nx / length) + y * (ny / length) - moved) / 2;
     return std::isfinite(distance) ? distance : none;
   }
 
- private:
   const Sites* sites_;
   Box domain_;
-  double pixel_x_, pixel_y_;
+  bool repeats_x_, repeats_y_;
+  double pixel_x_, pixel_y_, longer_;
   double metric_x_ = 1, metric_y_ = 1;
 };
 
@@ -126,14 +175,18 @@ IdDiff diffIds(Ids a, Ids b, int width, int height) {
   return compare(a, b, Grid{width, height}, [](auto...) { return std::numeric_limits<double>::infinity(); });
 }
 
-Result<IdDiff> diffIds(Ids a, Ids b, int width, int height, const Sites& sites, const Box& domain) {
+Result<IdDiff> diffIds(Ids a, Ids b, int width, int height, const Sites& sites, const Box& domain,
+                       Periodic periodic) {
   const bool valid = std::isfinite(domain.xmax - domain.xmin) && domain.xmin < domain.xmax &&
                      std::isfinite(domain.ymax - domain.ymin) && domain.ymin < domain.ymax;
   if (!valid) {
     return tl::unexpected(Error{ErrorCode::input, "domain: needs finite xmin < xmax and ymin < ymax"});
   }
   const Grid grid{width, height};
-  return compare(a, b, grid, BisectorDistance(sites, domain, grid));
+  if (periodic == Periodic::none) return compare(a, b, grid, BisectorDistance(sites, domain, periodic, grid));
+  const auto inside = wrapped(sites, domain, periodic);
+  if (!inside) return tl::unexpected(inside.error());
+  return compare(a, b, grid, BisectorDistance(*inside, domain, periodic, grid));
 }
 
 ImageDiff diffImages(Ids a, Ids b, int width, int height) {

@@ -42,18 +42,29 @@ class CellComparison {
   bool sameNeighbors(std::size_t i) {
     const List a = neighborsOf(a_, i), b = neighborsOf(b_, i);
     if (a.size() != b.size()) return false;
-    if (std::ranges::equal(a, b)) return true;
-    sorted_a_.assign(a.begin(), a.end());
-    sorted_b_.assign(b.begin(), b.end());
-    std::ranges::sort(sorted_a_);
-    std::ranges::sort(sorted_b_);
+    const bool periodic = !a_.neighbor_shifts.empty() || !b_.neighbor_shifts.empty();
+    if (!periodic && std::ranges::equal(a, b)) return true;
+    sort(a_, i, sorted_a_);
+    sort(b_, i, sorted_b_);
     return sorted_a_ == sorted_b_;
+  }
+
+  /// A neighbor, and which image of it.
+  using Image = std::pair<std::int64_t, std::array<std::int32_t, 2>>;
+
+  static void sort(const Diagram& diagram, std::size_t i, std::vector<Image>& sorted) {
+    sorted.clear();
+    for (auto e = diagram.cell_offsets[i]; e < diagram.cell_offsets[i + 1]; ++e) {
+      const auto& shifts = diagram.neighbor_shifts;
+      sorted.emplace_back(diagram.neighbors[e], shifts.empty() ? std::array<std::int32_t, 2>{} : shifts[e]);
+    }
+    std::ranges::sort(sorted);
   }
 
   const Diagram& a_;
   const Diagram& b_;
   double slack_ = 0;  ///< of an area, whatever the cell's own
-  std::vector<std::int64_t> sorted_a_, sorted_b_;
+  std::vector<Image> sorted_a_, sorted_b_;
 };
 
 }  // namespace

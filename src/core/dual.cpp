@@ -47,8 +47,36 @@ std::vector<std::uint8_t> plainVertices(const ProposedCells& agreed, const TiedC
   return plain;
 }
 
-/// The cells around a vertex, counter-clockwise from that of the lowest input index.
-void cellsAround(const ProposedCells& agreed, const TiedCells& tied, std::size_t vertex,
+/// Orders sites counter-clockwise around the polygon that they are the corners of (Andrew's chains). Returns
+/// false if some are no corners.
+bool sortAroundPolygon(const SiteSet& sites, std::vector<std::uint32_t>& around) {
+  if (around.size() < 3) return true;
+  const auto at = [&](std::uint32_t site) { return Point{sites.x[site], sites.y[site]}; };
+  std::sort(around.begin(), around.end(), [&](auto a, auto b) {
+    return std::pair(sites.x[a], sites.y[a]) < std::pair(sites.x[b], sites.y[b]);
+  });
+  std::vector<std::uint32_t> polygon;
+  const auto addChain = [&](auto begin, auto end) {
+    const auto first = polygon.size();
+    for (auto site = begin; site != end; ++site) {
+      while (polygon.size() >= first + 2 &&
+             orientation(at(polygon[polygon.size() - 2]), at(polygon.back()), at(*site)) <= 0) {
+        polygon.pop_back();
+      }
+      polygon.push_back(*site);
+    }
+    polygon.pop_back();
+  };
+  addChain(around.begin(), around.end());
+  addChain(around.rbegin(), around.rend());
+  if (polygon.size() != around.size()) return false;
+  around = std::move(polygon);
+  return true;
+}
+
+/// The cells around a vertex, counter-clockwise from that of the lowest input index. Returns false if that is
+/// not known: with weights, some of the sites may lie inside the polygon of the others.
+bool cellsAround(const ProposedCells& agreed, const TiedCells& tied, std::size_t vertex,
                  std::vector<std::uint32_t>& around) {
   const auto& sites = agreed.sites;
   around.assign(tied.around.begin() + tied.around_first[vertex],
@@ -57,10 +85,15 @@ void cellsAround(const ProposedCells& agreed, const TiedCells& tied, std::size_t
   const auto way = [&](std::uint32_t cell) {
     return relativeTo({sites.x[cell], sites.y[cell]}, tied.place[vertex]);
   };
-  std::sort(around.begin(), around.end(), [&](auto a, auto b) { return turnsLess(way(a), way(b)); });
+  if (sites.weight.empty()) {
+    std::sort(around.begin(), around.end(), [&](auto a, auto b) { return turnsLess(way(a), way(b)); });
+  } else if (!sortAroundPolygon(sites, around)) {
+    return false;
+  }
   const auto lowest = std::min_element(around.begin(), around.end(),
                                        [&](auto a, auto b) { return sites.id[a] < sites.id[b]; });
   std::rotate(around.begin(), lowest, around.end());
+  return true;
 }
 
 /// Calls put(triangle) for the fan of triangles that fills the polygon of the sites around a tie. Returns
@@ -118,7 +151,8 @@ void append(std::size_t count, int threads, Triangles& triangles, const Make& ma
 
 }  // namespace
 
-Triangles dualTriangles(const ProposedCells& agreed, const TiedCells& tied) {
+Triangles dualTriangles(const ProposedCells& agreed, const TiedCells& tied, SiteMesh& mesh) {
+  if (mesh.isMade() && mesh.get() != nullptr) return allTriangles(mesh);
   const auto plain = plainVertices(agreed, tied);
   Triangles triangles;
   append(agreed.sites.size(), agreed.threads, triangles,
@@ -127,11 +161,10 @@ Triangles dualTriangles(const ProposedCells& agreed, const TiedCells& tied) {
   append(plain.size(), agreed.threads, triangles, [&](std::size_t vertex, const auto& put) {
     if (plain[vertex] != 0 || tied.walls[vertex] != 0) return;
     std::vector<std::uint32_t> around;
-    cellsAround(agreed, tied, vertex, around);
-    if (!forFan(agreed.sites, around, put)) proper = false;
+    if (!cellsAround(agreed, tied, vertex, around) || !forFan(agreed.sites, around, put)) proper = false;
   });
-  if (!proper) return allTriangles(agreed.sites);
-  addOuterTriangles(agreed, tied, triangles);
+  if (!proper) return allTriangles(mesh);
+  addOuterTriangles(agreed, tied, mesh, triangles);
   return triangles;
 }
 

@@ -1,6 +1,7 @@
 /// The triangulation that is dual to the cells.
 #pragma once
 
+#include "core/site_mesh.h"
 #include "core/ties.h"
 
 namespace vorpipe {
@@ -8,8 +9,9 @@ namespace vorpipe {
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 /// The Delaunay triangulation of all sites (input indices, counter-clockwise from the lowest), whatever the
-/// domain; empty if all lie on a line. Vertices inside the domain give their triangles; where more than
-/// three cells meet, the polygon of their sites is triangulated from its lowest index.
-Triangles dualTriangles(const ProposedCells& agreed, const TiedCells& tied);
+/// domain; empty if all lie on a line. Those of the mesh, if it is made. Else vertices inside the domain give
+/// their triangles; where more than three cells meet, the polygon of their sites is triangulated from its
+/// lowest index.
+Triangles dualTriangles(const ProposedCells& agreed, const TiedCells& tied, SiteMesh& mesh);
 
 }  // namespace vorpipe

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/pace.h"
+#include "core/sample.h"
 
 namespace vorpipe {
 namespace {
@@ -12,10 +13,11 @@ constexpr std::size_t worth_fast_pipeline = std::size_t{1} << 15;
 
 }  // namespace
 
-GridDrawing::GridDrawing(Backend& backend, Upload& upload, const SiteSet& sites, int threads,
-                         const Progress& progress)
+GridDrawing::GridDrawing(Backend& backend, Upload& upload, const Judge& judge, const SiteSet& sites,
+                         int threads, const Progress& progress)
     : backend_(backend),
       upload_(upload),
+      judge_(judge),
       sites_(sites),
       threads_(threads),
       progress_(progress),
@@ -33,10 +35,29 @@ Result<GridDrawing::Indices> GridDrawing::draw(std::span<const std::uint32_t> wh
 }
 
 Result<void> GridDrawing::drawTile(const Tile& tile) {
+  if (judge_.areMany(left_.size())) {
+    leave(tile, tile.own);
+    return {};
+  }
   if (auto given = upload_.give(tile); !given) return given;
+  const Sample sample(tile.own);
+  const auto before = left_.size();
+  if (auto drawn = drawCells(tile, sample.cells); !drawn) return drawn;
+  const auto failed = left_.size() - before;
+  if (!judge_.areMany(left_.size() + sample.expected(failed))) return drawCells(tile, sample.rest);
+  leave(tile, sample.rest);
+  return {};
+}
+
+void GridDrawing::leave(const Tile& tile, std::span<const std::uint32_t> which) {
+  for (const auto site : which) left_.push_back(tile.wholeIndex(site));
+  done_ += which.size();
+}
+
+Result<void> GridDrawing::drawCells(const Tile& tile, std::span<const std::uint32_t> which) {
   Indices fast;
   Indices roomy;
-  for (const auto site : tile.own) (roomy_[tile.wholeIndex(site)] ? roomy : fast).push_back(site);
+  for (const auto site : which) (roomy_[tile.wholeIndex(site)] ? roomy : fast).push_back(site);
   const auto full = drawSites(fast, Effort::fast, "cells");
   if (!full) return tl::unexpected(full.error());
   retried_ += full->size();
@@ -45,7 +66,7 @@ Result<void> GridDrawing::drawTile(const Tile& tile) {
   const auto undrawn = drawSites(roomy, Effort::roomy, "large cells");
   if (!undrawn) return tl::unexpected(undrawn.error());
   for (const auto site : *undrawn) left_.push_back(tile.wholeIndex(site));
-  done_ += tile.own.size();
+  done_ += which.size();
   return {};
 }
 

@@ -1,16 +1,18 @@
 /// Draws cells by the search over the grid on the device.
 #pragma once
 
+#include "core/judge.h"
 #include "core/tiles.h"
 #include "core/upload.h"
 
 namespace vorpipe {
 
-/// Tries each cell fast, then with more room; tile by tile where the sites do not fit the device. Views
-/// after the first try at once what the first one came to.
+/// Tries each cell fast, then with more room; tile by tile where the sites do not fit the device. Leaves what
+/// is left to try once most of a sample fail. Views after the first try at once what the first one came to.
 class GridDrawing {
  public:
-  GridDrawing(Backend& backend, Upload& upload, const SiteSet& sites, int threads, const Progress& progress);
+  GridDrawing(Backend& backend, Upload& upload, const Judge& judge, const SiteSet& sites, int threads,
+              const Progress& progress);
 
   /// Draws the cells of `which`, ascending, into the picture that was begun. Returns those that were not
   /// drawn.
@@ -23,11 +25,14 @@ class GridDrawing {
   using Indices = std::vector<std::uint32_t>;
 
   Result<void> drawTile(const Tile& tile);
+  Result<void> drawCells(const Tile& tile, std::span<const std::uint32_t> which);
+  void leave(const Tile& tile, std::span<const std::uint32_t> which);
   /// Returns the cells of `which`, indices in the tile, that were not drawn.
   Result<Indices> drawSites(const Indices& which, Effort effort, const char* stage);
 
   Backend& backend_;
   Upload& upload_;
+  const Judge& judge_;
   const SiteSet& sites_;
   int threads_;
   const Progress& progress_;

@@ -1,6 +1,7 @@
 #include "core/grid_topology.h"
 
 #include "core/pace.h"
+#include "core/sample.h"
 #include "core/upload.h"
 #include "parallel.h"
 
@@ -17,13 +18,13 @@ class Finding {
       : input_(input), cells_(cells), upload_(input.backend, {}), gathering_(gathering), report_(report) {}
 
   Result<void> findTile(const Tile& tile) {
+    if (areMany(0)) return leave(tile, tile.own);
     if (auto given = upload_.give(tile); !given) return given;
-    Indices full;
-    if (auto found = find(tile, tile.own, Effort::fast, "cells", full); !found) return found;
-    report_.retried += full.size();
-    if (auto found = find(tile, full, Effort::roomy, "large cells", full); !found) return found;
-    done_ += tile.own.size();
-    return {};
+    const Sample sample(tile.own);
+    const auto before = left.size();
+    if (auto found = findAll(tile, sample.cells); !found) return found;
+    const auto failed = left.size() - before;
+    return areMany(sample.expected(failed)) ? leave(tile, sample.rest) : findAll(tile, sample.rest);
   }
 
   [[nodiscard]] double uploadSeconds() const { return upload_.seconds(); }
@@ -31,6 +32,27 @@ class Finding {
   Indices left;  ///< in the whole set; neither certified nor worth another try on the device
 
  private:
+  Result<void> findAll(const Tile& tile, std::span<const std::uint32_t> which) {
+    Indices full;
+    if (auto found = find(tile, which, Effort::fast, "cells", full); !found) return found;
+    report_.retried += full.size();
+    if (auto found = find(tile, full, Effort::roomy, "large cells", full); !found) return found;
+    done_ += which.size();
+    return {};
+  }
+
+  /// Whether the cells that are left, with some more and those never asked for, are worth the mesh of all.
+  [[nodiscard]] bool areMany(std::size_t more) const {
+    return input_.judge.areMany(left.size() + more + (input_.sites.size() - cells_));
+  }
+
+  /// What the mesh finds on the way.
+  Result<void> leave(const Tile& tile, std::span<const std::uint32_t> which) {
+    for (const auto site : which) left.push_back(tile.wholeIndex(site));
+    done_ += which.size();
+    return {};
+  }
+
   /// Replaces `full` by the cells that need more room than a fast try has.
   Result<void> find(const Tile& tile, std::span<const std::uint32_t> which, Effort effort, const char* stage,
                     Indices& full) {

@@ -1,22 +1,28 @@
-/// The backend that certifies what another did not: in double, then exactly.
+/// The cells that a device does not certify: from the triangulation of all sites if they are many, else from
+/// the backend that finds them in double, then exactly.
 #pragma once
 
 #include "backend/backend.h"
 #include "core/gather.h"
+#include "core/site_mesh.h"
 
 namespace vorpipe {
 
-/// Gives the sites to the judge when it is first asked: most runs on even data never ask.
+/// Gives the sites to the backend when it is first asked: most runs on even data never ask.
 class Judge {
  public:
   /// `backend` takes in_double and exact, and nobody else gives it sites; both outlive this.
-  Judge(Backend& backend, const SiteSet& sites) : backend_(backend), sites_(sites) {}
+  Judge(Backend& backend, SiteMesh& mesh) : backend_(backend), mesh_(mesh), sites_(mesh.sites()) {}
 
-  /// The cells of `which`, found with `effort`, in_double or exact: each comes out certified or empty.
-  /// `exact` is increased by the number of cells that double did not decide.
-  /// Errors: those of the backend; progress said stop.
+  /// The cells of `which`, found with `effort`, in_double or exact: each comes out certified or empty. Either
+  /// may mean from the mesh: in double once it is made, and where the cells are too many for anything else;
+  /// exactly for that reason alone, so that cells of the mesh are found in another way. `exact` is increased
+  /// by the number of cells that double did not decide. Errors: those of the backend; progress said stop.
   Result<Neighborhoods> find(std::span<const std::uint32_t> which, Effort effort, int threads,
                              const Progress& progress, std::uint64_t& exact);
+
+  /// Whether so many cells are worth the mesh: more of them cost next to nothing then.
+  [[nodiscard]] bool areMany(std::size_t cells) const;
 
  private:
   /// Adds the cells of which[e] for e in `entries`; returns the entries that are still open.
@@ -25,6 +31,7 @@ class Judge {
                                               const Progress& progress, Gathering& gathering);
 
   Backend& backend_;
+  SiteMesh& mesh_;
   const SiteSet& sites_;
   bool ready_ = false;
 };

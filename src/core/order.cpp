@@ -144,7 +144,24 @@ class Ordering {
 
   /// Names the owner of each duplicate among `count` sites of one bin; returns how many there are.
   std::uint32_t noteDuplicates(std::size_t begin, std::size_t count) {
-    if (count > crowd) return noteDuplicatesInCrowd(begin, count);
+    const auto found =
+        count > crowd ? noteDuplicatesInCrowd(begin, count) : noteDuplicatesInPairs(begin, count);
+    if (found > 0 && !sites_.weight.empty()) giveToHeaviest({set_.id.data() + begin, count});
+    return found;
+  }
+
+  /// The heaviest of equal positions becomes their owner, which was the first of them.
+  void giveToHeaviest(std::span<const std::uint32_t> ids) {
+    for (const auto id : ids) {
+      auto& heaviest = owner_[owner_[id]];
+      if (sites_.weight[id] > sites_.weight[heaviest]) heaviest = id;
+    }
+    // The first one comes last, for the others look there.
+    for (auto id = ids.rbegin(); id != ids.rend(); ++id) owner_[*id] = owner_[owner_[*id]];
+  }
+
+  /// Both of these make the lowest index the owner.
+  std::uint32_t noteDuplicatesInPairs(std::size_t begin, std::size_t count) {
     std::uint32_t found = 0;
     for (auto place = begin + 1; place < begin + count; ++place) {
       for (auto other = begin; other < place; ++other) {

@@ -16,7 +16,8 @@ class PowerOfTwo {
 };
 
 /// Fills x, y, id and grid.first of `set`, whose grid has its shape: sites bin by bin, rows first, inside
-/// a bin by index. Of equal positions only the lowest index is in the set; owner[i] is that index.
+/// a bin by index. Of equal positions only the heaviest site is in the set, of equally heavy ones the lowest
+/// index; owner[i] is its index.
 void orderByBins(const Sites& sites, const PowerOfTwo& scale, int threads, SiteSet& set,
                  std::vector<std::uint32_t>& owner);
 

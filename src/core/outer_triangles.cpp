@@ -1,7 +1,6 @@
 #include "core/outer_triangles.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -9,6 +8,20 @@
 
 namespace vorpipe {
 namespace {
+
+bool isOutside(const MeshTriangle& t) {
+  return std::find(t.corner.begin(), t.corner.end(), beyond) != t.corner.end();
+}
+
+/// A triangle whose corner k is the site siteOf(k), by input index, the lowest first.
+template <class SiteOf>
+Triangles::value_type named(const SiteSet& sites, const MeshTriangle& t, const SiteOf& siteOf) {
+  Triangles::value_type ids{};
+  std::transform(t.corner.begin(), t.corner.end(), ids.begin(),
+                 [&](auto k) { return sites.id[siteOf(static_cast<std::size_t>(k))]; });
+  std::rotate(ids.begin(), std::min_element(ids.begin(), ids.end()), ids.end());
+  return ids;
+}
 
 using Edge = std::pair<std::int32_t, std::int32_t>;
 
@@ -31,17 +44,12 @@ class OuterMesh {
       : sites_(sites), cells_(std::move(cells)) {
     std::vector<Point> points;
     points.reserve(cells_.size());
-    double largest = 0;
+    std::vector<double> weights;
     for (const auto cell : cells_) {
       points.push_back({sites.x[cell], sites.y[cell]});
-      largest = std::max({largest, std::abs(points.back().x), std::abs(points.back().y)});
+      if (!sites.weight.empty()) weights.push_back(sites.weight[cell]);
     }
-    // The decisions multiply four coordinates.
-    constexpr double most = 0x1p240;
-    if (largest > most) {
-      for (auto& p : points) p = {std::ldexp(p.x, -64), std::ldexp(p.y, -64)};
-    }
-    mesh_ = delaunay(points);
+    mesh_ = delaunay(std::move(points), std::move(weights)).triangles;
   }
 
   [[nodiscard]] std::size_t hullEdges() const {
@@ -71,7 +79,9 @@ class OuterMesh {
       }
     }
     for (std::size_t t = 0; t < mesh_.size(); ++t) {
-      if (reached[t] != 0 && !isOutside(mesh_[t])) triangles.push_back(named(mesh_[t]));
+      if (reached[t] != 0 && !isOutside(mesh_[t])) {
+        triangles.push_back(named(sites_, mesh_[t], [&](std::size_t k) { return cells_[k]; }));
+      }
     }
   }
 
@@ -86,19 +96,6 @@ class OuterMesh {
   }
 
  private:
-  static bool isOutside(const MeshTriangle& t) {
-    return std::find(t.corner.begin(), t.corner.end(), beyond) != t.corner.end();
-  }
-
-  /// By input index, the lowest first.
-  [[nodiscard]] Triangles::value_type named(const MeshTriangle& t) const {
-    Triangles::value_type ids{};
-    std::transform(t.corner.begin(), t.corner.end(), ids.begin(),
-                   [&](auto k) { return sites_.id[cells_[static_cast<std::size_t>(k)]]; });
-    std::rotate(ids.begin(), std::min_element(ids.begin(), ids.end()), ids.end());
-    return ids;
-  }
-
   const SiteSet& sites_;
   std::vector<std::uint32_t> cells_;
   std::vector<MeshTriangle> mesh_;
@@ -118,28 +115,54 @@ std::vector<Edge> knownEdges(const OuterMesh& mesh, const Triangles& triangles) 
   return known;
 }
 
+/// How many sites triangles should have for corners: all, or with weights those that they do have, and none
+/// if one with a cell is missing.
+std::size_t cornersOf(const ProposedCells& agreed, const Triangles& triangles) {
+  const auto& sites = agreed.sites;
+  if (sites.weight.empty()) return sites.size();
+  const auto most = *std::max_element(sites.id.begin(), sites.id.end());
+  std::vector<std::uint8_t> is_corner(most + std::size_t{1});
+  for (const auto& triangle : triangles) {
+    for (const auto id : triangle) is_corner[id] = 1;
+  }
+  for (std::size_t cell = 0; cell < sites.size(); ++cell) {
+    if (agreed.cells.status[cell] == CellStatus::certified && is_corner[sites.id[cell]] == 0) return 0;
+  }
+  return static_cast<std::size_t>(std::count(is_corner.begin(), is_corner.end(), 1));
+}
+
 }  // namespace
 
-void addOuterTriangles(const ProposedCells& agreed, const TiedCells& tied, Triangles& triangles) {
+void addOuterTriangles(const ProposedCells& agreed, const TiedCells& tied, SiteMesh& mesh,
+                       Triangles& triangles) {
   const auto count = agreed.sites.size();
   std::vector<std::uint32_t> cells;
   for (std::size_t cell = 0; cell < count; ++cell) {
     if (isOpen(agreed, tied, cell)) cells.push_back(static_cast<std::uint32_t>(cell));
   }
-  const OuterMesh mesh(agreed.sites, std::move(cells));
-  const auto hull = mesh.hullEdges();
+  const OuterMesh outer(agreed.sites, std::move(cells));
+  const auto hull = outer.hullEdges();
   if (hull == 0) return;
-  mesh.appendBeyond(knownEdges(mesh, triangles), triangles);
+  outer.appendBeyond(knownEdges(outer, triangles), triangles);
   // Euler's relation for a triangulation with that many sites on its hull.
-  if (triangles.size() == 2 * count - 2 - hull) return;
+  if (triangles.size() + 2 + hull == 2 * cornersOf(agreed, triangles)) return;
   // Cells joined by ties may lack an edge between the known triangles and the rest.
-  triangles = allTriangles(agreed.sites);
+  triangles = allTriangles(mesh);
 }
 
-Triangles allTriangles(const SiteSet& sites) {
+Triangles allTriangles(SiteMesh& mesh) {
+  const auto& sites = mesh.sites();
+  Triangles triangles;
+  if (const auto* made = mesh.get(); made != nullptr) {
+    triangles.reserve(made->triangles.size());
+    for (const auto& t : made->triangles) {
+      if (!isOutside(t)) triangles.push_back(named(sites, t, [](std::size_t k) { return k; }));
+    }
+    return triangles;
+  }
+  // On one line, or beyond what a SiteMesh has exact cells for.
   std::vector<std::uint32_t> all(sites.size());
   std::iota(all.begin(), all.end(), 0u);
-  Triangles triangles;
   OuterMesh(sites, std::move(all)).appendBeyond({}, triangles);
   return triangles;
 }

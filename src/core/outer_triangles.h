@@ -6,9 +6,10 @@
 namespace vorpipe {
 
 /// Completes the triangles of the vertices inside the domain to the Delaunay triangulation of all sites.
-void addOuterTriangles(const ProposedCells& agreed, const TiedCells& tied, Triangles& triangles);
+void addOuterTriangles(const ProposedCells& agreed, const TiedCells& tied, SiteMesh& mesh,
+                       Triangles& triangles);
 
 /// The Delaunay triangulation of all sites without the help of cells, on one thread.
-Triangles allTriangles(const SiteSet& sites);
+Triangles allTriangles(SiteMesh& mesh);
 
 }  // namespace vorpipe

@@ -24,8 +24,9 @@ void drawDot(Image& image, double x, double y, double radius) {
     for (int column = std::max(0, center_column - reach);
          column <= std::min(image.width - 1, center_column + reach); ++column) {
       const double distance = std::hypot(column + 0.5 - x, row + 0.5 - y);
-      if (distance <= radius)
-        image.rgba[pixelAt(image, row, column)] = distance > radius - 1 ? rim_color : dot_color;
+      const auto pixel = pixelAt(image, row, column);
+      if (distance > radius || image.ids[pixel] == no_site) continue;
+      image.rgba[pixel] = distance > radius - 1 ? rim_color : dot_color;
     }
   }
 }
@@ -33,26 +34,30 @@ void drawDot(Image& image, double x, double y, double radius) {
 }  // namespace
 
 void drawEdges(Image& image) {
+  // Where the cell ends at the outline on its left or upper side, its own pixel is darkened.
+  const auto compare = [&](std::size_t here, std::size_t next) {
+    if (image.ids[here] == image.ids[next]) return;
+    image.rgba[image.ids[here] != no_site ? here : next] = edge_color;
+  };
   for (int row = 0; row < image.height; ++row) {
     for (int column = 0; column < image.width; ++column) {
       const auto here = pixelAt(image, row, column);
-      const bool right =
-          column + 1 < image.width && image.ids[here] != image.ids[pixelAt(image, row, column + 1)];
-      const bool below =
-          row + 1 < image.height && image.ids[here] != image.ids[pixelAt(image, row + 1, column)];
-      if (right || below) image.rgba[here] = edge_color;
+      if (column + 1 < image.width) compare(here, pixelAt(image, row, column + 1));
+      if (row + 1 < image.height) compare(here, pixelAt(image, row + 1, column));
     }
   }
 }
 
-void drawSites(Image& image, const Sites& sites, const Box& domain) {
+void drawSites(Image& image, const Sites& sites, std::size_t count, const Box& domain) {
   const double pixels = static_cast<double>(image.width) * image.height;
-  const double spacing = std::sqrt(pixels / static_cast<double>(sites.size()));
+  const double spacing = std::sqrt(pixels / static_cast<double>(count));
   const double radius = std::clamp(0.12 * spacing, 1.0, 5.0);
   for (std::size_t i = 0; i < sites.size(); ++i) {
     const double x = (sites.x[i] - domain.xmin) / (domain.xmax - domain.xmin) * image.width;
     const double y = (domain.ymax - sites.y[i]) / (domain.ymax - domain.ymin) * image.height;
-    if (x >= 0 && x < image.width && y >= 0 && y < image.height) drawDot(image, x, y, radius);
+    if (!(x >= 0 && x < image.width && y >= 0 && y < image.height)) continue;
+    const auto pixel = pixelAt(image, static_cast<int>(y), static_cast<int>(x));
+    if (image.ids[pixel] != no_site) drawDot(image, x, y, radius);
   }
 }
 

@@ -30,16 +30,22 @@ double length(double x, double y) {
   return squared > 1e-280 && squared < 1e280 ? std::sqrt(squared) : std::hypot(x, y);
 }
 
-/// The bisector of the site and a candidate at (x, y) from it, seen from an origin that lies at
-/// (-shift.x, -shift.y) from the site.
+/// The bisector of two sites, seen from an origin that lies at (-shift.x, -shift.y) from the first. With
+/// weights, a site's distance bounds nothing.
 template <class Real>
-Line<Real> bisector(double x, double y, Point shift) {
+Line<Real> bisector(const SiteSet& sites, std::uint32_t site, std::uint32_t other, Point shift) {
+  const double x = sites.x[other] - sites.x[site], y = sites.y[other] - sites.y[site];
   const double distance = length(x, y);
   const double nx = x / distance;
   const double ny = y / distance;
-  const double h = 0.5 * distance + (shift.x * nx + shift.y * ny);
+  double h = 0.5 * distance + (shift.x * nx + shift.y * ny);
+  double bound = distance;
+  if (!sites.weight.empty()) {
+    h += 0.5 * (sites.weight[site] - sites.weight[other]) / distance;
+    bound = 0;
+  }
   return {static_cast<Real>(nx), static_cast<Real>(ny), static_cast<Real>(std::clamp(h, -farthest, farthest)),
-          roundedDown<Real>(distance)};
+          roundedDown<Real>(bound)};
 }
 
 }  // namespace
@@ -73,8 +79,7 @@ void packBatch(const SiteSet& sites, const Candidates& candidates, std::size_t b
                         roundedUp<Real>(std::min(length(shift.x, shift.y), farthest))};
       for (auto c = first; c < last; ++c) {
         const auto other = candidates.index[c];
-        out.lines[c - first_line] =
-            bisector<Real>(sites.x[other] - sites.x[site], sites.y[other] - sites.y[site], shift);
+        out.lines[c - first_line] = bisector<Real>(sites, site, other, shift);
       }
     }
   });

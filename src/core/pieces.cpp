@@ -20,6 +20,52 @@ std::vector<Point> distinctVertices(std::span<const Point> polygon) {
   return vertices;
 }
 
+double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
+Point between(Point a, Point b) { return {b.x - a.x, b.y - a.y}; }
+
+/// A vertex, and by how much at most it lies beyond an edge that was left out.
+struct Corner {
+  Point at;
+  double excess;
+};
+
+/// Where the edges beside the one from b to c meet, the one from a and the one to d; excess is infinite if it
+/// is not beyond that.
+Corner meetingBeyond(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
+  const Point before = between(a.at, b.at), edge = between(b.at, c.at), after = between(c.at, d.at);
+  const double turn = cross(before, after);
+  const double ahead = cross(edge, after) / turn;
+  if (!(turn > 0) || !(ahead >= 0)) return {{}, std::numeric_limits<double>::infinity()};
+  const Point way{before.x * ahead, before.y * ahead};
+  const double height = std::abs(cross(way, edge)) / std::hypot(edge.x, edge.y);
+  return {{b.at.x + way.x, b.at.y + way.y}, height + std::max(b.excess, c.excess)};
+}
+
+/// The vertices of a polygon that is larger by no more than `tolerance` beyond any of its edges, and has none
+/// that matter less: where many nearly parallel edges meet, a device loses track of them.
+std::vector<Point> simplified(std::span<const Point> polygon, double tolerance) {
+  std::vector<Corner> corners;
+  for (const auto p : distinctVertices(polygon)) corners.push_back({p, 0});
+  for (std::size_t k = 0, kept = 0; kept < corners.size() && corners.size() > 3;) {
+    const auto count = corners.size();
+    const auto b = k % count, c = (k + 1) % count;
+    const auto met =
+        meetingBeyond(corners[(b + count - 1) % count], corners[b], corners[c], corners[(c + 1) % count]);
+    if (met.excess <= tolerance) {
+      corners[b] = met;
+      corners.erase(corners.begin() + static_cast<std::ptrdiff_t>(c));
+      k = (c == 0 ? b - 1 : b) + corners.size() - 1;
+      kept = 0;
+    } else {
+      ++k;
+      ++kept;
+    }
+  }
+  std::vector<Point> vertices;
+  for (const auto& corner : corners) vertices.push_back(corner.at);
+  return vertices;
+}
+
 /// The line through a and b with the polygon on its left.
 void appendLine(Point a, Point b, std::vector<Line<float>>& lines) {
   const double length = std::hypot(b.x - a.x, b.y - a.y);
@@ -31,8 +77,9 @@ void appendLine(Point a, Point b, std::vector<Line<float>>& lines) {
 
 }  // namespace
 
-std::size_t appendPieces(std::span<const Point> polygon, std::size_t most_edges, CellBatch<float>& out) {
-  const auto vertices = distinctVertices(polygon);
+std::size_t appendPieces(std::span<const Point> polygon, std::size_t most_edges, double tolerance,
+                         CellBatch<float>& out) {
+  const auto vertices = simplified(polygon, tolerance);
   std::size_t pieces = 0;
   for (std::size_t from = 1; from + 1 < vertices.size(); ++pieces) {
     const auto to = std::min(from + most_edges - 2, vertices.size() - 1);

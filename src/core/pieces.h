@@ -8,6 +8,7 @@ namespace vorpipe {
 /// Appends the pieces of one polygon (vertices counter-clockwise, relative to its origin) to out: a fan
 /// from the first vertex, each piece with at most `most_edges` edges, three at least; none for a polygon
 /// smaller than a billionth of the domain. Returns how many pieces were added.
-std::size_t appendPieces(std::span<const Point> polygon, std::size_t most_edges, CellBatch<float>& out);
+std::size_t appendPieces(std::span<const Point> polygon, std::size_t most_edges, double tolerance,
+                         CellBatch<float>& out);
 
 }  // namespace vorpipe

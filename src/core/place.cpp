@@ -8,6 +8,7 @@
 
 #include "core/circumcenter.h"
 #include "core/measure.h"
+#include "core/predicates.h"
 #include "core/wide.h"
 
 namespace vorpipe {
@@ -15,9 +16,13 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr Place nowhere{{not_a_number, not_a_number}, {0, 0}};
-/// What a corner may be off, as a part of its distance from the sites: circumcenterOf loses no more than
-/// three bits to cancellation.
+/// What a corner may be off, as a part of its distance from the sites, and with weights of theirs from each
+/// other: circumcenterOf loses no more than three bits to cancellation.
 constexpr double relative_rounding = 0x1p-46;
+
+double weightOf(const SiteSet& s, std::int32_t i) {
+  return s.weight.empty() ? 0 : s.weight[static_cast<std::size_t>(i)];
+}
 
 Point siteAt(const SiteSet& s, std::int32_t i) {
   return {s.x[static_cast<std::size_t>(i)], s.y[static_cast<std::size_t>(i)]};
@@ -25,14 +30,16 @@ Point siteAt(const SiteSet& s, std::int32_t i) {
 
 std::uint32_t idOf(const SiteSet& s, std::int32_t i) { return s.id[static_cast<std::size_t>(i)]; }
 
+WeightedPoint weightedSite(const SiteSet& s, std::int32_t i) { return {siteAt(s, i), weightOf(s, i)}; }
+
 double squaredDistance(Point a, Point b) {
   const double dx = b.x - a.x;
   const double dy = b.y - a.y;
   return dx * dx + dy * dy;
 }
 
-/// The circle's center in twice the precision; the first point lies opposite the longest side.
-Place wideCircumcenter(Point i, Point j, Point k) {
+/// The center in twice the precision; the first point lies opposite the longest side.
+Place wideCircumcenter(const WeightedPoint& i, const WeightedPoint& j, const WeightedPoint& k) {
   const double longest = std::max({std::abs(j.x - i.x), std::abs(j.y - i.y), std::abs(k.x - i.x),
                                    std::abs(k.y - i.y), std::numeric_limits<double>::min()});
   int exponent = 0;
@@ -45,8 +52,12 @@ Place wideCircumcenter(Point i, Point j, Point k) {
   const Wide cx = difference(k.x, i.x), cy = difference(k.y, i.y);
   const Wide area = bx * cy - by * cx;
   const Wide twice = area + area;
-  const Wide bb = bx * bx + by * by;
-  const Wide cc = cx * cx + cy * cy;
+  const auto lead = [exponent](double a, double b) {
+    const Wide d = Wide::sum(a, -b);
+    return Wide{std::ldexp(d.high, -2 * exponent), std::ldexp(d.low, -2 * exponent)};
+  };
+  const Wide bb = bx * bx + by * by + lead(i.weight, j.weight);
+  const Wide cc = cx * cx + cy * cy + lead(i.weight, k.weight);
   const Wide rest_x = (cy * bb - by * cc) / twice;
   const Wide rest_y = (bx * cc - cx * bb) / twice;
   const auto placed = [exponent](double from, Wide way) {
@@ -58,9 +69,9 @@ Place wideCircumcenter(Point i, Point j, Point k) {
 
 /// Three sites in the order of their input indices.
 Place amongSites(const SiteSet& s, std::int32_t a, std::int32_t b, std::int32_t c) {
-  Point i = siteAt(s, a);
-  Point j = siteAt(s, b);
-  Point k = siteAt(s, c);
+  WeightedPoint i = weightedSite(s, a);
+  WeightedPoint j = weightedSite(s, b);
+  WeightedPoint k = weightedSite(s, c);
   const double ij = squaredDistance(i, j);
   const double jk = squaredDistance(j, k);
   const double ik = squaredDistance(i, k);
@@ -69,6 +80,7 @@ Place amongSites(const SiteSet& s, std::int32_t a, std::int32_t b, std::int32_t 
   } else if (ij > jk) {
     std::swap(i, k);
   }
+  if (!s.weight.empty()) return wideCircumcenter(i, j, k);
   const double bx = j.x - i.x, by = j.y - i.y;
   const double cx = k.x - i.x, cy = k.y - i.y;
   const double bb = bx * bx + by * by;
@@ -82,15 +94,34 @@ Place amongSites(const SiteSet& s, std::int32_t a, std::int32_t b, std::int32_t 
   return exact && near ? place : wideCircumcenter(i, j, k);
 }
 
+/// How far along a wall, seen from site `i`, its bisector with j meets that, in twice the precision. Here and
+/// below `x` is across the wall, which is at `at`.
+double wideCrossing(const WeightedPoint& i, const WeightedPoint& j, double at) {
+  const auto halved = [](Wide a) { return Wide{a.high / 2, a.low / 2}; };
+  const Wide dx = Wide::sum(j.x, -i.x), dy = Wide::sum(j.y, -i.y);
+  const Wide half = halved(dx * dx + dy * dy + Wide::sum(i.weight, -j.weight));
+  return ((half - Wide::sum(at, -i.x) * dx) / dy).high;
+}
+
+double crossing(const WeightedPoint& i, const WeightedPoint& j, double at, bool weighted) {
+  const double dx = j.x - i.x, dy = j.y - i.y;
+  const double way = (at - i.x) * dx;
+  if (!weighted) return (0.5 * (dx * dx + dy * dy) - way) / dy;
+  const double half = 0.5 * (dx * dx + dy * dy), lead = 0.5 * (i.weight - j.weight);
+  const double along = (half + lead - way) / dy;
+  const double terms = (half + std::abs(lead) + std::abs(way)) / std::abs(dy);
+  const double length = std::abs(dx) + std::abs(dy) + std::abs(at - i.x) + std::abs(along);
+  return terms < most_terms * length ? along : wideCrossing(i, j, at);
+}
+
 /// Where the bisector of two sites meets a wall.
 Place atWall(const SiteSet& s, std::int32_t a, std::int32_t b, std::int32_t wall) {
-  const Point i = siteAt(s, a);
-  const double dx = s.x[static_cast<std::size_t>(b)] - i.x;
-  const double dy = s.y[static_cast<std::size_t>(b)] - i.y;
-  const double half = 0.5 * (dx * dx + dy * dy);
+  const auto i = weightedSite(s, a), j = weightedSite(s, b);
   const double at = wallCoordinate(s.domain, wall);
-  if (isVerticalWall(wall)) return {{at, i.y}, {0, (half - (at - i.x) * dx) / dy}};
-  return {{i.x, at}, {(half - (at - i.y) * dy) / dx, 0}};
+  const bool weighted = !s.weight.empty();
+  if (isVerticalWall(wall)) return {{at, i.y}, {0, crossing(i, j, at, weighted)}};
+  const auto swapped = [](const WeightedPoint& p) { return WeightedPoint{{p.y, p.x}, p.weight}; };
+  return {{i.x, at}, {crossing(swapped(i), swapped(j), at, weighted), 0}};
 }
 
 }  // namespace
@@ -116,8 +147,10 @@ Place cornerPlace(const SiteSet& sites, std::int32_t cell, std::int32_t before, 
     return idOf(sites, cell) < idOf(sites, other) ? atWall(sites, cell, other, wall)
                                                   : atWall(sites, other, cell, wall);
   }
-  const Point i = siteAt(sites, cell), p = siteAt(sites, before), j = siteAt(sites, after);
-  const auto center = circumcenterOf(i.x, i.y, p.x, p.y, j.x, j.y);
+  const auto i = weightedSite(sites, cell), p = weightedSite(sites, before), j = weightedSite(sites, after);
+  const auto center = sites.weight.empty()
+                          ? circumcenterOf<false>(i.x, i.y, 0, p.x, p.y, 0, j.x, j.y, 0)
+                          : circumcenterOf<true>(i.x, i.y, i.weight, p.x, p.y, p.weight, j.x, j.y, j.weight);
   if (center.sure != 0) return {{center.base_x, center.base_y}, {center.rest_x, center.rest_y}};
   std::array<std::int32_t, 3> sorted{cell, before, after};
   std::sort(sorted.begin(), sorted.end(),
@@ -125,12 +158,31 @@ Place cornerPlace(const SiteSet& sites, std::int32_t cell, std::int32_t before, 
   return amongSites(sites, sorted[0], sorted[1], sorted[2]);
 }
 
+void placeCorners(const SiteSet& sites, std::size_t cell, std::span<const std::int32_t> row,
+                  std::vector<Place>& corners) {
+  corners.clear();
+  auto before = row.empty() ? 0 : row.back();
+  for (const auto neighbor : row) {
+    corners.push_back(cornerPlace(sites, static_cast<std::int32_t>(cell), before, neighbor));
+    before = neighbor;
+  }
+}
+
 EdgeSpan edgeSpan(const SiteSet& sites, std::int32_t cell, std::int32_t before, std::int32_t neighbor,
                   std::int32_t after, const Place& begin, const Place& end) {
   const Point site = siteAt(sites, cell);
   const Point way = wayBetween(begin, end);
   const Point a = relativeTo(site, begin), b = relativeTo(site, end);
-  const double rounding = relative_rounding * (std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y));
+  double reach = std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y);
+  if (!sites.weight.empty()) {
+    // A corner may be nearer to one of its sites than these are to each other.
+    for (const auto other : {before, neighbor, after}) {
+      if (other < 0) continue;
+      const Point p = siteAt(sites, other);
+      reach += std::abs(p.x - site.x) + std::abs(p.y - site.y);
+    }
+  }
+  const double rounding = relative_rounding * reach;
   if (neighbor < 0) {
     const double outward = neighbor == wall_xmax || neighbor == wall_ymax ? 1 : -1;
     const double along = outward * (isVerticalWall(neighbor) ? way.y : -way.x);
@@ -138,13 +190,13 @@ EdgeSpan edgeSpan(const SiteSet& sites, std::int32_t cell, std::int32_t before, 
     const Point p = before < 0 ? site : siteAt(sites, before);
     const Point q = after < 0 ? site : siteAt(sites, after);
     const double shortest = shortest_edge * lengthOf({q.x - p.x, q.y - p.y});
-    return {along - shortest, 2 * shortest + rounding, shortest + rounding};
+    return {along - shortest, shortest + rounding, shortest + rounding};
   }
   const Point other = siteAt(sites, neighbor);
   const double dx = other.x - site.x, dy = other.y - site.y;
   const double distance = lengthOf({dx, dy});
   const double shortest = shortest_edge * distance;
-  return {excessLength(dx, dy, way.x, way.y), (2 * shortest + rounding) * distance, shortest + rounding};
+  return {excessLength(dx, dy, way.x, way.y), (shortest + rounding) * distance, shortest + rounding};
 }
 
 }  // namespace vorpipe

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "backend/backend.h"
 
@@ -34,6 +36,10 @@ double wallCoordinate(const Box& domain, std::int32_t wall);
 /// them; of sites that could stand for each other the lower input index goes first. Not a number where
 /// the three do not meet.
 Place cornerPlace(const SiteSet& sites, std::int32_t cell, std::int32_t before, std::int32_t after);
+
+/// The corners where the edges of `cell` to the neighbors `row` begin, ties among them or not.
+void placeCorners(const SiteSet& sites, std::size_t cell, std::span<const std::int32_t> row,
+                  std::vector<Place>& corners);
 
 /// An edge shorter than this part of the distance between its two sites is a tie.
 inline constexpr double shortest_edge = 1e-6;

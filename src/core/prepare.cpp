@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/flann_search.h"
 #include "core/grid.h"
+#include "core/near_sites.h"
 #include "core/order.h"
+#include "core/weights.h"
 #include "parallel.h"
 
 namespace vorpipe {
@@ -16,6 +19,8 @@ namespace {
 
 constexpr std::size_t grain = 1 << 16;
 constexpr double farthest = 0x1p300;  ///< in domains
+/// A neighbor is an index of 32 bits with a sign.
+constexpr std::size_t most_sites = std::numeric_limits<std::int32_t>::max();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 tl::unexpected<Error> refuse(std::string message) {
@@ -83,12 +88,22 @@ Error unusableSite(const Sites& sites, const PowerOfTwo& scale) {
                       sites.x[i], sites.y[i])};
 }
 
+Error nearSites(const Sites& sites, std::uint32_t a, std::uint32_t b) {
+  if (a > b) std::swap(a, b);
+  return {
+      ErrorCode::input,
+      fmt::format("sites {} and {}: {}, {} and {}, {} are not equal, but nearer to each other than {:.0e} of "
+                  "the domain's longer side: make them equal, or move one",
+                  a, b, sites.x[a], sites.y[a], sites.x[b], sites.y[b], least_distance)};
+}
+
 Result<void> checkNumber(const Sites& sites) {
   if (sites.size() == 0) return refuse("there are no sites");
   if (sites.y.size() != sites.size() || (!sites.weight.empty() && sites.weight.size() != sites.size())) {
     return refuse("x, y and weight differ in length");
   }
-  if (sites.size() >= no_site) return refuse(fmt::format("{} sites are more than 4294967294", sites.size()));
+  if (sites.size() > most_sites)
+    return refuse(fmt::format("{} sites are more than {}", sites.size(), most_sites));
   return {};
 }
 
@@ -116,6 +131,13 @@ Result<void> checkSearch(const SearchOptions& search) {
   return refuse(fmt::format("{} neighbors: must be {} to {}", search.neighbors, fewest, most));
 }
 
+Result<void> checkSearch(const SearchOptions& search, const SiteSet& set) {
+  if (search.method == Search::grid || set.weight.empty()) return {};
+  return refuse(
+      "search by FLANN: of sites with weights, those beyond the nearest may cut a cell as well; take the "
+      "grid");
+}
+
 Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads) {
   if (auto checked = checkDomain(domain); !checked) return tl::unexpected(checked.error());
   if (auto checked = checkNumber(sites); !checked) return tl::unexpected(checked.error());
@@ -129,8 +151,14 @@ Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads) {
   const auto near = surroundings(set.domain);
   const auto extent = extentOf(sites, scale, near, threads);
   if (!extent.usable) return tl::unexpected(unusableSite(sites, scale));
+  const auto weights = scaledWeights(sites, prepared.exponent, threads);
+  if (!weights) return tl::unexpected(weights.error());
   set.grid = layGrid(gridBox(extent.box, near), extent.inside);
   orderByBins(sites, scale, threads, set, prepared.owner);
+  giveWeights(*weights, threads, set);
+  if (const auto near_sites = tooNear(set, threads)) {
+    return tl::unexpected(nearSites(sites, set.id[near_sites->first], set.id[near_sites->second]));
+  }
   return prepared;
 }
 

@@ -34,6 +34,20 @@ inline Point originOf(const SiteSet& sites, std::size_t cell) {
           std::clamp(sites.y[cell], sites.domain.ymin, sites.domain.ymax)};
 }
 
+/// What a cell is measured about: its origin; or with weights, where a cell may be small and far from its
+/// site, its first corner.
+inline Point measuringOrigin(const SiteSet& sites, std::size_t cell, const Place& first_corner) {
+  return sites.weight.empty() ? originOf(sites, cell) : positionOf(first_corner);
+}
+
+/// Measures the cell with these corners, counter-clockwise, about `origin`.
+inline Measures measureCell(Point origin, std::span<const Place> corners) {
+  thread_local std::vector<Point> polygon;
+  polygon.clear();
+  for (const auto& corner : corners) polygon.push_back(relativeTo(origin, corner));
+  return measurePolygon(polygon);
+}
+
 /// Writes the records of cells; any thread may write any cell. The arrays are as long as they need to be.
 struct Records {
   const SiteSet& sites;
@@ -60,7 +74,7 @@ struct Records {
     diagram.area[id] = 0;
     diagram.centroid[id] = unscale(Point{sites.x[cell], sites.y[cell]});
   }
-  /// `centroid` is relative to `origin`, as originOf has it. Until all offsets are summed up,
+  /// `centroid` is relative to `origin`, as measuringOrigin has it. Until all offsets are summed up,
   /// cell_offsets[i + 1] is the number of edges of cell i.
   void cell(std::size_t cell, std::size_t edges, double area, Point origin, Point centroid) const {
     const auto id = sites.id[cell];

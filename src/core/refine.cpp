@@ -3,6 +3,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/heaviest.h"
 #include "core/order.h"
 #include "core/tiles.h"
 
@@ -30,17 +31,33 @@ Grid gridOver(const SiteSet& sites, const std::vector<std::uint32_t>& own) {
   return grid;
 }
 
+/// Gives weights to a refined region, whose sites' places in the tile around it are `in_tile`.
+void takeWeights(const SiteSet& sites, const BinBlock& block, const SiteSet& tile,
+                 const std::vector<std::uint32_t>& in_tile, int threads, SiteSet& refined) {
+  std::vector<std::uint32_t> place(tile.size());
+  for (std::uint32_t i = 0; i < in_tile.size(); ++i) {
+    refined.weight.push_back(tile.weight[in_tile[i]]);
+    place[in_tile[i]] = i;
+  }
+  for (const auto heavy : tile.heavy) refined.heavy.push_back(place[heavy]);
+  noteHeaviest(refined, threads);
+  countBeyond(sites, block, refined);
+  buildPyramid(refined.grid);
+}
+
 }  // namespace
 
 RefinedRegion refine(const SiteSet& sites, const CrowdedRegion& region, int threads) {
   std::vector<std::uint32_t> known;
-  const auto tile = cutOut(sites, withMargin(sites.grid, region.block, old_margin), known);
+  const auto block = withMargin(sites.grid, region.block, old_margin);
+  const auto tile = cutOut(sites, block, known);
   RefinedRegion refined;
   refined.sites.domain = sites.domain;
   refined.sites.known = tile.known;
   refined.sites.grid = gridOver(sites, region.own);
   std::vector<std::uint32_t> owner;
   orderByBins({tile.x, tile.y, {}}, PowerOfTwo(0), threads, refined.sites, owner);
+  if (!sites.weight.empty()) takeWeights(sites, block, tile, refined.sites.id, threads, refined.sites);
 
   std::vector<bool> is_own(known.size());
   auto next = region.own.begin();

@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/cell_drawing.h"
 #include "core/colormap.h"
 #include "core/diagram.h"
+#include "core/order.h"
+#include "core/outline_mask.h"
 #include "core/overlay.h"
-#include "core/prepare.h"
+#include "core/periodic_picture.h"
 #include "core/shade.h"
 #include "core/stopwatch.h"
 
@@ -44,6 +47,11 @@ std::vector<Part> partsOf(int width, int height, int most) {
   return parts;
 }
 
+Box scaled(const Box& box, int exponent) {
+  const PowerOfTwo scale(exponent);
+  return {scale(box.xmin), scale(box.ymin), scale(box.xmax), scale(box.ymax)};
+}
+
 Box boxOf(const Part& part, const Box& domain, int width, int height) {
   const auto x = [&](int column) { return domain.xmin + (domain.xmax - domain.xmin) * column / width; };
   const auto y = [&](int row) { return domain.ymin + (domain.ymax - domain.ymin) * row / height; };
@@ -63,15 +71,29 @@ void place(const Part& part, const std::vector<std::uint32_t>& from, const Image
   }
 }
 
-/// The measures that the colors follow; nothing for colors that do not.
-Result<Diagram> measure(Backend& backend, Backend& judge, int threads, const Sites& sites,
-                        const RenderOptions& options) {
-  if (options.color != ColorBy::area && options.color != ColorBy::neighbors) return Diagram{};
-  return cellsOn(backend, judge, threads, sites,
-                 {options.domain, options.search, Detail::measures, options.progress});
+bool hasWeights(const Sites& sites) {
+  const auto& weight = sites.weight;
+  return std::adjacent_find(weight.begin(), weight.end(), std::not_equal_to<>()) != weight.end();
 }
 
-Result<Image> drawParts(Backend& backend, CellDrawing& drawing, const SiteSet& set, const Palette& palette,
+/// The measures that the colors follow, and which cells weights and an outline leave, which takes proofs;
+/// nothing where none of it is asked for.
+Result<Diagram> measure(Backend& backend, Backend& judge, int threads, const Sites& sites,
+                        const RenderOptions& options) {
+  const bool colors = options.color == ColorBy::area || options.color == ColorBy::neighbors;
+  if (!colors && options.outline.empty() && !hasWeights(sites)) return Diagram{};
+  CellsOptions wanted{};
+  wanted.domain = options.domain;
+  wanted.outline = options.outline;
+  wanted.periodic = options.periodic;
+  wanted.search = options.search;
+  wanted.detail = Detail::measures;
+  wanted.progress = options.progress;
+  return cellsOn(backend, judge, threads, sites, wanted);
+}
+
+/// `box` is what the picture shows, in the units of the set.
+Result<Image> drawParts(Backend& backend, CellDrawing& drawing, const Box& box, const Palette& palette,
                         const RenderOptions& options, double& download_seconds) {
   Image image{options.width, options.height, {}, {}};
   const auto pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
@@ -80,7 +102,7 @@ Result<Image> drawParts(Backend& backend, CellDrawing& drawing, const SiteSet& s
   std::vector<std::uint32_t> rgba;
   std::vector<std::uint32_t> ids;
   for (const auto& part : partsOf(options.width, options.height, backend.info().max_view)) {
-    const View view{boxOf(part, set.domain, options.width, options.height), part.width, part.height, palette};
+    const View view{boxOf(part, box, options.width, options.height), part.width, part.height, palette};
     if (auto drawn = drawing.draw(view); !drawn) return tl::unexpected(drawn.error());
     rgba.resize(static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height));
     ids.resize(rgba.size());
@@ -93,14 +115,35 @@ Result<Image> drawParts(Backend& backend, CellDrawing& drawing, const SiteSet& s
   return image;
 }
 
-void countStatuses(const Prepared& prepared, const std::vector<CellStatus>& status, Rendering& rendering) {
-  rendering.status.assign(prepared.owner.size(), Status::duplicate);
+/// Which sites of a set have no cell, if `cells` say it: a device does not see whether the cell of a site
+/// with weights is very small or empty.
+std::vector<std::uint8_t> hiddenSites(const SiteSet& set, const Scene& scene, const Diagram& cells) {
+  if (set.weight.empty()) return {};
+  std::vector<std::uint8_t> hidden(set.size());
+  std::transform(set.id.begin(), set.id.end(), hidden.begin(), [&](std::uint32_t id) {
+    return cells.status[scene.siteOf(id)] == Status::empty ? std::uint8_t{1} : std::uint8_t{0};
+  });
+  return hidden;
+}
+
+/// A site has a cell if it or one of its images has one.
+/// A cell is what an outline leaves of it: as `cells`, if there are any, say.
+void countStatuses(const Prepared& prepared, const Scene& scene, const std::vector<CellStatus>& status,
+                   const Diagram& cells, Rendering& rendering) {
+  rendering.status.assign(scene.count, Status::duplicate);
   for (std::size_t i = 0; i < prepared.set.size(); ++i) {
-    const bool empty = status[i] == CellStatus::empty;
-    rendering.status[prepared.set.id[i]] = empty ? Status::empty : Status::ok;
-    ++(empty ? rendering.report.empty : rendering.report.ok);
+    auto& site = rendering.status[scene.siteOf(prepared.set.id[i])];
+    if (status[i] != CellStatus::empty) {
+      site = Status::ok;
+    } else if (site == Status::duplicate) {
+      site = Status::empty;
+    }
   }
-  rendering.report.duplicate = prepared.owner.size() - prepared.set.size();
+  if (!cells.status.empty()) rendering.status = cells.status;
+  auto& report = rendering.report;
+  for (const auto each : rendering.status) {
+    ++(each == Status::ok ? report.ok : each == Status::empty ? report.empty : report.duplicate);
+  }
 }
 
 }  // namespace
@@ -118,28 +161,43 @@ Result<Rendering> renderOn(Backend& backend, Backend& judge, int threads, const 
   times.cells = cells->report.time_ms.cells;
 
   const Stopwatch order_watch;
-  auto prepared = prepare(sites, options.domain, threads);
+  const auto scene = sceneOf(sites, options, threads);
+  if (!scene) return tl::unexpected(scene.error());
+  const Sites& drawn = scene->sitesOr(sites);
+  auto prepared = prepare(drawn, scene->clip, threads);
   if (!prepared) return tl::unexpected(prepared.error());
-  const auto shades = shadesOf(options.color, sites, prepared->set, *cells);
+  auto ids = prepared->set.id;
+  nameSites(*scene, ids);
+  const auto shades = shadesOf(options.color, sites, ids, *cells);
   if (!shades) return tl::unexpected(shades.error());
   times.order = 1e3 * order_watch.seconds();
 
   const int most = backend.info().max_view;
-  Judge set_judge(judge, prepared->set);
+  SiteMesh mesh(prepared->set, threads);
+  Judge set_judge(judge, mesh);
+  const auto hidden = hiddenSites(prepared->set, *scene, *cells);
   CellDrawing drawing({backend, set_judge, prepared->set, *shades, options.search, threads, options.progress,
-                       options.width > most || options.height > most});
+                       options.width > most || options.height > most, hidden});
   double download_seconds = 0;
-  auto image = drawParts(backend, drawing, prepared->set, *palette, options, download_seconds);
+  auto image = drawParts(backend, drawing, scaled(scene->picture, prepared->exponent), *palette, options,
+                         download_seconds);
   if (!image) return tl::unexpected(image.error());
   rendering.image = std::move(*image);
+  if (!options.outline.empty()) {
+    const auto rings = ringsOf(options.outline, prepared->exponent);
+    if (!rings) return tl::unexpected(rings.error());
+    maskOutside(*rings, options.domain, prepared->exponent, threads, rendering.image);
+  }
   if (options.edges) drawEdges(rendering.image);
-  if (options.show_sites) drawSites(rendering.image, sites, options.domain);
+  if (options.show_sites) drawSites(rendering.image, drawn, scene->count, scene->picture);
+  nameSites(*scene, rendering.image.ids);
 
   auto& report = rendering.report;
   times.download = 1e3 * download_seconds;
   drawing.describe(report);
-  countStatuses(*prepared, drawing.status(), rendering);
+  countStatuses(*prepared, *scene, drawing.status(), *cells, rendering);
   rendering.owner = std::move(prepared->owner);
+  rendering.owner.resize(scene->count);
   const auto& device = backend.info().device;
   report.backend = device.backend;
   report.device = device.name;

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <new>
 
 #include "backend/registry.h"
+#include "core/density.h"
 #include "core/diagram.h"
 #include "core/render.h"
 #include "vorpipe.h"
@@ -11,6 +13,19 @@ namespace {
 
 Error outOfMemory() {
   return {ErrorCode::device, "out of memory; fewer sites or a smaller picture would fit"};
+}
+
+/// Cells and their mass, for which their polygons are needed, whether they are wanted or not.
+Result<Diagram> cellsWithMass(Backend& backend, Backend& judge, int threads, const Sites& sites,
+                              const CellsOptions& options) {
+  if (auto checked = checkDensity(options.density); !checked) return tl::unexpected(checked.error());
+  CellsOptions with_polygons = options;
+  with_polygons.detail = std::max(options.detail, Detail::polygons);
+  auto diagram = cellsOn(backend, judge, threads, sites, with_polygons);
+  if (!diagram) return diagram;
+  measureMass(options.density, options.domain, options.periodic, threads, *diagram);
+  if (options.detail == Detail::measures) dropPolygons(*diagram);
+  return diagram;
 }
 
 }  // namespace
@@ -45,7 +60,8 @@ Result<Rendering> Session::render(const Sites& sites, const RenderOptions& optio
 
 Result<Diagram> Session::cells(const Sites& sites, const CellsOptions& options) {
   try {
-    return cellsOn(*state_->opened.backend, *state_->judge, state_->threads, sites, options);
+    const auto cells = options.density.values.empty() ? cellsOn : cellsWithMass;
+    return cells(*state_->opened.backend, *state_->judge, state_->threads, sites, options);
   } catch (const std::bad_alloc&) {
     return tl::unexpected(outOfMemory());
   }

@@ -6,12 +6,14 @@
 namespace vorpipe {
 namespace {
 
+/// How many sites a cell has as neighbors; with an outline, one may have several edges.
 double neighborsOf(const Diagram& cells, std::uint32_t site) {
   const auto* neighbors = cells.neighbors.data();
-  const auto count = std::count_if(neighbors + cells.cell_offsets[site],
-                                   neighbors + cells.cell_offsets[site + std::size_t{1}],
-                                   [](std::int64_t neighbor) { return neighbor >= 0; });
-  return static_cast<double>(count);
+  std::vector<std::int64_t> sites(neighbors + cells.cell_offsets[site],
+                                  neighbors + cells.cell_offsets[site + std::size_t{1}]);
+  std::erase_if(sites, [](std::int64_t neighbor) { return neighbor < 0; });
+  std::ranges::sort(sites);
+  return static_cast<double>(std::unique(sites.begin(), sites.end()) - sites.begin());
 }
 
 std::vector<std::uint8_t> scaledToPalette(const std::vector<double>& values) {
@@ -27,11 +29,11 @@ std::vector<std::uint8_t> scaledToPalette(const std::vector<double>& values) {
 
 }  // namespace
 
-Result<std::vector<std::uint8_t>> shadesOf(ColorBy color, const Sites& sites, const SiteSet& set,
-                                           const Diagram& cells) {
+Result<std::vector<std::uint8_t>> shadesOf(ColorBy color, const Sites& sites,
+                                           std::span<const std::uint32_t> ids, const Diagram& cells) {
   if (color == ColorBy::site) {
-    std::vector<std::uint8_t> shades(set.size());
-    std::transform(set.id.begin(), set.id.end(), shades.begin(), [&](std::uint64_t id) {
+    std::vector<std::uint8_t> shades(ids.size());
+    std::transform(ids.begin(), ids.end(), shades.begin(), [&](std::uint64_t id) {
       return static_cast<std::uint8_t>(256 * id / (sites.size() + 1));
     });
     return shades;
@@ -39,8 +41,8 @@ Result<std::vector<std::uint8_t>> shadesOf(ColorBy color, const Sites& sites, co
   if (color == ColorBy::weight && sites.weight.empty()) {
     return tl::unexpected(Error{ErrorCode::input, "color by weight: the sites have no weights"});
   }
-  std::vector<double> values(set.size());
-  std::transform(set.id.begin(), set.id.end(), values.begin(), [&](std::uint32_t id) {
+  std::vector<double> values(ids.size());
+  std::transform(ids.begin(), ids.end(), values.begin(), [&](std::uint32_t id) {
     if (color == ColorBy::weight) return sites.weight[id];
     return color == ColorBy::area ? cells.area[id] : neighborsOf(cells, id);
   });

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "core/walls.h"
 #include "parallel.h"
 
 namespace vorpipe {
@@ -11,11 +12,6 @@ namespace {
 
 constexpr std::size_t grain = 1024;
 constexpr std::uint8_t wall_at_x = 3, wall_at_y = 12, wall_placed = 16;
-
-/// 1, 2, 4, 8 for xmin, xmax, ymin, ymax; 0 for a site.
-std::uint8_t wallBit(std::int32_t neighbor) {
-  return neighbor < 0 ? static_cast<std::uint8_t>(1u << (-neighbor - 1)) : std::uint8_t{0};
-}
 
 std::size_t before(std::span<const std::int32_t> row, std::size_t e) {
   return e > 0 ? e - 1 : row.size() - 1;

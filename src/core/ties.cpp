@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "core/disjoint_sets.h"
+#include "core/hidden.h"
 #include "core/row_start.h"
 #include "core/tied_vertices.h"
 #include "parallel.h"
@@ -91,10 +92,10 @@ class Untying {
   void join(std::size_t k, std::vector<Place>& corners) {
     const auto cell = tied_.cell[k];
     if (isRightlyEmpty(sites_, cells_, cell)) return;
-    if (!isWellFormed(sites_, cells_, cell)) return dispute(static_cast<std::int32_t>(cell));
     const auto row = edgesOf(cells_, cell);
-    corners.resize(row.size());
-    for (std::size_t e = 0; e < row.size(); ++e) corners[e] = cornerOf(cell, row, e);
+    const bool nothing = !sites_.weight.empty() && leaveNothing(sites_, cell, row);
+    if (nothing || !isWellFormed(sites_, cells_, cell)) return dispute(static_cast<std::int32_t>(cell));
+    placeCorners(sites_, cell, row, corners);
     for (std::size_t e = 0; e < row.size(); ++e) {
       const auto here = see(cell, row, e, corners[e], corners[after(row, e)]);
       if (here.span.isTurned()) disputeAround(cell, row, e);
@@ -170,8 +171,10 @@ class Untying {
     dispute(neighbor);
   }
 
-  /// Whether an edge is a tie whose cells differ about where it ends; if not, they must nearly agree.
+  /// Whether an edge is a tie whose cells differ about where it ends; they must agree about that, and if it
+  /// is none, nearly so about its ends.
   bool compare(std::size_t cell, std::int32_t neighbor, const Seen& here, const Seen& there) {
+    if (here.span.isTie() != there.span.isTie()) disputeBoth(cell, neighbor);
     if (here.span.isTie() || there.span.isTie()) return true;
     const auto apart = [](const Place& a, const Place& b) {
       const Point way = wayBetween(a, b);
@@ -191,6 +194,19 @@ class Untying {
   DisjointSets sets_;
   std::vector<std::uint8_t> disputed_;
 };
+
+/// Records a cell all of whose edges are ties. One without weights just touches the domain, from outside;
+/// with them it may lie anywhere, and has an area.
+void recordUnedged(const ProposedCells& proposed, std::uint32_t cell, const Records& records) {
+  const auto& sites = proposed.sites;
+  const auto row = edgesOf(proposed.cells, cell);
+  if (sites.weight.empty()) return records.empty(cell);
+  std::vector<Place> corners;
+  placeCorners(sites, cell, row, corners);
+  const auto origin = measuringOrigin(sites, cell, corners.front());
+  const auto m = measureCell(origin, corners);
+  records.cell(cell, 0, std::max(m.area, 0.0), origin, m.centroid);
+}
 
 }  // namespace
 
@@ -228,7 +244,7 @@ void keptEdges(const ProposedCells& proposed, const TiedCells& tied, std::size_t
 void recordTiedCells(const ProposedCells& proposed, const TiedCells& tied, const Records& records) {
   parallelFor(tied.cell.size(), grain, proposed.threads, [&](std::size_t begin, std::size_t end) {
     std::vector<std::uint32_t> edges;
-    std::vector<Point> polygon;
+    std::vector<Place> corners;
     for (auto k = begin; k < end; ++k) {
       const auto cell = tied.cell[k];
       if (proposed.cells.status[cell] == CellStatus::empty) {
@@ -236,14 +252,13 @@ void recordTiedCells(const ProposedCells& proposed, const TiedCells& tied, const
         continue;
       }
       keptEdges(proposed, tied, k, edges);
-      if (edges.empty()) {  // The site lies outside, and its cell just touches the domain.
-        records.empty(cell);
+      if (edges.empty()) {
+        recordUnedged(proposed, cell, records);
         continue;
       }
-      const auto origin = originOf(proposed.sites, cell);
-      polygon.clear();
-      for (const auto e : edges) polygon.push_back(relativeTo(origin, tiedPlace(tied, k, e)));
-      const auto m = measurePolygon(polygon);
+      placeCorners(proposed.sites, cell, edgesOf(proposed.cells, cell), corners);
+      const auto origin = measuringOrigin(proposed.sites, cell, corners.front());
+      const auto m = measureCell(origin, corners);
       records.cell(cell, edges.size(), m.area, origin, m.centroid);
     }
   });

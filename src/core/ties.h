@@ -39,12 +39,15 @@ struct TiedCells {
 ///
 /// Error (input): more than 2^32 - 2 corners.
 ///
-/// Disputed are: cells that are not well-formed, and empty ones of sites in the domain; both cells of an
+/// Disputed are: cells that are not well-formed, empty ones of sites in the domain that no weights hide, and
+/// those that weights leave no area; both cells of an
 /// edge that is longer than a tie, yet the other cell does not have it, or has it elsewhere; and
 /// all cells around an edge that is turned around.
 Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std::uint8_t> rough);
 
-/// Writes the records of the tied cells, which are not disputed.
+/// Writes the records of the tied cells, which are not disputed. They are measured as they are before ties
+/// join their corners: that moves a vertex by a part of the distance of its sites, which may be much of a
+/// thin cell.
 void recordTiedCells(const ProposedCells& proposed, const TiedCells& tied, const Records& records);
 
 /// What is left of tied cell k without its ties: the numbers of its edges, from that of the first

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/heaviest.h"
 #include "core/refine.h"
 
 namespace vorpipe {
@@ -70,7 +71,8 @@ class Parts {
   Result<void> workOnTiles(const Tile& part) {
     if (part.own.empty()) return {};
     if (fits(part.sites, info_)) return work_(part);
-    const auto plan = planTiles(part.sites.grid, info_.max_sites, info_.max_bins);
+    const auto heavy = std::min<std::uint64_t>(part.sites.heavy.size(), info_.max_sites);
+    const auto plan = planTiles(part.sites.grid, info_.max_sites - heavy, info_.max_bins);
     std::vector<std::uint32_t> whole;
     for (const auto& tile : plan.tiles) {
       const auto own = ownCells(part.sites.grid, tile, part.own);
@@ -94,6 +96,30 @@ class Parts {
   int threads_;
   const std::function<Result<void>(const Tile&)>& work_;
 };
+
+/// Gives a part, which has what is in a block of a set's bins, the set's weights and heavy sites: those that
+/// are elsewhere stand behind the bins.
+void takeWeights(const SiteSet& sites, const BinBlock& block, SiteSet& part,
+                 std::vector<std::uint32_t>& whole) {
+  const auto in_bins = static_cast<std::ptrdiff_t>(whole.size());
+  for (const auto heavy : sites.heavy) {
+    const auto end = whole.begin() + in_bins;
+    const auto at = std::find(whole.begin(), end, heavy);
+    part.heavy.push_back(static_cast<std::uint32_t>((at == end ? whole.end() : at) - whole.begin()));
+    if (at != end) continue;
+    whole.push_back(heavy);
+    part.x.push_back(sites.x[heavy]);
+    part.y.push_back(sites.y[heavy]);
+    part.id.push_back(sites.id[heavy]);
+  }
+  for (const auto site : whole) part.weight.push_back(sites.weight[site]);
+  for (auto row = block.south; row <= block.north; ++row) {
+    const auto first = sites.grid.heaviest.begin() + std::size_t{row} * sites.grid.columns;
+    part.grid.heaviest.insert(part.grid.heaviest.end(), first + block.west, first + block.east + 1);
+  }
+  countBeyond(sites, block, part);
+  buildPyramid(part.grid);
+}
 
 }  // namespace
 
@@ -147,6 +173,7 @@ SiteSet cutOut(const SiteSet& sites, const BinBlock& block, std::vector<std::uin
     set.y.insert(set.y.end(), sites.y.begin() + begin, sites.y.begin() + end);
     set.id.insert(set.id.end(), sites.id.begin() + begin, sites.id.begin() + end);
   }
+  if (!sites.weight.empty()) takeWeights(sites, block, set, whole);
   return set;
 }
 

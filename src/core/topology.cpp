@@ -5,22 +5,29 @@
 
 #include "core/gather.h"
 #include "core/grid_topology.h"
+#include "core/hidden.h"
 #include "core/list_topology.h"
 #include "core/triage.h"
 
 namespace vorpipe {
+
+void replaceCells(std::span<const std::uint32_t> which, Neighborhoods found, int threads,
+                  Topology& topology) {
+  std::vector<std::uint32_t> all(topology.status.size());
+  std::iota(all.begin(), all.end(), 0u);
+  Gathering gathering(all.size(), threads);
+  gathering.add(all, std::move(topology));
+  gathering.add(which, std::move(found));
+  topology = gathering.finish();
+}
 
 Result<void> findAgain(const TopologyInput& input, const std::vector<std::uint32_t>& which, Effort effort,
                        Topology& topology) {
   std::uint64_t exact = 0;
   auto found = input.judge.find(which, effort, input.threads, input.progress, exact);
   if (!found) return tl::unexpected(found.error());
-  Gathering gathering(input.sites.size(), input.threads);
-  std::vector<std::uint32_t> all(input.sites.size());
-  std::iota(all.begin(), all.end(), 0u);
-  gathering.add(all, std::move(topology));
-  gathering.add(which, std::move(*found));
-  topology = gathering.finish();
+  proveEmpty(input.sites, which, input.threads, *found);
+  replaceCells(which, std::move(*found), input.threads, topology);
   return {};
 }
 
@@ -37,7 +44,11 @@ Result<Topology> findTopology(const TopologyInput& input, Report& report) {
   auto found = input.judge.find(*left, Effort::in_double, input.threads, input.progress, report.exact);
   if (!found) return tl::unexpected(found.error());
   gathering.add(*left, std::move(*found));
-  return gathering.finish();
+  auto topology = gathering.finish();
+  std::vector<std::uint32_t> all(input.sites.weight.size());
+  std::iota(all.begin(), all.end(), 0u);
+  proveEmpty(input.sites, all, input.threads, topology);
+  return topology;
 }
 
 }  // namespace vorpipe

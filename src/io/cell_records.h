@@ -4,6 +4,7 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -25,9 +26,13 @@ inline std::span<const std::int64_t> neighborsOf(const Diagram& diagram, std::si
   return std::span(diagram.neighbors).subspan(begin, diagram.cell_offsets[site + 1] - begin);
 }
 
-/// Whether the site's cell is a polygon.
-inline bool hasPolygon(const Diagram& diagram, std::size_t site) {
-  return verticesOf(diagram, site).size() >= 3;
+/// The shifts of neighborsOf(); empty where the domain does not repeat itself.
+inline std::span<const std::array<std::int32_t, 2>> shiftsOf(const Diagram& diagram, std::size_t site) {
+  if (diagram.neighbor_shifts.empty()) {
+    return {};
+  }
+  const std::uint64_t begin = diagram.cell_offsets[site];
+  return std::span(diagram.neighbor_shifts).subspan(begin, diagram.cell_offsets[site + 1] - begin);
 }
 
 inline std::string_view statusWord(Status status) {

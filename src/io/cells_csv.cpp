@@ -1,11 +1,41 @@
+#include <string>
+
 #include "io/cell_records.h"
+#include "io/cell_rings.h"
 #include "io/cells_writer.h"
 
 namespace vorpipe {
 
+namespace {
+
+/// The columns that only some diagrams have, in the order of their names in headerOf().
+void printMore(Bytes& text, const Diagram& diagram, std::size_t site) {
+  if (!diagram.neighbor_shifts.empty()) {
+    const auto shifts = shiftsOf(diagram, site);
+    text.push_back(',');
+    join(text, shifts.size(), " ",
+         [&](Bytes& out, std::size_t k) { print(out, FMT_COMPILE("{}:{}"), shifts[k][0], shifts[k][1]); });
+  }
+  if (!diagram.ring_starts.empty()) {
+    print(text, FMT_COMPILE(",{}"), ringsOf(diagram, site).size());
+  }
+  if (!diagram.mass.empty()) {
+    const Point& centroid = diagram.mass_centroid[site];
+    print(text, FMT_COMPILE(",{},{},{}"), diagram.mass[site], centroid.x, centroid.y);
+  }
+}
+
+std::string headerOf(const Diagram& diagram) {
+  return fmt::format("site,x,y,weight,status,area,perimeter,centroid_x,centroid_y,vertices,neighbors{}{}{}\n",
+                     diagram.neighbor_shifts.empty() ? "" : ",neighbor_shifts",
+                     diagram.ring_starts.empty() ? "" : ",rings",
+                     diagram.mass.empty() ? "" : ",mass,mass_centroid_x,mass_centroid_y");
+}
+
+}  // namespace
+
 Result<void> writeCsvCells(OutputFile& file, const Sites& sites, const Diagram& diagram) {
-  auto written =
-      file.write("site,x,y,weight,status,area,perimeter,centroid_x,centroid_y,vertices,neighbors\n");
+  auto written = file.write(headerOf(diagram));
   if (!written) {
     return written;
   }
@@ -17,6 +47,7 @@ Result<void> writeCsvCells(OutputFile& file, const Sites& sites, const Diagram& 
           neighbors.size());
     join(text, neighbors.size(), " ",
          [&](Bytes& out, std::size_t k) { print(out, FMT_COMPILE("{}"), neighbors[k]); });
+    printMore(text, diagram, site);
     text.push_back('\n');
   });
 }

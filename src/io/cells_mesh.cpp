@@ -5,8 +5,9 @@
 #include <bit>
 #include <limits>
 
-#include "io/cell_records.h"
+#include "io/cell_rings.h"
 #include "io/error.h"
+#include "io/hole_triangles.h"
 
 namespace vorpipe {
 namespace {
@@ -51,27 +52,60 @@ class PointTable {
   std::vector<Point>& points_;
 };
 
+class MeshMaker {
+ public:
+  MeshMaker(const Diagram& diagram, CellsMesh& mesh)
+      : diagram_(diagram), mesh_(mesh), table_(diagram.vertices.size(), mesh.points) {
+    mesh_.corners.reserve(diagram.vertices.size());
+    mesh_.offsets.push_back(0);
+  }
+
+  /// Adds the faces of a site's cell; whether its pieces with holes could be cut into triangles.
+  [[nodiscard]] bool add(std::uint32_t site) {
+    const auto rings = ringsOf(diagram_, site);
+    for (const auto piece : piecesOf(rings)) {
+      if (piece.size() == 1) {
+        addFace(verticesOf(diagram_, piece.front()), site);
+        continue;
+      }
+      const auto triangles = trianglesOf(diagram_, piece);
+      if (!triangles) return false;
+      for (const auto& triangle : *triangles) addFace(triangle, site);
+    }
+    return true;
+  }
+
+ private:
+  void addFace(std::span<const Point> vertices, std::uint32_t site) {
+    for (const Point& vertex : vertices) mesh_.corners.push_back(table_.indexOf(vertex));
+    mesh_.offsets.push_back(mesh_.corners.size());
+    mesh_.sites.push_back(site);
+  }
+
+  const Diagram& diagram_;
+  CellsMesh& mesh_;
+  PointTable table_;
+};
+
 }  // namespace
 
 Result<CellsMesh> cellsMesh(const OutputFile& file, const Diagram& diagram) {
-  // .vtk counts the corners of all faces and the faces together.
-  const std::uint64_t largest = diagram.vertices.size() + diagram.status.size();
-  if (largest > std::numeric_limits<std::int32_t>::max()) {
+  const auto tooMany = [&] {
     return inputError(fmt::format("{}: cells with {} vertices are too many for this kind of file; write .npz",
                                   file.name(), diagram.vertices.size()));
-  }
+  };
+  constexpr std::uint64_t largest = std::numeric_limits<std::int32_t>::max();
+  if (diagram.vertices.size() > largest) return tooMany();
   CellsMesh mesh;
-  mesh.corners.reserve(diagram.vertices.size());
-  PointTable table(diagram.vertices.size(), mesh.points);
-  for (const Point& vertex : diagram.vertices) {
-    mesh.corners.push_back(table.indexOf(vertex));
-  }
+  MeshMaker maker(diagram, mesh);
   for (std::size_t site = 0; site < diagram.status.size(); ++site) {
-    if (hasPolygon(diagram, site)) {
-      mesh.faces.push_back(static_cast<std::uint32_t>(site));
-      mesh.face_corners += verticesOf(diagram, site).size();
+    if (!maker.add(static_cast<std::uint32_t>(site))) {
+      return deviceError(fmt::format("{}: the cell of site {} has holes, and could not be cut into triangles",
+                                     file.name(), site));
     }
   }
+  // .vtk counts the corners of all faces and the faces together.
+  if (mesh.corners.size() + mesh.size() > largest) return tooMany();
   return mesh;
 }
 

@@ -54,6 +54,16 @@ Result<void> writeNpzCells(OutputFile& file, const Sites& sites, const Diagram& 
   add<double, 2>(entries, "cell_vertices", diagram.vertices);
   add<std::int64_t>(entries, "neighbor_offsets", diagram.cell_offsets);
   add<std::int64_t>(entries, "neighbors", diagram.neighbors);
+  if (!diagram.neighbor_shifts.empty()) {
+    add<std::int32_t, 2>(entries, "neighbor_shifts", diagram.neighbor_shifts);
+  }
+  if (!diagram.ring_starts.empty()) {
+    add<std::int64_t>(entries, "ring_starts", diagram.ring_starts);
+  }
+  if (!diagram.mass.empty()) {
+    add<double>(entries, "mass", diagram.mass);
+    add<double, 2>(entries, "mass_centroids", diagram.mass_centroid);
+  }
   add<double>(entries, "edge_lengths", diagram.edge_lengths);
   add<std::uint32_t, 3>(entries, "triangles", diagram.triangles);
   return writeZip(file, entries);

@@ -9,8 +9,11 @@ Result<void> writeObjCells(OutputFile& file, const Diagram& diagram) {
   if (!mesh) {
     return tl::unexpected(mesh.error());
   }
-  if (auto written = file.write("# Faces are the cells of the sites that have one, in their order.\n");
-      !written) {
+  const bool in_pieces = !diagram.ring_starts.empty();
+  const std::string_view head = in_pieces
+                                    ? "# Faces are pieces of cells; the group is the cell's site.\n"
+                                    : "# Faces are the cells of the sites that have one, in their order.\n";
+  if (auto written = file.write(head); !written) {
     return written;
   }
   auto points = writeEach(file, mesh->points.size(), [&](Bytes& text, std::size_t i) {
@@ -19,9 +22,12 @@ Result<void> writeObjCells(OutputFile& file, const Diagram& diagram) {
   if (!points) {
     return points;
   }
-  return writeEach(file, mesh->faces.size(), [&](Bytes& text, std::size_t i) {
+  return writeEach(file, mesh->size(), [&](Bytes& text, std::size_t face) {
+    if (in_pieces && (face == 0 || mesh->sites[face] != mesh->sites[face - 1])) {
+      print(text, FMT_COMPILE("g site_{}\n"), mesh->sites[face]);
+    }
     text.push_back('f');
-    for (const std::int32_t corner : cornersOf(*mesh, diagram, mesh->faces[i])) {
+    for (const std::int32_t corner : mesh->cornersOf(face)) {
       print(text, FMT_COMPILE(" {}"), corner + 1);
     }
     text.push_back('\n');

@@ -24,7 +24,7 @@ Result<void> writePlyCells(OutputFile& file, const Diagram& diagram) {
       "element vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
       "element face {}\nproperty list uint int vertex_indices\nproperty uint site\nproperty double area\n"
       "end_header\n",
-      mesh->points.size(), mesh->faces.size());
+      mesh->points.size(), mesh->size());
   if (auto written = file.write(head); !written) {
     return written;
   }
@@ -36,15 +36,14 @@ Result<void> writePlyCells(OutputFile& file, const Diagram& diagram) {
   if (!points) {
     return points;
   }
-  return writeEach(file, mesh->faces.size(), [&](Bytes& bytes, std::size_t i) {
-    const std::uint32_t site = mesh->faces[i];
-    const auto corners = cornersOf(*mesh, diagram, site);
+  return writeEach(file, mesh->size(), [&](Bytes& bytes, std::size_t face) {
+    const auto corners = mesh->cornersOf(face);
     append(bytes, static_cast<std::uint32_t>(corners.size()));
     for (const std::int32_t corner : corners) {
       append(bytes, corner);
     }
-    append(bytes, site);
-    append(bytes, diagram.area[site]);
+    append(bytes, mesh->sites[face]);
+    append(bytes, diagram.area[mesh->sites[face]]);
   });
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "io/cell_records.h"
+#include "io/cell_rings.h"
 #include "io/cells_writer.h"
 
 namespace vorpipe {
@@ -14,7 +15,8 @@ struct PixelMap {
   double xmin, ymax, scale, width, height;  ///< width and height are in pixels
 };
 
-/// The cells tile the domain, so that the box of their vertices is the domain.
+/// Cells that tile the domain have it for the box of their vertices; those of a periodic one reach beyond it,
+/// and are shown whole.
 PixelMap pixelMap(const Diagram& diagram) {
   if (diagram.vertices.empty()) {
     return {0, 0, 1, longer_side, longer_side};
@@ -64,6 +66,33 @@ std::uint32_t fillColor(std::size_t site) {
   }
 }
 
+void printVertices(Bytes& text, const PixelMap& map, std::span<const Point> vertices) {
+  join(text, vertices.size(), " ", [&](Bytes& out, std::size_t k) {
+    print(out, FMT_COMPILE("{:.8g},{:.8g}"), (vertices[k].x - map.xmin) * map.scale,
+          (map.ymax - vertices[k].y) * map.scale);
+  });
+}
+
+void printCell(Bytes& text, const PixelMap& map, const Diagram& diagram, std::size_t site) {
+  const auto rings = ringsOf(diagram, site);
+  if (rings.empty()) {
+    return;
+  }
+  const std::string_view shape = rings.size() == 1 ? "polygon" : "path";
+  print(text, FMT_COMPILE("<{} fill=\"#{:06x}\" {}=\""), shape, fillColor(site),
+        rings.size() == 1 ? "points" : "d");
+  if (rings.size() == 1) {
+    printVertices(text, map, verticesOf(diagram, rings.front()));
+  } else {
+    for (const Ring& ring : rings) {
+      text.push_back('M');
+      printVertices(text, map, verticesOf(diagram, ring));
+      text.push_back('Z');
+    }
+  }
+  print(text, FMT_COMPILE("\"><title>site {}, area {}</title></{}>\n"), site, diagram.area[site], shape);
+}
+
 }  // namespace
 
 Result<void> writeSvgCells(OutputFile& file, const Diagram& diagram) {
@@ -71,24 +100,14 @@ Result<void> writeSvgCells(OutputFile& file, const Diagram& diagram) {
   const std::string head = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.8g}\" height=\"{1:.8g}\" "
       "viewBox=\"0 0 {0:.8g} {1:.8g}\">\n"
-      "<style>polygon{{stroke:#333;stroke-width:{2:.4g};stroke-linejoin:round}}"
-      "polygon:hover{{fill-opacity:.5}}</style>\n",
+      "<style>polygon,path{{stroke:#333;stroke-width:{2:.4g};stroke-linejoin:round;fill-rule:evenodd}}"
+      "polygon:hover,path:hover{{fill-opacity:.5}}</style>\n",
       map.width, map.height, strokeWidth(map, diagram));
   if (auto written = file.write(head); !written) {
     return written;
   }
-  auto polygons = writeEach(file, diagram.status.size(), [&](Bytes& text, std::size_t site) {
-    if (!hasPolygon(diagram, site)) {
-      return;
-    }
-    const auto vertices = verticesOf(diagram, site);
-    print(text, FMT_COMPILE("<polygon fill=\"#{:06x}\" points=\""), fillColor(site));
-    join(text, vertices.size(), " ", [&](Bytes& out, std::size_t k) {
-      print(out, FMT_COMPILE("{:.8g},{:.8g}"), (vertices[k].x - map.xmin) * map.scale,
-            (map.ymax - vertices[k].y) * map.scale);
-    });
-    print(text, FMT_COMPILE("\"><title>site {}, area {}</title></polygon>\n"), site, diagram.area[site]);
-  });
+  auto polygons = writeEach(file, diagram.status.size(),
+                            [&](Bytes& text, std::size_t site) { printCell(text, map, diagram, site); });
   if (!polygons) {
     return polygons;
   }

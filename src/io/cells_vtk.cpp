@@ -27,14 +27,13 @@ Result<void> writePoints(OutputFile& file, const CellsMesh& mesh) {
   });
 }
 
-Result<void> writePolygons(OutputFile& file, const CellsMesh& mesh, const Diagram& diagram) {
-  auto head =
-      file.write(fmt::format("\nPOLYGONS {} {}\n", mesh.faces.size(), mesh.faces.size() + mesh.face_corners));
+Result<void> writePolygons(OutputFile& file, const CellsMesh& mesh) {
+  auto head = file.write(fmt::format("\nPOLYGONS {} {}\n", mesh.size(), mesh.size() + mesh.corners.size()));
   if (!head) {
     return head;
   }
-  return writeEach(file, mesh.faces.size(), [&](Bytes& bytes, std::size_t i) {
-    const auto corners = cornersOf(mesh, diagram, mesh.faces[i]);
+  return writeEach(file, mesh.size(), [&](Bytes& bytes, std::size_t face) {
+    const auto corners = mesh.cornersOf(face);
     append(bytes, static_cast<std::int32_t>(corners.size()));
     for (const std::int32_t corner : corners) {
       append(bytes, corner);
@@ -49,8 +48,8 @@ Result<void> writeCellData(OutputFile& file, const CellsMesh& mesh, std::string_
   if (auto head = file.write(fmt::format("\nSCALARS {} {} 1\nLOOKUP_TABLE default\n", name, type)); !head) {
     return head;
   }
-  return writeEach(file, mesh.faces.size(),
-                   [&](Bytes& bytes, std::size_t i) { append(bytes, numberOf(mesh.faces[i])); });
+  return writeEach(file, mesh.size(),
+                   [&](Bytes& bytes, std::size_t face) { append(bytes, numberOf(mesh.sites[face])); });
 }
 
 }  // namespace
@@ -61,8 +60,8 @@ Result<void> writeVtkCells(OutputFile& file, const Diagram& diagram) {
       return [&, name, type, numberOf] { return writeCellData(file, mesh, name, type, numberOf); };
     };
     return writePoints(file, mesh)
-        .and_then([&] { return writePolygons(file, mesh, diagram); })
-        .and_then([&] { return file.write(fmt::format("\nCELL_DATA {}", mesh.faces.size())); })
+        .and_then([&] { return writePolygons(file, mesh); })
+        .and_then([&] { return file.write(fmt::format("\nCELL_DATA {}", mesh.size())); })
         .and_then(data("site", "unsigned_int", [](std::uint32_t site) { return site; }))
         .and_then(data("area", "double", [&](std::uint32_t site) { return diagram.area[site]; }))
         .and_then(data("perimeter", "double", [&](std::uint32_t site) { return diagram.perimeter[site]; }))

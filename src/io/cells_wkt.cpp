@@ -1,7 +1,29 @@
 #include "io/cell_records.h"
 #include "io/cells_writer.h"
+#include "io/polygon_text.h"
 
 namespace vorpipe {
+namespace {
+
+constexpr ListText wkt_list{"(", ", ", ")"};
+
+void printPoint(Bytes& text, const Point& point) { print(text, FMT_COMPILE("{} {}"), point.x, point.y); }
+
+void printCell(Bytes& text, const Diagram& diagram, std::size_t site) {
+  const auto rings = ringsOf(diagram, site);
+  const auto pieces = piecesOf(rings);
+  if (pieces.empty()) {
+    text.append(std::string_view("POLYGON EMPTY"));
+  } else if (pieces.size() == 1) {
+    text.append(std::string_view("POLYGON "));
+    printPolygon(text, wkt_list, diagram, pieces.front(), printPoint);
+  } else {
+    text.append(std::string_view("MULTIPOLYGON "));
+    printPolygons(text, wkt_list, diagram, pieces, printPoint);
+  }
+}
+
+}  // namespace
 
 Result<void> writeWktCells(OutputFile& file, const Diagram& diagram) {
   if (diagram.status.empty()) {
@@ -12,17 +34,7 @@ Result<void> writeWktCells(OutputFile& file, const Diagram& diagram) {
   }
   auto polygons = writeEach(file, diagram.status.size(), [&](Bytes& text, std::size_t site) {
     print(text, FMT_COMPILE("{}"), site == 0 ? "\n" : ",\n");
-    if (!hasPolygon(diagram, site)) {
-      print(text, FMT_COMPILE("POLYGON EMPTY"));
-      return;
-    }
-    const auto ring = verticesOf(diagram, site);
-    print(text, FMT_COMPILE("POLYGON (("));
-    join(text, ring.size() + 1, ", ", [&](Bytes& out, std::size_t k) {
-      const Point& vertex = ring[k % ring.size()];
-      print(out, FMT_COMPILE("{} {}"), vertex.x, vertex.y);
-    });
-    print(text, FMT_COMPILE("))"));
+    printCell(text, diagram, site);
   });
   if (!polygons) {
     return polygons;

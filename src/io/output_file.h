@@ -38,6 +38,8 @@ class OutputFile {
   [[nodiscard]] const std::string& name() const { return name_; }
   /// The file that is replaced, links followed; empty when it is written to directly.
   [[nodiscard]] const std::string& target() const { return target_; }
+  /// The file beside it that holds the bytes until commit(); empty when it is written to directly.
+  [[nodiscard]] std::string temporary() const { return temporary_ ? *temporary_ : std::string(); }
 
  private:
   struct Close {

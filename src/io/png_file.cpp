@@ -119,22 +119,26 @@ bool encode(const Handles& handles, Transfer& transfer, png_uint_32 width, png_u
   return true;
 }
 
-/// Reads the header and asks libpng for 8-bit RGBA rows, whatever the file holds.
-bool decodeHeader(const Handles& handles, Transfer& transfer) {
+/// Reads the header and asks libpng for RGBA rows of 8 or 16 bits per channel, whatever the file holds.
+bool decodeHeader(const Handles& handles, Transfer& transfer, int bits) {
   if (setjmp(png_jmpbuf(handles.png)) != 0) {
     return false;
   }
   png_set_read_fn(handles.png, &transfer, onRead);
   png_set_sig_bytes(handles.png, signature_size);
   png_read_info(handles.png, handles.info);
-  png_set_expand(handles.png);
-  png_set_scale_16(handles.png);
+  if (bits == 16) {
+    png_set_expand_16(handles.png);
+  } else {
+    png_set_expand(handles.png);
+    png_set_scale_16(handles.png);
+  }
   png_set_gray_to_rgb(handles.png);
-  png_set_add_alpha(handles.png, 0xFF, PNG_FILLER_AFTER);
+  png_set_add_alpha(handles.png, (1u << bits) - 1, PNG_FILLER_AFTER);
   return true;
 }
 
-bool decodeRows(const Handles& handles, std::uint32_t* pixels, std::size_t width, png_uint_32 height) {
+bool decodeRows(const Handles& handles, png_bytep pixels, std::size_t row_size, png_uint_32 height) {
   if (setjmp(png_jmpbuf(handles.png)) != 0) {
     return false;
   }
@@ -142,7 +146,7 @@ bool decodeRows(const Handles& handles, std::uint32_t* pixels, std::size_t width
   png_read_update_info(handles.png, handles.info);
   for (int pass = 0; pass < passes; ++pass) {
     for (png_uint_32 y = 0; y < height; ++y) {
-      png_read_row(handles.png, reinterpret_cast<png_bytep>(pixels + y * width), nullptr);
+      png_read_row(handles.png, pixels + y * row_size, nullptr);
     }
   }
   png_read_end(handles.png, nullptr);
@@ -156,7 +160,13 @@ tl::unexpected<Error> readError(const Transfer& transfer, const std::string& pat
   return inputError(fmt::format("{}: is a damaged PNG: {}", path, transfer.message.data()));
 }
 
-Result<Image> decode(InputFile& file, const std::string& path) {
+/// RGBA, the top row first, each channel of 8 bits or of 16, the high byte first.
+struct Pixels {
+  int width = 0, height = 0;
+  std::vector<png_byte> bytes;
+};
+
+Result<Pixels> decode(InputFile& file, const std::string& path, int bits) {
   std::array<png_byte, signature_size> signature{};
   Transfer transfer;
   transfer.input = &file;
@@ -170,25 +180,26 @@ Result<Image> decode(InputFile& file, const std::string& path) {
   if (handles.info == nullptr) {
     return deviceError(path + ": libpng could not be started");
   }
-  if (!decodeHeader(handles, transfer)) {
+  if (!decodeHeader(handles, transfer, bits)) {
     return readError(transfer, path);
   }
   const png_uint_32 width = png_get_image_width(handles.png, handles.info);
   const png_uint_32 height = png_get_image_height(handles.png, handles.info);
-  Image image;
-  image.width = static_cast<int>(width);
-  image.height = static_cast<int>(height);
-  image.rgba.resize(std::size_t{width} * height);
-  if (!decodeRows(handles, image.rgba.data(), width, height)) {
+  const std::size_t row_size = std::size_t{width} * max_channels * static_cast<std::size_t>(bits / 8);
+  Pixels pixels{static_cast<int>(width), static_cast<int>(height), {}};
+  pixels.bytes.resize(row_size * height);
+  if (!decodeRows(handles, pixels.bytes.data(), row_size, height)) {
     return readError(transfer, path);
   }
-  for (std::uint32_t& pixel : image.rgba) {
-    std::array<png_byte, max_channels> bytes{};
-    std::copy_n(reinterpret_cast<const png_byte*>(&pixel), max_channels, bytes.begin());
-    pixel = bytes[0] | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 |
-            std::uint32_t{bytes[3]} << 24;
+  return pixels;
+}
+
+Result<Pixels> decode(const std::string& path, int bits) {
+  auto file = InputFile::open(path);
+  if (!file) {
+    return tl::unexpected(file.error());
   }
-  return image;
+  return decode(*file, path, bits);
 }
 
 }  // namespace
@@ -220,11 +231,44 @@ Result<void> writePng(OutputFile& file, int width, int height, std::span<const s
 
 Result<Image> readPng(const std::string& path) {
   try {
-    auto file = InputFile::open(path);
-    if (!file) {
-      return tl::unexpected(file.error());
+    const auto pixels = decode(path, 8);
+    if (!pixels) {
+      return tl::unexpected(pixels.error());
     }
-    return decode(*file, path);
+    Image image;
+    image.width = pixels->width;
+    image.height = pixels->height;
+    image.rgba.resize(pixels->bytes.size() / max_channels);
+    const png_byte* bytes = pixels->bytes.data();
+    for (std::uint32_t& pixel : image.rgba) {
+      pixel = bytes[0] | std::uint32_t{bytes[1]} << 8 | std::uint32_t{bytes[2]} << 16 |
+              std::uint32_t{bytes[3]} << 24;
+      bytes += max_channels;
+    }
+    return image;
+  } catch (const std::bad_alloc&) {
+    return deviceError(path + ": there is not enough memory for its pixels");
+  }
+}
+
+Result<Density> readPngDarkness(const std::string& path) {
+  try {
+    const auto pixels = decode(path, 16);
+    if (!pixels) {
+      return tl::unexpected(pixels.error());
+    }
+    Density density{pixels->width, pixels->height, {}};
+    density.values.resize(pixels->bytes.size() / (2 * max_channels));
+    const png_byte* bytes = pixels->bytes.data();
+    for (double& value : density.values) {
+      const auto channel = [&](std::size_t k) { return bytes[2 * k] * 256 + bytes[2 * k + 1]; };
+      const auto dark = [&](std::size_t k) { return 65535 - channel(k); };
+      // In whole numbers, so that black is 1 and white 0.
+      const int darkness = 2126 * dark(0) + 7152 * dark(1) + 722 * dark(2);
+      value = darkness / (10000 * 65535.0) * (channel(3) / 65535.0);
+      bytes += 2 * max_channels;
+    }
+    return density;
   } catch (const std::bad_alloc&) {
     return deviceError(path + ": there is not enough memory for its pixels");
   }

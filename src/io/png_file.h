@@ -19,4 +19,9 @@ Result<void> writePng(OutputFile& file, int width, int height, std::span<const s
 /// ran out (device).
 Result<Image> readPng(const std::string& path);
 
+/// Reads a PNG of any kind, of 16 bits per channel too, as a density: 1 where it is black, 0 where it is
+/// white or transparent, and linear in its values between, colors by the weights of Rec. 709. Errors: as
+/// readPng's.
+Result<Density> readPngDarkness(const std::string& path);
+
 }  // namespace vorpipe

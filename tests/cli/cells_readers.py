@@ -30,27 +30,47 @@ FORMATS = ["npz", "csv", "geojson", "wkt", "svg", "obj", "ply", "vtk"]
 def numpy_npz(cells):
     edges = 0
     for site in cells.faces():
-        ring = cells.ring(site)
-        near(shoelace(ring), cells.areas[site], f"area of site {site}")
-        lengths = np.hypot(*(np.roll(ring, -1, 0) - ring).T)
+        rings = cells.rings(site)
+        near(sum(shoelace(ring) for ring in rings), cells.areas[site], f"area of site {site}")
+        lengths = np.hstack([np.hypot(*(np.roll(ring, -1, 0) - ring).T) for ring in rings])
         near(lengths.sum(), cells.perimeters[site], f"perimeter of site {site}")
         for other in cells.neighbors_of(site):
             edges += 1
             assert other < 0 or site in cells.neighbors_of(other), f"{other} is not a neighbor of {site}"
     assert edges == len(cells.neighbors) == len(cells.edge_lengths) == len(cells.cell_vertices)
-    xmin, ymin, xmax, ymax = cells.domain
-    near(cells.areas.sum(), (xmax - xmin) * (ymax - ymin), "sum of areas", 1e-6)
+    near(cells.areas.sum(), cells.domain_area(), "sum of areas", 1e-6)
     own = np.flatnonzero(cells.status != 2)
     equal(cells.owners[own], own, "owners")
     equal(cells.sites[cells.owners], cells.sites, "positions of the owners")
     for triangle in cells.triangles:
         assert shoelace(cells.sites[triangle]) > 0, f"triangle {triangle} is not counter-clockwise"
+    if cells.periodic:
+        shifts_name_each_other(cells)
+
+
+def shifts_name_each_other(cells):
+    """Each edge is one of the neighbor's as well, with the opposite shift, moved by it."""
+    assert cells.neighbor_shifts.dtype == np.int32
+    sides = np.array(cells.domain[2:]) - cells.domain[:2]
+    edges = {}
+    for site in cells.faces():
+        ring, begin = cells.ring(site), cells.cell_offsets[site]
+        for k, other in enumerate(cells.neighbors_of(site)):
+            shift = cells.neighbor_shifts[begin + k]
+            edges[(site, other, *shift)] = ring[k], ring[(k + 1) % len(ring)], shift * sides
+    for (site, other, kx, ky), (a, b, moved) in edges.items():
+        if other < 0:
+            assert (kx, ky) == (0, 0), "a wall has no shift"
+            continue
+        back = edges[(other, site, -kx, -ky)]
+        assert np.allclose(a - moved, back[1], atol=1e-9) and np.allclose(b - moved, back[0], atol=1e-9)
 
 
 def python_csv(cells):
     with open("c.csv", newline="") as file:
         rows = list(csv.DictReader(file))
     header = "site,x,y,weight,status,area,perimeter,centroid_x,centroid_y,vertices,neighbors"
+    header += ",neighbor_shifts" * bool(cells.periodic) + ",rings" * (cells.outline is not None)
     assert list(rows[0]) == header.split(","), rows[0]
 
     def column(name):
@@ -65,6 +85,11 @@ def python_csv(cells):
     equal(column("vertices"), np.diff(cells.cell_offsets), "vertices")
     neighbors = [int(word) for row in rows for word in row["neighbors"].split()]
     equal(neighbors, cells.neighbors, "neighbors")
+    if cells.periodic:
+        shifts = [word.split(":") for row in rows for word in row["neighbor_shifts"].split()]
+        equal(np.array(shifts, int), cells.neighbor_shifts, "shifts")
+    if cells.outline is not None:
+        equal(column("rings"), [len(cells.rings(site)) for site in range(cells.count)], "rings")
 
 
 def python_geojson(cells):
@@ -84,9 +109,12 @@ def python_geojson(cells):
         if geometry is None:
             assert site not in cells.faces()
             continue
-        assert geometry["type"] == "Polygon" and len(geometry["coordinates"]) == 1
-        ring = cells.ring(site)
-        equal(geometry["coordinates"][0], np.vstack([ring, ring[:1]]), "ring")
+        pieces, polygons = cells.pieces(site), geometry["coordinates"]
+        assert geometry["type"] == ("Polygon" if len(pieces) == 1 else "MultiPolygon")
+        polygons = [polygons] if len(pieces) == 1 else polygons
+        assert [len(piece) for piece in pieces] == [len(polygon) for polygon in polygons]
+        for ring, written in zip(sum(pieces, []), sum(polygons, [])):
+            equal(written, np.vstack([ring, ring[:1]]), "ring")
 
 
 def ogr_geojson(cells):
@@ -99,7 +127,7 @@ def ogr_geojson(cells):
     for site, row in enumerate(rows):
         assert row["status"] == WORDS[cells.status[site]]
         if row["kind"]:
-            assert row["kind"] == "POLYGON", row
+            assert row["kind"] == ("POLYGON" if len(cells.pieces(site)) == 1 else "MULTIPOLYGON"), row
             near(float(row["measured"]), cells.areas[site], f"area of site {site}", 1e-6)
     return None
 
@@ -114,11 +142,16 @@ def geos_wkt(cells):
         polygons = list(shapely.wkt.loads(file.read()).geoms)
     assert len(polygons) == cells.count, f"{len(polygons)} polygons"
     for site, polygon in enumerate(polygons):
-        ring = cells.ring(site)
-        assert polygon.geom_type == "Polygon" and polygon.is_empty == (site not in cells.faces())
-        if not polygon.is_empty:
-            assert polygon.is_valid and polygon.exterior.is_ccw, f"polygon of site {site}"
-            equal(np.array(polygon.exterior.coords), np.vstack([ring, ring[:1]]), "ring")
+        pieces = cells.pieces(site)
+        assert polygon.geom_type == ("MultiPolygon" if len(pieces) > 1 else "Polygon")
+        assert polygon.is_empty == (not pieces)
+        found = [] if polygon.is_empty else [polygon] if len(pieces) == 1 else polygon.geoms
+        for piece, part in zip(pieces, found):
+            assert part.is_valid and part.exterior.is_ccw, f"polygon of site {site}"
+            for ring, line in zip(piece, [part.exterior, *part.interiors]):
+                equal(np.array(line.coords), np.vstack([ring, ring[:1]]), "ring")
+    if cells.periodic or cells.outline is not None:
+        return None
     union = shapely.ops.unary_union(polygons)
     assert union.geom_type == "Polygon" and len(union.interiors) == 0, "the cells leave gaps"
     equal(union.bounds, cells.domain, "box of the cells")
@@ -129,18 +162,23 @@ def python_svg(cells):
     svg = "{http://www.w3.org/2000/svg}"
     root = xml.etree.ElementTree.parse("c.svg").getroot()
     width, height = (float(word) for word in root.get("viewBox").split()[2:])
-    xmin, ymin, xmax, ymax = cells.domain
+    (xmin, ymin), (xmax, ymax) = cells.cell_vertices.min(0), cells.cell_vertices.max(0)
+    if not cells.periodic and cells.outline is None:
+        equal((xmin, ymin, xmax, ymax), cells.domain, "box of the cells")
     scale = 1000 / max(xmax - xmin, ymax - ymin)
     near(width, (xmax - xmin) * scale, "width", 1e-6)
     near(height, (ymax - ymin) * scale, "height", 1e-6)
-    polygons = root.findall(svg + "polygon")
-    assert len(polygons) == len(cells.faces()), f"{len(polygons)} polygons"
-    for site, polygon in zip(cells.faces(), polygons):
-        title = re.fullmatch("site (.*), area (.*)", polygon.find(svg + "title").text)
+    shapes = [shape for shape in root if shape.tag in (svg + "polygon", svg + "path")]
+    assert len(shapes) == len(cells.faces()), f"{len(shapes)} shapes"
+    for site, shape in zip(cells.faces(), shapes):
+        title = re.fullmatch("site (.*), area (.*)", shape.find(svg + "title").text)
         assert int(title[1]) == site and float(title[2]) == cells.areas[site], title[0]
-        points = np.array([pair.split(",") for pair in polygon.get("points").split()], float)
-        expected = (cells.ring(site) * [1, -1] - [xmin, -ymax]) * scale
-        assert np.abs(points - expected).max() < 1e-4, f"polygon of site {site}"
+        lines = [shape.get("points")] if shape.tag == svg + "polygon" else re.findall("M([^Z]*)Z", shape.get("d"))
+        rings = cells.rings(site)
+        assert len(lines) == len(rings), f"{len(lines)} rings of site {site}"
+        for line, ring in zip(lines, rings):
+            points = np.array([pair.split(",") for pair in line.split()], float)
+            assert np.abs(points - (ring * [1, -1] - [xmin, -ymax]) * scale).max() < 1e-4, f"site {site}"
 
 
 def libxml_svg(_):
@@ -155,13 +193,29 @@ CHECKS = [numpy_npz, python_csv, python_geojson, ogr_geojson, geos_wkt, python_s
 CHECKS += [python_obj, python_ply, assimp_meshes, vtk_meshes]
 
 
+class Scene:
+    def __init__(self, sites, domain, periodic=None, outline=None, options=()):
+        self.sites, self.domain, self.periodic, self.outline = sites, domain, periodic, outline
+        self.options = ["--sites", sites, "--domain", outline or ",".join(map(str, domain)), *options]
+        self.options += ["--periodic", periodic] if periodic else []
+
+
 def scenes():
     with open("few.csv", "w") as file:
         file.write("x,y\n.2,.3\n.7,.3\n.2,.3\n.5,.8\n5,5\n.1,.9\n.9,.6\n-3,.5\n.35,.55\n.7,.3\n")
-    yield "few.csv", (0, 0, 1, 0.95)
-    yield "random:400", (0, 0, 1, 1)
-    yield "square:100", (0, 0, 1, 1)
-    yield "random:300", (0.25, 0.5, 0.75, 0.625)
+    with open("ring.wkt", "w") as file:
+        file.write("MULTIPOLYGON (((0 0, 1 0, 1 1, 0 1, 0 0), (.2 .2, .8 .2, .8 .8, .2 .8, .2 .2)),"
+                   " ((.4 .4, .6 .4, .6 .6, .4 .6, .4 .4)))")
+    unit = (0, 0, 1, 1)
+    yield Scene("few.csv", (0, 0, 1, 0.95))
+    yield Scene("random:400", unit)
+    yield Scene("square:100", unit)
+    yield Scene("random:300", (0.25, 0.5, 0.75, 0.625))
+    yield Scene("random:300", unit, options=["--random-weights", "0,.01"])
+    yield Scene("random:300", unit, periodic="xy")
+    yield Scene("random:40", (0, 0, 1, 2), periodic="x", options=["--random-weights", "0,.01"])
+    yield Scene("random:100", unit, outline="ring.wkt")
+    yield Scene("random:2", unit, outline="ring.wkt")
 
 
 def main():
@@ -169,12 +223,11 @@ def main():
     failures, skipped = 0, set()
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
-        for sites, domain in scenes():
+        for scene in scenes():
             outputs = [word for extension in FORMATS for word in ("-o", f"c.{extension}")]
-            box = ",".join(map(str, domain))
-            command = [vorpipe, "cells", "--backend", "cpu", "--sites", sites, "--domain", box, "--quiet", *outputs]
+            command = [vorpipe, "cells", "--backend", "cpu", *scene.options, "--quiet", *outputs]
             subprocess.run(command, check=True)
-            cells = Cells("c.npz", domain)
+            cells = Cells("c.npz", scene)
             for check in CHECKS:
                 try:
                     missing = check(cells)
@@ -182,7 +235,7 @@ def main():
                         skipped.add(f"SKIPPED: {check.__name__}: there is no {missing}")
                 except Exception as error:  # whatever a reader throws
                     failures += 1
-                    print(f"FAILED: {check.__name__} of {sites}: {error!r}"[:200])
+                    print(f"FAILED: {check.__name__} of {' '.join(scene.options)}: {error!r}"[:300])
         os.chdir("/")
     print("\n".join(sorted(skipped)))
     print(f"{failures} checks failed, {len(skipped)} of {len(CHECKS)} readers are missing")

@@ -10,20 +10,43 @@ import numpy as np
 class Cells:
     """The .npz of one run, as NumPy reads it."""
 
-    def __init__(self, path, domain):
+    def __init__(self, path, scene):
         with np.load(path) as arrays:
             self.__dict__.update({name: arrays[name] for name in arrays.files})
-        self.domain = domain
+        self.domain, self.periodic, self.outline = scene.domain, scene.periodic, scene.outline
         self.count = len(self.sites)
 
     def ring(self, site):
         return self.cell_vertices[self.cell_offsets[site] : self.cell_offsets[site + 1]]
 
+    def rings(self, site):
+        """Outer rings, each followed by its holes."""
+        if self.outline is None:
+            return [ring for ring in [self.ring(site)] if len(ring) >= 3]
+        begin, end = self.cell_offsets[site : site + 2]
+        starts = [start for start in self.ring_starts if begin <= start < end]
+        return [self.cell_vertices[a:b] for a, b in zip(starts, starts[1:] + [end])]
+
+    def pieces(self, site):
+        """For each piece its rings; the first is the outer one."""
+        pieces = []
+        for ring in self.rings(site):
+            if shoelace(ring) > 0:
+                pieces.append([])
+            pieces[-1].append(ring)
+        return pieces
+
     def neighbors_of(self, site):
         return self.neighbors[self.neighbor_offsets[site] : self.neighbor_offsets[site + 1]]
 
+    def domain_area(self):
+        if self.outline is not None:
+            return 1 - 0.6**2 + 0.2**2  # ring.wkt
+        xmin, ymin, xmax, ymax = self.domain
+        return (xmax - xmin) * (ymax - ymin)
+
     def faces(self):
-        return [site for site in range(self.count) if len(self.ring(site)) >= 3]
+        return [site for site in range(self.count) if self.rings(site)]
 
     def on_wall(self, a, b):
         (xmin, ymin, xmax, ymax), (ax, ay), (bx, by) = self.domain, a, b

@@ -4,31 +4,61 @@ import re
 
 import numpy as np
 
-from cells_readers_data import equal, program
+from cells_readers_data import equal, program, shoelace
 
 
-def check_mesh(cells, points, faces):
+def check_mesh(cells, points, faces, sites):
     """Faces in the order of their sites, their corners the cells' vertices, without a gap between them."""
-    expected = cells.faces()
-    assert len(faces) == len(expected), f"{len(faces)} faces"
     points = np.asarray(points)
     assert len(np.unique(points, axis=0)) == len(points), "a position stands twice"
+    expected = [(site, piece) for site in cells.faces() for piece in cells.pieces(site)]
+    if any(len(piece) > 1 for _, piece in expected):
+        check_areas(cells, points, faces, sites)
+        return
+    assert len(faces) == len(expected), f"{len(faces)} faces"
     edges = set()
-    for site, face in zip(expected, faces):
-        ring = np.hstack([cells.ring(site), np.zeros((len(face), 1))])
+    for (site, piece), face in zip(expected, faces):
+        ring = np.hstack([piece[0], np.zeros((len(face), 1))])
         equal(points[list(face)].astype(ring.dtype), ring.astype(points.dtype), f"face of site {site}")
         for edge in zip(face, np.roll(face, -1)):
             assert edge not in edges, f"edge {edge} belongs to two faces on the same side"
             edges.add(edge)
+    if cells.periodic or cells.outline is not None:
+        return
     for a, b in edges:
         assert (b, a) in edges or cells.on_wall(points[a][:2], points[b][:2]), f"the mesh is open at {a}, {b}"
+
+
+def check_areas(cells, points, faces, sites):
+    """Holes are left out: the faces of a site have its area together, and none is clockwise."""
+    areas = np.zeros(cells.count)
+    for site, face in zip(sites, faces):
+        area = shoelace(points[list(face)][:, :2])
+        assert area > 0, f"a face of site {site} is clockwise"
+        areas[site] += area
+    assert np.allclose(areas, cells.areas, rtol=1e-9, atol=1e-15), "areas of the faces"
+
+
+def sites_of_pieces(cells):
+    """The sites of the faces, where no piece has a hole."""
+    return [site for site in cells.faces() for _ in cells.pieces(site)]
 
 
 def python_obj(cells):
     with open("c.obj") as file:
         lines = [line.split() for line in file]
     points = [[float(word) for word in words[1:]] for words in lines if words[0] == "v"]
-    check_mesh(cells, points, [[int(word) - 1 for word in words[1:]] for words in lines if words[0] == "f"])
+    faces, sites, site = [], [], None
+    for words in lines:
+        if words[0] == "g":
+            site = int(words[1].removeprefix("site_"))
+        elif words[0] == "f":
+            faces.append([int(word) - 1 for word in words[1:]])
+            sites.append(site)
+    assert (site is None) == (cells.outline is None), "groups are for pieces"
+    if site is not None and len(faces) == len(sites_of_pieces(cells)):
+        equal(sites, sites_of_pieces(cells), "groups")
+    check_mesh(cells, points, faces, sites)
 
 
 def python_ply(cells):
@@ -36,20 +66,23 @@ def python_ply(cells):
         head, data = file.read().split(b"end_header\n", 1)
     count = int(re.search(rb"element vertex (\d+)", head)[1])
     points = np.frombuffer(data, "<f8", 3 * count).reshape(-1, 3)
-    at, faces = points.nbytes, []
-    for site in cells.faces():
+    at, faces, sites = points.nbytes, [], []
+    while at < len(data):
         corners = int.from_bytes(data[at : at + 4], "little")
         record = np.dtype([("corners", "<i4", corners), ("site", "<u4"), ("area", "<f8")])
         face = np.frombuffer(data, record, 1, at + 4)[0]
-        assert face["site"] == site and face["area"] == cells.areas[site], f"face of site {site}"
+        assert face["area"] == cells.areas[face["site"]], f"face of site {face['site']}"
         faces.append(face["corners"])
+        sites.append(face["site"])
         at += 4 + record.itemsize
-    assert at == len(data), f"{len(data) - at} bytes too many"
-    check_mesh(cells, points, faces)
+    assert at == len(data) and len(faces) == int(re.search(rb"element face (\d+)", head)[1])
+    assert sites == sorted(sites) and set(sites) == set(cells.faces())
+    check_mesh(cells, points, faces, sites)
 
 
 def assimp_meshes(cells):
-    triangles = sum(len(cells.ring(site)) - 2 for site in cells.faces())
+    rings = [(len(piece), sum(map(len, piece))) for site in cells.faces() for piece in cells.pieces(site)]
+    triangles = sum(vertices + 2 * (count - 1) - 2 for count, vertices in rings)
     for path in "c.obj", "c.ply":
         text = program("assimp", "info", path)
         if text is None:
@@ -79,9 +112,12 @@ def vtk_meshes(cells):
         polygons = mesh.GetPolys()
         corners = support.vtk_to_numpy(polygons.GetConnectivityArray())
         offsets = support.vtk_to_numpy(polygons.GetOffsetsArray())
-        equal(np.diff(offsets), np.diff(cells.cell_offsets)[sites], f"corners of faces in {path}")
+        if path != "c.vtk" and cells.outline is None:
+            equal(np.diff(offsets), np.diff(cells.cell_offsets)[sites], f"corners of faces in {path}")
         if path == "c.vtk":  # the other two readers make float32 of the positions
-            check_mesh(cells, support.vtk_to_numpy(mesh.GetPoints().GetData()), np.split(corners, offsets[1:-1]))
+            of_faces = support.vtk_to_numpy(mesh.GetCellData().GetArray("site"))
+            points = support.vtk_to_numpy(mesh.GetPoints().GetData())
+            check_mesh(cells, points, np.split(corners, offsets[1:-1]), of_faces)
             for name, values in data.items():
-                equal(support.vtk_to_numpy(mesh.GetCellData().GetArray(name)), values[sites], name)
+                equal(support.vtk_to_numpy(mesh.GetCellData().GetArray(name)), values[of_faces], name)
     return None

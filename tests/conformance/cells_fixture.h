@@ -18,7 +18,11 @@ namespace vorpipe::test {
 inline constexpr Box unit{0, 0, 1, 1};
 
 inline CellsOptions within(const Box& domain, SearchOptions search = {}, Detail detail = Detail::everything) {
-  return {domain, search, detail, {}};
+  CellsOptions wanted{};
+  wanted.domain = domain;
+  wanted.search = search;
+  wanted.detail = detail;
+  return wanted;
 }
 
 class Cells : public testing::TestWithParam<const char*> {

@@ -75,18 +75,22 @@ std::vector<std::int32_t> sortedRow(const Neighborhoods& cells, std::size_t entr
   return row;
 }
 
-// How many entries differ in their status or in their set of neighbors.
-std::size_t differing(const Neighborhoods& a, const Neighborhoods& b) {
+// Expects the same sets of neighbors wherever the statuses are the same; returns how many are not.
+std::size_t differingStatuses(const Neighborhoods& a, const Neighborhoods& b) {
   EXPECT_EQ(a.status.size(), b.status.size());
   std::size_t count = 0;
   for (std::size_t entry = 0; entry < a.status.size(); entry++) {
-    count += a.status[entry] != b.status[entry] || sortedRow(a, entry) != sortedRow(b, entry) ? 1U : 0U;
+    if (a.status[entry] != b.status[entry]) {
+      count++;
+    } else {
+      EXPECT_EQ(sortedRow(a, entry), sortedRow(b, entry)) << "entry " << entry;
+    }
   }
   return count;
 }
 
-// A site within rounding of the side of its bin may stand in another one, so that a search tries sites in
-// another order, or one more before it gives up. Nothing else may differ.
+// A site within rounding of the side of its bin may stand in another one, so that a search tries one site
+// more before it gives up: 4 of 30,000 clustered cells. Nothing else may differ.
 TEST_P(OfSites, GiveTheSameCells) {
   // The second set is the smaller one, and the third needs more room than both.
   for (const std::size_t count : {6000U, 50U, 30000U}) {
@@ -100,7 +104,7 @@ TEST_P(OfSites, GiveTheSameCells) {
       ASSERT_TRUE(host_->cells(all, effort, by_host).has_value());
       ASSERT_TRUE(device_->cells(all, effort, by_device).has_value());
       EXPECT_GT(std::ranges::count(by_device.status, CellStatus::certified), std::ssize(set.x) / 2);
-      EXPECT_LE(differing(by_host, by_device), set.size() / 1000);
+      EXPECT_LE(differingStatuses(by_host, by_device), set.size() / 5000);
     }
   }
   expectSilence();
@@ -121,13 +125,9 @@ TEST_P(OfSites, GiveTheSamePicture) {
     pictures.push_back(read(*backend, view));
     statuses.push_back(std::move(status));
   }
-  std::size_t differing = 0;
-  for (std::size_t k = 0; k < set.size(); k++) differing += statuses[0][k] != statuses[1][k] ? 1U : 0U;
-  EXPECT_LE(differing, set.size() / 1000);
-  if (differing == 0) {
-    EXPECT_EQ(pictures[0].ids, pictures[1].ids);
-    EXPECT_EQ(pictures[0].rgba, pictures[1].rgba);
-  }
+  EXPECT_EQ(statuses[0], statuses[1]);
+  EXPECT_EQ(pictures[0].ids, pictures[1].ids);
+  EXPECT_EQ(pictures[0].rgba, pictures[1].rgba);
   expectSilence();
 }
 

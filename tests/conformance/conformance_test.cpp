@@ -19,7 +19,11 @@ namespace {
 constexpr Box unit{0, 0, 1, 1};
 
 RenderOptions picture(Box domain, int width = 96, int height = 96) {
-  return {domain, width, height, ColorBy::site, "viridis", false, false, {}, {}};
+  RenderOptions wanted{};
+  wanted.domain = domain;
+  wanted.width = width;
+  wanted.height = height;
+  return wanted;
 }
 
 class Conformance : public testing::TestWithParam<const char*> {

@@ -25,7 +25,7 @@ for scene in "${scenes[@]}"; do
     "$vorpipe" render --backend cpu $options --size 72x60 --ids "$here/$name.npy" --quiet || exit 1
     continue
   fi
-  for backend in cpu vulkan-geometry opengl; do
+  for backend in cpu vulkan-compute vulkan-geometry opengl; do
     if "$vorpipe" render --backend $backend $options --size 72x60 --ids "$work/$name.npy" --quiet &&
        "$vorpipe" diff "$here/$name.npy" "$work/$name.npy" $options >"$work/said" 2>&1; then
       echo "ok      $name on $backend"

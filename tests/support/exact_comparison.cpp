@@ -13,6 +13,7 @@ namespace vorpipe::test {
 namespace {
 
 constexpr std::size_t most_faults_told = 10;
+constexpr double most_ties = 8;
 
 class Comparing {
  public:
@@ -27,6 +28,7 @@ class Comparing {
 
   Comparison run() {
     if (!areArraysWhole()) return std::move(result_);
+    findTied();
     for (std::size_t i = 0; i < sites_.size(); ++i) {
       compareOwner(i);
       compareArea(i);
@@ -115,6 +117,38 @@ class Comparing {
     return edge.part < promise_.shortest * (1 - promise_.gap) ? Verdict::no : Verdict::either;
   }
 
+  /// The distance of the farthest site that shares an edge with cell i.
+  [[nodiscard]] double farthestOf(std::size_t i) const {
+    double farthest = 0;
+    for (const auto& edge : edges(i)) {
+      if (edge.neighbor >= 0 && edge.part > 0) farthest = std::max(farthest, edge.length / edge.part);
+    }
+    return farthest;
+  }
+
+  /// Only a tie that ends at a vertex of a cell moves it: an edge of the cell's, or of a neighbor's.
+  void findTied() {
+    std::vector<bool> has(sites_.size());
+    for (std::size_t i = 0; i < sites_.size(); ++i) {
+      const double farthest = farthestOf(i);
+      has[i] = std::ranges::any_of(
+          edges(i), [&](const ExactEdge& edge) { return verdict(edge, farthest) != Verdict::yes; });
+    }
+    tied_ = has;
+    for (std::size_t i = 0; i < sites_.size(); ++i) {
+      for (const auto& edge : edges(i)) {
+        if (edge.neighbor >= 0 && has[static_cast<std::size_t>(edge.neighbor)]) tied_[i] = true;
+      }
+    }
+  }
+
+  /// By how much the length of an edge of cell i may be off. Sites that tie may be farther apart than an
+  /// edge is long, and several ties may stand in a row.
+  [[nodiscard]] double allowedLength(std::size_t i, double length, double farthest) const {
+    const double rounding = 1e-9 * length + 1e-14 * side_;
+    return tied_[i] ? rounding + most_ties * promise_.shortest * farthest : rounding;
+  }
+
   void compareNeighbors(std::size_t i) {
     std::map<std::int64_t, double> lengths;
     for (std::size_t k = 0; k < reported(i).size(); ++k) {
@@ -123,10 +157,7 @@ class Comparing {
       if (!lengths.emplace(reported(i)[k], length).second)
         fault(result_.invented, "site {} has its neighbor {} twice", i, reported(i)[k]);
     }
-    double farthest = 0;
-    for (const auto& edge : edges(i)) {
-      if (edge.neighbor >= 0 && edge.part > 0) farthest = std::max(farthest, edge.length / edge.part);
-    }
+    const double farthest = farthestOf(i);
     for (const auto& edge : edges(i)) {
       const auto found = lengths.extract(edge.neighbor);
       const auto wanted = verdict(edge, farthest);
@@ -136,9 +167,7 @@ class Comparing {
       if (wanted == Verdict::no && found)
         fault(result_.invented, "site {} has the neighbor {}: edge {}, {} of their distance", i,
               edge.neighbor, edge.length, edge.part);
-      // A tie at either end moves a corner by its own length, and sites that tie may be far apart.
-      const double allowed = 1e-5 * edge.length + 2 * promise_.shortest * side_;
-      if (found && std::abs(found.mapped() - edge.length) > allowed)
+      if (found && std::abs(found.mapped() - edge.length) > allowedLength(i, edge.length, farthest))
         fault(result_.lengths, "site {} has an edge of {}, not {}, to {}", i, found.mapped(), edge.length,
               edge.neighbor);
     }
@@ -175,6 +204,7 @@ class Comparing {
   const Promise& promise_;
   double side_ = 0;
   double mean_area_ = 0;
+  std::vector<bool> tied_;  ///< whether ties may have moved a cell's vertices
   Comparison result_;
 };
 

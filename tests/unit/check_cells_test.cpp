@@ -253,6 +253,17 @@ std::vector<Scene> rightScenes() {
           {"oblong", generate(Pattern::random, 500, 1), {0.4, 0.1, 0.4001, 0.9}}};
 }
 
+TEST(Check, TakesAnySiteThatDoubleDoesNotTellFromTheNearest) {
+  CellsOptions options = unit_cells;
+  options.domain = {-1, -1, 1, 1};
+  for (const double apart : {1e-12, 1e-15, 1e-18, 1e-21}) {
+    const Sites sites{{0, apart, 0, -apart, 0.5}, {0, 0, apart, -apart, 0.25}, {}};
+    const auto lines = check(sites, options, cellsOf(sites, options));
+    ASSERT_TRUE(lines);
+    EXPECT_THAT(*lines, IsEmpty()) << apart;
+  }
+}
+
 TEST(Check, FindsNothingInRightCellsOfAnyKind) {
   for (const Scene& scene : rightScenes()) {
     CellsOptions options = unit_cells;

@@ -10,7 +10,7 @@
 
 namespace vorpipe::test {
 
-inline const CellsOptions unit_cells{{0, 0, 1, 1}, {}, Detail::everything, {}};
+inline const CellsOptions unit_cells{{0, 0, 1, 1}, {}, Periodic::none, {}, {}, Detail::everything, {}};
 
 /// 200 random sites; then site 200, a duplicate of site 7; 201, whose cell reaches in from outside; and
 /// 202, far away and empty.

@@ -32,8 +32,28 @@ TEST(InCircle, isExactOnTheCircle) {
   EXPECT_EQ(inCircle(at(3, 4), at(-4, 3), at(-5, 0), outside), -1);
 }
 
-/// Says how a mesh is no Delaunay triangulation of the points; empty if it is one.
-std::string broken(const std::vector<Point>& points, const std::vector<MeshTriangle>& mesh) {
+TEST(InCircle, isExactByWeight) {
+  const auto at = [](double x, double y, double weight) { return WeightedPoint{{x, y}, weight}; };
+  // The powers of (0.5, 0.25) to the first three are 0, to the last so much.
+  const auto a = at(0, 0, 0.3125), b = at(1, 0, 0.3125), c = at(0.5, 1, 0.5625);
+  const auto d = [&](double power) { return at(0.25, 0.125, 0.0625 + 0.015625 - power); };
+  EXPECT_EQ(inCircle(a, b, c, d(0)), 0);
+  EXPECT_EQ(inCircle(a, b, c, d(-0x1p-56)), 1);
+  EXPECT_EQ(inCircle(a, b, c, d(0x1p-56)), -1);
+  EXPECT_EQ(inInterval(a, at(1, 0, 0.8125), at(0.5, 0, 0.375)), 1);
+  EXPECT_EQ(inInterval(a, at(1, 0, 0.8125), at(0.25, 0, 0.25)), 0) << "the powers at 0.25 are -0.25";
+  EXPECT_EQ(inInterval(a, at(1, 0, 0.8125), at(0.25, 0, 0.25 - 0x1p-54)), -1);
+}
+
+/// Says how a mesh is no Delaunay triangulation of the points, or by weight no regular one; empty if it is
+/// one.
+std::string broken(const std::vector<Point>& points, const Mesh& made,
+                   const std::vector<double>& weights = {}) {
+  const auto& mesh = made.triangles;
+  const auto weighted = [&](std::int32_t i) {
+    const auto k = static_cast<std::size_t>(i);
+    return WeightedPoint{points[k], weights.empty() ? 0 : weights[k]};
+  };
   std::size_t hull = 0, inside = 0;
   std::set<std::int32_t> used;
   for (std::size_t t = 0; t < mesh.size(); ++t) {
@@ -49,12 +69,26 @@ std::string broken(const std::vector<Point>& points, const std::vector<MeshTrian
       if (back == other.across.end()) return "triangles across an edge do not know each other";
       const auto far = other.corner[static_cast<std::size_t>(back - other.across.begin())];
       if (is_outside || far == beyond) continue;
-      if (inCircle(at(c[0]), at(c[1]), at(c[2]), at(far)) > 0) return "an edge should be flipped";
+      if (inCircle(weighted(c[0]), weighted(c[1]), weighted(c[2]), weighted(far)) > 0) {
+        return "an edge should be flipped";
+      }
     }
   }
   used.erase(beyond);
-  if (used.size() != points.size()) return "a point is missing";
-  return inside == 2 * points.size() - 2 - hull ? "" : "Euler's relation does not hold";
+  for (std::int32_t i = 0; i < static_cast<std::int32_t>(points.size()); ++i) {
+    const auto& c = mesh[static_cast<std::size_t>(made.at[static_cast<std::size_t>(i)])].corner;
+    if (used.contains(i) != (std::count(c.begin(), c.end(), i) == 1))
+      return "a point has a triangle elsewhere";
+    if (used.contains(i)) continue;
+    const auto at = [&](std::size_t k) { return points[static_cast<std::size_t>(c[k % 3])]; };
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto p = points[static_cast<std::size_t>(i)];
+      if (orientation(at(k), at(k + 1), p) < 0) return "a hidden point lies elsewhere";
+    }
+    if (inCircle(weighted(c[0]), weighted(c[1]), weighted(c[2]), weighted(i)) > 0)
+      return "a point is missing";
+  }
+  return inside == 2 * used.size() - 2 - hull ? "" : "Euler's relation does not hold";
 }
 
 TEST(Delaunay, ofRandomPoints) {
@@ -65,6 +99,48 @@ TEST(Delaunay, ofRandomPoints) {
     for (auto& p : points) p = {unit(random), unit(random)};
     EXPECT_EQ(broken(points, delaunay(points)), "") << count;
   }
+}
+
+TEST(Delaunay, byWeight) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (const double most : {1e-5, 1e-3, 0.1, 10.0}) {
+    std::vector<Point> points(2000), lattice;
+    std::vector<double> weights(2000), steps(900);
+    for (auto& p : points) p = {unit(random), unit(random)};
+    for (auto& weight : weights) weight = most * unit(random);
+    EXPECT_EQ(broken(points, delaunay(points, weights), weights), "") << most;
+    for (int i = 0; i < 900; ++i) lattice.push_back({i % 30 / 8.0, i / 30 / 8.0});
+    for (auto& weight : steps) weight = std::floor(100 * most * unit(random)) / 64;
+    EXPECT_EQ(broken(lattice, delaunay(lattice, steps), steps), "") << most;
+    // All on the plane through the first three, or nearly so, as inCircle lifts points.
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      points[i] = {std::floor(1024 * points[i].x) / 1024,
+                   std::floor(1024 * points[i].y) / 1024 + 0x1p-12 * static_cast<double>(i % 4)};
+      weights[i] = points[i].x * points[i].x + points[i].y * points[i].y +
+                   (i % 2 == 0 ? 1e-14 * most * unit(random) : 0);
+    }
+    std::set<std::pair<double, double>> seen;
+    std::vector<Point> distinct;
+    std::vector<double> flat;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (!seen.emplace(points[i].x, points[i].y).second) continue;
+      distinct.push_back(points[i]);
+      flat.push_back(weights[i]);
+    }
+    EXPECT_EQ(broken(distinct, delaunay(distinct, flat), flat), "") << most;
+  }
+  std::vector<Point> line;
+  for (int i = 0; i < 50; ++i) line.push_back({1.0 * i, 0});
+  std::vector<double> heavy(50, 0);
+  heavy[20] = 1000;
+  EXPECT_TRUE(delaunay(line, heavy).triangles.empty());
+  line.push_back({3, 2});
+  heavy.push_back(0);
+  EXPECT_EQ(broken(line, delaunay(line, heavy), heavy), "");
+  line.push_back({30, -0.5});
+  heavy.push_back(1e6);
+  EXPECT_EQ(broken(line, delaunay(line, heavy), heavy), "");
 }
 
 TEST(Delaunay, ofPointsThatAreAllTies) {
@@ -83,11 +159,11 @@ TEST(Delaunay, ofPointsThatAreAllTies) {
   EXPECT_EQ(broken(cross, delaunay(cross)), "");
   EXPECT_EQ(broken(parabola, delaunay(parabola)), "");
   for (auto& p : line) p.y = p.x;
-  EXPECT_TRUE(delaunay(line).empty());
+  EXPECT_TRUE(delaunay(line).triangles.empty());
   line.push_back({3, 3.5});
   EXPECT_EQ(broken(line, delaunay(line)), "");
-  EXPECT_TRUE(delaunay({}).empty());
-  EXPECT_TRUE(delaunay({{1, 2}, {2, 3}}).empty());
+  EXPECT_TRUE(delaunay({}).triangles.empty());
+  EXPECT_TRUE(delaunay({{1, 2}, {2, 3}}).triangles.empty());
 }
 
 }  // namespace

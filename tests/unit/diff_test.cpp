@@ -66,6 +66,23 @@ TEST(DiffIds, distancesAreInPixelsThatAreNotSquare) {
   EXPECT_NEAR(diff->worst.distance, 1 / std::sqrt(17.0), 1e-12);
 }
 
+TEST(DiffIds, distancesAreByWeight) {
+  // The bisector of beside(0, domain) moves by lead / (2 * 0.5 * side): here by 3 pixels, to the right.
+  for (const double side : {1.0, 40.0}) {
+    const Box domain{0, 0, side, side * height / width};
+    auto sites = beside(0, domain);
+    sites.weight = {7 + 0.5 * 2 * 3.0 / width * side * side, 7};
+    const auto right = diffIds(halves(83), halves(84), width, height, sites, domain);
+    ASSERT_TRUE(right);
+    EXPECT_EQ(right->ties, static_cast<std::uint64_t>(height));
+    EXPECT_NEAR(right->widest_tie, 0, 1e-9);
+    const auto wrong = diffIds(halves(80), halves(81), width, height, sites, domain);
+    ASSERT_TRUE(wrong);
+    EXPECT_EQ(wrong->wrong, static_cast<std::uint64_t>(height));
+    EXPECT_NEAR(wrong->worst.distance, 3, 1e-9);
+  }
+}
+
 TEST(DiffIds, aTieNeedsABoundaryBesideIt) {
   const auto diff =
       diffIds(Ids(at(height, 0), 0), Ids(at(height, 0), 1), width, height, beside(0, unit), unit);

@@ -5,24 +5,67 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <tuple>
 
 #include "backend/cpu/clipper.h"
 #include "backend/cpu/grid_cells.h"
 #include "backend/cpu/grid_lanes.h"
+#include "core/heaviest.h"
 #include "core/prepare.h"
 
 namespace vorpipe::cpu {
 
 void findIn4Lanes(const LaneJob& job, bool roomy);
+void findWeightedIn4Lanes(const LaneJob& job, bool roomy);
 
 namespace {
 
 /// What the backend gives to the walk.
 constexpr int most_tried[2] = {256, 1024};
 
-template <std::size_t Edges>
+/// The same text for sites with weights.
+template <std::size_t Room>
+struct WeightedClipper {
+  using real = float;
+  using vec2 = Vec2<real>;
+  using vec4 = Vec4<real>;
+  static constexpr int MAX_EDGES = static_cast<int>(Room);
+
+  const SiteSet* sites = nullptr;
+  double site_x = 0, site_y = 0, weight = 0;
+
+  static constexpr int edgeEnd() { return MAX_EDGES; }
+  [[nodiscard]] int firstOfBin(int bin) const {
+    return static_cast<int>(sites->grid.first[static_cast<std::size_t>(bin)]);
+  }
+  [[nodiscard]] vec2 offsetTo(int place) const {
+    const auto i = static_cast<std::size_t>(place);
+    return vec2(static_cast<real>(sites->x[i] - site_x), static_cast<real>(sites->y[i] - site_y));
+  }
+  static real lead(double own, double other) {
+    return static_cast<real>(std::clamp(own - other, -1e18, 1e18));
+  }
+  [[nodiscard]] real weightAgainst(int place) const {
+    return lead(weight, sites->weight[static_cast<std::size_t>(place)]);
+  }
+  [[nodiscard]] real leadOf(int number) const {
+    const real heavier = -lead(weight, sites->grid.heaviest[static_cast<std::size_t>(number)]);
+    return heavier + std::abs(heavier) * 1.2e-7F;
+  }
+  [[nodiscard]] int heavyAt(int k) const {
+    return static_cast<int>(sites->heavy[static_cast<std::size_t>(k)]);
+  }
+
+#define WEIGHTED
+#include "cell.glsl"
+#include "grid.glsl"
+#undef WEIGHTED
+};
+
+template <class Clip>
 struct OneByOne {
-  using Clip = Clipper<float, Edges>;
+  static constexpr std::size_t Edges = Clip::MAX_EDGES;
+  static constexpr bool is_weighted = std::is_same_v<Clip, WeightedClipper<Edges>>;
   using vec2 = typename Clip::vec2;
   using vec4 = typename Clip::vec4;
 
@@ -48,6 +91,10 @@ struct OneByOne {
     bins.slack = 4.8e-7F * extent;
     bins.known = seenFrom(set.known, x, y);
     bins.most = most_tried[Edges > EDGES_FAST ? 1 : 0];
+    if constexpr (is_weighted) {
+      bins.heavy = static_cast<int>(set.heavy.size());
+      clip.weight = set.weight[site];
+    }
     typename Clip::Cell cell;
     const vec2 shift(static_cast<float>(clip.site_x - x), static_cast<float>(clip.site_y - y));
     const auto status = static_cast<CellStatus>(
@@ -59,13 +106,18 @@ struct OneByOne {
       if (order.rank[k] >= 0) neighbors[static_cast<std::size_t>(order.rank[k])] = cell.line[k];
     }
     if (status != CellStatus::certified) neighbors.clear();
+    if constexpr (is_weighted) {
+      if (status != CellStatus::empty) return status;
+      neighbors.assign(cell.line, cell.line + Edges);
+      neighbors.push_back(cell.last);
+    }
     return status;
   }
 
   Clip clip;
 };
 
-template <std::size_t Edges>
+template <class Clip>
 void compare(const SiteSet& set, Effort effort) {
   std::vector<std::uint32_t> all(set.size());
   std::iota(all.begin(), all.end(), 0U);
@@ -73,7 +125,7 @@ void compare(const SiteSet& set, Effort effort) {
   findOnGrid(set, all, effort, 2, found);
   std::vector<CellStatus> widened(set.size());
   statusesOnGrid(set, all, effort, 1e-3F, 2e-3F, 2, widened);
-  OneByOne<Edges> one;
+  OneByOne<Clip> one;
   std::vector<std::int32_t> neighbors;
   std::vector<std::int32_t> ignored;
   for (std::uint32_t i = 0; i < set.size(); ++i) {
@@ -89,10 +141,10 @@ void compare(const SiteSet& set, Effort effort) {
 void compareBoth(const Sites& sites, const Box& domain = {0, 0, 1, 1}) {
   auto prepared = prepare(sites, domain, 2);
   ASSERT_TRUE(prepared);
-  compare<EDGES_FAST>(prepared->set, Effort::fast);
-  compare<EDGES_MOST>(prepared->set, Effort::roomy);
+  compare<Clipper<float, EDGES_FAST>>(prepared->set, Effort::fast);
+  compare<Clipper<float, EDGES_MOST>>(prepared->set, Effort::roomy);
   prepared->set.known = {0.25, 0.25, 0.75, 0.5};
-  compare<EDGES_FAST>(prepared->set, Effort::fast);
+  compare<Clipper<float, EDGES_FAST>>(prepared->set, Effort::fast);
 }
 
 TEST(GridCells, areTheSameSideBySideAsOneByOne) {
@@ -106,41 +158,79 @@ TEST(GridCells, areTheSameSideBySideAsOneByOne) {
   compareBoth(generate(Pattern::random, 3000, 5), {0.4, 0.3, 0.7, 0.5});
 }
 
+SiteSet weightedSet(std::size_t count, double most, std::size_t heavy) {
+  auto set = prepare(generate(Pattern::random, count, 8), {0, 0, 1, 1}, 2)->set;
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> uniform;
+  for (std::size_t i = 0; i < count; ++i) {
+    set.weight.push_back(most * uniform(random) / static_cast<double>(count));
+  }
+  for (std::uint32_t k = 0; k < heavy; ++k) {
+    set.weight[11 * k] = (k == 7 ? 1.0 : 1e-2) * uniform(random) + 1e3 / static_cast<double>(count);
+    set.heavy.push_back(11 * k);
+  }
+  std::sort(set.heavy.begin(), set.heavy.end(),
+            [&](auto a, auto b) { return set.weight[a] > set.weight[b]; });
+  noteHeaviest(set, 1);
+  buildPyramid(set.grid);
+  return set;
+}
+
+TEST(GridCells, areTheSameSideBySideAsOneByOneWithWeights) {
+  for (const double most : {0.1, 1.0, 10.0, 100.0}) {
+    for (const std::size_t heavy : {0U, 1U, 10U, 32U}) {
+      SCOPED_TRACE(most);
+      SCOPED_TRACE(heavy);
+      auto set = weightedSet(1500, most, heavy);
+      compare<WeightedClipper<EDGES_FAST>>(set, Effort::fast);
+      compare<WeightedClipper<EDGES_MOST>>(set, Effort::roomy);
+      set.known = {0.25, 0.25, 0.75, 0.5};
+      compare<WeightedClipper<EDGES_FAST>>(set, Effort::fast);
+    }
+  }
+}
+
+auto runLanes(FindInLanes find, const SiteSet& set) {
+  std::vector<std::uint32_t> all(set.size());
+  std::iota(all.begin(), all.end(), 0U);
+  std::vector<std::uint8_t> status(set.size());
+  std::vector<std::uint8_t> counts(set.size());
+  std::vector<std::int32_t> neighbors(set.size() * (EDGES_FAST + 1), 0);
+  LaneJob job{};
+  job.x = set.x.data();
+  job.y = set.y.data();
+  job.first = set.grid.first.data();
+  job.grid_xmin = set.grid.xmin;
+  job.grid_ymin = set.grid.ymin;
+  job.size = set.grid.size;
+  job.columns = static_cast<int>(set.grid.columns);
+  job.rows = static_cast<int>(set.grid.rows);
+  for (const std::size_t side : {0U, 1U}) {
+    job.domain[side] = 0;
+    job.domain[side + 2] = 1;
+    job.known[side] = -9;
+    job.known[side + 2] = 9;
+  }
+  job.most = 256;
+  job.which = all.data();
+  job.count = all.size();
+  job.status = status.data();
+  job.neighbors = neighbors.data();
+  job.neighbor_counts = counts.data();
+  job.weight = set.weight.data();
+  job.heaviest = set.grid.heaviest.data();
+  job.heavy = set.heavy.data();
+  job.heavy_count = static_cast<int>(set.heavy.size());
+  find(job, false);
+  return std::tuple{status, counts, neighbors};
+}
+
 TEST(GridCells, areTheSameForAnyWidth) {
   const auto prepared = prepare(generate(Pattern::random, 5003, 11), {0, 0, 1, 1}, 2);
   ASSERT_TRUE(prepared);
-  const auto& set = prepared->set;
-  std::vector<std::uint32_t> all(set.size());
-  std::iota(all.begin(), all.end(), 0U);
-  const auto run = [&](FindInLanes find) {
-    std::vector<std::uint8_t> status(set.size());
-    std::vector<std::uint8_t> counts(set.size());
-    std::vector<std::int32_t> neighbors(set.size() * EDGES_FAST, 0);
-    LaneJob job{};
-    job.x = set.x.data();
-    job.y = set.y.data();
-    job.first = set.grid.first.data();
-    job.grid_xmin = set.grid.xmin;
-    job.grid_ymin = set.grid.ymin;
-    job.size = set.grid.size;
-    job.columns = static_cast<int>(set.grid.columns);
-    job.rows = static_cast<int>(set.grid.rows);
-    for (const std::size_t side : {0U, 1U}) {
-      job.domain[side] = 0;
-      job.domain[side + 2] = 1;
-      job.known[side] = -9;
-      job.known[side + 2] = 9;
-    }
-    job.most = 256;
-    job.which = all.data();
-    job.count = all.size();
-    job.status = status.data();
-    job.neighbors = neighbors.data();
-    job.neighbor_counts = counts.data();
-    find(job, false);
-    return std::tuple{status, counts, neighbors};
-  };
-  EXPECT_EQ(run(findIn4Lanes), run(findInLanes()));
+  EXPECT_EQ(runLanes(findIn4Lanes, prepared->set), runLanes(findInLanes(false), prepared->set));
+  const auto weighted = weightedSet(5003, 3, 5);
+  EXPECT_EQ(runLanes(findWeightedIn4Lanes, weighted), runLanes(findInLanes(true), weighted));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -114,10 +115,60 @@ TEST_F(CellsFile, MeshJoinsWhatIsEqual) {
   cells.vertices = {{0, 1}, {1, -0.0}, {next, 1}, {next, 1}, {0, 1}, {-0.0, 1}, {1, 0}, {1, 1}, {1, next}};
   const auto mesh = cellsMesh(*file, cells);
   ASSERT_TRUE(mesh) << mesh.error().message;
-  EXPECT_THAT(mesh->corners, ElementsAre(0, 1, 2, 2, 0, 0, 1, 3, 4));
+  EXPECT_THAT(mesh->corners, ElementsAre(0, 1, 2, 0, 1, 3, 4));
+  EXPECT_THAT(mesh->offsets, ElementsAre(0u, 3u, 7u));
   EXPECT_EQ(mesh->points.size(), 5u);
-  EXPECT_THAT(mesh->faces, ElementsAre(0u, 2u));
-  EXPECT_EQ(mesh->face_corners, 7u);
+  EXPECT_THAT(mesh->sites, ElementsAre(0u, 2u));
+}
+
+double areaOf(const CellsMesh& mesh, std::size_t face) {
+  double twice = 0;
+  const auto corners = mesh.cornersOf(face);
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Point& a = mesh.points[static_cast<std::size_t>(corners[k])];
+    const Point& b = mesh.points[static_cast<std::size_t>(corners[(k + 1) % corners.size()])];
+    twice += a.x * b.y - b.x * a.y;
+  }
+  return twice / 2;
+}
+
+TEST_F(CellsFile, MeshHasEachPieceAndNoHole) {
+  auto file = OutputFile::create(path("c.obj"));
+  ASSERT_TRUE(file);
+  const auto mesh = cellsMesh(*file, cellsInPieces());
+  ASSERT_TRUE(mesh) << mesh.error().message;
+  // Eight triangles between the square and its hole, the triangle, and the other cell.
+  EXPECT_THAT(mesh->sites, ElementsAre(0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 0u, 1u));
+  EXPECT_EQ(mesh->points.size(), 11u);
+  std::vector<double> area(2);
+  for (std::size_t face = 0; face < mesh->size(); ++face) {
+    EXPECT_GT(areaOf(*mesh, face), 0) << face;
+    area[mesh->sites[face]] += areaOf(*mesh, face);
+  }
+  EXPECT_THAT(area, ElementsAre(15.5, 1));
+}
+
+TEST_F(CellsFile, MeshFailsWhereRingsAreNoPolygon) {
+  auto file = OutputFile::create(path("c.obj"));
+  ASSERT_TRUE(file);
+  Diagram cells = cellsInPieces();
+  cells.vertices[1] = {std::nan(""), 0};
+  const auto mesh = cellsMesh(*file, cells);
+  ASSERT_FALSE(mesh);
+  EXPECT_EQ(mesh.error().code, ErrorCode::device);
+  EXPECT_EQ(mesh.error().message,
+            path("c.obj") + ": the cell of site 0 has holes, and could not be cut into triangles");
+}
+
+TEST_F(CellsFile, ObjGroupsThePiecesOfACell) {
+  const std::string text = written("c.obj", sitesInPieces(), cellsInPieces());
+  EXPECT_THAT(text, StartsWith("# Faces are pieces of cells; the group is the cell's site.\nv "));
+  const auto first = text.find("\ng site_0\nf "), second = text.find("\ng site_1\nf ");
+  ASSERT_NE(second, std::string::npos);
+  EXPECT_LT(first, second);
+  EXPECT_EQ(std::count(text.begin() + static_cast<std::ptrdiff_t>(first),
+                       text.begin() + static_cast<std::ptrdiff_t>(second), 'f'),
+            9);
 }
 
 TEST_F(CellsFile, MeshJoinsManyPoints) {
@@ -137,7 +188,7 @@ TEST_F(CellsFile, MeshJoinsManyPoints) {
   const auto mesh = cellsMesh(*file, cells);
   ASSERT_TRUE(mesh) << mesh.error().message;
   EXPECT_EQ(mesh->points.size(), (side + 1) * (side + 1));
-  EXPECT_EQ(mesh->faces.size(), side * side);
+  EXPECT_EQ(mesh->size(), side * side);
   for (std::size_t i = 0; i < cells.vertices.size(); ++i) {
     const Point& point = mesh->points[static_cast<std::size_t>(mesh->corners[i])];
     ASSERT_EQ(point.x, cells.vertices[i].x);

@@ -69,6 +69,21 @@ TEST_F(CellsFile, NumPyReadsTheWeights) {
   }
 }
 
+TEST_F(CellsFile, NumPyReadsPiecesShiftsAndMass) {
+  written("pieces.npz", sitesInPieces(), cellsInPieces());
+  written("more.npz", someSites(), cellsWithShiftsAndMass());
+  if (!numpy("p, m = np.load('pieces.npz'), np.load('more.npz')\n"
+             "assert p['ring_starts'].dtype == np.int64 and list(p['ring_starts']) == [0, 4, 8, 11]\n"
+             "assert len(p.files) == 14 and len(m.files) == 16\n"
+             "s = m['neighbor_shifts']\n"
+             "assert s.dtype == np.int32 and s.shape == (13, 2)\n"
+             "assert list(s[0]) == [0, -1] and list(s[12]) == [1, 2] and not s[1:12].any()\n"
+             "assert list(m['mass']) == [.1, 2, 0, 0, 3] and m['mass'].dtype == np.float64\n"
+             "assert (m['mass_centroids'] == m['centroids']).all()\n")) {
+    GTEST_SKIP() << without_numpy;
+  }
+}
+
 /// A pipe takes bytes in one order only.
 TEST_F(CellsFile, NpzGoesThroughAPipe) {
   const std::string expected = written("c.npz");

@@ -1,6 +1,7 @@
 /// Cells made by hand for the tests of their files.
 #pragma once
 
+#include <cmath>
 #include <string>
 
 #include "io/cells_file.h"
@@ -33,6 +34,37 @@ inline Diagram someCells() {
   cells.triangles = {{0, 1, 4}};
   return cells;
 }
+
+/// Site 0 has a square with a hole, which is the cell of site 1, and a triangle; site 2 is empty.
+inline Diagram cellsInPieces() {
+  Diagram cells;
+  cells.status = {Status::ok, Status::ok, Status::empty};
+  cells.owner = {0, 1, 2};
+  cells.area = {15.5, 1, 0};
+  cells.perimeter = {22 + std::sqrt(2.0), 4, 0};
+  cells.centroid = {{2.25, 2}, {1.5, 1.5}, {9, 9}};
+  cells.second_moments.resize(3);
+  cells.cell_offsets = {0, 11, 15, 15};
+  cells.vertices = {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 1}, {1, 2}, {2, 2}, {2, 1},  //
+                    {5, 0}, {6, 0}, {5, 1}, {1, 1}, {2, 1}, {2, 2}, {1, 2}};
+  cells.neighbors = {-5, -5, -5, -5, 1, 1, 1, 1, -5, -5, -5, 0, 0, 0, 0};
+  cells.edge_lengths.assign(15, 1);
+  cells.ring_starts = {0, 4, 8, 11};
+  return cells;
+}
+
+/// someCells() of a domain that repeats itself, with a density.
+inline Diagram cellsWithShiftsAndMass() {
+  Diagram cells = someCells();
+  cells.neighbor_shifts.resize(cells.neighbors.size());
+  cells.neighbor_shifts[0] = {0, -1};
+  cells.neighbor_shifts[12] = {1, 2};
+  cells.mass = {tenth, 2, 0, 0, 3};
+  cells.mass_centroid = cells.centroid;
+  return cells;
+}
+
+inline Sites sitesInPieces() { return {{3, 1.5, 9}, {3, 1.5, 9}, {}}; }
 
 class CellsFile : public InTemporaryDirectory {
  protected:

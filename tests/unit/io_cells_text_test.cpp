@@ -179,5 +179,49 @@ TEST_F(CellsFile, SvgKeepsTheAspect) {
                     HasSubstr(" points=\"83.333333,0 250,0 250,100 83.333333,100\">")));
 }
 
+TEST_F(CellsFile, CsvHasRingsShiftsAndMassWhereThereAre) {
+  const std::string columns =
+      "site,x,y,weight,status,area,perimeter,centroid_x,centroid_y,vertices,neighbors";
+  EXPECT_THAT(written("c.csv", sitesInPieces(), cellsInPieces()),
+              AllOf(StartsWith(columns + ",rings\n"), HasSubstr("11,-5 -5 -5 -5 1 1 1 1 -5 -5 -5,3\n"),
+                    HasSubstr("4,0 0 0 0,1\n"), EndsWith("9,9,0,,0\n")));
+  EXPECT_THAT(written("c.csv", someSites(), cellsWithShiftsAndMass()),
+              AllOf(StartsWith(columns + ",neighbor_shifts,mass,mass_centroid_x,mass_centroid_y\n"),
+                    HasSubstr("5,-3 1 4 -4 -1,0:-1 0:0 0:0 0:0 0:0,0.1,0.16666666666666666,0.5\n"),
+                    HasSubstr("2,0.25,0.5,0,duplicate,0,0,0.25,0.5,0,,,0,0.25,0.5\n"),
+                    EndsWith("4,-2 -4 0 1,0:0 0:0 0:0 1:2,3,0.6666666666666666,0.55\n")));
+}
+
+TEST_F(CellsFile, GeoJsonHasPiecesShiftsAndMassWhereThereAre) {
+  EXPECT_THAT(written("c.geojson", sitesInPieces(), cellsInPieces()),
+              AllOf(HasSubstr("{\"type\":\"MultiPolygon\",\"coordinates\":["
+                              "[[[0,0],[4,0],[4,4],[0,4],[0,0]],[[1,1],[1,2],[2,2],[2,1],[1,1]]],"
+                              "[[[5,0],[6,0],[5,1],[5,0]]]]}"),
+                    HasSubstr("{\"type\":\"Polygon\",\"coordinates\":[[[1,1],[2,1],[2,2],[1,2],[1,1]]]}"),
+                    Not(HasSubstr("mass")), Not(HasSubstr("shifts"))));
+  EXPECT_THAT(
+      written("c.geojson", someSites(), cellsWithShiftsAndMass()),
+      AllOf(HasSubstr("\"mass\":0.1,\"mass_centroid\":[0.16666666666666666,0.5],\"neighbors\":[-3,1,4,-4,-1],"
+                      "\"neighbor_shifts\":[[0,-1],[0,0],[0,0],[0,0],[0,0]]}"),
+            HasSubstr("\"neighbors\":[],\"neighbor_shifts\":[]}")));
+}
+
+TEST_F(CellsFile, WktHasAMultipolygonForACellInPieces) {
+  EXPECT_EQ(written("c.wkt", sitesInPieces(), cellsInPieces()),
+            "GEOMETRYCOLLECTION (\n"
+            "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 2, 2 2, 2 1, 1 1)), ((5 0, 6 0, 5 1, 5 0))),\n"
+            "POLYGON ((1 1, 2 1, 2 2, 1 2, 1 1)),\n"
+            "POLYGON EMPTY\n"
+            ")\n");
+}
+
+TEST_F(CellsFile, SvgHasAPathForACellInPieces) {
+  const std::string text = written("c.svg", sitesInPieces(), cellsInPieces());
+  EXPECT_THAT(text, AllOf(HasSubstr("fill-rule:evenodd"),
+                          HasSubstr(" d=\"M0,666.66667 666.66667,666.66667 666.66667,0 0,0ZM"),
+                          HasSubstr("Z\"><title>site 0, area 15.5</title></path>\n<polygon "),
+                          HasSubstr("<title>site 1, area 1</title></polygon>\n</svg>")));
+}
+
 }  // namespace
 }  // namespace vorpipe::test

@@ -1,133 +1,10 @@
 /// The cells of the judge, in double and exact, against brute force in rational numbers.
-#include <gtest/gtest.h>
+#include "unit/judge_cases.h"
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numeric>
-#include <random>
-#include <set>
-
-#include "backend/cpu/exact_cells.h"
-#include "backend/cpu/tree_cells.h"
-#include "unit/brute_force.h"
 
 namespace vorpipe::cpu {
 namespace {
-
-SiteSet setOf(const std::vector<Point>& points, const Box& domain = {0, 0, 1, 1}) {
-  constexpr double far = std::numeric_limits<double>::infinity();
-  SiteSet set;
-  set.domain = domain;
-  set.known = {-far, -far, far, far};
-  std::set<std::pair<double, double>> seen;
-  for (const auto& p : points) {
-    if (!seen.insert({p.x, p.y}).second) continue;
-    set.id.push_back(static_cast<std::uint32_t>(set.x.size()));
-    set.x.push_back(p.x);
-    set.y.push_back(p.y);
-  }
-  return set;
-}
-
-std::vector<std::uint32_t> allOf(const SiteSet& set) {
-  std::vector<std::uint32_t> all(set.size());
-  std::iota(all.begin(), all.end(), 0U);
-  return all;
-}
-
-using Finder =
-    std::function<void(const SiteSet&, const SiteTree&, std::span<const std::uint32_t>, int, Neighborhoods&)>;
-
-Neighborhoods find(const Finder& finder, const SiteSet& set, int threads = 2) {
-  const SiteTree tree(set, threads);
-  Neighborhoods out;
-  finder(set, tree, allOf(set), threads, out);
-  return out;
-}
-
-/// Whether the neighbors stand counter-clockwise, as seen from the site.
-bool isCounterclockwise(const SiteSet& set, std::uint32_t site, std::span<const std::int32_t> neighbors) {
-  int turns = 0;
-  const auto direction = [&](std::int32_t n) -> Point {
-    if (n >= 0) {
-      const auto j = static_cast<std::size_t>(n);
-      return {set.x[j] - set.x[site], set.y[j] - set.y[site]};
-    }
-    return {n == -1 ? -1.0 : n == -2 ? 1.0 : 0.0, n == -3 ? -1.0 : n == -4 ? 1.0 : 0.0};
-  };
-  double last = std::numeric_limits<double>::infinity();
-  for (const auto n : neighbors) {
-    const auto d = direction(n);
-    const double angle = std::atan2(d.y, d.x);
-    turns += angle < last - 1e-9 ? 1 : 0;
-    last = angle;
-  }
-  const auto first = direction(neighbors.front());
-  turns += std::atan2(first.y, first.x) < last - 1e-9 ? 1 : 0;
-  return turns <= 2;
-}
-
-/// Compares every cell that is not open with brute force; returns how many are.
-std::size_t compare(const Finder& finder, const SiteSet& set) {
-  constexpr double shortest = 1e-12;  // squares
-  const auto found = find(finder, set);
-  std::size_t open = 0;
-  for (std::uint32_t i = 0; i < set.size(); ++i) {
-    if (found.status[i] == CellStatus::open) {
-      ++open;
-      continue;
-    }
-    const auto edges = edgesByBruteForce(set, i);
-    const std::span neighbors(found.neighbor.data() + found.first[i], found.first[i + 1] - found.first[i]);
-    std::set<std::int32_t> reported(neighbors.begin(), neighbors.end());
-    EXPECT_EQ(reported.size(), neighbors.size()) << "site " << i << " has a neighbor twice";
-    std::size_t counting = 0;
-    for (const auto& [neighbor, ratio] : edges) {
-      counting += ratio > shortest ? 1 : 0;
-      // A length may be unsure by a twentieth of the shortest.
-      if (ratio > 1.3 * shortest) {
-        EXPECT_TRUE(reported.contains(neighbor)) << "site " << i << " lacks " << neighbor;
-      }
-    }
-    for (const auto neighbor : reported) {
-      EXPECT_TRUE(edges.contains(neighbor)) << "site " << i << " has " << neighbor << ", which is none";
-    }
-    if (counting == 0) {
-      EXPECT_EQ(found.status[i], CellStatus::empty) << "site " << i;
-    } else if (counting >= 3) {
-      EXPECT_EQ(found.status[i], CellStatus::certified) << "site " << i;
-      EXPECT_TRUE(isCounterclockwise(set, i, neighbors)) << "site " << i;
-    }
-  }
-  return open;
-}
-
-void compareBoth(const SiteSet& set, std::size_t most_open) {
-  {
-    SCOPED_TRACE("in double");
-    EXPECT_LE(compare(findInDouble, set), most_open);
-  }
-  SCOPED_TRACE("exact");
-  EXPECT_EQ(compare(findExactly, set), 0U);
-}
-
-struct Judge : testing::Test {
-  const std::uint64_t seed = std::random_device{}();
-  std::mt19937_64 random{seed};
-  std::uniform_real_distribution<double> uniform{0, 1};
-  testing::ScopedTrace trace{__FILE__, __LINE__, "seed " + std::to_string(seed)};
-
-  std::vector<Point> points(std::size_t count, const std::function<Point()>& make) {
-    std::vector<Point> made;
-    for (std::size_t i = 0; i < count; ++i) made.push_back(make());
-    return made;
-  }
-  Point inBox(double x, double y, double size) {
-    const double dx = uniform(random);
-    return {x + size * dx, y + size * uniform(random)};
-  }
-};
 
 TEST_F(Judge, whiteNoise) {
   for (const auto count : std::initializer_list<std::size_t>{1, 2, 3, 7, 40, 150}) {
@@ -162,6 +39,17 @@ TEST_F(Judge, squareLatticeThatIsMirroredAtTheWalls) {
     for (int j = -3; j < 11; ++j) sites.push_back({(i + 0.5) / 8, (j + 0.5) / 8});
   }
   compareBoth(setOf(sites), sites.size());
+}
+
+// A mirror image's cell is a piece of the wall between the two, which ends on a wall that its own site is on.
+TEST_F(Judge, imagesOfSitesOnAWall) {
+  compareBoth(setOf({{0, 0}, {0, 2}}), 2);
+  compareBoth(setOf({{0, 0.875}, {0, 1.125}}), 2);
+  std::vector<Point> sites;
+  for (int i = 0; i <= 10; ++i) {
+    for (int j = 0; j <= 10; ++j) sites.push_back({1.0 * i, 1.0 * j});
+  }
+  compareBoth(setOf(sites, {0, 0, 5.5, 5.5}), sites.size());
 }
 
 TEST_F(Judge, hexagonalLattice) {

@@ -176,6 +176,38 @@ TEST(Prepare, DoesNotDependOnThreads) {
   EXPECT_EQ(one->owner, many->owner);
 }
 
+TEST(Prepare, RefusesSitesThatAreTooNear) {
+  const auto isRefused = [](double x, double y, double other_x, double other_y) {
+    const auto prepared = prepare({{0.5, x, 0.75, other_x}, {0.5, y, 0.5, other_y}, {}}, unit, 2);
+    return !prepared && prepared.error().message.starts_with("sites 1 and 3: ");
+  };
+  for (const double apart : {1e-300, 1e-100, 1e-50, 1e-30, 3e-25}) {
+    EXPECT_TRUE(isRefused(0, 0.9, apart, 0.9)) << apart;
+    EXPECT_TRUE(isRefused(0.9, apart, 0.9, 0)) << apart;
+    EXPECT_TRUE(isRefused(0.9, apart / 2, 0.9, -apart / 2)) << apart;
+    EXPECT_TRUE(isRefused(apart, 0, 0, apart)) << apart;
+  }
+  for (const double apart : {0.0, 1.7e-24, 1e-20, 1e-12}) {
+    EXPECT_FALSE(isRefused(0, 0.9, apart, 0.9)) << apart;
+    EXPECT_FALSE(isRefused(apart, 0, 0, apart)) << apart;
+    EXPECT_FALSE(isRefused(1e-30, 0.2, 2e-30, 0.3 + apart)) << apart;
+  }
+}
+
+TEST(Prepare, FindsSitesThatAreTooNearAmongManyInARow) {
+  Sites sites;
+  for (int i = 0; i < 3000; ++i) {
+    sites.x.push_back(i % 100 / 100.0);
+    sites.y.push_back(1e-20 * (i / 100));
+  }
+  EXPECT_TRUE(prepare(sites, unit, 2));
+  sites.x.push_back(sites.x[250]);
+  sites.y.push_back(sites.y[250] * (1 + 1e-8));
+  const auto prepared = prepare(sites, unit, 2);
+  ASSERT_FALSE(prepared);
+  EXPECT_TRUE(prepared.error().message.starts_with("sites 250 and 3000: ")) << prepared.error().message;
+}
+
 TEST(Prepare, RefusesWhatIsNoSite) {
   const auto refused = [](double x, double y) {
     const auto prepared = prepare({{0.5, x}, {0.5, y}, {}}, unit, 1);

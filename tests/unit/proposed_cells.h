@@ -50,12 +50,12 @@ struct ClippedCell {
 
 /// Keeps where p . n <= h; what touches the line counts as inside, so that ties come out at random.
 inline void cut(ClippedCell& cell, Point n, double h, std::int32_t neighbor) {
-  const auto beyond = [&](Point p) { return p.x * n.x + p.y * n.y - h; };
-  if (std::none_of(cell.point.begin(), cell.point.end(), [&](Point p) { return beyond(p) > 0; })) return;
+  const auto excess = [&](Point p) { return p.x * n.x + p.y * n.y - h; };
+  if (std::none_of(cell.point.begin(), cell.point.end(), [&](Point p) { return excess(p) > 0; })) return;
   ClippedCell left;
   for (std::size_t k = 0; k < cell.point.size(); ++k) {
     const Point a = cell.point[k], b = cell.point[(k + 1) % cell.point.size()];
-    const double beyond_a = beyond(a), beyond_b = beyond(b);
+    const double beyond_a = excess(a), beyond_b = excess(b);
     const double part = beyond_a / (beyond_a - beyond_b);
     const Point crossing{a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)};
     if (beyond_a <= 0) {
@@ -163,7 +163,10 @@ inline Assembled assemble(const SiteSet& set, Neighborhoods cells, int threads =
   recordTiedCells(proposed, *tied, records);
   closeArrays(result.diagram);
   writeEdges(proposed, *tied, detail, records);
-  if (detail == Detail::everything) result.diagram.triangles = dualTriangles(proposed, *tied);
+  if (detail == Detail::everything) {
+    SiteMesh mesh(proposed.sites, threads);
+    result.diagram.triangles = dualTriangles(proposed, *tied, mesh);
+  }
   return result;
 }
 

@@ -156,7 +156,8 @@ struct Found {
 Found cellsInTiles(const SiteSet& sites, std::uint64_t most_sites, std::uint64_t most_bins) {
   Small backend(most_sites, most_bins);
   const auto cpu = makeCpuBackend(BackendOptions{});
-  Judge judge(*cpu, sites);
+  SiteMesh mesh(sites, 2);
+  Judge judge(*cpu, mesh);
   const SearchOptions search;
   const Progress progress;
   Report report;
@@ -172,7 +173,8 @@ TEST(Tiles, FindCrowdedCellsInFinerGrids) {
   EXPECT_GT(found.uploads, 3);
   EXPECT_LT(found.report.in_double, 3000u);
   const auto cpu = makeCpuBackend(BackendOptions{});
-  Judge judge(*cpu, sites);
+  SiteMesh mesh(sites, 2);
+  Judge judge(*cpu, mesh);
   std::uint64_t exact = 0;
   const auto judged = judge.find(allOf(sites), Effort::in_double, 2, {}, exact);
   ASSERT_TRUE(judged);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "backend/collect.h"
 #include "backend/cpu/clipper.h"
-#include "backend/cpu/collect.h"
 #include "parallel.h"
 
 namespace vorpipe::cpu {

@@ -84,7 +84,7 @@ class CpuBackend final : public Backend {
 
   Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark>, Effort effort,
                     std::span<CellStatus> status) override {
-    const auto uniform = viewUniform(view_, info_.subpixel_bits, sites_->domain);
+    const auto uniform = viewUniform(view_, info_.subpixel_bits, view_.box);
     cpu::clipStatuses(batch, uniform.outset_x, uniform.outset_y, effort, threads_, status);
     return {};
   }

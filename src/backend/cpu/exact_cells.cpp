@@ -2,7 +2,7 @@
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
-#include "backend/cpu/collect.h"
+#include "backend/collect.h"
 #include "backend/cpu/double_double.h"
 #include "backend/cpu/tree_cells.h"
 

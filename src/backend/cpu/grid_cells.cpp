@@ -40,7 +40,11 @@ LaneJob jobOf(const SiteSet& sites, std::span<const std::uint32_t> which, Effort
           .count = end - begin,
           .status = reinterpret_cast<std::uint8_t*>(status.data() + begin),
           .neighbors = nullptr,
-          .neighbor_counts = nullptr};
+          .neighbor_counts = nullptr,
+          .weight = sites.weight.data(),
+          .heaviest = grid.heaviest.data(),
+          .heavy = sites.heavy.data(),
+          .heavy_count = static_cast<int>(sites.heavy.size())};
 }
 
 }  // namespace
@@ -48,8 +52,10 @@ LaneJob jobOf(const SiteSet& sites, std::span<const std::uint32_t> which, Effort
 void findOnGrid(const SiteSet& sites, std::span<const std::uint32_t> which, Effort effort, int threads,
                 Neighborhoods& out) {
   const bool roomy = effort == Effort::roomy;
-  const std::size_t room = roomy ? EDGES_MOST : EDGES_FAST;
-  const auto find = findInLanes();
+  const bool weighted = !sites.weight.empty();
+  const std::size_t edges = roomy ? EDGES_MOST : EDGES_FAST;
+  const auto room = edges + (weighted ? 1 : 0);
+  const auto find = findInLanes(weighted);
   const auto count = which.size();
   // Written before it is read: a vector would fill it first.
   const auto neighbors = std::make_unique_for_overwrite<std::int32_t[]>(count * room);
@@ -82,7 +88,7 @@ void findOnGrid(const SiteSet& sites, std::span<const std::uint32_t> which, Effo
 
 void statusesOnGrid(const SiteSet& sites, std::span<const std::uint32_t> which, Effort effort, float outset_x,
                     float outset_y, int threads, std::span<CellStatus> status) {
-  const auto find = findInLanes();
+  const auto find = findInLanes(!sites.weight.empty());
   parallelFor(which.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
     auto job = jobOf(sites, which, effort, begin, end, status);
     job.outset_x = outset_x;

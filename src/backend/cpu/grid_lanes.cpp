@@ -2,6 +2,8 @@
 #include "backend/cpu/grid_lanes.h"
 
 #include "backend/cpu/lane_clip.h"
+#include "backend/cpu/lane_feed.h"
+#include "backend/cpu/lane_order.h"
 
 namespace vorpipe::cpu {
 namespace {
@@ -10,36 +12,33 @@ namespace lanes {
 template <int Edges>
 class Group {
  public:
-  explicit Group(const LaneJob& job) : job_(job) { walk_.first = job.first; }
+  explicit Group(const LaneJob& job) : job_(job) {
+    walk_.bin_starts = job.first;
+#ifdef WEIGHTED
+    walk_.heaviest = job.heaviest;
+    walk_.heavy = job.heavy;
+#endif
+  }
 
-  /// Finds the cells from `begin` on, as many as there are lanes, or up to the end.
-  void find(std::size_t begin) {
-    const auto left = job_.count - begin;
-    const auto used = left < width ? left : width;
-    for (std::size_t lane = 0; lane < width; ++lane)
-      start(lane, job_.which[begin + (lane < used ? lane : 0)]);
+  /// Finds cells of the job, at most as many as there are lanes.
+  void find(const std::uint32_t* cells, std::size_t count) {
+    for (std::size_t lane = 0; lane < width; ++lane) {
+      start(lane, job_.which[cells[lane < count ? lane : 0]]);
+    }
     clip_.beginCell(cell_, walls());
     certain_ = everyBool(true);
     cutByBlock();
     tryAround();
-    write(begin, used);
+    write(cells, count);
   }
 
  private:
   using Cells = Clip<Many, Edges>;
-  using Bins = Walk<Single>;
-  static constexpr std::size_t most_hits = 16;
-
-  /// What differs from cell to cell and is not geometry.
-  struct Lane {
-    double site_x, site_y;
-    int self, column, row, tried;
-    Bins::Bins bins;
-    bool unknown;
-    Feed feed;
-    std::size_t hits;
-    int hit[most_hits];
-  };
+#ifdef WEIGHTED
+  static constexpr std::size_t room = Edges + 1;
+#else
+  static constexpr std::size_t room = Edges;
+#endif
 
   void start(std::size_t l, std::uint32_t site) {
     auto& lane = lane_[l];
@@ -52,6 +51,7 @@ class Group {
     lane.site_y = site_y;
     lane.self = static_cast<int>(site);
     lane.unknown = false;
+    lane.done = false;
     self_[l] = lane.self;
     shift_x_[l] = static_cast<float>(site_x - x);
     shift_y_[l] = static_cast<float>(site_y - y);
@@ -73,17 +73,11 @@ class Group {
     bins.most = job_.most;
     lane.column = walk_.binAlong(-bins.low.x / bins.size, bins.columns);
     lane.row = walk_.binAlong(-bins.low.y / bins.size, bins.rows);
-  }
-
-  static Reals load(const float (&values)[width]) {
-    Reals all;
-    __builtin_memcpy(&all, values, sizeof all);
-    return all;
-  }
-  static Ints load(const int (&values)[width]) {
-    Ints all;
-    __builtin_memcpy(&all, values, sizeof all);
-    return all;
+#ifdef WEIGHTED
+    bins.heavy = job_.heavy_count;
+    lane.weight = walk_.weight = job_.weight[site];
+    lead_[l] = walk_.leadOfAll(bins);
+#endif
   }
 
   typename Cells::vec4 walls() {
@@ -103,16 +97,25 @@ class Group {
       dy[l] = static_cast<float>(job_.y[place[l]] - lane_[l].site_y);
     }
     clip_.offset = {load(dx), load(dy)};
+#ifdef WEIGHTED
+    float against[width];
+    for (std::size_t l = 0; l < width; ++l) against[l] = leadOver(lane_[l].weight, job_.weight[place[l]]);
+    clip_.against_next = load(against);
+#endif
     place_ = load(place);
   }
 
-  void cut() {
-    const auto b = clip_.bisectorWith(view_, place_);
+  /// again: heavy sites may have cut before. Not inline: alone, its loops have the registers to themselves.
+  [[gnu::noinline]] void cut([[maybe_unused]] bool again) {
+    auto b = clip_.bisectorWith(view_, place_);
+#ifdef WEIGHTED
+    if (again) b.h = clip_.hasEdge(cell_, place_) ? FAR : b.h;
+#endif
     clip_.cutCell(cell_, b.n, b.h, place_);
     certain_ &= b.apart | (place_ == view_.self);
   }
 
-  int longestFeed() const {
+  [[nodiscard]] int longestFeed() const {
     int longest = 0;
     for (const auto& lane : lane_) longest = max(longest, lane.feed.count);
     return longest;
@@ -120,12 +123,7 @@ class Group {
 
   void cutByBlock() {
     for (auto& lane : lane_) {
-      lane.feed.clear();
-      for (int r = 0; r < BLOCK_RUNS; ++r) {
-        const auto part = walk_.partOfBlock(lane.bins, r, lane.column, lane.row);
-        const auto span = walk_.sitesOf(lane.bins, part);
-        lane.feed.add(span.first, span.behind);
-      }
+      lane.feedBlock(walk_);
       lane.tried = lane.feed.count;
       if (lane.tried > job_.most) lane.feed.clear();
     }
@@ -133,13 +131,38 @@ class Group {
     for (int i = longestFeed(); i > 0; --i) {
       for (std::size_t l = 0; l < width; ++l) place[l] = lane_[l].feed.take(lane_[l].self);
       turnTo(place);
-      cut();
+      cut(false);
     }
   }
 
+#ifdef WEIGHTED
+  /// As in grid.glsl; lanes that are done keep theirs.
+  typename Cells::vec4 boxLeft(int rounds) {
+    view_.lead = load(lead_);
+    auto box = clip_.flowerBox(cell_, view_);
+    for (int round = 0; round < rounds; ++round) {
+      for (std::size_t l = 0; l < width; ++l) {
+        const auto& lane = lane_[l];
+        if (lane.done) continue;
+        walk_.weight = lane.weight;
+        const auto range = walk_.binsOf(lane.bins, {box.x[l], box.y[l], box.z[l], box.w[l]});
+        lead_[l] = min(lead_[l], walk_.leadIn(lane.bins, range));
+      }
+      view_.lead = load(lead_);
+      box = clip_.flowerBox(cell_, view_);
+    }
+    return box;
+  }
+
+  int firstStep() { return walk_.firstStep(lane_[0].bins); }
+#else
+  auto boxLeft(int) { return clip_.flowerBox(cell_, view_); }
+  static int firstStep() { return 0; }
+#endif
+
   /// Puts what a step of the search tries into the feeds; false once there is nothing left.
   bool feedStep(int step) {
-    const auto box = clip_.flowerBox(cell_, view_.shift);
+    const auto box = boxLeft(step == firstStep() ? 2 : 1);
     const Ints over = cell_.overflow | cell_.empty;
     bool some = false;
     for (std::size_t l = 0; l < width; ++l) {
@@ -150,13 +173,11 @@ class Group {
       lane.unknown = seen.x < known.x || seen.y < known.y || seen.z > known.z || seen.w > known.w;
       if (over[l] != 0 || lane.tried > job_.most) continue;
       const auto range = walk_.binsOf(lane.bins, seen);
-      if (step > 0 && !walk_.isLeft(range, step, lane.column, lane.row)) continue;
-      for (int r = 0; r < MOST_RUNS; ++r) {
-        const auto part = walk_.partOfStep(range, step, r, lane.column, lane.row);
-        if (part.from > part.to) continue;
-        const auto span = walk_.sitesOf(lane.bins, part);
-        lane.feed.add(span.first, span.behind);
+      if (step > 0 && !walk_.isLeft(range, step, lane.column, lane.row)) {
+        lane.done = true;
+        continue;
       }
+      lane.feedStep(walk_, range, step);
       some = true;
       lane.tried += lane.feed.count + MOST_RUNS;
       if (lane.tried > job_.most) lane.feed.clear();
@@ -165,7 +186,7 @@ class Group {
   }
 
   void tryAround() {
-    for (int step = 0; feedStep(step); ++step) {
+    for (int step = firstStep(); feedStep(step); ++step) {
       for (auto& lane : lane_) lane.hits = 0;
       auto vertices = clip_.verticesOf(cell_);
       int place[width];
@@ -178,7 +199,7 @@ class Group {
           auto& lane = lane_[l];
           lane.hit[lane.hits] = place[l];
           lane.hits += static_cast<std::size_t>(-hit[l]);
-          full = full || lane.hits == most_hits;
+          full = full || lane.hits == Lane::most_hits;
         }
         if (full || i == 1) {
           cutByHits();
@@ -195,34 +216,40 @@ class Group {
     for (std::size_t h = 0; h < most; ++h) {
       for (std::size_t l = 0; l < width; ++l) place[l] = h < lane_[l].hits ? lane_[l].hit[h] : lane_[l].self;
       turnTo(place);
-      cut();
+      cut(true);
     }
     for (auto& lane : lane_) lane.hits = 0;
   }
 
-  void write(std::size_t begin, std::size_t used) {
+  void write(const std::uint32_t* cells, std::size_t used) {
     int unsecured[width];
     for (std::size_t l = 0; l < width; ++l) {
       unsecured[l] = lane_[l].unknown || lane_[l].tried > job_.most ? -1 : 0;
     }
     const Ints status = clip_.outcome(cell_, load(unsecured) | ~certain_);
-    for (std::size_t l = 0; l < used; ++l) job_.status[begin + l] = static_cast<std::uint8_t>(status[l]);
+    for (std::size_t l = 0; l < used; ++l) job_.status[cells[l]] = static_cast<std::uint8_t>(status[l]);
     if (job_.neighbors == nullptr) return;
     typename Cells::Order order;
     clip_.orderEdges(cell_, order);
     for (std::size_t l = 0; l < used; ++l) {
       const bool certified = status[l] == CELL_CERTIFIED;
-      job_.neighbor_counts[begin + l] = static_cast<std::uint8_t>(certified ? order.count[l] : 0);
-      if (!certified) continue;
-      auto* to = job_.neighbors + (begin + l) * Edges;
+      auto& count = job_.neighbor_counts[cells[l]];
+      count = static_cast<std::uint8_t>(certified ? order.count[l] : 0);
+      auto* to = job_.neighbors + cells[l] * room;
       for (std::size_t k = 0; k < Edges; ++k) {
-        if (order.rank[k][l] >= 0) to[order.rank[k][l]] = cell_.line[k][l];
+        if (certified && order.rank[k][l] >= 0) to[order.rank[k][l]] = cell_.line[k][l];
       }
+#ifdef WEIGHTED
+      if (status[l] != CELL_EMPTY) continue;
+      count = room;
+      for (std::size_t k = 0; k < Edges; ++k) to[k] = cell_.line[k][l];
+      to[Edges] = cell_.last[l];
+#endif
     }
   }
 
   const LaneJob& job_;
-  Bins walk_;
+  Walk<Single> walk_;
   Cells clip_;
   typename Cells::Cell cell_;
   typename Cells::Viewpoint view_;
@@ -230,12 +257,23 @@ class Group {
   Lane lane_[width];
   int self_[width];
   float shift_x_[width], shift_y_[width], walls_[4][width];
+#ifdef WEIGHTED
+  float lead_[width];
+#endif
 };
 
 template <int Edges>
 void findAll(const LaneJob& job) {
   Group<Edges> group(job);
-  for (std::size_t begin = 0; begin < job.count; begin += width) group.find(begin);
+  LaneOrder order;
+  for (std::size_t begin = 0; begin < job.count; begin += LaneOrder::most) {
+    const auto left = job.count - begin;
+    const auto count = left < LaneOrder::most ? left : LaneOrder::most;
+    order.sort(job, begin, count);
+    for (std::size_t k = 0; k < count; k += width) {
+      group.find(order.cell + k, count - k < width ? count - k : width);
+    }
+  }
 }
 
 }  // namespace lanes

@@ -19,15 +19,19 @@ struct LaneJob {
   const std::uint32_t* which;     ///< the cells' sites
   std::size_t count;              ///< of cells
   std::uint8_t* status;           ///< out: CellStatus of each
-  std::int32_t* neighbors;        ///< out, unless null: those of each certified cell, counter-clockwise
+  std::int32_t* neighbors;        ///< out, unless null: those of each cell as in Neighborhoods
   std::uint8_t* neighbor_counts;  ///< out, unless null: how many
+  const double* weight;           ///< of the sites, from here on: null where they have none
+  const double* heaviest;         ///< as in Grid
+  const std::uint32_t* heavy;     ///< as in SiteSet
+  int heavy_count;
 };
 
 /// Finds the cells of a job with room for EDGES_FAST edges, or with `roomy` for EDGES_MOST; neighbors holds
-/// as many for each cell.
+/// as many for each cell, and one more where sites have weights.
 using FindInLanes = void (*)(const LaneJob& job, bool roomy);
 
-/// The fastest for this processor. All give the same bytes.
-FindInLanes findInLanes();
+/// The fastest for this processor, for sites with weights or without. All give the same bytes.
+FindInLanes findInLanes(bool weighted);
 
 }  // namespace vorpipe::cpu

@@ -11,6 +11,16 @@ namespace lanes {
 
 constexpr std::size_t width = lane_count;
 
+#ifdef WEIGHTED
+/// A difference of weights. What is larger than this lies beyond any domain, and squares must be finite.
+inline float leadOver(double own, double other) {
+  constexpr double most = 1e18;
+  return static_cast<float>(max(-most, min(most, own - other)));
+}
+#endif
+
+#define FAR 1e30F
+
 /// The bins, for one cell after the other.
 template <class Words>
 struct Walk {
@@ -18,11 +28,24 @@ struct Walk {
   using vec2 = typename Words::vec2;
   using vec4 = typename Words::vec4;
 
-  const std::uint32_t* first = nullptr;
-  [[nodiscard]] int firstOfBin(int bin) const { return static_cast<int>(first[bin]); }
+  const std::uint32_t* bin_starts = nullptr;
+  [[nodiscard]] int firstOfBin(int bin) const { return static_cast<int>(bin_starts[bin]); }
+
+#ifdef WEIGHTED
+  const double* heaviest = nullptr;
+  const std::uint32_t* heavy = nullptr;
+  double weight = 0;  ///< of the cell's site
+  [[nodiscard]] int heavyAt(int k) const { return static_cast<int>(heavy[k]); }
+  [[nodiscard]] real leadOf(int number) const {
+    const real lead = -leadOver(weight, heaviest[number]);
+    return lead + abs(lead) * 1.2e-7F;
+  }
+#endif
 
 #include "bins.glsl"
 };
+
+#undef FAR
 
 // From here on a constant is one for every cell.
 #define ROUNDING everyReal(5.9604645e-8F)
@@ -45,6 +68,12 @@ struct Clip {
   vec2 offset;  ///< to the site that is tried next
   [[nodiscard]] vec2 offsetTo(const cell_int&) const { return offset; }
   [[nodiscard]] int firstOfBin(int) const;  // of the walk alone
+#ifdef WEIGHTED
+  real against_next;  ///< the weight of the cell's site minus that of the one that is tried next
+  [[nodiscard]] real weightAgainst(const cell_int&) const { return against_next; }
+  [[nodiscard]] int heavyAt(int) const;  // of the walk alone, like the next
+  [[nodiscard]] real leadOf(int) const;
+#endif
 
 #include "cell.glsl"
 #include "grid.glsl"
@@ -53,31 +82,6 @@ struct Clip {
 #undef real
 #undef cell_int
 #undef cell_bool
-
-/// Sites to try, for one cell.
-struct Feed {
-  struct Run {
-    int place, end;
-  };
-  Run run[8];
-  int next, runs;
-  int count;
-
-  void clear() { next = runs = count = 0; }
-  void add(int place, int end) {
-    if (place >= end) return;
-    run[runs++] = {place, end};
-    count += end - place;
-  }
-  /// The next site, or `none` after the last.
-  int take(int none) {
-    if (next == runs) return none;
-    auto& now = run[next];
-    const int place = now.place++;
-    if (now.place == now.end) ++next;
-    return place;
-  }
-};
 
 }  // namespace lanes
 }  // namespace

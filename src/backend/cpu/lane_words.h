@@ -53,6 +53,17 @@ inline Reals sqrt(const Reals& a) {
   return root;
 }
 
+inline Reals load(const float (&values)[lane_count]) {
+  Reals all;
+  __builtin_memcpy(&all, values, sizeof all);
+  return all;
+}
+inline Ints load(const int (&values)[lane_count]) {
+  Ints all;
+  __builtin_memcpy(&all, values, sizeof all);
+  return all;
+}
+
 /// The words of one cell: the walk over bins.
 struct Single {
   using real = float;

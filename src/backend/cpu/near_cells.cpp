@@ -51,30 +51,43 @@ Box knownIn(const SiteSet& sites, const Bins& bins) {
   return known;
 }
 
-/// Finds one cell; neighbors are those of the whole set.
-CellStatus findWithin(std::int64_t reach, const SiteSet& sites, std::uint32_t site, FindOverTree find,
-                      std::vector<std::int32_t>& neighbors) {
-  const auto bins = binsAround(sites, site, reach);
+void take(const SiteSet& sites, std::uint32_t i, SiteSet& near) {
+  near.x.push_back(sites.x[i]);
+  near.y.push_back(sites.y[i]);
+  if (!sites.weight.empty()) near.weight.push_back(sites.weight[i]);
+  near.id.push_back(i);
+}
+
+/// The sites of some bins, and the heavy ones wherever they are; none if there are too many.
+SiteSet sitesIn(const SiteSet& sites, const Bins& bins) {
   SiteSet near;
   near.domain = sites.domain;
   near.known = knownIn(sites, bins);
-  bool has_site = false;
-  std::uint32_t self = 0;
+  if (!sites.weight.empty()) near.grid.heaviest = {sites.grid.heaviest.back()};
+  auto heavy = sites.heavy;
   for (auto row = bins.south; row <= bins.north; ++row) {
     const auto first_bin = static_cast<std::size_t>(row * sites.grid.columns + bins.west);
     const auto last_bin = static_cast<std::size_t>(row * sites.grid.columns + bins.east);
     for (auto i = sites.grid.first[first_bin]; i < sites.grid.first[last_bin + 1]; ++i) {
-      if (near.size() == most_sites) return CellStatus::unsecured;
-      if (i == site) {
-        self = static_cast<std::uint32_t>(near.size());
-        has_site = true;
-      }
-      near.x.push_back(sites.x[i]);
-      near.y.push_back(sites.y[i]);
-      near.id.push_back(i);
+      if (near.size() == most_sites) return {};
+      if (std::erase(heavy, i) > 0) near.heavy.push_back(static_cast<std::uint32_t>(near.size()));
+      take(sites, i, near);
     }
   }
-  if (!has_site) return CellStatus::unsecured;  // it lies outside the domain, and far from its cell
+  for (const auto i : heavy) {
+    near.heavy.push_back(static_cast<std::uint32_t>(near.size()));
+    take(sites, i, near);
+  }
+  return near;
+}
+
+/// Finds one cell; neighbors are those of the whole set.
+CellStatus findWithin(std::int64_t reach, const SiteSet& sites, std::uint32_t site, FindOverTree find,
+                      std::vector<std::int32_t>& neighbors) {
+  const auto near = sitesIn(sites, binsAround(sites, site, reach));
+  const auto at = std::find(near.id.begin(), near.id.end(), site) - near.id.begin();
+  const auto self = static_cast<std::uint32_t>(at);
+  if (self == near.size()) return CellStatus::unsecured;  // or it lies outside the domain, far from its cell
   Neighborhoods found;
   find(near, SiteTree(near, 1), {&self, 1}, 1, found);
   for (const auto neighbor : found.neighbor) {

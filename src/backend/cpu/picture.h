@@ -13,8 +13,8 @@ class NearestSite {
   explicit NearestSite(const SiteSet& sites);  ///< `sites` must outlive this
   ~NearestSite();
 
-  /// The index in the set of the site nearest to (x, y), scaled units. Sites whose squared distances
-  /// differ by rounding alone are told apart by the sign of the point's side of their bisector.
+  /// The index in the set of the site nearest to (x, y), scaled units, by power. Sites whose squared
+  /// distances differ by rounding alone are told apart by the sign of the point's side of their bisector.
   [[nodiscard]] std::uint32_t at(double x, double y) const;
 
  private:

@@ -14,13 +14,22 @@ template <class Real>
 struct RingEdge {
   std::int32_t line;  ///< a site, or a wall
   Real nx, ny, h, lo, hi;
-  Real angle{};  ///< of the normal, by pseudoAngle
+  Real angle;  ///< of the normal, by pseudoAngle
+  Real moved;  ///< how far the difference of weights moves the line, in either direction
+  Real apart;  ///< the distance between the sites, or between a site and its image behind a wall
 };
 
 /// From a site to the origin of its cell.
 template <class Real>
 struct Shift {
   Real x{}, y{};
+};
+
+/// Another site, as seen from the cell's own.
+template <class Real>
+struct Offset {
+  Real x, y;
+  Real lead;  ///< the weight of the cell's own site minus the other's
 };
 
 /// An edge shorter than this part of the distance between its sites is a tie, in neither cell.
@@ -31,10 +40,10 @@ constexpr double no_edge = 5e-7;
 constexpr double unsure_edge = 5e-8;
 
 /// By how much rounding may have moved the point where two lines meet, the sine of whose angle is `turn`.
-/// near: the heights of the lines and the distance of the site from the origin; far: of the point from
-/// the origin. With u the unit of rounding, a normal is off by 2 u in direction and 5 u in length, a height
-/// by 3 u, sine and cosine by 6 u; so the place on a line, (h - h_k cosine) / sine, is off by no more than
-/// (24 near + 8 far) u / sine.
+/// near: the heights of the lines, how far weights moved them, and the distance of the site from the origin;
+/// far: of the point from the origin. With u the unit of rounding, a normal is off by 2 u in direction and 5
+/// u in length, a height by 3 u, sine and cosine by 6 u; so the place on a line, (h - h_k cosine) / sine, is
+/// off by no more than (24 near + 8 far) u / sine.
 template <class Real>
 Real cornerNoise(Real near, Real far, Real turn) {
   using real = Real;
@@ -50,15 +59,9 @@ void sortRing(std::vector<RingEdge<Real>>& ring) {
   });
 }
 
-/// The distance between the sites of an edge, or between a site and its image behind a wall.
 template <class Real>
-Real apart(const RingEdge<Real>& edge, const Shift<Real>& shift) {
-  return Real(2.0) * abs(edge.h - (shift.x * edge.nx + shift.y * edge.ny));
-}
-
-template <class Real>
-bool isTie(const RingEdge<Real>& edge, const Shift<Real>& shift) {
-  return edge.hi - edge.lo < Real(shortest_edge) * apart(edge, shift);
+bool isTie(const RingEdge<Real>& edge) {
+  return edge.hi - edge.lo < Real(shortest_edge) * edge.apart;
 }
 
 /// Where an edge ends.
@@ -71,7 +74,7 @@ Shift<Real> endOf(const RingEdge<Real>& edge) {
 template <class Real>
 Real noiseBetween(const RingEdge<Real>& a, const RingEdge<Real>& b, const Shift<Real>& shift) {
   const auto corner = endOf(a);
-  const Real near = abs(a.h) + abs(b.h) + abs(shift.x) + abs(shift.y);
+  const Real near = abs(a.h) + a.moved + abs(b.h) + b.moved + abs(shift.x) + abs(shift.y);
   return cornerNoise<Real>(near, abs(corner.x) + abs(corner.y), a.nx * b.ny - a.ny * b.nx);
 }
 
@@ -81,10 +84,10 @@ bool mayBeEmpty(const std::vector<RingEdge<Real>>& ring, const Shift<Real>& shif
   const auto count = ring.size();
   for (const auto& edge : ring) {
     bool is_thin = true;
-    for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t k = 0; k < count && is_thin; ++k) {
       const auto corner = endOf(ring[k]);
       const Real inside = edge.h - (corner.x * edge.nx + corner.y * edge.ny);
-      is_thin = is_thin && inside <= Real(2.0) * noiseBetween(ring[k], ring[(k + 1) % count], shift);
+      is_thin = inside <= Real(2.0) * noiseBetween(ring[k], ring[(k + 1) % count], shift);
     }
     if (is_thin) return true;
   }
@@ -109,7 +112,7 @@ bool isSure(const std::vector<RingEdge<Real>>& ring, const Shift<Real>& shift, R
   for (std::size_t k = 0; k < count; ++k) {
     const auto& edge = ring[k];
     const auto [after, closed] = cornerAfter(k);
-    const Real distance = apart(edge, shift);
+    const Real distance = edge.apart;
     const Real unsure = before + after + blur;
     const Real length = edge.hi - edge.lo;
     const bool is_edge = length - unsure > Real(shortest_edge) * distance;

@@ -31,6 +31,7 @@ struct Placed {
 struct Building {
   SiteTree& tree;
   std::vector<Placed>& sites;
+  const std::vector<double>& weight;  ///< by index in the set: what counts as it; empty where there are none
 
   [[nodiscard]] Box boxOf(SiteTree::Range range) const {
     constexpr double far = std::numeric_limits<double>::infinity();
@@ -84,7 +85,7 @@ struct Building {
     const double norm = std::sqrt(ux * ux + uy * uy);
     constexpr double far = std::numeric_limits<double>::infinity();
     const bool turned = is_long && norm > 0 && std::isfinite(norm);
-    return {origin.x, origin.y, turned ? ux / norm : 1, turned ? uy / norm : 0, far, -far, far, -far, 0,
+    return {origin.x, origin.y, turned ? ux / norm : 1, turned ? uy / norm : 0, far, -far, far, -far, 0, 0,
             0,        0};
   }
 
@@ -141,7 +142,16 @@ struct Building {
       }
     }
     if (range.end - range.begin >= 3) fitCircle(box, range);
+    if (!weight.empty()) box.heaviest = heaviestOf(node, range);
     tree.bounds[node] = box;
+  }
+
+  [[nodiscard]] double heaviestOf(std::uint32_t node, SiteTree::Range range) const {
+    if (!tree.isLeaf(node))
+      return std::max(tree.bounds[2 * node].heaviest, tree.bounds[2 * node + 1].heaviest);
+    auto heaviest = weight[sites[range.begin].site];
+    for (auto p = range.begin; p < range.end; ++p) heaviest = std::max(heaviest, weight[sites[p].site]);
+    return heaviest;
   }
 
   /// Bounds the nodes before the node `end`, children first.
@@ -164,6 +174,15 @@ struct Building {
   }
 };
 
+/// The weights, but those of heavy sites, which every cell is cut by before, as small as any.
+std::vector<double> weightsThatCount(const SiteSet& sites) {
+  auto weight = sites.weight;
+  if (sites.heavy.empty()) return weight;
+  const auto least = *std::min_element(weight.begin(), weight.end());
+  for (const auto heavy : sites.heavy) weight[heavy] = least;
+  return weight;
+}
+
 }  // namespace
 
 SiteTree::SiteTree(const SiteSet& sites, int threads) {
@@ -175,7 +194,8 @@ SiteTree::SiteTree(const SiteSet& sites, int threads) {
   parallelFor(count, grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end; ++i) placed[i] = {sites.x[i], sites.y[i], static_cast<std::uint32_t>(i)};
   });
-  const Building building{*this, placed};
+  const auto counted = weightsThatCount(sites);
+  const Building building{*this, placed, counted};
   std::vector<Range> ranges{{0, count}};
   for (std::uint32_t level = 0; level < shared_levels && ranges.size() < first_leaf; ++level) {
     parallelFor(ranges.size(), 1, threads, [&](std::size_t n, std::size_t) {
@@ -196,12 +216,14 @@ SiteTree::SiteTree(const SiteSet& sites, int threads) {
   place.resize(count);
   x.resize(count);
   y.resize(count);
+  weight.resize(sites.weight.size());
   parallelFor(count, grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto p = begin; p < end; ++p) {
       site[p] = placed[p].site;
       place[placed[p].site] = static_cast<std::uint32_t>(p);
       x[p] = placed[p].x;
       y[p] = placed[p].y;
+      if (!weight.empty()) weight[p] = sites.weight[placed[p].site];
     }
   });
 }

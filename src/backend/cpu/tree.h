@@ -15,6 +15,7 @@ struct Bounds {
   double x, y, ux, uy;
   double low_a, high_a, low_b, high_b;
   double center_x, center_y, radius;  ///< radius 0: no circle
+  double heaviest;  ///< no site of the node, but a heavy one of the set, has a larger weight
 };
 
 /// Balanced: every node holds a run of places, its children the halves of it. Nodes are numbered as in a
@@ -35,6 +36,7 @@ struct SiteTree {
   std::vector<std::uint32_t> site;   ///< by place: an index in the set
   std::vector<std::uint32_t> place;  ///< by index in the set
   std::vector<double> x, y;          ///< by place
+  std::vector<double> weight;        ///< by place; empty where sites have none
 };
 
 }  // namespace vorpipe::cpu

@@ -1,6 +1,6 @@
 #include "backend/cpu/tree_cells.h"
 
-#include "backend/cpu/collect.h"
+#include "backend/collect.h"
 
 namespace vorpipe::cpu {
 

@@ -14,9 +14,30 @@ class CellFinder {
   CellFinder(const SiteSet& sites, const SiteTree& tree) : sites_(sites), tree_(tree), usual_(sites, tree) {}
 
   /// Appends the neighbors of a site, counter-clockwise, and returns certified, empty, unsecured, or open
-  /// if rounding leaves doubts; with `decide`, those are taken for ties.
+  /// if rounding leaves doubts; with `decide`, those are taken for ties. Of a cell that is empty in a set
+  /// with weights it appends what leaves nothing of it, as Neighborhoods says.
   CellStatus find(std::uint32_t site, std::vector<std::int32_t>& neighbors, bool decide) {
+    const auto status = findEdges(site, decide);
+    if (status == CellStatus::certified) {
+      // Ties stay: corners follow from the neighbors beside them.
+      for (const auto& edge : found_.edges) neighbors.push_back(edge.line);
+    } else if (status == CellStatus::empty && hasWeights()) {
+      appendTried(neighbors);
+    }
+    return status;
+  }
+
+ private:
+  static constexpr std::size_t usual_edges = 12;
+  static constexpr std::size_t part_edges = 64;
+  /// Parts are halved this often at most: smaller ones are below rounding.
+  static constexpr int most_halvings = 200;
+
+  [[nodiscard]] bool hasWeights() const { return !tree_.weight.empty(); }
+
+  CellStatus findEdges(std::uint32_t site, bool decide) {
     found_.edges.clear();
+    found_.tried.clear();
     found_.blur = Real(0.0);
     found_.sure = true;
     const auto& domain = sites_.domain;
@@ -37,22 +58,22 @@ class CellFinder {
     if (!found_.sure && !decide) return CellStatus::open;
     sortRing(found_.edges);
     const auto& edges = found_.edges;
-    const auto ties =
-        std::count_if(edges.begin(), edges.end(), [&](const auto& e) { return isTie(e, shift_); });
-    const auto counting = static_cast<std::ptrdiff_t>(edges.size()) - ties;
-    if (counting == 0) return CellStatus::empty;
-    if (counting < 3 && mayBeEmpty(edges, shift_)) return decide ? CellStatus::empty : CellStatus::open;
+    const auto ties = std::count_if(edges.begin(), edges.end(), [&](const auto& e) { return isTie(e); });
+    // Of ties alone without weights: of a site outside that the domain touches, up to rounding.
+    if (edges.empty() || (ties == std::ssize(edges) && !hasWeights())) return CellStatus::empty;
+    if (mayBeEmpty(edges, shift_)) return decide ? CellStatus::empty : CellStatus::open;
     if (!isSure(edges, shift_, found_.blur) && !decide) return CellStatus::open;
-    // Ties stay: corners follow from the neighbors beside them.
-    for (const auto& edge : edges) neighbors.push_back(edge.line);
     return CellStatus::certified;
   }
 
- private:
-  static constexpr std::size_t usual_edges = 12;
-  static constexpr std::size_t part_edges = 64;
-  /// Parts are halved this often at most: smaller ones are below rounding.
-  static constexpr int most_halvings = 200;
+  /// The sites that cut the cell or touched it, and the walls.
+  void appendTried(std::vector<std::int32_t>& neighbors) {
+    auto& tried = found_.tried;
+    std::sort(tried.begin(), tried.end());
+    tried.erase(std::unique(tried.begin(), tried.end()), tried.end());
+    for (std::int32_t wall = WALL_YMAX; wall <= WALL_XMIN; ++wall) neighbors.push_back(wall);
+    neighbors.insert(neighbors.end(), tried.begin(), tried.end());
+  }
 
   /// Clips the part of a cell inside walls, in as many parts as it takes.
   CellStatus findParts(std::uint32_t site, const Walls<Real>& walls, int halvings) {

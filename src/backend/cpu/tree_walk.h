@@ -2,7 +2,9 @@
 ///
 /// A site cuts the cell when a corner of the cell is nearer to that site than to its own. So a subtree can
 /// be passed over if its box reaches into none of the circles around the corners through the cell's own site;
-/// unlike the radius of security this certifies long thin cells, too. The walk begins in the site's own
+/// unlike the radius of security this certifies long thin cells, too. With weights, to be nearer is to have
+/// the smaller power, |x - p|^2 - w, and the square of a circle's radius grows by how much the heaviest site
+/// of the subtree is heavier than the cell's own. The walk begins in the site's own
 /// leaf and climbs; what stands beside its way is tried, nearest first. Where that takes long, as on a curve,
 /// of all that is left the site that cuts a corner deepest is looked for instead, until there is none.
 ///
@@ -45,6 +47,7 @@ struct Walls {
 template <class Real>
 struct Found {
   std::vector<RingEdge<Real>> edges;  ///< added to, in no order
+  std::vector<std::int32_t> tried;    ///< where sites have weights: those that cut or might have, added to
   Real blur{};                        ///< by how much sites that were left out may have shortened an edge
   bool sure = true;                   ///< that no site was left out that might have an edge that counts
 };
@@ -52,7 +55,9 @@ struct Found {
 template <class Real, std::size_t Room>
 class TreeWalk {
  public:
-  TreeWalk(const SiteSet& sites, const SiteTree& tree) : sites_(sites), tree_(tree) {}
+  TreeWalk(const SiteSet& sites, const SiteTree& tree) : sites_(sites), tree_(tree) {
+    if (!sites.grid.heaviest.empty()) heaviest_anywhere_ = sites.grid.heaviest.back();
+  }
 
   /// Clips the part inside `walls` of the cell of a site, whose origin lies at -shift from it. Returns
   /// certified, empty, overflow or unsecured.
@@ -103,23 +108,28 @@ class TreeWalk {
   void searchLeaf(std::size_t corner, SiteTree::Range range, Deepest& deepest);
   bool isWorthwhile(std::size_t corner, const Subtree& subtree, const Deepest& deepest);
   bool isWorthwhile(const Subtree& subtree);
-  void cut(const Shift<Real>& d, std::int32_t site);
+  void cut(const Offset<Real>& d, std::int32_t site);
   void findCorners();
   void placeCorner(std::size_t corner, std::size_t before, std::size_t after);
-  [[nodiscard]] Shift<Real> offsetTo(std::uint32_t site) const;
-  [[nodiscard]] Shift<Real> offsetToPlace(std::uint32_t place) const;
+  [[nodiscard]] bool hasWeights() const { return !tree_.weight.empty(); }
+  [[nodiscard]] Real leadOver(double weight) const;
+  [[nodiscard]] Offset<Real> offsetTo(std::uint32_t site) const;
+  [[nodiscard]] Offset<Real> offsetToPlace(std::uint32_t place) const;
+  [[nodiscard]] Real depthOf(std::size_t corner, const Offset<Real>& d) const;
   [[nodiscard]] Real reach(std::size_t corner, const Bounds& bounds) const;
-  [[nodiscard]] Real reachOverCircle(std::size_t corner, const Bounds& bounds, Real reached) const;
   [[nodiscard]] Real reach(const Bounds& bounds) const;
   bool mayMatter(std::size_t corner, const Bounds& bounds, Real reached);
-  bool mayMatter(std::size_t corner, const Shift<Real>& d);
-  [[nodiscard]] bool liesIn(std::size_t wall, const Shift<Real>& d, Real cross, Real length) const;
-  [[nodiscard]] Real noiseOf(std::size_t corner, const Shift<Real>& d) const;
+  bool mayMatter(std::size_t corner, const Offset<Real>& d);
+  [[nodiscard]] bool liesIn(std::size_t slot, const Offset<Real>& d, Real length) const;
+  [[nodiscard]] bool liesBehind(std::size_t slot, const Offset<Real>& d, Real length) const;
+  void takeOver(std::uint32_t site);
+  [[nodiscard]] Real noiseOf(std::size_t corner, const Offset<Real>& d) const;
   [[nodiscard]] bool isEdge(std::uint32_t site) const;
   [[nodiscard]] bool isCornerOf(std::size_t corner, std::uint32_t site) const;
-  bool isCut(const Shift<Real>& d, bool& perhaps, bool& wholly) const;
+  bool isCut(const Offset<Real>& d, bool& perhaps, bool& wholly) const;
   bool cutByDoubtful();
   [[nodiscard]] bool isKnownAround() const;
+  [[nodiscard]] Real apart(std::size_t slot) const;
   CellStatus finish(Found<Real>& found);
 
   [[nodiscard]] bool isOver() const { return cell_.overflow || corners_ == 0; }
@@ -129,7 +139,8 @@ class TreeWalk {
   Clip clip_;
   typename Clip::Cell cell_;
   std::uint32_t site_ = 0;
-  double site_x_ = 0, site_y_ = 0;
+  double site_x_ = 0, site_y_ = 0, weight_ = 0;
+  double heaviest_anywhere_ = -std::numeric_limits<double>::infinity();  // in the set or not, but heavy ones
   Shift<Real> shift_;
   std::size_t corners_ = 0;
   std::size_t corners_end_ = 0;  // of loops that vectorize: what is beyond corners_ is computed in vain
@@ -143,9 +154,11 @@ class TreeWalk {
   std::int32_t line_[Room];
   std::int32_t known_after_[Room];  // the line that its edge ends at, where that corner is known
   Real angle_[Room];                // of the normal
+  Real moved_[Room], apart_[Room];  // as in RingEdge; apart_ of sites only
+  Real new_moved_{}, new_apart_{};  // of the line that cuts
   std::vector<Subtree> beside_;     // the subtrees beside the way from the root to the site's leaf
   std::vector<Subtree> pending_;
-  std::vector<std::pair<double, std::uint32_t>> nearest_;  // squared distance and place
+  std::vector<std::pair<double, std::uint32_t>> nearest_;  // power of the cell's own site, and place
   std::uint32_t version_ = 0;
   Real most_margin_{};
   std::vector<std::uint32_t> doubtful_;  // sites that cut the cell once, or might have

@@ -7,29 +7,58 @@ namespace vorpipe::cpu {
 
 /// By how much a turned box may be off, for its direction is rounded to double: part of a distance squared.
 constexpr double box_rounding = 4e-15;
-/// A box is left out if that makes the ends of edges no more unsure than so many times their noise.
-constexpr double most_blur = 16;
-
-/// By how much rounding may be off in how much deeper the site at d lies in the circle around a corner: where
-/// the corner may lie along its lines counts only as far as the bisector is not parallel to them.
 template <class Real, std::size_t Room>
-Real TreeWalk<Real, Room>::noiseOf(std::size_t corner, const Shift<Real>& d) const {
+Real TreeWalk<Real, Room>::leadOver(double weight) const {
+  return differenceOf<Real>(weight_, weight);
+}
+
+template <class Real, std::size_t Room>
+Offset<Real> TreeWalk<Real, Room>::offsetTo(std::uint32_t site) const {
+  return offsetToPlace(tree_.place[site]);
+}
+
+template <class Real, std::size_t Room>
+Offset<Real> TreeWalk<Real, Room>::offsetToPlace(std::uint32_t place) const {
+  return {differenceOf<Real>(tree_.x[place], site_x_), differenceOf<Real>(tree_.y[place], site_y_),
+          hasWeights() ? leadOver(tree_.weight[place]) : Real(0.0)};
+}
+
+/// Part of a difference of weights by which rounding may be off in a depth: d is squared, and what it is
+/// the difference of may be as large.
+template <class Real>
+Real leadNoise(const Real& lead) {
+  using real = Real;
+  return Real(16.0) * ROUNDING * abs(lead);
+}
+
+/// How deep the site at d lies in the circle around a corner, as a difference of powers.
+template <class Real, std::size_t Room>
+Real TreeWalk<Real, Room>::depthOf(std::size_t corner, const Offset<Real>& d) const {
+  return Real(2.0) * (x_[corner] * d.x + y_[corner] * d.y) - (d.x * d.x + d.y * d.y) - d.lead;
+}
+
+/// By how much rounding may be off in that: where the corner may lie along its lines counts only as far as
+/// the bisector is not parallel to them.
+template <class Real, std::size_t Room>
+Real TreeWalk<Real, Room>::noiseOf(std::size_t corner, const Offset<Real>& d) const {
   const Real cross = line_x_[corner] * d.y - line_y_[corner] * d.x;
-  return Real(2.0) * (across_[corner] * (abs(d.x) + abs(d.y)) + noise_[corner] * abs(cross));
+  return Real(2.0) * (across_[corner] * (abs(d.x) + abs(d.y)) + noise_[corner] * abs(cross)) +
+         leadNoise(d.lead);
 }
 
 /// Whether the site at d is nearer to a corner than the cell's own, whatever the noise; perhaps: whether
 /// it may be; wholly: whether it is to all corners.
 template <class Real, std::size_t Room>
-bool TreeWalk<Real, Room>::isCut(const Shift<Real>& d, bool& perhaps, bool& wholly) const {
-  const Real squared = d.x * d.x + d.y * d.y;
+bool TreeWalk<Real, Room>::isCut(const Offset<Real>& d, bool& perhaps, bool& wholly) const {
+  const Real squared = d.x * d.x + d.y * d.y + d.lead;
   const Real length = abs(d.x) + abs(d.y);
+  const Real lead_noise = leadNoise(d.lead);
   Real beyond[Room];
   Real noise[Room];
   for (std::size_t k = 0; k < corners_end_; ++k) {
     beyond[k] = Real(2.0) * (x_[k] * d.x + y_[k] * d.y) - squared;
     const Real cross = line_x_[k] * d.y - line_y_[k] * d.x;
-    noise[k] = Real(2.0) * (across_[k] * length + noise_[k] * abs(cross));
+    noise[k] = Real(2.0) * (across_[k] * length + noise_[k] * abs(cross)) + lead_noise;
   }
   Real most = -FAR;
   Real most_surely = -FAR;
@@ -45,11 +74,14 @@ bool TreeWalk<Real, Room>::isCut(const Shift<Real>& d, bool& perhaps, bool& whol
 }
 
 template <class Real, std::size_t Room>
-void TreeWalk<Real, Room>::cut(const Shift<Real>& d, std::int32_t site) {
+void TreeWalk<Real, Room>::cut(const Offset<Real>& d, std::int32_t site) {
   const Real distance = sqrt(d.x * d.x + d.y * d.y);
   const Real inverse = Real(1.0) / distance;
   const vec2 n(d.x * inverse, d.y * inverse);
-  clip_.cutCell(cell_, n, Real(0.5) * distance + (shift_.x * n.x + shift_.y * n.y), site);
+  const Real moved = Real(0.5) * d.lead * inverse;
+  new_moved_ = abs(moved);
+  new_apart_ = distance;
+  clip_.cutCell(cell_, n, (Real(0.5) * distance + moved) + (shift_.x * n.x + shift_.y * n.y), site);
   if (!cell_.overflow) findCorners();
   ++version_;
 }
@@ -63,6 +95,8 @@ void TreeWalk<Real, Room>::findCorners() {
     if (line_[k] != cell_.line[k]) {
       line_[k] = cell_.line[k];
       known_after_[k] = no_line;
+      moved_[k] = new_moved_;
+      apart_[k] = new_apart_;
       angle_[k] = clip_.pseudoAngle(cell_.nx[k], cell_.ny[k]);
     }
     auto at = count++;
@@ -80,7 +114,8 @@ void TreeWalk<Real, Room>::placeCorner(std::size_t c, std::size_t before, std::s
   const Real x = cell_.nx[before] * cell_.h[before] - cell_.ny[before] * cell_.hi[before];
   const Real y = cell_.ny[before] * cell_.h[before] + cell_.nx[before] * cell_.hi[before];
   const Real turn = cell_.nx[before] * cell_.ny[after] - cell_.ny[before] * cell_.nx[after];
-  const Real near = abs(cell_.h[before]) + abs(cell_.h[after]) + abs(shift_.x) + abs(shift_.y);
+  const Real near = abs(cell_.h[before]) + moved_[before] + abs(cell_.h[after]) + moved_[after] +
+                    abs(shift_.x) + abs(shift_.y);
   corner_[c] = {before, after, turn, known_after_[before] == cell_.line[after]};
   x_[c] = x - shift_.x;
   y_[c] = y - shift_.y;
@@ -94,121 +129,49 @@ void TreeWalk<Real, Room>::placeCorner(std::size_t c, std::size_t before, std::s
   most_margin_ = max(most_margin_, margin_[c]);
 }
 
-/// A box of the tree, seen from the site.
+/// Whether the bisector with the site at d, which touches the edge in a slot, lies in its line as far as many
+/// digits can tell.
 template <class Real, std::size_t Room>
-struct TreeWalk<Real, Room>::Seen {
-  Real x, y, ux, uy, low_a, high_a, low_b, high_b;
-
-  Seen(const TreeWalk& walk, const Bounds& bounds)
-      : x(differenceOf<Real>(bounds.x, walk.site_x_)),
-        y(differenceOf<Real>(bounds.y, walk.site_y_)),
-        ux(bounds.ux),
-        uy(bounds.uy),
-        low_a(bounds.low_a),
-        high_a(bounds.high_a),
-        low_b(bounds.low_b),
-        high_b(bounds.high_b) {}
-
-  /// How deep it reaches into a circle, as a difference of squared distances.
-  [[nodiscard]] Real reach(const Real& corner_x, const Real& corner_y, const Real& squared) const {
-    const Real to_x = corner_x - x;
-    const Real to_y = corner_y - y;
-    const Real a = to_x * ux + to_y * uy;
-    const Real b = to_y * ux - to_x * uy;
-    const Real da = max(max(low_a - a, a - high_a), Real(0.0));
-    const Real db = max(max(low_b - b, b - high_b), Real(0.0));
-    return squared - (da * da + db * db);
-  }
-};
-
-/// How deep a node reaches into the circle around a corner.
-template <class Real, std::size_t Room>
-Real TreeWalk<Real, Room>::reach(std::size_t corner, const Bounds& bounds) const {
-  const auto reached = Seen(*this, bounds).reach(x_[corner], y_[corner], squared_[corner]);
-  return bounds.radius == 0 ? reached : reachOverCircle(corner, bounds, reached);
+bool TreeWalk<Real, Room>::liesIn(std::size_t slot, const Offset<Real>& d, Real length) const {
+  if (std::is_floating_point_v<Real>) return false;
+  const Real cross = abs(cell_.nx[slot] * d.y - cell_.ny[slot] * d.x);
+  return cell_.nx[slot] * d.x + cell_.ny[slot] * d.y > Real(0.0) && cross <= Real(16.0) * ROUNDING * length;
 }
 
-/// The same where the sites of the node lie on a circle or outside of it.
+/// Then the edge is the wall's, or of two sites that of the farther one: beyond that line the nearer has no
+/// cell.
 template <class Real, std::size_t Room>
-Real TreeWalk<Real, Room>::reachOverCircle(std::size_t corner, const Bounds& bounds, Real reached) const {
-  const Real to_x = x_[corner] - differenceOf<Real>(bounds.x, site_x_) - Real(bounds.center_x);
-  const Real to_y = y_[corner] - differenceOf<Real>(bounds.y, site_y_) - Real(bounds.center_y);
-  const Real inside = Real(bounds.radius) - sqrt(to_x * to_x + to_y * to_y);
-  return inside > Real(0.0) ? min(reached, squared_[corner] - inside * inside) : reached;
+bool TreeWalk<Real, Room>::liesBehind(std::size_t slot, const Offset<Real>& d, Real length) const {
+  return (cell_.line[slot] < 0 || apart_[slot] > length) && liesIn(slot, d, length);
 }
 
-/// The most that it reaches into any.
+/// Gives a site that cuts no corner the edge that is its own by that rule.
 template <class Real, std::size_t Room>
-Real TreeWalk<Real, Room>::reach(const Bounds& bounds) const {
-  const Seen seen(*this, bounds);
-  Real reached[Room];
-  for (std::size_t c = 0; c < corners_end_; ++c) reached[c] = seen.reach(x_[c], y_[c], squared_[c]);
-  Real most = -FAR;
+void TreeWalk<Real, Room>::takeOver(std::uint32_t site) {
+  const auto d = offsetTo(site);
+  const Real length = sqrt(d.x * d.x + d.y * d.y);
   for (std::size_t c = 0; c < corners_; ++c) {
-    if (bounds.radius != 0 && reached[c] > most) reached[c] = reachOverCircle(c, bounds, reached[c]);
-    most = max(most, reached[c]);
+    if (depthOf(c, d) + noiseOf(c, d) < Real(0.0)) continue;
+    for (const auto slot : {corner_[c].before, corner_[c].after}) {
+      if (cell_.line[slot] < 0 || !(apart_[slot] < length) || !liesIn(slot, d, length)) continue;
+      cell_.line[slot] = line_[slot] = static_cast<std::int32_t>(site);
+      apart_[slot] = length;
+      moved_[slot] = abs(d.lead) / (Real(2.0) * length);
+    }
   }
-  return most;
 }
 
-/// Whether a site in a box that hardly reaches into the circle around a corner may have an edge that counts.
-/// If the lines a and b meet in the corner, a site at distance D and in direction n cuts off no more
-/// than depth = reach / (2 D). Its edge is no longer than depth sin(a, b) / (sin(a, n) sin(n, b)), and it
-/// shortens the two others by depth / sin(a, n) and depth / sin(n, b). Of cross(a, d) over a box, the
-/// least is that of a corner of the box, or none if the signs differ.
+/// Whether a site that hardly reaches into the circle around a corner may have an edge that counts.
 template <class Real, std::size_t Room>
-bool TreeWalk<Real, Room>::mayMatter(std::size_t corner, const Bounds& bounds, Real reached) {
-  const Real ux = Real(bounds.ux);
-  const Real uy = Real(bounds.uy);
-  const Real x = differenceOf<Real>(bounds.x, site_x_);
-  const Real y = differenceOf<Real>(bounds.y, site_y_);
-  // The box, seen from the site and turned as it is.
-  const Real a[2] = {x * ux + y * uy + Real(bounds.low_a), x * ux + y * uy + Real(bounds.high_a)};
-  const Real b[2] = {y * ux - x * uy + Real(bounds.low_b), y * ux - x * uy + Real(bounds.high_b)};
-  const auto leastCross = [&](std::size_t slot) {
-    const Real na = cell_.nx[slot] * ux + cell_.ny[slot] * uy;
-    const Real nb = cell_.ny[slot] * ux - cell_.nx[slot] * uy;
-    const Real least = min(na * b[0], na * b[1]) - max(nb * a[0], nb * a[1]);
-    const Real most = max(na * b[0], na * b[1]) - min(nb * a[0], nb * a[1]);
-    return max(max(least, -most), Real(0.0));
-  };
-  const Real before = leastCross(corner_[corner].before);
-  const Real after = leastCross(corner_[corner].after);
-  const Real near_a = max(max(a[0], -a[1]), Real(0.0));
-  const Real near_b = max(max(b[0], -b[1]), Real(0.0));
-  const Real nearest = sqrt(near_a * near_a + near_b * near_b);
-  if (!(nearest > Real(0.0) && before > Real(0.0) && after > Real(0.0))) return true;
-  const Real far_a = max(abs(a[0]), abs(a[1]));
-  const Real far_b = max(abs(b[0]), abs(b[1]));
-  const Real squared = far_a * far_a + far_b * far_b;
-  const Real depth = (max(reached, Real(0.0)) + margin_[corner]) / (Real(2.0) * nearest);
-  if (depth * corner_[corner].turn * squared >= Real(no_edge) * nearest * before * after) return true;
-  const Real blur = depth * sqrt(squared) / min(before, after);
-  if (blur > Real(most_blur) * noise_[corner]) return true;
-  blur_ = max(blur_, blur);
-  return false;
-}
-
-/// Whether the bisector with the site at d, which touches a wall, lies in it as far as many digits can tell:
-/// then the edge is the wall's.
-template <class Real, std::size_t Room>
-bool TreeWalk<Real, Room>::liesIn(std::size_t wall, const Shift<Real>& d, Real cross, Real length) const {
-  const bool along = cell_.nx[wall] * d.x + cell_.ny[wall] * d.y > Real(0.0);
-  return !std::is_floating_point_v<Real> && cell_.line[wall] < 0 && along &&
-         cross <= Real(16.0) * ROUNDING * length;
-}
-
-/// The same for one site.
-template <class Real, std::size_t Room>
-bool TreeWalk<Real, Room>::mayMatter(std::size_t corner, const Shift<Real>& d) {
+bool TreeWalk<Real, Room>::mayMatter(std::size_t corner, const Offset<Real>& d) {
   const Real squared = d.x * d.x + d.y * d.y;
-  const Real beyond = Real(2.0) * (x_[corner] * d.x + y_[corner] * d.y) - squared + noiseOf(corner, d);
+  const Real beyond = depthOf(corner, d) + noiseOf(corner, d);
   const auto [before, after, turn, known] = corner_[corner];
   if (beyond < Real(0.0) || cell_.line[before] == inner_wall || cell_.line[after] == inner_wall) return false;
   const Real length = sqrt(squared);
   const Real a = abs(cell_.nx[before] * d.y - cell_.ny[before] * d.x);
   const Real b = abs(cell_.nx[after] * d.y - cell_.ny[after] * d.x);
-  if (liesIn(before, d, a, length) || liesIn(after, d, b, length)) return false;
+  if (liesBehind(before, d, length) || liesBehind(after, d, length)) return false;
   const Real depth = beyond / (Real(2.0) * length);
   if (depth * turn * squared >= Real(no_edge) * length * a * b) return true;
   blur_ = max(blur_, depth * length / min(a, b));
@@ -219,11 +182,16 @@ bool TreeWalk<Real, Room>::mayMatter(std::size_t corner, const Shift<Real>& d) {
 template <class Real, std::size_t Room>
 bool TreeWalk<Real, Room>::isKnownAround() const {
   const auto& known = sites_.known;
+  const auto heaviest = std::max(heaviest_anywhere_, tree_.bounds[1].heaviest);
+  const auto heavier = hasWeights() ? -static_cast<double>(leadOver(heaviest)) : 0.0;
+  const auto lift = heavier + box_rounding * std::abs(heavier);
   for (std::size_t k = 0; k < corners_; ++k) {
     const auto x = sites_.x[site_] + static_cast<double>(x_[k]);
     const auto y = sites_.y[site_] + static_cast<double>(y_[k]);
     const auto inside = std::min({x - known.xmin, known.xmax - x, y - known.ymin, known.ymax - y});
-    if (!(inside * std::abs(inside) > static_cast<double>(squared_[k] + widening_[k]))) return false;
+    const auto squared = static_cast<double>(squared_[k] + widening_[k]) + lift;
+    const auto most_off = 2 * std::sqrt(std::max(heavier, 0.0)) * static_cast<double>(noise_[k]);
+    if (!(inside * std::abs(inside) > squared + most_off)) return false;
   }
   return true;
 }

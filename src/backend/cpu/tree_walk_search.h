@@ -3,6 +3,7 @@
 
 #include "backend/cpu/tree_walk.h"
 #include "backend/cpu/tree_walk_corners.h"
+#include "backend/cpu/tree_walk_nodes.h"
 
 namespace vorpipe::cpu {
 
@@ -21,6 +22,7 @@ CellStatus TreeWalk<Real, Room>::find(std::uint32_t site, const Shift<Real>& shi
   site_ = site;
   site_x_ = sites_.x[site];
   site_y_ = sites_.y[site];
+  weight_ = hasWeights() ? sites_.weight[site] : 0;
   shift_ = shift;
   clip_.beginCell(cell_, vec4(walls.west, walls.south, walls.east, walls.north));
   static_assert(Room % 4 == 0);
@@ -31,6 +33,7 @@ CellStatus TreeWalk<Real, Room>::find(std::uint32_t site, const Shift<Real>& shi
   doubtful_.clear();
   surely_empty_ = false;
   blur_ = Real(0.0);
+  new_moved_ = Real(0.0);
   findCorners();
   climb();
   return finish(found);
@@ -51,6 +54,9 @@ void TreeWalk<Real, Room>::climb() {
     range = is_low ? low : high;
   }
   std::reverse(beside_.begin(), beside_.end());
+  for (const auto heavy : sites_.heavy) {
+    if (heavy != site_ && !isOver()) tryPlace(tree_.place[heavy]);
+  }
   tryNear(range);
   for (std::size_t beside = 0; beside < beside_.size() && !isOver(); ++beside) {
     if (tryAll(beside)) continue;
@@ -59,7 +65,8 @@ void TreeWalk<Real, Room>::climb() {
   }
 }
 
-/// Tries the sites around the cell's own, nearest first: then most that cut it belong to it in the end.
+/// Tries the sites around the cell's own, nearest by power first: then most that cut it belong to it in the
+/// end.
 template <class Real, std::size_t Room>
 void TreeWalk<Real, Room>::tryNear(SiteTree::Range range) {
   const auto own = tree_.place[site_];
@@ -67,10 +74,11 @@ void TreeWalk<Real, Room>::tryNear(SiteTree::Range range) {
   for (auto place = range.begin; place < range.end; ++place) {
     const double dx = tree_.x[place] - site_x_;
     const double dy = tree_.y[place] - site_y_;
-    if (place != own) nearest_.push_back({dx * dx + dy * dy, place});
+    if (place == own) continue;
+    nearest_.push_back({dx * dx + dy * dy - (hasWeights() ? tree_.weight[place] - weight_ : 0), place});
   }
   std::sort(nearest_.begin(), nearest_.end());
-  for (const auto& [squared, place] : nearest_) {
+  for (const auto& [power, place] : nearest_) {
     if (!isOver()) tryPlace(place);
   }
 }
@@ -206,7 +214,7 @@ template <class Real, std::size_t Room>
 void TreeWalk<Real, Room>::searchLeaf(std::size_t corner, SiteTree::Range range, Deepest& deepest) {
   for (auto place = range.begin; place < range.end; ++place) {
     const auto d = offsetToPlace(place);
-    const Real depth = Real(2.0) * (x_[corner] * d.x + y_[corner] * d.y) - (d.x * d.x + d.y * d.y);
+    const Real depth = depthOf(corner, d);
     const Real noise = noiseOf(corner, d);
     if (depth > noise && depth > deepest.depth) {
       deepest = {depth, place, true};
@@ -221,16 +229,6 @@ template <class Real, std::size_t Room>
 bool TreeWalk<Real, Room>::isCornerOf(std::size_t corner, std::uint32_t site) const {
   const auto line = static_cast<std::int32_t>(site);
   return cell_.line[corner_[corner].before] == line || cell_.line[corner_[corner].after] == line;
-}
-
-template <class Real, std::size_t Room>
-Shift<Real> TreeWalk<Real, Room>::offsetTo(std::uint32_t site) const {
-  return {differenceOf<Real>(sites_.x[site], site_x_), differenceOf<Real>(sites_.y[site], site_y_)};
-}
-
-template <class Real, std::size_t Room>
-Shift<Real> TreeWalk<Real, Room>::offsetToPlace(std::uint32_t place) const {
-  return {differenceOf<Real>(tree_.x[place], site_x_), differenceOf<Real>(tree_.y[place], site_y_)};
 }
 
 template <class Real, std::size_t Room>
@@ -263,13 +261,24 @@ bool TreeWalk<Real, Room>::cutByDoubtful() {
   return false;
 }
 
+/// The distance between the sites of an edge, or between a site and its image behind a wall.
+template <class Real, std::size_t Room>
+Real TreeWalk<Real, Room>::apart(std::size_t slot) const {
+  if (cell_.line[slot] >= 0) return apart_[slot];
+  return Real(2.0) * abs(cell_.h[slot] - (shift_.x * cell_.nx[slot] + shift_.y * cell_.ny[slot]));
+}
+
 template <class Real, std::size_t Room>
 CellStatus TreeWalk<Real, Room>::finish(Found<Real>& found) {
   const bool settled = cutByDoubtful();
+  if (hasWeights()) found.tried.insert(found.tried.end(), doubtful_.begin(), doubtful_.end());
   if (cell_.overflow) return CellStatus::overflow;
   found.sure = found.sure && settled && (corners_ > 0 || surely_empty_);
   if (corners_ == 0) return CellStatus::empty;
   if (!isKnownAround()) return CellStatus::unsecured;
+  for (const auto site : doubtful_) {
+    if (hasWeights() && !std::is_floating_point_v<Real> && !isEdge(site)) takeOver(site);
+  }
   for (const auto site : doubtful_) {
     if (isEdge(site)) continue;
     const auto d = offsetTo(site);
@@ -277,8 +286,8 @@ CellStatus TreeWalk<Real, Room>::finish(Found<Real>& found) {
   }
   for (std::size_t k = 0; k < Room; ++k) {
     if (!(cell_.lo[k] < cell_.hi[k]) || cell_.line[k] == inner_wall) continue;
-    found.edges.push_back(
-        {cell_.line[k], cell_.nx[k], cell_.ny[k], cell_.h[k], cell_.lo[k], cell_.hi[k], angle_[k]});
+    found.edges.push_back({cell_.line[k], cell_.nx[k], cell_.ny[k], cell_.h[k], cell_.lo[k], cell_.hi[k],
+                           angle_[k], moved_[k], apart(k)});
   }
   found.blur = max(found.blur, blur_);
   return CellStatus::certified;

@@ -11,13 +11,15 @@ namespace {
 
 // cell_answer and cell_neighbors of edges.geom: one of each for an entry, in the order drawn.
 constexpr std::size_t word_bytes = sizeof(GLint);
-constexpr std::size_t rowBytes(int room) { return static_cast<std::size_t>(room) * sizeof(GLint); }
 
 ProgramText textOf(Entries entries, bool fast) {
   static constexpr std::array<const char*, 2> captured = {"cell_answer", "cell_neighbors"};
   if (entries == Entries::lists)
     return {shaders::cell_vert_410(), shaders::edges_list_roomy_410(), {}, captured};
-  const auto geometry = fast ? shaders::edges_grid_fast_410() : shaders::edges_grid_roomy_410();
+  auto geometry = fast ? shaders::edges_grid_fast_410() : shaders::edges_grid_roomy_410();
+  if (entries == Entries::weighted_sites) {
+    geometry = fast ? shaders::edges_grid_fast_weighted_410() : shaders::edges_grid_roomy_weighted_410();
+  }
   return {shaders::site_vert_410(), geometry, {}, captured};
 }
 
@@ -26,12 +28,13 @@ ProgramText textOf(Entries entries, bool fast) {
 Result<void> Cells::run(Entries entries, Effort effort, std::size_t count, Neighborhoods& out) {
   out = {};
   out.first.push_back(0);
-  const bool fast = entries == Entries::sites && effort == Effort::fast;
-  const std::size_t row_bytes = rowBytes(fast ? EDGES_FAST : EDGES_MOST);
+  const bool fast = entries != Entries::lists && effort == Effort::fast;
+  const std::size_t room = answerRoom(fast ? EDGES_FAST : EDGES_MOST, entries == Entries::weighted_sites);
+  const std::size_t row_bytes = room * sizeof(GLint);
   const std::size_t record_bytes = word_bytes + row_bytes;
   if (auto used = made_[programOf(entries, effort)].use(textOf(entries, fast)); !used) return used;
   glEnable(GL_RASTERIZER_DISCARD);
-  const std::size_t at_once = feedback_.entriesAtOnce(record_bytes);
+  const std::size_t at_once = Feedback::entriesAtOnce(record_bytes);
   Result<void> answered;
   for (std::size_t first = 0; first < count && answered; first += at_once) {
     const std::size_t here = std::min(at_once, count - first);
@@ -39,9 +42,7 @@ Result<void> Cells::run(Entries entries, Effort effort, std::size_t count, Neigh
     glDrawArrays(GL_POINTS, static_cast<GLint>(first), static_cast<GLsizei>(here));
     answered = feedback_.end(record_bytes, [&](std::span<const std::byte> said) {
       if (said.size() != here * record_bytes) return false;
-      append({here, row_bytes / sizeof(GLint), said.data(), record_bytes, said.data() + word_bytes,
-              record_bytes},
-             out);
+      append({here, room, said.data(), record_bytes, said.data() + word_bytes, record_bytes}, out);
       return true;
     });
   }

@@ -23,7 +23,10 @@ ProgramText textOf(Entries entries, bool fast) {
     const auto geometry = fast ? shaders::cell_list_fast_410() : shaders::cell_list_roomy_410();
     return {shaders::cell_vert_410(), geometry, shaders::cell_frag_410(), captured};
   }
-  const auto geometry = fast ? shaders::cell_grid_fast_410() : shaders::cell_grid_roomy_410();
+  auto geometry = fast ? shaders::cell_grid_fast_410() : shaders::cell_grid_roomy_410();
+  if (entries == Entries::weighted_sites) {
+    geometry = fast ? shaders::cell_grid_fast_weighted_410() : shaders::cell_grid_roomy_weighted_410();
+  }
   return {shaders::site_vert_410(), geometry, shaders::cell_frag_410(), captured};
 }
 
@@ -47,7 +50,7 @@ Result<void> Geometry::draw(Entries entries, Effort effort, std::span<CellStatus
   if (auto used = made_[programOf(entries, effort)].use(textOf(entries, fast)); !used) return used;
   const std::size_t count = status.size();
   const std::size_t triangles = fast ? EDGES_FAST - 2 : EDGES_MOST - 2;
-  const std::size_t at_once = feedback_.entriesAtOnce(triangles * triangle_bytes);
+  const std::size_t at_once = Feedback::entriesAtOnce(triangles * triangle_bytes);
   for (std::size_t first = 0; first < count; first += at_once) {
     feedback_.begin();
     glDrawArrays(GL_POINTS, static_cast<GLint>(first),

@@ -60,7 +60,7 @@ class OpenGlBackend final : public Backend {
   Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) override {
     assert(which.size() <= info_.max_entries);
     return findCells(
-        Entries::sites, effort, which.size(), [&] { return gl_.sites.send(which); }, out);
+        gl_.sites.entries(), effort, which.size(), [&] { return gl_.sites.send(which); }, out);
   }
 
   Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) override {
@@ -84,7 +84,7 @@ class OpenGlBackend final : public Backend {
     if (!scope) return tl::unexpected(scope.error());
     gl_.picture.bind();
     if (auto sent = gl_.sites.send(which); !sent) return sent;
-    return gl_.geometry.draw(Entries::sites, effort, status);
+    return gl_.geometry.draw(gl_.sites.entries(), effort, status);
   }
 
   Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,

@@ -53,7 +53,8 @@ void bindByName(GLuint program) {
   glUseProgram(program);
   for (const auto& [name, place] :
        {Named{"lines", lines_unit}, Named{"palette", palette_unit}, Named{"sites", sites_unit},
-        Named{"bin_starts", bins_unit}, Named{"marks", marks_unit}}) {
+        Named{"bin_starts", bins_unit}, Named{"marks", marks_unit}, Named{"weights", weights_unit},
+        Named{"heaviest", heaviest_unit}}) {
     glUniform1i(glGetUniformLocation(program, name), static_cast<GLint>(place));
   }
 }
@@ -94,7 +95,7 @@ Result<GLuint> link(const ProgramText& text) {
 }  // namespace
 
 std::size_t programOf(Entries entries, Effort effort) {
-  return (entries == Entries::sites ? 2U : 0U) + (effort == Effort::fast ? 0U : 1U);
+  return 2 * static_cast<std::size_t>(entries) + (effort == Effort::fast ? 0U : 1U);
 }
 
 Result<void> Program::use(const ProgramText& text) {

@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "backend/opengl/shader.h"
 #include "backend/site_texels.h"
 
 namespace vorpipe::opengl {
@@ -15,7 +14,9 @@ Sites::Sites()
       grid_(GL_UNIFORM_BUFFER, GL_STATIC_DRAW),
       sites_(GL_RGBA32F, sites_unit),
       bins_(GL_R32UI, bins_unit),
-      marks_(GL_RG32UI, marks_unit) {
+      marks_(GL_RG32UI, marks_unit),
+      weights_(GL_RG32F, weights_unit),
+      heaviest_(GL_RGBA32F, heaviest_unit) {
   glGenVertexArrays(1, &vertices_);
   glBindVertexArray(vertices_);
   glEnableVertexAttribArray(0);
@@ -30,6 +31,15 @@ Result<void> Sites::upload(const SiteSet& sites, std::span<const std::uint8_t> s
   std::vector<std::byte> texels(sites.size() * sizeof(SiteTexel));
   writeSiteTexels(sites, texels.data());
   sites_.write(texels);
+  weighted_ = !sites.weight.empty();
+  if (weighted_) {
+    texels.resize(sites.size() * sizeof(WeightTexel));
+    writeWeightTexels(sites, texels.data());
+    weights_.write(texels);
+    texels.resize(heaviestBytes(sites));
+    writeHeaviest(sites, texels.data());
+    heaviest_.write(texels);
+  }
   if (!shade.empty()) {
     texels.resize(sites.size() * sizeof(SiteMark));
     writeSiteMarks(sites, shade, texels.data());

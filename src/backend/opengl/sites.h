@@ -1,4 +1,4 @@
-/// The sites of an upload on the device, their grid, and those of them whose cells are wanted.
+/// The sites of an upload on the device, their weights, their grid, and those of them whose cells are wanted.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,7 @@
 #include "backend/backend.h"
 #include "backend/opengl/buffer.h"
 #include "backend/opengl/gl.h"
+#include "backend/opengl/shader.h"
 
 namespace vorpipe::opengl {
 
@@ -21,10 +22,14 @@ class Sites {
   /// Makes the sites `which` what the next draw call takes, a point for each. Error (device): out of memory.
   Result<void> send(std::span<const std::uint32_t> which);
 
+  /// What they are to a pipeline.
+  [[nodiscard]] Entries entries() const { return weighted_ ? Entries::weighted_sites : Entries::sites; }
+
  private:
+  bool weighted_ = false;
   GLuint vertices_ = 0;
   Buffer which_, grid_;
-  TexelBuffer sites_, bins_, marks_;
+  TexelBuffer sites_, bins_, marks_, weights_, heaviest_;
 };
 
 }  // namespace vorpipe::opengl

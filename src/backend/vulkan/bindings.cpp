@@ -10,7 +10,7 @@
 namespace vorpipe::vulkan {
 namespace {
 
-constexpr std::array<VkDescriptorSetLayoutBinding, 9> layout_bindings = {{
+constexpr std::array<VkDescriptorSetLayoutBinding, 11> layout_bindings = {{
     {BINDING_VIEW, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, VK_SHADER_STAGE_GEOMETRY_BIT, nullptr},
     {BINDING_LINES, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, VK_SHADER_STAGE_GEOMETRY_BIT, nullptr},
     {BINDING_PALETTE, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr},
@@ -20,6 +20,8 @@ constexpr std::array<VkDescriptorSetLayoutBinding, 9> layout_bindings = {{
     {BINDING_SITES, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, VK_SHADER_STAGE_GEOMETRY_BIT, nullptr},
     {BINDING_BINS, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, VK_SHADER_STAGE_GEOMETRY_BIT, nullptr},
     {BINDING_MARKS, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, VK_SHADER_STAGE_GEOMETRY_BIT, nullptr},
+    {BINDING_WEIGHTS, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, VK_SHADER_STAGE_GEOMETRY_BIT, nullptr},
+    {BINDING_HEAVIEST, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, VK_SHADER_STAGE_GEOMETRY_BIT, nullptr},
 }};
 
 VkWriteDescriptorSet writeTo(VkDescriptorSet set, std::uint32_t binding, VkDescriptorType type) {

@@ -41,7 +41,7 @@ Result<void> GeometryBackend::cells(std::span<const std::uint32_t> which, Effort
   assert(effort == Effort::fast || effort == Effort::roomy);
   try {
     VORPIPE_TRY(sendWhich(which));
-    return findCells({effort, Entries::sites, which_.get(), sizeof(which[0]), which.size()}, out);
+    return findCells({effort, siteEntries(), which_.get(), sizeof(which[0]), which.size()}, out);
   } catch (const std::bad_alloc&) {
     return outOfMemory(which.size());
   }
@@ -53,13 +53,15 @@ Result<void> GeometryBackend::findCells(const CellWork& work, Neighborhoods& out
   out.first.push_back(0);
   if (work.count == 0) return {};
   VORPIPE_TRY(createEmptyFramebuffer());
-  const bool fast = work.effort == Effort::fast && work.entries == Entries::sites;
-  const std::size_t room = fast ? EDGES_FAST : EDGES_MOST;
+  const bool fast = work.effort == Effort::fast && work.entries != Entries::lists;
+  const bool weighted = work.entries == Entries::weighted_sites;
+  const std::size_t room = answerRoom(fast ? EDGES_FAST : EDGES_MOST, weighted);
   const std::size_t row_bytes = room * sizeof(std::int32_t);
   const std::size_t range = info_.max_entries * sizeof(std::uint32_t);
   const std::size_t slice = std::min({work.count, slice_entries, range / row_bytes});
   VORPIPE_TRY(reserveStatus(slice));
-  VORPIPE_TRY(edges_.reserve(device_, slice * row_bytes, slice_entries * EDGES_MOST * sizeof(std::int32_t)));
+  VORPIPE_TRY(edges_.reserve(device_, slice * row_bytes,
+                             slice_entries * answerRoom(EDGES_MOST, true) * sizeof(std::int32_t)));
   bindings_.setStorage(device_, BINDING_EDGES, edges_.get(), slice * row_bytes);
   const Result<VkPipeline> pipeline =
       pipelines_.edges(device_, bindings_.layout(), work.entries, work.effort);

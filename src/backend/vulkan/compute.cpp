@@ -28,7 +28,7 @@ constexpr std::size_t line_bytes = sizeof(Line<float>);
 constexpr VkShaderStageFlags compute = VK_SHADER_STAGE_COMPUTE_BIT;
 
 // Four storage buffers, which every device has.
-constexpr std::array<VkDescriptorSetLayoutBinding, 12> clip_bindings = {{
+constexpr std::array<VkDescriptorSetLayoutBinding, 14> clip_bindings = {{
     {BINDING_VIEW, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, compute, nullptr},
     {BINDING_GRID, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, 1, compute, nullptr},
     {BINDING_LINES, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, compute, nullptr},
@@ -37,6 +37,8 @@ constexpr std::array<VkDescriptorSetLayoutBinding, 12> clip_bindings = {{
     {BINDING_MARKS, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, compute, nullptr},
     {BINDING_PLACE_OF_SITE, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, compute, nullptr},
     {BINDING_SITE_AT_PLACE, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, compute, nullptr},
+    {BINDING_WEIGHTS, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, compute, nullptr},
+    {BINDING_HEAVIEST, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, compute, nullptr},
     {BINDING_ENTRIES, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, compute, nullptr},
     {BINDING_STATUS, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, compute, nullptr},
     {BINDING_VERTICES, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, compute, nullptr},
@@ -114,7 +116,10 @@ ComputeBackend::ComputeBackend(Parts parts, BackendInfo info, std::uint64_t stor
                  Placement::device}) {}
 
 Result<void> ComputeBackend::upload(const SiteSet& sites, std::span<const std::uint8_t> shade) {
-  if (placed_) {
+  weighted_ = !sites.weight.empty();
+  // Only the host knows where the heavy sites come to stand.
+  placed_here_ = placed_.has_value() && !weighted_;
+  if (placed_here_) {
     VORPIPE_TRY(placed_->upload(device_, sites_bindings_, sites, shade, info_));
   } else {
     VORPIPE_TRY(sites_.upload(device_, sites_bindings_, sites, shade, info_));

@@ -26,7 +26,7 @@
 
 namespace vorpipe::vulkan {
 
-/// Who puts the sites of an upload into the bins of their grid.
+/// Who puts the sites of an upload into the bins of their grid; sites with weights are always the host's.
 enum class Placing : std::uint8_t { by_host, by_device };
 
 class ComputeBackend final : public Backend {
@@ -63,6 +63,7 @@ class ComputeBackend final : public Backend {
     ComputeKernels::Code code;
     std::size_t room;  ///< for edges
     std::size_t count;
+    bool weighted = false;
   };
 
   static std::size_t roomOf(Effort effort) { return effort == Effort::fast ? EDGES_FAST : EDGES_MOST; }
@@ -88,6 +89,8 @@ class ComputeBackend final : public Backend {
   Target target_;
   UploadedSites sites_;
   std::optional<PlacedSites> placed_;
+  bool placed_here_ = false;  ///< by placed_
+  bool weighted_ = false;
   View shown_{{0, 0, 1, 1}, 1, 1, {}};
   Box domain_{0, 0, 1, 1};  ///< of the sites
   Buffer view_, entries_, lines_, marks_, answers_, vertices_;

@@ -23,6 +23,13 @@ tl::unexpected<Error> outOfMemory(std::size_t cells) {
                      " cells: free some, or ask for fewer cells at a time");
 }
 
+ComputeKernels::Code searchCode(bool fast, bool weighted) {
+  if (weighted) {
+    return fast ? shaders::neighbors_grid_fast_weighted() : shaders::neighbors_grid_roomy_weighted();
+  }
+  return fast ? shaders::neighbors_grid_fast() : shaders::neighbors_grid_roomy();
+}
+
 Result<void> clear(Neighborhoods& out) {
   out.status.clear();
   out.first.assign(1, 0);
@@ -38,10 +45,8 @@ Result<void> ComputeBackend::cells(std::span<const std::uint32_t> which, Effort 
   if (which.empty()) return clear(out);
   try {
     VORPIPE_TRY(sendWhich(which));
-    return findCells(
-        {sites_bindings_, fast ? shaders::neighbors_grid_fast() : shaders::neighbors_grid_roomy(),
-         roomOf(effort), which.size()},
-        out);
+    return findCells({sites_bindings_, searchCode(fast, weighted_), roomOf(effort), which.size(), weighted_},
+                     out);
   } catch (const std::bad_alloc&) {
     return outOfMemory(which.size());
   }
@@ -61,13 +66,15 @@ Result<void> ComputeBackend::cells(const CellBatch<double>& batch, Neighborhoods
 // Clips the entries that were sent, slice by slice.
 Result<void> ComputeBackend::findCells(const Clipping& clipping, Neighborhoods& out) {
   VORPIPE_TRY(clear(out));
-  const std::size_t row_bytes = (clipping.room + 1) * sizeof(std::int32_t);
+  // With weights, the lines that leave nothing of a cell are one more than it had edges.
+  const std::size_t room = clipping.room + (clipping.weighted ? 1 : 0);
+  const std::size_t row_bytes = (room + 1) * sizeof(std::int32_t);
   const std::size_t slice = std::min(clipping.count, sliceOf(slice_entries, row_bytes));
   VORPIPE_TRY(answers_.reserve(device_, slice * row_bytes, storage_range_));
   clipping.bindings.setStorage(device_, BINDING_STATUS, answers_.get(), slice * row_bytes);
   bindPolygons(clipping.bindings);
   const Result<VkPipeline> kernel =
-      kernels_.kernel(device_, clipping.bindings.layout(), clipping.code, placed_.has_value());
+      kernels_.kernel(device_, clipping.bindings.layout(), clipping.code, placed_here_);
   if (!kernel) return tl::unexpected(kernel.error());
   for (std::size_t first = 0; first < clipping.count; first += slice) {
     const std::size_t here = std::min(slice, clipping.count - first);
@@ -75,9 +82,7 @@ Result<void> ComputeBackend::findCells(const Clipping& clipping, Neighborhoods& 
       dispatch(device_, commands, *kernel, clipping.bindings,
                {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(here)}, here);
     }));
-    append(
-        {here, clipping.room, answers_.data(), row_bytes, answers_.data() + sizeof(std::int32_t), row_bytes},
-        out);
+    append({here, room, answers_.data(), row_bytes, answers_.data() + sizeof(std::int32_t), row_bytes}, out);
   }
   return {};
 }

@@ -17,6 +17,13 @@ constexpr std::size_t slice_entries = std::size_t{1} << 17;
 
 constexpr std::size_t word = sizeof(std::uint32_t);
 
+ComputeKernels::Code polygonCode(bool fast, bool weighted) {
+  if (weighted) {
+    return fast ? shaders::polygons_grid_fast_weighted() : shaders::polygons_grid_roomy_weighted();
+  }
+  return fast ? shaders::polygons_grid_fast() : shaders::polygons_grid_roomy();
+}
+
 }  // namespace
 
 Result<void> ComputeBackend::draw(std::span<const std::uint32_t> which, Effort effort,
@@ -25,9 +32,7 @@ Result<void> ComputeBackend::draw(std::span<const std::uint32_t> which, Effort e
   if (which.empty()) return {};
   const bool fast = effort == Effort::fast;
   VORPIPE_TRY(sendWhich(which));
-  return drawCells({sites_bindings_, fast ? shaders::polygons_grid_fast() : shaders::polygons_grid_roomy(),
-                    roomOf(effort), which.size()},
-                   status);
+  return drawCells({sites_bindings_, polygonCode(fast, weighted_), roomOf(effort), which.size()}, status);
 }
 
 Result<void> ComputeBackend::draw(const CellBatch<float>& batch, std::span<const DrawMark> marks,
@@ -55,7 +60,7 @@ Result<void> ComputeBackend::drawCells(const Clipping& clipping, std::span<CellS
   clipping.bindings.setStorage(device_, BINDING_STATUS, answers_.get(), slice * word);
   bindPolygons(clipping.bindings);
   const Result<VkPipeline> kernel =
-      kernels_.kernel(device_, clipping.bindings.layout(), clipping.code, placed_.has_value());
+      kernels_.kernel(device_, clipping.bindings.layout(), clipping.code, placed_here_);
   if (!kernel) return tl::unexpected(kernel.error());
   for (std::size_t first = 0; first < clipping.count; first += slice) {
     const std::size_t here = std::min(slice, clipping.count - first);

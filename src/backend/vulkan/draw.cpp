@@ -50,7 +50,7 @@ Result<void> GeometryBackend::draw(std::span<const std::uint32_t> which, Effort 
   assert(status.size() == which.size());
   if (which.empty()) return {};
   VORPIPE_TRY(sendWhich(which));
-  return drawEntries(Entries::sites, effort, {which_.get(), which_.get()}, status);
+  return drawEntries(siteEntries(), effort, {which_.get(), which_.get()}, status);
 }
 
 Result<void> GeometryBackend::drawEntries(Entries entries, Effort effort, std::array<VkBuffer, 2> vertices,

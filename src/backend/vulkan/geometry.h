@@ -60,6 +60,9 @@ class GeometryBackend final : public Backend {
 
   GeometryBackend(Instance instance, Device device, Bindings bindings, Pipelines pipelines, BackendInfo info);
 
+  [[nodiscard]] Entries siteEntries() const {
+    return sites_.weighted() ? Entries::weighted_sites : Entries::sites;
+  }
   Result<void> setView(const View& view);
   Result<void> createEmptyFramebuffer();
   Result<void> sendBatch(const CellBatch<float>& batch, std::span<const DrawMark> marks);

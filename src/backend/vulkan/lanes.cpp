@@ -54,10 +54,12 @@ class Lanes final : public Backend {
   Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override {
     sites_ = &sites;
     shade_.assign(shade.begin(), shade.end());
-    return each([&](Backend& lane) { return lane.upload(sites, shade_); });
+    with_sites_ = 1;
+    return lanes_[0]->upload(sites, shade_);
   }
 
   Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) override {
+    VORPIPE_TRY(giveSites(lanesFor(which.size())));
     return collect(
         which.size(),
         [&](Backend& lane, const Part& part, Neighborhoods& found) {
@@ -78,11 +80,12 @@ class Lanes final : public Backend {
   Result<void> begin(const View& view) override {
     view_ = view;
     drawings_ = 0;
-    return each([&](Backend& lane) { return lane.begin(view); });
+    return each(lanes_.size(), [&](Backend& lane) { return lane.begin(view); });
   }
 
   Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
                     std::span<CellStatus> status) override {
+    VORPIPE_TRY(giveSites(lanesFor(which.size())));
     VORPIPE_TRY(spread(which.size(), [&](Backend& lane, const Part& part) {
       return lane.draw(which.subspan(part.begin, part.size()), effort,
                        status.subspan(part.begin, part.size()));
@@ -129,12 +132,11 @@ class Lanes final : public Backend {
   }
 
  private:
-  /// Calls work(lane) for every open lane at the same time; returns the first lane's error.
+  /// Calls work(lane) for the first `count` lanes at the same time; returns the first lane's error.
   template <class Work>
-  Result<void> each(const Work& work) {
-    std::vector<Result<void>> results(lanes_.size());
-    const auto threads = static_cast<int>(lanes_.size());
-    parallelFor(lanes_.size(), 1, threads,
+  Result<void> each(std::size_t count, const Work& work) {
+    std::vector<Result<void>> results(count);
+    parallelFor(count, 1, static_cast<int>(count),
                 [&](std::size_t lane, std::size_t) { results[lane] = work(*lanes_[lane]); });
     for (auto& result : results) {
       if (!result) return result;
@@ -157,10 +159,11 @@ class Lanes final : public Backend {
   template <class Work>
   Result<void> spread(std::size_t count, const Work& work) {
     if (count == 0) return {};
-    VORPIPE_TRY(openLanes(lanesFor(count)));
+    const auto lanes = lanesFor(count);
+    VORPIPE_TRY(openLanes(lanes));
     const auto parts = partsOf(count);
     std::atomic<std::size_t> next = 0;
-    return each([&](Backend& lane) -> Result<void> {
+    return each(lanes, [&](Backend& lane) -> Result<void> {
       for (std::size_t part; (part = next.fetch_add(1)) < parts;) {
         VORPIPE_TRY(work(lane, {part, count * part / parts, count * (part + 1) / parts}));
       }
@@ -185,11 +188,19 @@ class Lanes final : public Backend {
     }
   }
 
+  /// Gives the sites to as many lanes. A lane has none before it is asked for cells by index: when it is
+  /// opened for a batch, the sites of the last upload may be gone.
+  Result<void> giveSites(std::size_t count) {
+    if (sites_ == nullptr) return {};  // then no cell is asked for
+    VORPIPE_TRY(openLanes(count));
+    for (; with_sites_ < count; ++with_sites_) VORPIPE_TRY(lanes_[with_sites_]->upload(*sites_, shade_));
+    return {};
+  }
+
   Result<void> openLanes(std::size_t count) {
     while (lanes_.size() < count) {
       auto lane = open_();
       if (!lane) return tl::unexpected(lane.error());
-      if (sites_ != nullptr) VORPIPE_TRY((*lane)->upload(*sites_, shade_));
       if (view_) VORPIPE_TRY((*lane)->begin(*view_));
       lanes_.push_back(std::move(*lane));
     }
@@ -211,6 +222,7 @@ class Lanes final : public Backend {
   std::vector<std::unique_ptr<Backend>> lanes_;
   std::optional<View> view_;
   const SiteSet* sites_ = nullptr;
+  std::size_t with_sites_ = 0;  ///< so many lanes have the sites of the last upload
   std::vector<std::uint8_t> shade_;
   std::uint64_t drawings_ = 0;
   std::vector<std::uint64_t> drawn_;  ///< by id: when its cell was drawn last

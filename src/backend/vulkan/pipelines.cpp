@@ -47,7 +47,11 @@ constexpr std::array<VkVertexInputAttributeDescription, 5> list_inputs = {{
 constexpr std::array<VkVertexInputAttributeDescription, 1> site_inputs = {{{0, 0, VK_FORMAT_R32_UINT, 0}}};
 
 std::size_t placeOf(Entries entries, Effort effort) {
-  return (entries == Entries::sites ? 2U : 0U) + (effort == Effort::fast ? 0U : 1U);
+  return 2 * static_cast<std::size_t>(entries) + (effort == Effort::fast ? 0U : 1U);
+}
+
+Code vertexCode(Entries entries) {
+  return entries == Entries::lists ? shaders::cell_vert() : shaders::site_vert();
 }
 
 Result<Handle<VkShaderModule>> createModule(const Device& device, Code code) {
@@ -91,7 +95,7 @@ struct FixedState {
   FixedState(Entries entries, std::uint32_t mark_stride, bool rasterized, std::uint32_t attachments)
       : vertices{{{0, sizeof(Entry), VK_VERTEX_INPUT_RATE_VERTEX},
                   {1, mark_stride, VK_VERTEX_INPUT_RATE_VERTEX}}} {
-    const bool sites = entries == Entries::sites;
+    const bool sites = entries != Entries::lists;
     if (sites) vertices[0].stride = sizeof(std::uint32_t);
     input.vertexBindingDescriptionCount = sites ? 1 : 2;
     input.pVertexBindingDescriptions = vertices.data();
@@ -150,23 +154,27 @@ Result<VkPipeline> Pipelines::made(const Device& device, VkPipelineLayout layout
 
 Result<VkPipeline> Pipelines::draw(const Device& device, VkPipelineLayout layout, Entries entries,
                                    Effort effort) {
-  const bool sites = entries == Entries::sites;
-  const Code vertex = sites ? shaders::site_vert() : shaders::cell_vert();
-  const Code fast = sites ? shaders::cell_grid_fast() : shaders::cell_list_fast();
-  const Code roomy = sites ? shaders::cell_grid_roomy() : shaders::cell_list_roomy();
-  const Code geometry = effort == Effort::fast ? fast : roomy;
-  return made(device, layout,
-              {vertex, geometry, shaders::cell_frag(), targetPass(), 2, entries, sizeof(DrawMark)},
-              draw_[placeOf(entries, effort)]);
+  const bool fast = effort == Effort::fast;
+  Code geometry = fast ? shaders::cell_list_fast() : shaders::cell_list_roomy();
+  if (entries == Entries::sites) geometry = fast ? shaders::cell_grid_fast() : shaders::cell_grid_roomy();
+  if (entries == Entries::weighted_sites) {
+    geometry = fast ? shaders::cell_grid_fast_weighted() : shaders::cell_grid_roomy_weighted();
+  }
+  return made(
+      device, layout,
+      {vertexCode(entries), geometry, shaders::cell_frag(), targetPass(), 2, entries, sizeof(DrawMark)},
+      draw_[placeOf(entries, effort)]);
 }
 
 Result<VkPipeline> Pipelines::edges(const Device& device, VkPipelineLayout layout, Entries entries,
                                     Effort effort) {
-  const bool sites = entries == Entries::sites;
-  const Code vertex = sites ? shaders::site_vert() : shaders::cell_vert();
-  const Code roomy = sites ? shaders::edges_grid_roomy() : shaders::edges_list_roomy();
-  const Code geometry = sites && effort == Effort::fast ? Code(shaders::edges_grid_fast()) : roomy;
-  return made(device, layout, {vertex, geometry, Code{}, emptyPass(), 0, entries, 0},
+  const bool fast = effort == Effort::fast;
+  Code geometry = shaders::edges_list_roomy();
+  if (entries == Entries::sites) geometry = fast ? shaders::edges_grid_fast() : shaders::edges_grid_roomy();
+  if (entries == Entries::weighted_sites) {
+    geometry = fast ? shaders::edges_grid_fast_weighted() : shaders::edges_grid_roomy_weighted();
+  }
+  return made(device, layout, {vertexCode(entries), geometry, Code{}, emptyPass(), 0, entries, 0},
               edges_[placeOf(entries, effort)]);
 }
 

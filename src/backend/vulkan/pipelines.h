@@ -17,7 +17,10 @@ namespace vorpipe::vulkan {
 enum class Entries : std::uint8_t {
   lists,  ///< an entry of a batch from buffer 0 and its mark from buffer 1, both as they lie in memory
   sites,  ///< the index of a site of the upload from buffer 0
+  weighted_sites,  ///< the same, of sites with weights
 };
+
+inline constexpr std::size_t entry_kinds = 3;
 
 class Pipelines {
  public:
@@ -43,7 +46,7 @@ class Pipelines {
   Handle<VkRenderPass> target_pass_;  ///< of Target
   Handle<VkRenderPass> empty_pass_;   ///< without an attachment
   Handle<VkPipelineCache> cache_;
-  std::array<Handle<VkPipeline>, 4> draw_, edges_;  ///< by Entries, then by Effort
+  std::array<Handle<VkPipeline>, 2 * entry_kinds> draw_, edges_;  ///< by Entries, then by Effort
 };
 
 }  // namespace vorpipe::vulkan

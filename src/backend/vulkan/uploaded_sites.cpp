@@ -24,10 +24,27 @@ Result<void> UploadedSites::upload(const Device& device, Bindings& bindings, con
   bindings.setUniform(device, BINDING_GRID, grid_.get());
   bindings.setTexels(device, BINDING_SITES, sites_.texels());
   bindings.setTexels(device, BINDING_BINS, bins_.texels());
+  weighted_ = !sites.weight.empty();
+  if (weighted_) VORPIPE_TRY(uploadWeights(device, bindings, sites, limits));
   if (shade.empty()) return {};
   VORPIPE_TRY(marks_.reserve(device, count * sizeof(SiteMark), limits.max_sites * sizeof(SiteMark)));
   writeSiteMarks(sites, shade, marks_.data());
   bindings.setTexels(device, BINDING_MARKS, marks_.texels());
+  return {};
+}
+
+Result<void> UploadedSites::uploadWeights(const Device& device, Bindings& bindings, const SiteSet& sites,
+                                          const BackendInfo& limits) {
+  const std::size_t bytes = heaviestBytes(sites);
+  VORPIPE_TRY(
+      weights_.reserve(device, sites.size() * sizeof(WeightTexel), limits.max_sites * sizeof(WeightTexel)));
+  // Four to a texel, and no more than twice as many as bins.
+  const std::size_t most_bytes = (limits.max_bins + 1) * 4 * sizeof(float);
+  VORPIPE_TRY(heaviest_.reserve(device, bytes, most_bytes));
+  writeWeightTexels(sites, weights_.data());
+  writeHeaviest(sites, heaviest_.data());
+  bindings.setTexels(device, BINDING_WEIGHTS, weights_.texels());
+  bindings.setTexels(device, BINDING_HEAVIEST, heaviest_.texels());
   return {};
 }
 

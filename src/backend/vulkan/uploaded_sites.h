@@ -1,4 +1,4 @@
-/// The sites of an upload on the device, and their grid.
+/// The sites of an upload on the device, their weights, and their grid.
 #pragma once
 
 #include <volk.h>
@@ -22,12 +22,21 @@ class UploadedSites {
 
   /// The texels of the bins.
   [[nodiscard]] VkBufferView bins() const { return bins_.texels(); }
+  [[nodiscard]] bool weighted() const { return weighted_; }
 
  private:
+  Result<void> uploadWeights(const Device& device, Bindings& bindings, const SiteSet& sites,
+                             const BackendInfo& limits);
+
+  bool weighted_ = false;
   Buffer grid_{{"the grid", VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, Placement::upload}};
   Buffer sites_{
       {"sites", VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT, Placement::upload, VK_FORMAT_R32G32B32A32_SFLOAT}};
   Buffer bins_{{"bins", VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT, Placement::upload, VK_FORMAT_R32_UINT}};
+  Buffer weights_{
+      {"weights", VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT, Placement::upload, VK_FORMAT_R32G32_SFLOAT}};
+  Buffer heaviest_{{"weights of bins", VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT, Placement::upload,
+                    VK_FORMAT_R32G32B32A32_SFLOAT}};
   Buffer marks_{
       {"marks of sites", VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT, Placement::upload, VK_FORMAT_R32G32_UINT}};
 };

@@ -4,7 +4,7 @@
 #include <future>
 #include <new>
 
-#include "core/check/checks.h"
+#include "core/check/outline.h"
 
 namespace vorpipe {
 namespace checks {
@@ -12,12 +12,28 @@ namespace {
 
 /// Of the domain's area: cells are measured in double.
 constexpr double area_sum_slack = 1e-12;
+/// The same where an outline has area and the domain's coordinates are what is rounded.
+constexpr double clipped_sum_slack = 1e-9;
+
+bool isWall(const CheckedCells& run, std::int64_t neighbor) {
+  if (neighbor == wall_outline) return run.outline != nullptr;
+  const bool across_x = neighbor == wall_xmin || neighbor == wall_xmax;
+  const bool across_y = neighbor == wall_ymin || neighbor == wall_ymax;
+  return (across_x && !run.repeats_x) || (across_y && !run.repeats_y);
+}
+
+/// Whether the neighbor across an edge is another site, or another image of the same.
+bool isOther(const CheckedCells& run, std::size_t i, std::size_t e) {
+  const auto [x, y] = run.shift(e);
+  if ((x != 0 && !run.repeats_x) || (y != 0 && !run.repeats_y)) return false;
+  return run.diagram.neighbors[e] != static_cast<std::int64_t>(i) || x != 0 || y != 0;
+}
 
 std::string wrongNeighbor(const CheckedCells& run, std::size_t i) {
   for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
     const std::int64_t neighbor = run.diagram.neighbors[e];
     const auto j = static_cast<std::size_t>(neighbor);
-    if (neighbor < 0 ? neighbor >= wall_ymax : j < run.size() && j != i && run.ok(j)) continue;
+    if (neighbor < 0 ? isWall(run, neighbor) : j < run.size() && run.ok(j) && isOther(run, i, e)) continue;
     return fmt::format("site {} has {}, which is no wall and no other site with a cell", i, neighbor);
   }
   return {};
@@ -45,7 +61,15 @@ std::vector<std::string> brokenBy(const CheckedCells& run) {
   const Diagram& d = run.diagram;
   const bool outcome = checkOutcome(run, {d.status, d.owner, d.report}, broken);
   if (!checkArrays(run, broken) || !outcome) return broken.take();
-  checkMeasures(run, broken);
+  if (run.outline != nullptr) {
+    const CheckedOutline outline(run);
+    checkMeasures(run, outline.area(), clipped_sum_slack, broken);
+    if (run.detail == Detail::everything) checkTriangles(run, broken);
+    checkClipped(run, outline, building.get(), broken);
+    return broken.take();
+  }
+  const Box& box = run.caller_domain;
+  checkMeasures(run, (box.xmax - box.xmin) * (box.ymax - box.ymin), area_sum_slack, broken);
   const Twins twins = findTwins(run);
   if (checkSymmetry(run, twins, broken)) checkPartition(run, twins, broken);
   if (run.detail == Detail::everything) checkTriangles(run, broken);
@@ -74,18 +98,17 @@ bool checkArrays(const CheckedCells& run, Broken& broken) {
   }
   const std::size_t entries = d.cell_offsets.back();
   right = has("neighbors", d.neighbors.size(), entries) &&
+          has("neighbor_shifts", d.neighbor_shifts.size(), run.repeats() ? entries : 0) &&
           (!polygons || (has("vertices", d.vertices.size(), entries) &&
                          has("edge_lengths", d.edge_lengths.size(), entries)));
   return right && broken.expect("neighbors", run.size(), run.threads,
                                 [&](std::size_t i) { return wrongNeighbor(run, i); });
 }
 
-void checkMeasures(const CheckedCells& run, Broken& broken) {
+void checkMeasures(const CheckedCells& run, double domain, double slack, Broken& broken) {
   broken.expect("cells", run.size(), run.threads, [&](std::size_t i) { return wrongBesideCell(run, i); });
-  const Box& box = run.caller_domain;
-  const double domain = (box.xmax - box.xmin) * (box.ymax - box.ymin);
   const double sum = areaSum(run.diagram);
-  if (std::abs(sum - domain) <= area_sum_slack * domain) return;
+  if (std::abs(sum - domain) <= slack * domain) return;
   broken.add("areas", fmt::format("they add up to {}, the domain has {} ({:.1e} of it more)", sum, domain,
                                   sum / domain - 1));
 }
@@ -106,7 +129,9 @@ double areaSum(const Diagram& diagram) {
 Result<std::vector<std::string>> check(const Sites& sites, const CellsOptions& options,
                                        const Diagram& diagram, int threads) {
   try {
-    return checks::brokenBy(checks::CheckedCells(sites, options, diagram, threads));
+    const auto inside = checks::insideOf(sites, options.domain, options.periodic);
+    if (!inside) return tl::unexpected(inside.error());
+    return checks::brokenBy(checks::CheckedCells(inside->of(sites), options, diagram, threads));
   } catch (const std::bad_alloc&) {
     return tl::unexpected(Error{ErrorCode::device, "there is not enough memory to check the cells"});
   }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/check/images.h"
 #include "core/check/nearest_site.h"
 #include "core/check/run.h"
 
@@ -17,16 +18,17 @@ struct Outcome {
   const Report& report;
 };
 
-/// A status and an owner for each site; the lowest index owns a position, the others are duplicates; a
-/// site in the domain is not empty; the report counts what is there. False if the arrays are unusable.
+/// A status and an owner for each site; the heaviest, then the lowest index owns a position, the others are
+/// duplicates; a site in the domain is not empty unless it has a weight; the report counts what is there.
+/// False if the arrays are unusable.
 bool checkOutcome(const CheckedSites& run, const Outcome& outcome, Broken& broken);
 
 /// Arrays as long as they should be, ascending offsets, neighbors that are walls or sites with cells. The
 /// other checks rely on it.
 bool checkArrays(const CheckedCells& run, Broken& broken);
 
-/// Nothing where there is no cell; areas that add up to the domain's.
-void checkMeasures(const CheckedCells& run, Broken& broken);
+/// Nothing where there is no cell; areas that add up to `domain`, the domain's, up to that part of it.
+void checkMeasures(const CheckedCells& run, double domain, double slack, Broken& broken);
 
 /// Where the neighbor across each edge of a cell has the same edge: the place in the neighbor's list, or
 /// no_twin.
@@ -37,11 +39,12 @@ Twins findTwins(const CheckedCells& run);
 /// Neighbors name each other once, with the same ends and length. The next two rely on it.
 bool checkSymmetry(const CheckedCells& run, const Twins& twins, Broken& broken);
 
-/// Euler's formula for the domain cut into cells.
+/// Euler's formula for the domain, flat or rolled up where it is periodic, cut into cells.
 void checkPartition(const CheckedCells& run, const Twins& twins, Broken& broken);
 
 /// A Delaunay triangulation of all sites but duplicates: counter-clockwise triangles side by side, no site
-/// beyond a side inside of the circle, a convex hull, and as many as Euler's formula asks for.
+/// beyond a side inside of the circle, a convex hull, and as many as Euler's formula asks for. With
+/// weights a regular triangulation, which has all sites with cells. None where the domain is periodic.
 void checkTriangles(const CheckedCells& run, Broken& broken);
 
 /// Closed, convex, counter-clockwise, on the bisectors and walls that neighbors name, with the measures

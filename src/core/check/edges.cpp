@@ -75,7 +75,10 @@ Counts countCell(const Rotation& rotation, std::size_t i) {
   counts.faces = run.edges(i) > 0 ? 1 : 0;
   for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
     const std::int64_t neighbor = run.diagram.neighbors[e];
-    counts.edges += neighbor < 0 || static_cast<std::size_t>(neighbor) > i ? 1 : 0;
+    // Of two cells the first counts their edge; between two images of a cell, one of both.
+    const auto own = static_cast<std::int64_t>(i);
+    const bool self = neighbor == own && run.shift(e) > std::array<std::int32_t, 2>{0, 0};
+    counts.edges += neighbor < 0 || neighbor > own || self ? 1 : 0;
     if (VertexWalk(rotation, {i, e}).isFirst()) ++counts.vertices;
   }
   return counts;
@@ -98,6 +101,20 @@ Counts countAll(const Rotation& rotation) {
   return all;
 }
 
+/// What may separate copies of a vertex of cell i, a period apart.
+double copySlack(const CheckedCells& run, std::size_t i, std::size_t vertex) {
+  constexpr double part = 1e-12;  // of its distance from the site
+  return run.repeats() ? run.rounding(i) + part * length(run.vertex(vertex) - run.site(i)) : 0;
+}
+
+/// Whether a vertex of cell i is one of the cell across its edge e, as that cell has it.
+bool isSamePlace(const CheckedCells& run, std::size_t i, std::size_t vertex, std::size_t other,
+                 std::size_t e) {
+  const auto [x, y] = run.shift(e);
+  if (x == 0 && y == 0 && !run.repeats()) return run.diagram.vertices[vertex] == run.diagram.vertices[other];
+  return length(run.vertex(vertex) - run.moved(run.vertex(other), x, y)) <= copySlack(run, i, vertex);
+}
+
 std::string wrongTwin(const CheckedCells& run, const Twins& twins, std::size_t i) {
   const Diagram& d = run.diagram;
   for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
@@ -106,10 +123,10 @@ std::string wrongTwin(const CheckedCells& run, const Twins& twins, std::size_t i
     if (twins[e] == no_twin) return fmt::format("sites {} and {} do not name each other once each", i, j);
     if (run.detail == Detail::measures) continue;
     const std::size_t back = run.begin(j) + twins[e];
-    if (!(d.vertices[e] == d.vertices[run.next(j, back)] && d.vertices[back] == d.vertices[run.next(i, e)])) {
+    if (!isSamePlace(run, i, e, run.next(j, back), e) || !isSamePlace(run, i, run.next(i, e), back, e)) {
       return fmt::format("the edge of sites {} and {} ends elsewhere in each cell", i, j);
     }
-    if (d.edge_lengths[e] != d.edge_lengths[back]) {
+    if (!(std::abs(d.edge_lengths[e] - d.edge_lengths[back]) * run.scale <= 2 * copySlack(run, i, e))) {
       return fmt::format("the edge of sites {} and {} is {} long in one cell and {} in the other", i, j,
                          d.edge_lengths[e], d.edge_lengths[back]);
     }
@@ -129,9 +146,10 @@ Twins findTwins(const CheckedCells& run) {
       for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
         const auto j = static_cast<std::size_t>(d.neighbors[e]);
         if (d.neighbors[e] < 0 || std::pair(run.edges(j), j) > std::pair(run.edges(i), i)) continue;
+        const std::array<std::int32_t, 2> opposite{-run.shift(e)[0], -run.shift(e)[1]};
         std::size_t back = run.begin(j), found = 0;
         for (std::size_t k = run.begin(j); k < run.end(j); ++k) {
-          if (d.neighbors[k] != static_cast<std::int64_t>(i)) continue;
+          if (d.neighbors[k] != static_cast<std::int64_t>(i) || run.shift(k) != opposite) continue;
           back = k;
           ++found;
         }
@@ -151,9 +169,12 @@ bool checkSymmetry(const CheckedCells& run, const Twins& twins, Broken& broken) 
 
 void checkPartition(const CheckedCells& run, const Twins& twins, Broken& broken) {
   const Counts counts = countAll({run, twins});
-  if (counts.vertices + counts.faces + 1 != counts.edges + 2) {
-    broken.add("Euler", fmt::format("{} vertices, {} edges and {} faces with the outside are no partition",
-                                    counts.vertices, counts.edges, counts.faces + 1));
+  // A band and a torus have no outside to be a face, and a hole.
+  const std::size_t outside = run.repeats() ? 0 : 1;
+  if (counts.vertices + counts.faces + outside != counts.edges + 2 * outside) {
+    broken.add("Euler",
+               fmt::format("{} vertices, {} edges and {} faces{} are no partition", counts.vertices,
+                           counts.edges, counts.faces + outside, outside > 0 ? " with the outside" : ""));
   }
 }
 

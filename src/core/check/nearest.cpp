@@ -35,11 +35,12 @@ std::vector<std::uint32_t> sampleCells(const CheckedCells& run, Random& random) 
 }
 
 std::string wrongPlace(const CheckedCells& run, const NearestSite& nearest, std::size_t i, Point p) {
-  const std::uint32_t other = nearest.at(p);
-  const Point own = run.site(i), near = run.site(other);
-  if (near == own) return {};
-  const double slack = tie_slack * length(p - own) + run.rounding(i);
-  if (beyondBisector(own, near, p) <= slack) return {};
+  const auto [other, near] = nearestImage(run, nearest, p);
+  const Point own = run.site(i);
+  if (near == own || (run.diagram.owner[other] == i && length(near - own) <= run.rounding(i))) return {};
+  const double reach = run.weighted ? std::max(run.reach(i), length(near - own)) : length(p - own);
+  const double slack = tie_slack * reach + run.rounding(i);
+  if (beyondBisector(own, near, run.lead(i, other), p) <= slack) return {};
   return fmt::format("({}, {}) in the cell of site {} is nearer to site {}", p.x / run.scale, p.y / run.scale,
                      i, other);
 }
@@ -74,14 +75,13 @@ bool crossesRay(Point p, Point a, Point b) {
 /// point anywhere, so that the side of its line on which p lies says nothing.
 bool inCell(const CheckedCells& run, std::size_t i, Point p) {
   bool inside = false;
-  double nearest = std::numeric_limits<double>::infinity(), reach = 0;
+  double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
     const Point a = run.vertex(e), b = run.vertex(run.next(i, e));
     inside = inside != crossesRay(p, a, b);
     nearest = std::min(nearest, distance(p, a, b));
-    reach = std::max(reach, length(a - run.site(i)));
   }
-  return inside || nearest <= tie_slack * reach + run.rounding(i);
+  return inside || nearest <= tie_slack * run.reach(i) + run.rounding(i);
 }
 
 }  // namespace
@@ -100,10 +100,17 @@ void checkNearest(const CheckedCells& run, const NearestSite& nearest, Broken& b
   }
   broken.expect("nearest sites", places.size(), run.threads, [&](std::size_t k) -> std::string {
     const Point p = places[k];
-    const std::uint32_t owner = run.diagram.owner[nearest.at(p)];
-    if (inCell(run, owner, p)) return {};
+    const NearImage near = nearestImage(run, nearest, p);
+    const auto& owner = run.diagram.owner;
+    // Seen from the site's own place, and then from its owner's.
+    const Point moved = p - (near.place - run.site(near.site));
+    const auto isInCellOf = [&](std::uint32_t i) {
+      return inCell(run, owner[i], moved - (run.site(i) - run.site(owner[i])));
+    };
+    const auto sites = nearest.allAt(moved);
+    if (std::any_of(sites.begin(), sites.end(), isInCellOf)) return {};
     return fmt::format("({}, {}) does not lie in the cell of its nearest site {}", p.x / run.scale,
-                       p.y / run.scale, owner);
+                       p.y / run.scale, owner[near.site]);
   });
 }
 

@@ -2,14 +2,21 @@
 
 #include <nanoflann.hpp>
 
+#include <numeric>
+
 namespace vorpipe::checks {
 namespace {
 
+/// The sites among `index`, lifted where they have weights: then, for a place of the plane, the squared
+/// distance in space is the power, |p - site|^2 - weight, and a number that is the same for all of them.
 struct Cloud {
   const CheckedSites& run;
-  [[nodiscard]] std::size_t kdtree_get_point_count() const { return run.size(); }
-  [[nodiscard]] double kdtree_get_pt(std::uint32_t i, std::size_t axis) const {
-    return (axis == 0 ? run.sites.x[i] : run.sites.y[i]) * run.scale;
+  std::vector<std::uint32_t> index;
+  std::vector<double> height;  ///< empty without weights
+  [[nodiscard]] std::size_t kdtree_get_point_count() const { return index.size(); }
+  [[nodiscard]] double kdtree_get_pt(std::uint32_t k, std::size_t axis) const {
+    if (axis == 2) return height[k];
+    return (axis == 0 ? run.sites.x : run.sites.y)[index[k]] * run.scale;
   }
   template <class Bounds>
   bool kdtree_get_bbox(Bounds&) const {
@@ -18,15 +25,71 @@ struct Cloud {
 };
 
 using Metric = nanoflann::L2_Simple_Adaptor<double, Cloud, double, std::uint32_t>;
-using KdTree = nanoflann::KDTreeSingleIndexAdaptor<Metric, Cloud, 2, std::uint32_t>;
+template <int dimensions>
+using KdTree = nanoflann::KDTreeSingleIndexAdaptor<Metric, Cloud, dimensions, std::uint32_t>;
 constexpr std::size_t leaf_size = 16;
+/// Two or three differences, squares and sums, of each of two sites, with some room.
+constexpr double squared_rounding = 16 * epsilon;
+
+double square(double a) { return a * a; }
+
+/// The power of site i, whose lead over site 0 counts as its weight, at the place that is nearest to it of
+/// all that are asked for, and at the one that is farthest.
+struct Powers {
+  double least, most;
+};
+
+Powers powersIn(const CheckedSites& run, std::size_t i) {
+  const Point p = run.site(i);
+  // A periodic domain is asked for a period around it.
+  const Point low =
+      run.moved({run.domain.xmin, run.domain.ymin}, run.repeats_x ? -1 : 0, run.repeats_y ? -1 : 0);
+  const Point high =
+      run.moved({run.domain.xmax, run.domain.ymax}, run.repeats_x ? 1 : 0, run.repeats_y ? 1 : 0);
+  const auto away = [](double at, double from, double to) {
+    return Powers{std::max({from - at, 0.0, at - to}), std::max(at - from, to - at)};
+  };
+  const Powers x = away(p.x, low.x, high.x), y = away(p.y, low.y, high.y);
+  const double weight = run.lead(i, 0);
+  return {square(x.least) + square(y.least) - weight, square(x.most) + square(y.most) - weight};
+}
+
+/// Lifts the sites that may be nearest to some place of the domain: the others might be so much lighter that
+/// the heights would lose all digits.
+Cloud liftedCloud(const CheckedSites& run) {
+  double bound = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < run.size(); ++i) bound = std::min(bound, powersIn(run, i).most);
+  Cloud cloud{run, {}, {}};
+  std::uint32_t heaviest = 0;
+  for (std::uint32_t i = 0; i < run.size(); ++i) {
+    const Powers powers = powersIn(run, i);
+    if (powers.least > bound + 64 * epsilon * (std::abs(bound) + std::abs(powers.least))) continue;
+    if (cloud.index.empty() || run.lead(i, heaviest) > 0) heaviest = i;
+    cloud.index.push_back(i);
+  }
+  for (const auto i : cloud.index) cloud.height.push_back(std::sqrt(run.lead(heaviest, i)));
+  return cloud;
+}
+
+Cloud flatCloud(const CheckedSites& run) {
+  Cloud cloud{run, std::vector<std::uint32_t>(run.size()), {}};
+  std::iota(cloud.index.begin(), cloud.index.end(), 0u);
+  return cloud;
+}
 
 }  // namespace
 
 struct NearestSite::Tree {
-  explicit Tree(const CheckedSites& run) : cloud{run}, index(2, cloud, {leaf_size}) {}
+  explicit Tree(const CheckedSites& run) : cloud(run.weighted ? liftedCloud(run) : flatCloud(run)) {
+    if (run.weighted) {
+      lifted = std::make_unique<KdTree<3>>(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(leaf_size));
+    } else {
+      flat = std::make_unique<KdTree<2>>(2, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(leaf_size));
+    }
+  }
   Cloud cloud;
-  KdTree index;
+  std::unique_ptr<KdTree<2>> flat;  ///< one of these two
+  std::unique_ptr<KdTree<3>> lifted;
 };
 
 NearestSite::NearestSite(const CheckedSites& run) : tree_(std::make_unique<Tree>(run)) {}
@@ -34,11 +97,36 @@ NearestSite::NearestSite(NearestSite&&) noexcept = default;
 NearestSite::~NearestSite() = default;
 
 std::uint32_t NearestSite::at(Point p) const {
-  const double place[2] = {p.x, p.y};
+  const double place[3] = {p.x, p.y, 0};
   std::uint32_t found = 0;
   double squared = 0;
-  tree_->index.knnSearch(place, 1, &found, &squared);
-  return found;
+  if (tree_->flat) {
+    tree_->flat->knnSearch(place, 1, &found, &squared);
+  } else {
+    tree_->lifted->knnSearch(place, 1, &found, &squared);
+  }
+  return tree_->cloud.index[found];
+}
+
+std::vector<std::uint32_t> NearestSite::allAt(Point p) const {
+  const double place[3] = {p.x, p.y, 0};
+  std::vector<std::pair<std::uint32_t, double>> near;
+  const auto search = [&](const auto& tree) {
+    std::uint32_t found = 0;
+    double squared = 0;
+    tree.knnSearch(place, 1, &found, &squared);
+    // The search takes what is nearer than the radius; that is 0 at a site.
+    const double radius = squared * (1 + squared_rounding) + std::numeric_limits<double>::min();
+    tree.radiusSearch(place, radius, near, {});
+  };
+  if (tree_->flat) {
+    search(*tree_->flat);
+  } else {
+    search(*tree_->lifted);
+  }
+  std::vector<std::uint32_t> sites;
+  for (const auto& [found, squared] : near) sites.push_back(tree_->cloud.index[found]);
+  return sites;
 }
 
 }  // namespace vorpipe::checks

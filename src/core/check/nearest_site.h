@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "core/check/run.h"
 
@@ -16,8 +17,12 @@ class NearestSite {
   NearestSite(NearestSite&&) noexcept;
   ~NearestSite();
 
-  /// A site, in scaled coordinates, of least distance to p; of equally near ones any.
+  /// A site, in scaled coordinates, of least distance to p, with weights of least power; of equal ones any.
   [[nodiscard]] std::uint32_t at(Point p) const;
+
+  /// All sites that double does not tell from the nearest: their squared distances to p, or powers, differ
+  /// from the least by no more than rounding.
+  [[nodiscard]] std::vector<std::uint32_t> allAt(Point p) const;
 
  private:
   struct Tree;

@@ -17,16 +17,24 @@ std::size_t hash(Point p) {
   return bits ^ bits >> 32;
 }
 
-/// For each site the first that has its position.
-std::vector<std::uint32_t> firstOfPosition(const CheckedSites& run) {
+/// For each site the one that owns its position: the heaviest, then the first.
+std::vector<std::uint32_t> ownersOfPositions(const CheckedSites& run) {
+  const SitePlaces places(run);
   std::vector<std::uint32_t> slots(std::bit_ceil(2 * run.size() + 1), no_site), first(run.size());
   const std::size_t mask = slots.size() - 1;
   for (std::uint32_t i = 0; i < run.size(); ++i) {
-    std::size_t slot = hash(run.site(i)) & mask;
-    while (slots[slot] != no_site && !(run.site(slots[slot]) == run.site(i))) slot = (slot + 1) & mask;
+    std::size_t slot = hash(places.at(i)) & mask;
+    while (slots[slot] != no_site && !(places.at(slots[slot]) == places.at(i))) slot = (slot + 1) & mask;
     if (slots[slot] == no_site) slots[slot] = i;
     first[i] = slots[slot];
   }
+  if (!run.weighted) return first;
+  std::vector<std::uint32_t> heaviest = first;
+  for (std::uint32_t i = 0; i < run.size(); ++i) {
+    auto& best = heaviest[first[i]];
+    if (run.sites.weight[i] > run.sites.weight[best]) best = i;
+  }
+  for (auto& owner : first) owner = heaviest[owner];
   return first;
 }
 
@@ -39,20 +47,21 @@ bool checkOutcome(const CheckedSites& run, const Outcome& outcome, Broken& broke
                                        owner.size()));
     return false;
   }
-  const auto first = firstOfPosition(run);
+  const auto owners = ownersOfPositions(run);
   const bool owned = broken.expect("owners", run.size(), run.threads, [&](std::size_t i) {
-    return owner[i] == first[i]
+    return owner[i] == owners[i]
                ? std::string()
                : fmt::format("site {} is owned by site {}, but site {} has its position first", i, owner[i],
-                             first[i]);
+                             owners[i]);
   });
   broken.expect("statuses", run.size(), run.threads, [&](std::size_t i) -> std::string {
     const bool duplicate = status[i] == Status::duplicate;
     if (status[i] > Status::duplicate) return fmt::format("site {} has none that is known", i);
-    if (duplicate != (first[i] != i)) {
+    if (duplicate != (owners[i] != i)) {
       return fmt::format("site {} is {}a duplicate", i, duplicate ? "" : "not ");
     }
-    if (status[i] != Status::empty || !run.inDomain(run.site(i))) return {};
+    const bool may_be_empty = run.weighted || run.outline != nullptr || !run.inDomain(run.site(i));
+    if (status[i] != Status::empty || may_be_empty) return {};
     return fmt::format("site {} lies in the domain and cannot be empty", i);
   });
   std::array<std::uint64_t, 4> counts{};

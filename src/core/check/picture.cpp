@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <new>
 
-#include "core/check/checks.h"
+#include "core/check/outline.h"
 
 namespace vorpipe {
 namespace checks {
@@ -21,22 +21,53 @@ Point centerOf(const CheckedSites& run, const Image& image, std::size_t pixel) {
   return {box.xmin + right * (box.xmax - box.xmin), box.ymax - down * (box.ymax - box.ymin)};
 }
 
+bool isSampled(std::size_t pixel, std::size_t pixels) {
+  const std::uint64_t every = (pixels + sampled_pixels - 1) / sampled_pixels;
+  // Multiplied, so that the samples do not stand in columns.
+  return (pixel * 0x9E3779B97F4A7C15u >> 32) % every == 0;
+}
+
 /// The pixel's own id if no site is nearer, else the nearest site's.
 std::uint32_t trueId(const CheckedSites& run, const Rendering& rendering, const NearestSite& nearest,
                      std::size_t pixel) {
   const std::uint32_t id = rendering.image.ids[pixel];
   const Point p = centerOf(run, rendering.image, pixel);
-  const std::uint32_t other = rendering.owner[nearest.at(p)];
-  const Point own = p - run.site(id), to = p - run.site(other);
-  return dot(own, own) <= dot(to, to) * (1 + near_tie) ? id : other;
+  const NearImage near = nearestImage(run, nearest, p);
+  const Point own = p - imageNear(run, id, p), to = p - near.place;
+  const double lead = run.lead(id, near.site);
+  const double rounding = near_tie * (dot(to, to) + (run.weighted ? dot(own, own) + std::abs(lead) : 0));
+  return dot(own, own) - dot(to, to) - lead <= rounding ? id : rendering.owner[near.site];
+}
+
+/// Whether a pixel without a site may be one, and the other way round: a pixel whose center is as near to the
+/// outline as rounding is may go to either.
+bool mayBeOutside(const CheckedSites& run, const CheckedOutline& outline, Point center, bool outside) {
+  using Side = CheckedOutline::Side;
+  const Side side = outline.at(center, run.largest * 16 * epsilon);
+  return side == Side::edge || (side == Side::outside) == outside;
+}
+
+/// Pixels outside an outline have no site; of larger pictures those that are sampled.
+void checkOutside(const CheckedSites& run, const Image& image, Broken& broken) {
+  const CheckedOutline outline(run);
+  const auto columns = static_cast<std::size_t>(image.width);
+  broken.expect("pixels", image.ids.size(), run.threads, [&](std::size_t pixel) -> std::string {
+    const bool outside = image.ids[pixel] == no_site;
+    if (!isSampled(pixel, image.ids.size())) return {};
+    if (mayBeOutside(run, outline, centerOf(run, image, pixel), outside)) return {};
+    return fmt::format("row {}, column {} has {} site, but lies {} the outline", pixel / columns,
+                       pixel % columns, outside ? "no" : "a", outside ? "inside" : "outside");
+  });
 }
 
 bool checkCovered(const CheckedSites& run, const Rendering& rendering, Broken& broken) {
   const Image& image = rendering.image;
+  if (run.outline != nullptr) checkOutside(run, image, broken);
   const auto columns = static_cast<std::size_t>(image.width);
   return broken.expect("pixels", image.ids.size(), run.threads, [&](std::size_t pixel) -> std::string {
     const std::uint32_t id = image.ids[pixel];
     if (id < run.size() && rendering.status[id] == Status::ok) return {};
+    if (id == no_site && run.outline != nullptr) return {};
     return fmt::format("row {}, column {} belongs to {}", pixel / columns, pixel % columns,
                        id == no_site ? "no site" : fmt::format("site {}, which has no cell", id));
   });
@@ -46,12 +77,10 @@ bool checkCovered(const CheckedSites& run, const Rendering& rendering, Broken& b
 std::vector<std::uint32_t> trueIds(const CheckedSites& run, const Rendering& rendering) {
   const NearestSite nearest(run);
   std::vector<std::uint32_t> ids = rendering.image.ids;
-  const std::uint64_t every = (ids.size() + sampled_pixels - 1) / sampled_pixels;
   constexpr std::size_t grain = 4096;
   parallelFor(ids.size(), grain, run.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t pixel = begin; pixel < end; ++pixel) {
-      // Multiplied, so that the samples do not stand in columns.
-      if ((pixel * 0x9E3779B97F4A7C15u >> 32) % every != 0) continue;
+      if (!isSampled(pixel, ids.size()) || ids[pixel] == no_site) continue;
       ids[pixel] = trueId(run, rendering, nearest, pixel);
     }
   });
@@ -61,8 +90,8 @@ std::vector<std::uint32_t> trueIds(const CheckedSites& run, const Rendering& ren
 void checkPixels(const CheckedSites& run, const RenderOptions& options, const Rendering& rendering,
                  Broken& broken) {
   const Image& image = rendering.image;
-  const auto diff =
-      diffIds(image.ids, trueIds(run, rendering), image.width, image.height, run.sites, options.domain);
+  const auto diff = diffIds(image.ids, trueIds(run, rendering), image.width, image.height, run.sites,
+                            options.domain, options.periodic);
   if (!diff) {
     broken.add("pixels", diff.error().message);
   } else if (diff->wrong > 0) {
@@ -100,7 +129,11 @@ std::vector<std::string> brokenBy(const CheckedSites& run, const RenderOptions& 
 Result<std::vector<std::string>> check(const Sites& sites, const RenderOptions& options,
                                        const Rendering& rendering, int threads) {
   try {
-    return checks::brokenBy(checks::CheckedSites(sites, options.domain, threads), options, rendering);
+    const auto inside = checks::insideOf(sites, options.domain, options.periodic);
+    if (!inside) return tl::unexpected(inside.error());
+    checks::CheckedSites run(inside->of(sites), options.domain, options.periodic, threads);
+    if (!options.outline.empty()) run.outline = &options.outline;
+    return checks::brokenBy(run, options, rendering);
   } catch (const std::bad_alloc&) {
     return tl::unexpected(Error{ErrorCode::device, "there is not enough memory to check the picture"});
   }

@@ -16,34 +16,28 @@ constexpr double sum_slack = 1e-9;
 
 /// What may separate the vertices of a cell from where they belong.
 struct Slack {
-  double reach = 0;     ///< largest distance from the site to a vertex
+  double reach = 0;     ///< as CheckedCells has it
   double rounding = 0;  ///< of a coordinate
   [[nodiscard]] double position() const { return tie_slack * reach + rounding; }
 };
 
-Slack slackOf(const CheckedCells& run, std::size_t i) {
-  Slack slack;
-  for (std::size_t v = run.begin(i); v < run.end(i); ++v) {
-    slack.reach = std::max(slack.reach, length(run.vertex(v) - run.site(i)));
-  }
-  slack.rounding = run.rounding(i);
-  return slack;
-}
+Slack slackOf(const CheckedCells& run, std::size_t i) { return {run.reach(i), run.rounding(i)}; }
 
-/// The outward unit normal of an edge of cell i, from its neighbor alone.
-Point normalOf(const CheckedCells& run, std::size_t i, std::int64_t neighbor) {
+/// The outward unit normal of edge e of cell i, from its neighbor alone.
+Point normalOf(const CheckedCells& run, std::size_t i, std::size_t e) {
+  const std::int64_t neighbor = run.diagram.neighbors[e];
   if (neighbor >= 0) {
-    const Point d = run.site(static_cast<std::size_t>(neighbor)) - run.site(i);
+    const Point d = run.neighborSite(e) - run.site(i);
     return {d.x / length(d), d.y / length(d)};
   }
   constexpr std::array<Point, 4> walls = {Point{-1, 0}, Point{1, 0}, Point{0, -1}, Point{0, 1}};
   return walls[static_cast<std::size_t>(-1 - neighbor)];
 }
 
-/// How far outside the line between cell i and its neighbor p lies.
-double beyondEdge(const CheckedCells& run, std::size_t i, std::int64_t neighbor, Point p) {
+/// How far outside the line of edge e, between cell i and its neighbor, p lies.
+double beyondEdge(const CheckedCells& run, std::size_t i, std::size_t e, Point p) {
   const Box& box = run.domain;
-  switch (neighbor) {
+  switch (run.diagram.neighbors[e]) {
     case wall_xmin:
       return box.xmin - p.x;
     case wall_xmax:
@@ -55,7 +49,8 @@ double beyondEdge(const CheckedCells& run, std::size_t i, std::int64_t neighbor,
     default:
       break;
   }
-  return beyondBisector(run.site(i), run.site(static_cast<std::size_t>(neighbor)), p);
+  const auto j = static_cast<std::size_t>(run.diagram.neighbors[e]);
+  return beyondBisector(run.site(i), run.neighborSite(e), run.lead(i, j), p);
 }
 
 std::string wrongEdge(const CheckedCells& run, std::size_t i, std::size_t e, const Slack& slack) {
@@ -66,13 +61,14 @@ std::string wrongEdge(const CheckedCells& run, std::size_t i, std::size_t e, con
     return fmt::format("is {} long, its vertices are {} apart", said / run.scale, apart / run.scale);
   }
   for (const Point p : {a, b}) {
-    const double off = beyondEdge(run, i, d.neighbors[e], p);
+    const double off = beyondEdge(run, i, e, p);
     if (!(std::abs(off) <= slack.position())) {
       return fmt::format("ends {} off its line", std::abs(off) / run.scale);
     }
   }
   const Box& box = run.domain;
-  const double outside = std::max({box.xmin - a.x, a.x - box.xmax, box.ymin - a.y, a.y - box.ymax});
+  const double outside = std::max(run.repeats_x ? 0 : std::max(box.xmin - a.x, a.x - box.xmax),
+                                  run.repeats_y ? 0 : std::max(box.ymin - a.y, a.y - box.ymax));
   if (!(outside <= run.rounding(i))) return "leaves the domain";
   const Point c = run.vertex(run.next(i, run.next(i, e)));
   if (!(cross(b - a, c - b) >= -slack.position() * length(c - a))) return "turns clockwise at its end";
@@ -93,7 +89,7 @@ Sums sumsOf(const CheckedCells& run, std::size_t i) {
   Sums sums;
   for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
     const double edge = d.edge_lengths[e] * run.scale;
-    const Point normal = normalOf(run, i, d.neighbors[e]);
+    const Point normal = normalOf(run, i, e);
     sums.gap = {sums.gap.x + edge * normal.x, sums.gap.y + edge * normal.y};
     sums.perimeter += edge;
     const Point a = run.vertex(e) - run.site(i), b = run.vertex(run.next(i, e)) - run.site(i);
@@ -134,7 +130,31 @@ std::string wrongMoments(const CheckedCells& run, std::size_t i, const Sums& sum
   return {};
 }
 
+/// How far the vertices that the area is measured from may be from those that are there: it is that of the
+/// cell before ties joined vertices, which then do not lie on the lines of its edges; but with weights, they
+/// may even so.
+double movedByTies(const CheckedCells& run, std::size_t i, const Slack& slack) {
+  double off = 0;
+  for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
+    for (const std::size_t end : {e, run.next(i, e)}) {
+      off = std::max(off, std::abs(beyondEdge(run, i, e, run.vertex(end))));
+    }
+  }
+  const bool tied = run.weighted || off > 4 * slack.rounding;
+  return tied ? static_cast<double>(run.edges(i)) * slack.position() : 0;
+}
+
+/// Of a cell all of whose edges are ties. How small that makes it depends on how far its neighbors are.
+std::string wrongUnedged(const CheckedCells& run, std::size_t i) {
+  const double area = run.diagram.area[i] * run.scale * run.scale;
+  const bool right = run.weighted && area >= 0 && area <= tie_slack && run.diagram.perimeter[i] == 0;
+  return right ? ""
+               : fmt::format("has no edges, but area {} and perimeter {}", run.diagram.area[i],
+                             run.diagram.perimeter[i]);
+}
+
 std::string wrongCell(const CheckedCells& run, std::size_t i, const Slack& slack) {
+  if (run.edges(i) == 0) return wrongUnedged(run, i);
   const Diagram& d = run.diagram;
   const Sums sums = sumsOf(run, i);
   const auto edges = static_cast<double>(run.edges(i));
@@ -142,18 +162,19 @@ std::string wrongCell(const CheckedCells& run, std::size_t i, const Slack& slack
     return fmt::format("is open by {} of its perimeter", length(sums.gap) / sums.perimeter);
   }
   const double perimeter = d.perimeter[i] * run.scale, area = d.area[i] * run.scale * run.scale;
+  const double moved = movedByTies(run, i, slack);
   if (!(std::abs(sums.perimeter - perimeter) <= sum_slack * sums.perimeter)) {
     return fmt::format("has perimeter {}, its edges add up to {}", d.perimeter[i],
                        sums.perimeter / run.scale);
   }
-  const double rounding = edges * epsilon * slack.reach * sums.perimeter + slack.rounding * sums.perimeter;
+  const double rounding = (edges * epsilon * slack.reach + slack.rounding + moved) * sums.perimeter;
   if (!(std::abs(sums.area - area) <= sum_slack * sums.area + rounding)) {
     return fmt::format("has area {}, its vertices enclose {}", d.area[i],
                        sums.area / (run.scale * run.scale));
   }
-  // Ties may take every edge from a cell only where the site does not lie in the domain. Two are left of a
-  // strip between sites so near that the strip's ends are ties.
-  const bool inside = run.inDomain(run.site(i));
+  // Ties may take every edge from a cell only where the site does not lie in the domain, or has a weight. Two
+  // are left of a strip between sites so near that the strip's ends are ties.
+  const bool inside = run.inDomain(run.site(i)) && !run.weighted;
   const bool filled = inside && edges >= 3 ? area > 0 : area >= -rounding && (edges >= 2 || !inside);
   if (!filled) return fmt::format("has {} edges and area {}", edges, d.area[i]);
   return wrongMoments(run, i, sums, slack, rounding);

@@ -1,8 +1,11 @@
 /// A run's result as the checks see it. Nothing here relies on what computed it.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <mutex>
 #include <string>
@@ -22,10 +25,10 @@ inline double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 inline double length(Point a) { return std::sqrt(dot(a, a)); }
 
-/// How far p lies beyond the bisector of two sites, seen from the first.
-inline double beyondBisector(Point from, Point to, Point p) {
+/// How far p lies beyond the bisector of two sites, seen from the first, which is heavier by `lead`.
+inline double beyondBisector(Point from, Point to, double lead, Point p) {
   const Point d = to - from;
-  return dot(p - from, d) / length(d) - length(d) / 2;
+  return dot(p - from, d) / length(d) - (length(d) + lead / length(d)) / 2;
 }
 
 /// The power of two that brings the domain's longer side into [1, 2), so that no square of a length is
@@ -37,16 +40,32 @@ inline double scaleOf(const Box& domain) {
   return std::ldexp(1.0, std::clamp(1 - exponent, -most, most));
 }
 
-/// The sites of a run and its domain, scaled.
+/// The sites of a run and its domain, scaled. Those of a periodic domain are as wrapped() has them.
 struct CheckedSites {
-  CheckedSites(const Sites& of, const Box& box, int thread_count)
-      : sites(of), caller_domain(box), threads(threadCount(thread_count)), scale(scaleOf(box)) {
+  CheckedSites(const Sites& of, const Box& box, Periodic periodic, int thread_count)
+      : sites(of),
+        caller_domain(box),
+        repeats_x(periodic == Periodic::x || periodic == Periodic::xy),
+        repeats_y(periodic == Periodic::y || periodic == Periodic::xy),
+        threads(threadCount(thread_count)),
+        scale(scaleOf(box)) {
     domain = {box.xmin * scale, box.ymin * scale, box.xmax * scale, box.ymax * scale};
     largest = std::max(
         {std::abs(domain.xmin), std::abs(domain.xmax), std::abs(domain.ymin), std::abs(domain.ymax)});
+    weighted =
+        std::adjacent_find(of.weight.begin(), of.weight.end(), std::not_equal_to<>()) != of.weight.end();
   }
   [[nodiscard]] std::size_t size() const { return sites.size(); }
   [[nodiscard]] Point site(std::size_t i) const { return {sites.x[i] * scale, sites.y[i] * scale}; }
+  [[nodiscard]] bool repeats() const { return repeats_x || repeats_y; }
+  /// p, so many widths and heights of the domain further.
+  [[nodiscard]] Point moved(Point p, double widths, double heights) const {
+    return {p.x + widths * (domain.xmax - domain.xmin), p.y + heights * (domain.ymax - domain.ymin)};
+  }
+  /// By how much site i is heavier than site j.
+  [[nodiscard]] double lead(std::size_t i, std::size_t j) const {
+    return weighted ? (sites.weight[i] - sites.weight[j]) * scale * scale : 0;
+  }
   [[nodiscard]] bool inDomain(Point p) const {
     return p.x >= domain.xmin && p.x <= domain.xmax && p.y >= domain.ymin && p.y <= domain.ymax;
   }
@@ -59,16 +78,23 @@ struct CheckedSites {
 
   const Sites& sites;
   Box caller_domain;
+  bool repeats_x, repeats_y;
   int threads;
   double scale;
   Box domain{};
-  double largest = 0;  ///< coordinate of the domain
+  double largest = 0;                ///< coordinate of the domain
+  bool weighted = false;             ///< the weights are not all equal
+  const Outline* outline = nullptr;  ///< of the domain, if it has one
 };
 
 /// Cells of such sites. Vertices and sites are scaled; other lengths are as the diagram has them.
 struct CheckedCells : CheckedSites {
   CheckedCells(const Sites& of, const CellsOptions& options, const Diagram& result, int thread_count)
-      : CheckedSites(of, options.domain, thread_count), diagram(result), detail(options.detail) {}
+      : CheckedSites(of, options.domain, options.periodic, thread_count),
+        diagram(result),
+        detail(options.detail) {
+    if (!options.outline.empty()) outline = &options.outline;
+  }
 
   [[nodiscard]] bool ok(std::size_t i) const { return diagram.status[i] == Status::ok; }
   /// The vertices and edges of cell i are begin(i) .. end(i) - 1.
@@ -84,6 +110,27 @@ struct CheckedCells : CheckedSites {
   }
   [[nodiscard]] Point vertex(std::size_t e) const {
     return {diagram.vertices[e].x * scale, diagram.vertices[e].y * scale};
+  }
+  /// How many widths and heights of the domain the neighbor across edge e stands from its own place.
+  [[nodiscard]] std::array<std::int32_t, 2> shift(std::size_t e) const {
+    return repeats() ? diagram.neighbor_shifts[e] : std::array<std::int32_t, 2>{0, 0};
+  }
+  /// The place of the neighbor across edge e, which is a site.
+  [[nodiscard]] Point neighborSite(std::size_t e) const {
+    const auto [x, y] = shift(e);
+    return moved(site(static_cast<std::size_t>(diagram.neighbors[e])), x, y);
+  }
+  /// How far what determines the vertices of cell i may be from its site, by which ties are measured. Without
+  /// weights, neighbors are no farther than twice as far as vertices.
+  [[nodiscard]] double reach(std::size_t i) const {
+    double reach = 0;
+    const Point own = site(i);
+    for (std::size_t e = begin(i); e < end(i); ++e) {
+      if (detail != Detail::measures) reach = std::max(reach, length(vertex(e) - own));
+      if (!weighted || diagram.neighbors[e] < 0) continue;
+      reach = std::max(reach, length(neighborSite(e) - own));
+    }
+    return reach;
   }
 
   const Diagram& diagram;

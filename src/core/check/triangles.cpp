@@ -44,13 +44,29 @@ Cotangent cotangentAt(Point corner, Point a, Point b) {
   return {dot(u, v) / twice_area, 16 * epsilon * sides * (1 + sides)};
 }
 
+/// What weights add to the cotangent at the corner of[2] of a triangle, so that half of it is still how far
+/// the center lies from the edge of[0], of[1], over that edge's length.
+Cotangent weighed(const CheckedCells& run, const std::array<std::uint32_t, 3>& of) {
+  const Point from = run.site(of[0]), edge = run.site(of[1]) - from, corner = run.site(of[2]) - from;
+  const double twice_area = std::abs(cross(edge, corner)), square = dot(edge, edge);
+  const double to_corner = run.lead(of[0], of[2]),
+               to_end = run.lead(of[0], of[1]) * dot(corner, edge) / square;
+  const double sides = length(edge) * length(corner) / twice_area;
+  return {(to_corner - to_end) / twice_area,
+          16 * epsilon * (std::abs(to_corner) + std::abs(to_end)) / twice_area * (1 + sides)};
+}
+
 /// Whether the centers of the circles on both sides of an edge lie in the wrong order: their distance,
 /// over that of the edge's ends, is half the sum of the cotangents of the angles opposite to it.
 bool isInsideCircle(const CheckedCells& run, std::array<std::uint32_t, 4> of) {
   const Point from = run.site(of[0]), to = run.site(of[1]);
-  const Cotangent left = cotangentAt(run.site(of[2]), from, to),
-                  right = cotangentAt(run.site(of[3]), from, to);
-  return (left.value + right.value) / 2 < -tie_slack - left.rounding - right.rounding;
+  Cotangent sum{0, 0};
+  for (const auto opposite : {of[2], of[3]}) {
+    const Cotangent part = cotangentAt(run.site(opposite), from, to);
+    const Cotangent more = run.weighted ? weighed(run, {of[0], of[1], opposite}) : Cotangent{0, 0};
+    sum = {sum.value + (part.value + more.value), sum.rounding + (part.rounding + more.rounding)};
+  }
+  return sum.value / 2 < -tie_slack - sum.rounding;
 }
 
 bool isClockwise(const CheckedCells& run, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -93,6 +109,23 @@ std::string wrongSide(const CheckedCells& run, const std::vector<Side>& sides, s
   return {};
 }
 
+/// How many sites the triangles should have: all but duplicates, or with weights those that they do have, as
+/// long as these are all with cells.
+std::size_t cornersOf(const CheckedCells& run, Broken& broken) {
+  if (!run.weighted) {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(run.diagram.status, [](Status status) { return status != Status::duplicate; }));
+  }
+  std::vector<std::uint8_t> is_corner(run.size());
+  for (const auto& triangle : run.diagram.triangles) {
+    for (const auto site : triangle) is_corner[site] = 1;
+  }
+  broken.expect("triangles", run.size(), run.threads, [&](std::size_t i) {
+    return is_corner[i] == 0 && run.ok(i) ? fmt::format("site {} has a cell, but none", i) : std::string();
+  });
+  return static_cast<std::size_t>(std::ranges::count(is_corner, 1));
+}
+
 /// The sides that only one triangle has: one round of the hull, turning left.
 void checkHull(const CheckedCells& run, const std::vector<Side>& sides, Broken& broken) {
   std::vector<std::uint32_t> after(run.size(), no_site);
@@ -116,8 +149,7 @@ void checkHull(const CheckedCells& run, const std::vector<Side>& sides, Broken& 
     }
     at = next == first ? no_site : next;
   }
-  const auto unique = static_cast<std::size_t>(
-      std::ranges::count_if(run.diagram.status, [](Status status) { return status != Status::duplicate; }));
+  const std::size_t unique = cornersOf(run, broken);
   const std::size_t count = run.diagram.triangles.size();
   if (walked != hull || count + hull + 2 != 2 * unique) {
     broken.add("triangles", fmt::format("{} triangles of {} sites with {} on the hull are no triangulation",
@@ -125,15 +157,21 @@ void checkHull(const CheckedCells& run, const std::vector<Side>& sides, Broken& 
   }
 }
 
-/// Whether all sites lie on one line, beyond rounding.
+/// Whether all sites, or with weights all with cells, lie on one line, beyond rounding.
 bool areCollinear(const CheckedCells& run) {
-  std::size_t far = 0;
+  std::vector<std::size_t> sites;
   for (std::size_t i = 0; i < run.size(); ++i) {
-    if (length(run.site(i) - run.site(0)) > length(run.site(far) - run.site(0))) far = i;
+    if (!run.weighted || run.ok(i)) sites.push_back(i);
   }
-  const Point line = run.site(far) - run.site(0);
-  for (std::size_t i = 0; i < run.size(); ++i) {
-    const Point to = run.site(i) - run.site(0);
+  if (sites.empty()) return true;
+  const Point first = run.site(sites.front());
+  Point line{0, 0};
+  for (const auto i : sites) {
+    const Point to = run.site(i) - first;
+    if (length(to) > length(line)) line = to;
+  }
+  for (const auto i : sites) {
+    const Point to = run.site(i) - first;
     if (std::abs(cross(line, to)) > predicate_slack * length(line) * length(to)) return false;
   }
   return true;
@@ -142,6 +180,10 @@ bool areCollinear(const CheckedCells& run) {
 }  // namespace
 
 void checkTriangles(const CheckedCells& run, Broken& broken) {
+  if (run.repeats()) {
+    if (!run.diagram.triangles.empty()) broken.add("triangles", "a periodic domain has none");
+    return;
+  }
   if (run.diagram.triangles.empty()) {
     if (!areCollinear(run)) broken.add("triangles", "there are none, and the sites are not on one line");
     return;

@@ -7,7 +7,7 @@
 #include "backend/backend.h"
 #include "parallel.h"
 
-namespace vorpipe::cpu {
+namespace vorpipe {
 
 constexpr std::size_t collect_grain = 1024;
 
@@ -41,4 +41,4 @@ void collect(std::size_t count, int threads, Neighborhoods& out, const Make& mak
   });
 }
 
-}  // namespace vorpipe::cpu
+}  // namespace vorpipe

@@ -1,0 +1,31 @@
+// Computes the cells of three sites, two of them weighted, and checks them.
+#include <cstdio>
+
+#include "vorpipe.h"
+
+int main() {
+  auto session = vorpipe::Session::open({});
+  if (!session) {
+    std::fprintf(stderr, "%s\n", session.error().message.c_str());
+    return 3;
+  }
+  const vorpipe::Sites sites{{0.25, 0.75, 0.5}, {0.25, 0.25, 0.75}, {0.25, 0, 0.125}};
+  vorpipe::CellsOptions options{};
+  options.domain = {0, 0, 1, 1};
+  const auto diagram = session->cells(sites, options);
+  if (!diagram) {
+    std::fprintf(stderr, "%s\n", diagram.error().message.c_str());
+    return 3;
+  }
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    std::printf("site %zu: area %g, neighbors", i, diagram->area[i]);
+    for (auto k = diagram->cell_offsets[i]; k < diagram->cell_offsets[i + 1]; ++k) {
+      std::printf(" %lld", static_cast<long long>(diagram->neighbors[k]));
+    }
+    std::printf("\n");
+  }
+  const auto broken = vorpipe::check(sites, options, *diagram);
+  if (!broken) return 3;
+  for (const auto& promise : *broken) std::printf("%s\n", promise.c_str());
+  return broken->empty() ? 0 : 1;
+}

@@ -1,0 +1,269 @@
+#include "core/check/outline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <random>
+
+namespace vorpipe::checks {
+namespace {
+
+constexpr std::size_t sampled_places = 20'000;
+/// Of a cell's reach: where ties move a vertex.
+constexpr double tie_slack = 1e-5;
+
+/// Whether the way from a to b crosses the ray from p to the right.
+bool crossesRay(Point p, Point a, Point b) {
+  if ((a.y > p.y) == (b.y > p.y)) return false;
+  return (cross(b - a, p - a) > 0) == (b.y > a.y);
+}
+
+double distance(Point p, Point a, Point b) {
+  const Point edge = b - a, to = p - a;
+  const double square = dot(edge, edge);
+  const double along = square > 0 ? std::clamp(dot(to, edge) / square, 0.0, 1.0) : 0;
+  return length(to - Point{along * edge.x, along * edge.y});
+}
+
+/// The part of a ring on one side of a line x = at or y = at (Sutherland and Hodgman 1974); parts that lie
+/// apart are joined along the line, which does not change the area.
+std::vector<Point> cut(const std::vector<Point>& ring, double Point::*axis, double at, double side) {
+  std::vector<Point> kept;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point a = ring[k], b = ring[k + 1 < ring.size() ? k + 1 : 0];
+    const double at_a = side * (a.*axis - at), at_b = side * (b.*axis - at);
+    if (at_a >= 0) kept.push_back(a);
+    if ((at_a < 0) == (at_b < 0)) continue;
+    const double along = at_a / (at_a - at_b);
+    Point p{a.x + along * (b.x - a.x), a.y + along * (b.y - a.y)};
+    p.*axis = at;
+    kept.push_back(p);
+  }
+  return kept;
+}
+
+double areaOf(const std::vector<Point>& ring) {
+  double twice = 0;
+  for (std::size_t k = 1; k + 1 < ring.size(); ++k) twice += cross(ring[k] - ring[0], ring[k + 1] - ring[0]);
+  return twice / 2;
+}
+
+/// The rings of one cell.
+class CellRings {
+ public:
+  CellRings(const CheckedCells& run, std::size_t i) : run_(run), end_(run.end(i)) {
+    const auto& starts = run.diagram.ring_starts;
+    for (auto s = std::ranges::lower_bound(starts, run.begin(i)); s != starts.end() && *s < end_; ++s) {
+      starts_.push_back(*s);
+    }
+  }
+  [[nodiscard]] std::size_t size() const { return starts_.size(); }
+  [[nodiscard]] std::size_t begin(std::size_t r) const { return starts_[r]; }
+  [[nodiscard]] std::size_t end(std::size_t r) const { return r + 1 < size() ? starts_[r + 1] : end_; }
+
+  /// Calls take(edge, from, to) for each edge.
+  template <class Take>
+  void eachEdge(const Take& take) const {
+    for (std::size_t r = 0; r < size(); ++r) {
+      for (std::size_t e = begin(r); e < end(r); ++e) {
+        take(e, run_.vertex(e), run_.vertex(e + 1 < end(r) ? e + 1 : begin(r)));
+      }
+    }
+  }
+
+ private:
+  const CheckedCells& run_;
+  std::size_t end_;
+  std::vector<std::size_t> starts_;
+};
+
+std::string wrongRings(const CheckedCells& run, std::size_t i) {
+  const CellRings rings(run, i);
+  if (run.edges(i) == 0) return {};
+  if (rings.size() == 0 || rings.begin(0) != run.begin(i)) {
+    return fmt::format("no ring of site {} begins where its cell does", i);
+  }
+  double area = 0, perimeter = 0, longest = 0;
+  const Point origin = run.vertex(run.begin(i));
+  std::string wrong;
+  rings.eachEdge([&](std::size_t e, Point a, Point b) {
+    area += cross(a - origin, b - origin) / 2;
+    const double side = length(b - a);
+    perimeter += side;
+    longest = std::max(longest, length(a - origin));
+    if (std::abs(side - run.diagram.edge_lengths[e] * run.scale) > run.rounding(i)) {
+      wrong = fmt::format("edge {} of site {} is not as long as its ends are apart", e - run.begin(i), i);
+    }
+  });
+  if (!wrong.empty()) return wrong;
+  const double slack = run.rounding(i) * (perimeter + longest) + tie_slack * tie_slack * area;
+  if (std::abs(area - run.diagram.area[i] * run.scale * run.scale) > slack) {
+    return fmt::format("the rings of site {} have the area {}, its record says {}", i,
+                       area / run.scale / run.scale, run.diagram.area[i]);
+  }
+  const double summed = run.rounding(i) * static_cast<double>(run.edges(i)) * (1 + perimeter);
+  if (std::abs(perimeter - run.diagram.perimeter[i] * run.scale) <= summed) return {};
+  return fmt::format("the rings of site {} have the perimeter {}, its record says {}", i,
+                     perimeter / run.scale, run.diagram.perimeter[i]);
+}
+
+bool isOnWall(const CheckedCells& run, std::int64_t wall, Point p) {
+  const Box& box = run.domain;
+  return wall == wall_xmin   ? p.x == box.xmin
+         : wall == wall_xmax ? p.x == box.xmax
+         : wall == wall_ymin ? p.y == box.ymin
+                             : p.y == box.ymax;
+}
+
+std::string wrongEdges(const CheckedCells& run, const CheckedOutline& outline, std::size_t i) {
+  const double slack = tie_slack * run.reach(i) + run.rounding(i);
+  std::string wrong;
+  CellRings(run, i).eachEdge([&](std::size_t e, Point a, Point b) {
+    const std::int64_t neighbor = run.diagram.neighbors[e];
+    const auto j = static_cast<std::size_t>(neighbor);
+    const auto beyond = [&](Point p) {
+      return std::abs(beyondBisector(run.site(i), run.site(j), run.lead(i, j), p));
+    };
+    const Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+    const bool right = neighbor == wall_outline ? outline.at(middle, slack) == CheckedOutline::Side::edge
+                       : neighbor < 0           ? isOnWall(run, neighbor, a) && isOnWall(run, neighbor, b)
+                                                : beyond(a) <= slack && beyond(b) <= slack;
+    if (!right) wrong = fmt::format("edge {} of site {} is not where {} is", e - run.begin(i), i, neighbor);
+  });
+  return wrong;
+}
+
+std::string wrongTwin(const CheckedCells& run, std::size_t i) {
+  std::string wrong;
+  CellRings(run, i).eachEdge([&](std::size_t e, Point a, Point b) {
+    const std::int64_t neighbor = run.diagram.neighbors[e];
+    if (neighbor < 0) return;
+    bool found = false;
+    CellRings(run, static_cast<std::size_t>(neighbor)).eachEdge([&](std::size_t other, Point c, Point d) {
+      found = found || (run.diagram.neighbors[other] == static_cast<std::int64_t>(i) && a == d && b == c);
+    });
+    if (!found) wrong = fmt::format("site {} has an edge with {}, which has another or none", i, neighbor);
+  });
+  return wrong;
+}
+
+std::string oneSided(const CheckedCells& run, std::size_t i) {
+  const auto& neighbors = run.diagram.neighbors;
+  for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
+    if (neighbors[e] < 0) continue;
+    const auto j = static_cast<std::size_t>(neighbors[e]);
+    const auto first = neighbors.begin() + static_cast<std::ptrdiff_t>(run.begin(j));
+    const auto last = neighbors.begin() + static_cast<std::ptrdiff_t>(run.end(j));
+    if (std::find(first, last, static_cast<std::int64_t>(i)) != last) continue;
+    return fmt::format("site {} has {} as a neighbor, and not the other way round", i, j);
+  }
+  return {};
+}
+
+std::string wrongPlace(const CheckedCells& run, const CheckedOutline& outline, const NearestSite& nearest,
+                       Point p) {
+  const std::uint32_t owner = run.diagram.owner[nearest.at(p)];
+  bool inside = false;
+  double away = std::numeric_limits<double>::infinity();
+  CellRings(run, owner).eachEdge([&](std::size_t, Point a, Point b) {
+    inside = inside != crossesRay(p, a, b);
+    away = std::min(away, distance(p, a, b));
+  });
+  const double slack = tie_slack * run.reach(owner) + run.rounding(owner);
+  const auto side = outline.at(p, slack);
+  if (away <= slack || side == CheckedOutline::Side::edge) return {};
+  if (inside == (side == CheckedOutline::Side::inside)) return {};
+  return fmt::format("({}, {}) lies {} the outline, but {} in the cell of its nearest site {}",
+                     p.x / run.scale, p.y / run.scale, inside ? "outside" : "inside", inside ? "" : "not ",
+                     owner);
+}
+
+}  // namespace
+
+CheckedOutline::CheckedOutline(const CheckedSites& run) : run_(run) {
+  constexpr std::size_t band_count = 4096;
+  const Outline& outline = *run.outline;
+  low_ = run.domain.ymin;
+  per_band_ = (run.domain.ymax - run.domain.ymin) / band_count;
+  bands_.resize(band_count);
+  std::size_t ring = 0;
+  for (std::size_t p = 0; p + 1 < outline.polygon_offsets.size(); ++p) {
+    for (const std::size_t first = ring; ring < outline.polygon_offsets[p + 1]; ++ring) {
+      std::vector<Point> points;
+      for (auto k = outline.ring_offsets[ring]; k < outline.ring_offsets[ring + 1]; ++k) {
+        points.push_back({outline.points[k].x * run.scale, outline.points[k].y * run.scale});
+      }
+      const bool turned = (areaOf(points) > 0) != (ring == first);
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        edges_.push_back({points[k], points[k + 1 < points.size() ? k + 1 : 0]});
+        sign_.push_back(turned ? -1 : 1);
+      }
+    }
+  }
+  for (std::uint32_t e = 0; e < edges_.size(); ++e) {
+    const auto [low, high] = std::minmax(edges_[e].a.y, edges_[e].b.y);
+    // Edges just beside a band belong to it too: a place there may be near them.
+    const std::size_t last = bandOf(high + per_band_);
+    for (std::size_t band = bandOf(low - per_band_); band <= last; ++band) bands_[band].push_back(e);
+  }
+}
+
+std::size_t CheckedOutline::bandOf(double y) const {
+  const double band = std::floor((y - low_) / per_band_);
+  return static_cast<std::size_t>(std::clamp(band, 0.0, static_cast<double>(bands_.size() - 1)));
+}
+
+CheckedOutline::Side CheckedOutline::at(Point p, double slack) const {
+  bool inside = false;
+  const double reach = std::min(slack, per_band_);
+  for (const auto e : bands_[bandOf(p.y)]) {
+    const auto& [a, b] = edges_[e];
+    inside = inside != crossesRay(p, a, b);
+    if (distance(p, a, b) <= reach) return Side::edge;
+  }
+  return inside ? Side::inside : Side::outside;
+}
+
+double CheckedOutline::area() const {
+  double sum = 0, lost = 0;
+  std::vector<Point> part;
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    // The quadrangle between an edge and the line below it.
+    const auto& [a, b] = edges_[e];
+    const Box& box = run_.domain;
+    const double low = std::min({a.y, b.y, box.ymin});
+    part = {a, b, {b.x, low}, {a.x, low}};
+    part = cut(cut(part, &Point::x, box.xmin, 1), &Point::x, box.xmax, -1);
+    part = cut(cut(part, &Point::y, box.ymin, 1), &Point::y, box.ymax, -1);
+    const double area = sign_[e] * areaOf(part);
+    const double next = sum + area;
+    lost += std::abs(sum) >= std::abs(area) ? (sum - next) + area : (area - next) + sum;
+    sum = next;
+  }
+  return (sum + lost) / run_.scale / run_.scale;
+}
+
+void checkClipped(const CheckedCells& run, const CheckedOutline& outline, const NearestSite& nearest,
+                  Broken& broken) {
+  const auto each = [&](std::string_view promise, const auto& test) {
+    return broken.expect(promise, run.size(), run.threads, test);
+  };
+  each("neighbors", [&](std::size_t i) { return oneSided(run, i); });
+  if (run.detail == Detail::measures) return;
+  if (!std::ranges::is_sorted(run.diagram.ring_starts)) broken.add("rings", "ring_starts do not ascend");
+  if (!each("rings", [&](std::size_t i) { return wrongRings(run, i); })) return;
+  each("edges", [&](std::size_t i) { return wrongEdges(run, outline, i); });
+  each("neighbors", [&](std::size_t i) { return wrongTwin(run, i); });
+  std::mt19937_64 random(1);
+  const auto fraction = [&] { return std::ldexp(static_cast<double>(random() >> 11), -53); };
+  std::vector<Point> places(sampled_places);
+  const Box& box = run.domain;
+  for (Point& p : places) {
+    p.x = box.xmin + fraction() * (box.xmax - box.xmin);
+    p.y = box.ymin + fraction() * (box.ymax - box.ymin);
+  }
+  broken.expect("nearest sites", places.size(), run.threads,
+                [&](std::size_t k) { return wrongPlace(run, outline, nearest, places[k]); });
+}
+
+}  // namespace vorpipe::checks

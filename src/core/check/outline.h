@@ -1,0 +1,41 @@
+/// What is checked where the domain has an outline.
+#pragma once
+
+#include <memory>
+
+#include "core/check/checks.h"
+
+namespace vorpipe::checks {
+
+/// An outline in scaled coordinates, which shares nothing with what clips cells.
+class CheckedOutline {
+ public:
+  explicit CheckedOutline(const CheckedSites& run);
+
+  enum class Side : std::uint8_t { inside, outside, edge };
+  /// Where p lies; `edge` if no farther than `slack` from one.
+  [[nodiscard]] Side at(Point p, double slack) const;
+
+  /// The area inside both the outline and the domain, in the caller's units.
+  [[nodiscard]] double area() const;
+
+ private:
+  struct Edge {
+    Point a, b;
+  };
+  [[nodiscard]] std::size_t bandOf(double y) const;
+
+  const CheckedSites& run_;
+  std::vector<Edge> edges_;
+  std::vector<int> sign_;  ///< of each edge: 1 where the inside lies to its left
+  double low_ = 0, per_band_ = 1;
+  std::vector<std::vector<std::uint32_t>> bands_;  ///< edges, by y
+};
+
+/// The promises about cells that are clipped to an outline: rings and their measures; edges on the bisector
+/// and in the neighbor's list, from the same point to the same, or on the outline; pseudo-random places of
+/// the inside lie in the cell of their nearest site, others in none.
+void checkClipped(const CheckedCells& run, const CheckedOutline& outline, const NearestSite& nearest,
+                  Broken& broken);
+
+}  // namespace vorpipe::checks

@@ -1,0 +1,88 @@
+/// Integrals over the part of a polygon in each pixel of a grid, row by row.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+/// Integrals of 1, x and y.
+struct PixelIntegrals {
+  double area = 0, x = 0, y = 0;
+};
+
+/// Rings over a grid of pixels, whose lines of columns lie at column - offset.x, those of rows at row -
+/// offset.y. Points have x and y of 0 and more, and what lies beyond the first and last row and column
+/// counts as in them.
+///
+/// Each edge, cut at the lines, adds to its pixel what lies between it and the pixel's left side, and to the
+/// pixels to the left of that its height. Heights are whole numbers, so that they add up exactly: a pixel
+/// that the rings do not touch gets nothing, one inside all of it.
+class PixelRows {
+ public:
+  struct Range {
+    std::int64_t first, last;
+  };
+
+  /// Begins a polygon of this height, over these columns and rows.
+  void begin(Point offset, double height, Range columns, Range rows);
+  /// Adds the edge from a to b; the polygon lies to its left.
+  void add(Point a, Point b);
+
+  /// Calls take(row, column, integrals) for each pixel that the rings may touch.
+  template <class Take>
+  void integrate(const Take& take) {
+    beginRows();
+    for (auto row = rows_.first; row <= rows_.last; ++row) {
+      gatherRow(row);
+      Carry carry;
+      for (auto column = touched_.last; column >= touched_.first; --column) {
+        const PixelIntegrals pixel = pixelOf(column, row, carry);
+        if (pixel.area != 0) take(row, column, pixel);
+      }
+    }
+  }
+
+ private:
+  using Height = std::int64_t;
+  struct Edge {
+    double x0, x1;
+    Height y0, y1;  ///< y0 < y1
+    int sign;       ///< 1 upward
+  };
+  /// What the edges in a pixel add to it, and their heights.
+  struct Part {
+    PixelIntegrals own;
+    Height height = 0;
+    double y_height = 0;  ///< integral of y
+  };
+  struct Carry {
+    Height height = 0;
+    double y_height = 0;
+  };
+
+  void beginRows();
+  void gatherRow(std::int64_t row);
+  void addInRow(const Edge& edge);
+  void addPiece(std::int64_t column, double xa, Height ya, double xb, Height yb, int sign);
+  PixelIntegrals pixelOf(std::int64_t column, std::int64_t row, Carry& carry);
+  [[nodiscard]] std::int64_t columnOf(double x) const;
+  [[nodiscard]] double leftOf(std::int64_t column) const;
+  [[nodiscard]] Height lineOf(std::int64_t row) const;
+  [[nodiscard]] double real(Height y) const { return static_cast<double>(y) * unit_; }
+
+  Point offset_{};
+  Range columns_{}, rows_{}, touched_{};
+  double unit_ = 1, units_ = 1;  ///< of a height in pixels; in a pixel
+  Height low_ = 0, high_ = 0;    ///< of the row at hand
+  std::vector<Edge> edges_, active_;
+  std::size_t next_ = 0;  ///< edge that has not begun
+  std::vector<Part> parts_;
+};
+
+}  // namespace vorpipe

@@ -1,0 +1,21 @@
+/// Proofs that cells are empty: sites with weights hide others.
+#pragma once
+
+#include <span>
+
+#include "backend/backend.h"
+
+namespace vorpipe {
+
+/// Whether the bisectors of `cell` with the sites among `lines` leave nothing of the domain that has an area.
+/// Exact, but for coordinates of the range that predicates.h names; beyond it the answer is no.
+bool leaveNothing(const SiteSet& sites, std::uint32_t cell, std::span<const std::int32_t> lines);
+
+/// Takes the lines from the cells, entry e that of site which[e], that are empty in a set with weights; where
+/// those do not prove that, the cell becomes `open`.
+///
+/// A wrong cell disagrees with its neighbors, but if it is missing they agree as well.
+void proveEmpty(const SiteSet& sites, std::span<const std::uint32_t> which, int threads,
+                Neighborhoods& cells);
+
+}  // namespace vorpipe

@@ -1,0 +1,186 @@
+#include "core/mesh_cells.h"
+
+#include <algorithm>
+
+#include "backend/collect.h"
+#include "core/place.h"
+#include "core/walls.h"
+
+namespace vorpipe {
+namespace {
+
+/// Stands in a ring for what is infinitely far away.
+constexpr std::int32_t infinity = -5;
+
+constexpr std::size_t none = 3;
+
+/// Which corner of a triangle is a site, or none.
+std::size_t cornerOf(const MeshTriangle& triangle, std::int32_t site) {
+  const auto& corner = triangle.corner;
+  return corner[0] == site ? 0 : (corner[1] == site ? 1 : (corner[2] == site ? 2 : none));
+}
+
+std::size_t next(std::size_t k) { return k == 2 ? 0 : k + 1; }
+
+class Extracting {
+ public:
+  Extracting(const SiteSet& sites, const Mesh& mesh) : sites_(sites), mesh_(mesh) {}
+
+  CellStatus find(std::uint32_t which, std::vector<std::int32_t>& neighbors) {
+    cell_ = static_cast<std::int32_t>(which);
+    const auto& triangle = mesh_.triangles[static_cast<std::size_t>(mesh_.at[which])];
+    if (cornerOf(triangle, cell_) == none) {
+      neighbors.insert(neighbors.end(), triangle.corner.begin(), triangle.corner.end());
+      return CellStatus::empty;
+    }
+    walkAround();
+    if (reached_ != 0) {
+      for (const auto wall : {wall_xmin, wall_xmax, wall_ymin, wall_ymax}) {
+        if (cutAt(static_cast<std::int32_t>(wall))) continue;
+        if (!sites_.weight.empty()) putProof(neighbors);
+        return CellStatus::empty;
+      }
+    }
+    for (const auto& edge : ring_) neighbors.push_back(edge.neighbor);
+    return CellStatus::certified;
+  }
+
+ private:
+  struct Edge {
+    std::int32_t neighbor;  ///< a site, a wall, or infinity
+    std::uint8_t
+        reached;  ///< if this one and the one before are of sites: the walls on or beyond which it begins
+  };
+
+  [[nodiscard]] WeightedPoint at(std::int32_t site) const {
+    const auto i = static_cast<std::size_t>(site);
+    return {{sites_.x[i], sites_.y[i]}, sites_.weight.empty() ? 0 : sites_.weight[i]};
+  }
+
+  /// The neighbors of the whole cell, which lies beyond the domain.
+  void putProof(std::vector<std::int32_t>& neighbors) {
+    walkAround();
+    for (const auto& edge : ring_) {
+      if (edge.neighbor >= 0) neighbors.push_back(edge.neighbor);
+    }
+  }
+
+  /// Lists the whole cell, whose vertices are the centers of its triangles.
+  void walkAround() {
+    ring_.clear();
+    reached_ = 0;
+    const auto first = mesh_.at[static_cast<std::size_t>(cell_)];
+    auto t = first;
+    do {
+      const auto& triangle = mesh_.triangles[static_cast<std::size_t>(t)];
+      const auto k = cornerOf(triangle, cell_);
+      const auto before = triangle.corner[next(k)], after = triangle.corner[next(next(k))];
+      std::uint8_t reached = 0;
+      if (before == beyond || after == beyond) {
+        reached_ = all_walls;
+      } else {
+        reached = wallsReached(sites_.domain, at(cell_), at(before), at(after));
+        reached_ |= reached;
+      }
+      ring_.push_back({after == beyond ? infinity : after, reached});
+      t = triangle.across[next(k)];
+    } while (t != first);
+  }
+
+  /// Cuts off what is beyond a wall; false if that is all.
+  bool cutAt(std::int32_t wall) {
+    if ((reached_ & wallBit(wall)) == 0) return true;
+    const auto count = ring_.size();
+    beyond_.resize(count);
+    for (std::size_t e = 0; e < count; ++e) {
+      beyond_[e] = isBeyond(wall, ring_[e > 0 ? e - 1 : count - 1], ring_[e]) ? 1 : 0;
+    }
+    const auto some = std::find(beyond_.begin(), beyond_.end(), 0);
+    if (some == beyond_.end()) return false;
+    // The cell is convex, so that the vertices beyond follow each other.
+    std::rotate(ring_.begin(), ring_.begin() + (some - beyond_.begin()), ring_.end());
+    std::rotate(beyond_.begin(), some, beyond_.end());
+    const auto begin = std::find(beyond_.begin(), beyond_.end(), 1);
+    if (begin == beyond_.end()) return true;
+    const auto end = std::find(begin, beyond_.end(), 0);
+    // The last edge of those that begin beyond ends inside.
+    const auto first = ring_.begin() + (begin - beyond_.begin());
+    ring_.erase(first, first + (end - begin - 1));
+    ring_.insert(first, Edge{wall, 0});
+    return true;
+  }
+
+  /// Whether the vertex at which an edge begins, where the one before ends, lies on or beyond a wall.
+  [[nodiscard]] bool isBeyond(std::int32_t wall, const Edge& before, const Edge& edge) const {
+    if (before.neighbor >= 0 && edge.neighbor >= 0) return (edge.reached & wallBit(wall)) != 0;
+    if (before.neighbor == infinity) return isBeyondFar(wall, edge.neighbor, -1);
+    if (edge.neighbor == infinity) return isBeyondFar(wall, before.neighbor, 1);
+    const auto other = std::max(before.neighbor, edge.neighbor);
+    const auto crossed = std::min(before.neighbor, edge.neighbor);
+    // Between two walls is a corner of the domain; and the wall opposite is nowhere beyond this one.
+    if (other < 0 || isVerticalWall(crossed) == isVerticalWall(wall)) return false;
+    return crossesBeyond(wall, crossed, other);
+  }
+
+  /// Whether the bisector with a site meets the wall `crossed` on or beyond another, in whose corner the one
+  /// of the two sites is nearer that lies ahead.
+  [[nodiscard]] bool crossesBeyond(std::int32_t wall, std::int32_t crossed, std::int32_t other) const {
+    const auto a = at(cell_), b = at(other);
+    const bool upright = isVerticalWall(crossed);
+    const auto vertical = upright ? crossed : wall, level = upright ? wall : crossed;
+    const Point corner{wallCoordinate(sites_.domain, vertical), wallCoordinate(sites_.domain, level)};
+    const int nearer = nearerOf(a, b, corner);
+    const bool ahead = upright ? b.y > a.y : b.x > a.x;
+    // Where the corner is nearer to a, the bisector passes it on the side of b.
+    const int passes = ahead ? -nearer : nearer;
+    return outward(wall) * passes >= 0;
+  }
+
+  /// Whether an edge that goes on for ever, forward or backward, ends beyond a wall.
+  [[nodiscard]] bool isBeyondFar(std::int32_t wall, std::int32_t edge, int direction) const {
+    const bool vertical = isVerticalWall(wall);
+    if (edge < 0) {
+      if (isVerticalWall(edge) == vertical) return false;
+      // Along the walls of the domain, counter-clockwise.
+      const bool ascending = edge == wall_xmax || edge == wall_ymin;
+      return outward(wall) * direction * (ascending ? 1 : -1) > 0;
+    }
+    const auto a = at(cell_), b = at(edge);
+    const int turned = vertical ? sign(a.y, b.y) : sign(b.x, a.x);
+    if (turned != 0) return outward(wall) * direction * turned > 0;
+    const double x = wallCoordinate(sites_.domain, wall);
+    return outward(wall) * (vertical ? middleSide(a, b, x) : middleSide(swapped(a), swapped(b), x)) >= 0;
+  }
+
+  static WeightedPoint swapped(const WeightedPoint& p) { return {{p.y, p.x}, p.weight}; }
+
+  static int sign(double larger, double smaller) {
+    return larger > smaller ? 1 : (larger < smaller ? -1 : 0);
+  }
+  static int outward(std::int32_t wall) { return wall == wall_xmax || wall == wall_ymax ? 1 : -1; }
+
+  static constexpr std::uint8_t all_walls = 15;
+
+  const SiteSet& sites_;
+  const Mesh& mesh_;
+  std::int32_t cell_ = 0;
+  std::vector<Edge> ring_;
+  std::vector<std::uint8_t> beyond_;  ///< by edge of the ring: whether it begins there
+  std::uint8_t reached_ = 0;          ///< walls that some vertex lies on or beyond
+};
+
+}  // namespace
+
+Neighborhoods meshCells(const SiteSet& sites, const Mesh& mesh, std::span<const std::uint32_t> which,
+                        int threads) {
+  Neighborhoods cells;
+  collect(which.size(), threads, cells, [&] {
+    return [&, extracting = Extracting(sites, mesh)](std::size_t e,
+                                                     std::vector<std::int32_t>& neighbors) mutable {
+      return extracting.find(which[e], neighbors);
+    };
+  });
+  return cells;
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,118 @@
+#include "core/outline.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/predicates.h"
+#include "core/wide.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr double farthest = 0x1p200;  ///< what predicates stand
+
+bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
+
+bool isLess(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
+
+/// Of a ring without equal neighbors that does not cross itself: at its leftmost point it turns the way it
+/// runs.
+bool isCounterClockwise(std::span<const Point> ring) {
+  const auto leftmost = static_cast<std::size_t>(std::ranges::min_element(ring, isLess) - ring.begin());
+  const Point before = ring[leftmost > 0 ? leftmost - 1 : ring.size() - 1];
+  const Point after = ring[leftmost + 1 < ring.size() ? leftmost + 1 : 0];
+  return orientation(before, ring[leftmost], after) > 0;
+}
+
+/// The part of the way from p to q that has a < coordinate < b, as numbers of [0, 1] along it.
+struct Stretch {
+  double begin = 0, end = 1;
+
+  void keepBetween(double from, double to, double least, double most) {
+    if (from == to) {
+      if (from < least || from > most) end = begin;
+      return;
+    }
+    const double first = (least - from) / (to - from), second = (most - from) / (to - from);
+    begin = std::clamp(std::min(first, second), begin, 1.0);
+    end = std::clamp(std::max(first, second), begin, end);
+  }
+};
+
+/// What the edge from p to q adds to the area of the box's part to the left of it, down to xmin.
+Wide areaBeside(Point p, Point q, const Box& box) {
+  Stretch rows;
+  rows.keepBetween(p.y, q.y, box.ymin, box.ymax);
+  Stretch inside = rows;
+  inside.keepBetween(p.x, q.x, box.xmin, box.xmax);
+  const double height = q.y - p.y;
+  const auto x = [&](double along) {
+    return std::clamp(p.x + along * (q.x - p.x), box.xmin, box.xmax) - box.xmin;
+  };
+  if (inside.begin >= inside.end) {
+    return Wide::product((rows.end - rows.begin) * height, x((rows.begin + rows.end) / 2));
+  }
+  return Wide::product((inside.begin - rows.begin) * height, x(rows.begin)) +
+         Wide::product((inside.end - inside.begin) * height, (x(inside.begin) + x(inside.end)) / 2) +
+         Wide::product((rows.end - inside.end) * height, x(rows.end));
+}
+
+}  // namespace
+
+Result<Rings> ringsOf(const Outline& outline, int exponent) {
+  Rings rings;
+  rings.points.reserve(outline.points.size());
+  rings.first.push_back(0);
+  for (std::size_t polygon = 0; polygon + 1 < outline.polygon_offsets.size(); ++polygon) {
+    for (auto r = outline.polygon_offsets[polygon]; r < outline.polygon_offsets[polygon + 1]; ++r) {
+      const auto begin = rings.first.back();
+      for (auto p = outline.ring_offsets[r]; p < outline.ring_offsets[r + 1]; ++p) {
+        const Point from = outline.points[p];
+        const Point point{std::ldexp(from.x, exponent), std::ldexp(from.y, exponent)};
+        if (std::max(std::abs(point.x), std::abs(point.y)) > farthest) {
+          return tl::unexpected(Error{
+              ErrorCode::input, fmt::format("outline: ({}, {}) is too far from the domain", from.x, from.y)});
+        }
+        if (rings.size() == begin || !(rings.points.back() == point)) rings.points.push_back(point);
+      }
+      while (rings.size() > begin + 1 && rings.points.back() == rings.points[begin]) rings.points.pop_back();
+      const bool outer = r == outline.polygon_offsets[polygon];
+      if (isCounterClockwise(std::span(rings.points).subspan(begin)) != outer) {
+        std::reverse(rings.points.begin() + begin, rings.points.end());
+      }
+      rings.ring.resize(rings.size(), static_cast<std::uint32_t>(rings.first.size() - 1));
+      rings.first.push_back(static_cast<std::uint32_t>(rings.size()));
+      rings.outer.push_back(static_cast<std::uint32_t>(outline.polygon_offsets[polygon]));
+    }
+  }
+  return rings;
+}
+
+double areaInside(const Rings& rings, const Box& box) {
+  Wide sum{0, 0};
+  for (std::uint32_t e = 0; e < rings.size(); ++e) {
+    sum = sum + areaBeside(rings.points[e], rings.points[rings.next(e)], box);
+  }
+  return sum.high;
+}
+
+int sideOf(Point a, Point b, Point p) {
+  if (const int side = orientation(a, b, p); side != 0) return side;
+  return a.y != b.y ? (b.y < a.y ? 1 : -1) : (b.x > a.x ? 1 : -1);
+}
+
+int sideOfEdge(Point p, Point q, Point a) {
+  if (const int side = orientation(p, q, a); side != 0) return side;
+  return p.y != q.y ? (q.y > p.y ? 1 : -1) : (q.x < p.x ? 1 : -1);
+}
+
+bool crossesRay(Point p, Point q, Point a) {
+  const bool up = q.y >= a.y;
+  if ((p.y >= a.y) == up) return false;
+  if (p.x < a.x && q.x < a.x) return false;
+  return (sideOfEdge(p, q, a) > 0) == up;
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,26 @@
+/// The cells of a diagram clipped to an outline.
+#pragma once
+
+#include "core/outline.h"
+
+namespace vorpipe {
+
+/// The sites of a diagram and its domain, and where things are in it.
+struct ClippedRun {
+  const Sites& sites;
+  const Box& domain;
+  const std::vector<std::uint32_t>& order;  ///< the sites that may have cells, neighbors near each other
+  int exponent;                             ///< what is computed is in units times 2^exponent
+  int threads;
+};
+
+/// Clips cells, which have polygons, to a valid outline, and writes what changes: ring_starts of all, and of
+/// cells that the outline cuts everything else. A site without a part of the inside becomes `empty`. Two
+/// cells are neighbors where each has an edge with the other, from the same point to the same; parts of edges
+/// that the outline makes shorter than ties are, and those that run along it, belong to the outline; and what
+/// of it lies on a wall belongs to the wall.
+///
+/// Errors (input): the outline is too far from the domain; areas that do not add up to the outline's.
+Result<void> clipToOutline(const ClippedRun& run, const Outline& outline, Diagram& diagram);
+
+}  // namespace vorpipe

@@ -1,0 +1,223 @@
+#include "core/outline_clip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/outline_crossings.h"
+
+namespace vorpipe {
+namespace {
+
+/// A ring of a clipped cell in the making.
+struct Ring {
+  std::vector<Point> points;
+  std::vector<std::int64_t> neighbors;
+
+  void add(Point p, std::int64_t neighbor) {
+    points.push_back(p);
+    neighbors.push_back(neighbor);
+  }
+};
+
+struct Extent {
+  double area = 0, perimeter = 0, largest = 0;  ///< `largest` is that of the coordinates
+};
+
+Extent extentOf(std::span<const Point> ring) {
+  Extent extent;
+  const Point origin = ring.front();
+  Point a = ring.back();
+  for (const Point b : ring) {
+    extent.area += ((a.x - origin.x) * (b.y - origin.y) - (a.y - origin.y) * (b.x - origin.x)) / 2;
+    extent.perimeter += std::hypot(b.x - a.x, b.y - a.y);
+    extent.largest = std::max({extent.largest, std::abs(b.x), std::abs(b.y)});
+    a = b;
+  }
+  return extent;
+}
+
+void dropPoints(Ring& ring) {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < ring.points.size(); ++k) {
+    const Point here = ring.points[k], next = ring.points[k + 1 < ring.points.size() ? k + 1 : 0];
+    if (here.x == next.x && here.y == next.y) continue;
+    ring.points[kept] = here;
+    ring.neighbors[kept++] = ring.neighbors[k];
+  }
+  ring.points.resize(kept);
+  ring.neighbors.resize(kept);
+}
+
+/// Whether a ring, part of the outline's and part of a cell's, is no more than what rounding left between an
+/// edge of the outline and one of the cell that are one.
+bool isSliver(const Ring& ring) {
+  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+  if (ring.points.empty()) return true;
+  if (std::ranges::find(ring.neighbors, wall_outline) == ring.neighbors.end()) return false;
+  const Extent extent = extentOf(ring.points);
+  return extent.area <= rounding * extent.largest * extent.perimeter;
+}
+
+bool contains(std::span<const Point> ring, Point p) {
+  bool inside = false;
+  Point a = ring.back();
+  for (const Point b : ring) {
+    inside = inside != crossesRay(a, b, p);
+    a = b;
+  }
+  return inside;
+}
+
+/// Whether a ring lies in another, which it touches in one point at most.
+bool contains(std::span<const Point> outer, std::span<const Point> ring) {
+  int inside = 0;
+  for (std::size_t k = 0; k < 3; ++k) inside += contains(outer, ring[k]) ? 1 : 0;
+  return inside >= 2;
+}
+
+void append(std::span<const Point> points, std::span<const std::int64_t> neighbors, bool hole,
+            ClippedCell& cell) {
+  cell.hole.push_back(hole);
+  cell.first.push_back(static_cast<std::uint32_t>(cell.vertices.size()));
+  cell.vertices.insert(cell.vertices.end(), points.begin(), points.end());
+  cell.neighbors.insert(cell.neighbors.end(), neighbors.begin(), neighbors.end());
+}
+
+}  // namespace
+
+struct OutlineClip::State {
+  explicit State(const OutlineIndex& of) : index(of), crossings(of.rings()) {}
+
+  [[nodiscard]] std::span<const Point> pointsOf(std::uint32_t ring) const {
+    const auto& rings = index.rings();
+    return std::span(rings.points)
+        .subspan(rings.first[ring], rings.first[ring + std::size_t{1}] - rings.first[ring]);
+  }
+
+  /// Joins arcs by the sides of the polygon from where one leaves to where the next, counter-clockwise,
+  /// enters.
+  void join(const Polygon& polygon, std::span<const std::int64_t> neighbors) {
+    const auto& around = crossings.around();
+    const auto& arcs = crossings.arcs();
+    place.assign(around.size(), 0);
+    for (std::size_t k = 0; k < around.size(); ++k) place[around[k]] = k;
+    arc_of.assign(around.size(), arcs.size());
+    for (std::size_t a = 0; a < arcs.size(); ++a) arc_of[arcs[a].enters] = a;
+    used.assign(arcs.size(), false);
+    for (std::size_t first = 0; first < arcs.size(); ++first) {
+      if (used[first]) continue;
+      Ring ring;
+      for (auto a = first; !used[a];) {
+        used[a] = true;
+        const Arc& arc = arcs[a];
+        const Crossing& leaves = crossings.all()[arc.leaves];
+        ring.add(crossings.all()[arc.enters].at, wall_outline);
+        for (const Point p : arc.points) ring.add(p, wall_outline);
+        ring.add(leaves.at, neighbors[leaves.side]);
+        const std::size_t left = place[arc.leaves], entered = (left + 1) % around.size();
+        const std::size_t last = crossings.all()[around[entered]].side;
+        bool there = last == leaves.side && entered > left;
+        for (auto k = leaves.side; !there; there = k == last) {
+          k = k + 1 < polygon.size() ? k + 1 : 0;
+          ring.add(polygon.from(k), neighbors[k]);
+        }
+        a = arc_of[around[entered]];
+      }
+      dropPoints(ring);
+      if (!isSliver(ring)) outer.push_back(std::move(ring));
+    }
+  }
+
+  /// Which of the outer rings a hole lies in, or their number. A ring of its polygon that is whole is known;
+  /// of one that is cut it may be any part.
+  [[nodiscard]] std::size_t partAround(std::uint32_t hole) const {
+    const auto& whole = crossings.wholeRings();
+    const auto around = index.rings().outer[hole];
+    if (const auto found = std::ranges::lower_bound(whole, around);
+        found != whole.end() && *found == around) {
+      return part_of[static_cast<std::size_t>(found - whole.begin())];
+    }
+    for (std::size_t part = 0; part < parts; ++part) {
+      if (parts == 1 || contains(outer[part].points, pointsOf(hole))) return part;
+    }
+    return outer.size();
+  }
+
+  /// Adds the rings that are whole to the outer ones, but for holes.
+  void addWhole() {
+    parts = outer.size();
+    part_of.clear();
+    for (const auto ring : crossings.wholeRings()) {
+      part_of.push_back(outer.size());
+      const auto points = pointsOf(ring);
+      if (!index.rings().isOuter(ring)) continue;
+      outer.push_back(
+          {{points.begin(), points.end()}, std::vector<std::int64_t>(points.size(), wall_outline)});
+    }
+  }
+
+  /// Writes the outer rings and, after each, its holes.
+  void write(ClippedCell& clipped) const {
+    std::vector<std::vector<std::uint32_t>> holes(outer.size());
+    for (const auto ring : crossings.wholeRings()) {
+      if (index.rings().isOuter(ring)) continue;
+      // A hole of none lies in what was dropped.
+      if (const auto in = partAround(ring); in < outer.size()) holes[in].push_back(ring);
+    }
+    clipped.clear();
+    std::vector<std::int64_t> along_outline;
+    for (std::size_t r = 0; r < outer.size(); ++r) {
+      append(outer[r].points, outer[r].neighbors, /*hole=*/false, clipped);
+      for (const auto hole : holes[r]) {
+        along_outline.assign(pointsOf(hole).size(), wall_outline);
+        append(pointsOf(hole), along_outline, /*hole=*/true, clipped);
+      }
+    }
+  }
+
+  const OutlineIndex& index;
+  Crossings crossings;
+  std::vector<Ring> outer;  ///< first the parts of rings that are cut, then those that are whole
+  std::size_t parts = 0;
+  std::vector<std::size_t> part_of;        ///< outer ring of each whole ring that is no hole
+  std::vector<std::size_t> place, arc_of;  ///< by crossing: where it stands around; the arc that enters there
+  std::vector<bool> used;                  ///< by arc
+};
+
+void ClippedCell::clear() {
+  vertices.clear();
+  neighbors.clear();
+  first.clear();
+  hole.clear();
+}
+
+std::span<const Point> ClippedCell::ring(std::size_t r) const {
+  const std::size_t end = r + 1 < first.size() ? first[r + 1] : vertices.size();
+  return std::span(vertices).subspan(first[r], end - first[r]);
+}
+
+OutlineClip::OutlineClip(const OutlineIndex& index) : state_(std::make_unique<State>(index)) {}
+OutlineClip::~OutlineClip() = default;
+
+OutlineClip::Outcome OutlineClip::clip(std::span<const Point> vertices,
+                                       std::span<const std::int64_t> neighbors,
+                                       std::span<const std::uint32_t> near, ClippedCell& clipped) {
+  auto& [index, crossings, outer, parts, part_of, place, arc_of, used] = *state_;
+  const Polygon polygon{vertices};
+  const bool inside = index.contains(vertices[0]);
+  const Outcome whole = inside ? Outcome::inside : Outcome::outside;
+  if (!crossings.find(polygon, near) || !crossings.order(inside)) return whole;
+  if (crossings.all().empty() && crossings.wholeRings().empty()) return whole;
+  outer.clear();
+  if (crossings.all().empty() && inside) {
+    outer.push_back({{vertices.begin(), vertices.end()}, {neighbors.begin(), neighbors.end()}});
+  }
+  state_->join(polygon, neighbors);
+  state_->addWhole();
+  if (outer.empty()) return Outcome::outside;
+  state_->write(clipped);
+  return Outcome::cut;
+}
+
+}  // namespace vorpipe

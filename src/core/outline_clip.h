@@ -1,0 +1,45 @@
+/// One cell clipped to an outline.
+#pragma once
+
+#include <span>
+
+#include "core/outline_index.h"
+
+namespace vorpipe {
+
+/// What is left of a cell: rings one after another, outer ones counter-clockwise, each followed by its holes,
+/// clockwise. Edge k runs from vertex k to the next of its ring.
+struct ClippedCell {
+  std::vector<Point> vertices;
+  std::vector<std::int64_t> neighbors;  ///< of each edge; wall_outline along the outline
+  std::vector<std::uint32_t> first;     ///< vertex of each ring
+  std::vector<bool> hole;               ///< whether each ring is one
+
+  void clear();
+  [[nodiscard]] std::span<const Point> ring(std::size_t r) const;
+};
+
+/// Clips polygons. Every decision is exact, and where two polygons share an edge, crossings on it are the
+/// same points to the bit in both: the parts of polygons that cover the plane cover the inside.
+class OutlineClip {
+ public:
+  /// Keeps a reference.
+  explicit OutlineClip(const OutlineIndex& index);
+  ~OutlineClip();
+  OutlineClip(const OutlineClip&) = delete;
+  OutlineClip& operator=(const OutlineClip&) = delete;
+
+  enum class Outcome : std::uint8_t { inside, outside, cut };
+
+  /// Clips the polygon of these vertices, counter-clockwise, whose edge k has the neighbor k. `near` has the
+  /// outline's edges whose boxes meet the polygon's, and perhaps others, ascending. `clipped` is replaced
+  /// where the outcome is `cut`. A polygon that crosses itself is inside or outside as its first vertex is.
+  Outcome clip(std::span<const Point> vertices, std::span<const std::int64_t> neighbors,
+               std::span<const std::uint32_t> near, ClippedCell& clipped);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace vorpipe

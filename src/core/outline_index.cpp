@@ -1,0 +1,62 @@
+#include "core/outline_index.h"
+
+#include <algorithm>
+#include <boost/geometry/geometries/box.hpp>
+#include <boost/geometry/geometries/point.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <iterator>
+#include <utility>
+
+namespace vorpipe {
+namespace {
+
+namespace index = boost::geometry::index;
+
+using TreePoint = boost::geometry::model::point<double, 2, boost::geometry::cs::cartesian>;
+using TreeBox = boost::geometry::model::box<TreePoint>;
+using Leaf = std::pair<TreeBox, std::uint32_t>;
+
+TreeBox boxOf(const Box& box) { return {{box.xmin, box.ymin}, {box.xmax, box.ymax}}; }
+
+std::vector<Leaf> leavesOf(const Rings& rings) {
+  std::vector<Leaf> leaves(rings.size());
+  for (std::uint32_t e = 0; e < rings.size(); ++e) {
+    const Point p = rings.points[e], q = rings.points[rings.next(e)];
+    leaves[e] = {boxOf({std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x), std::max(p.y, q.y)}), e};
+  }
+  return leaves;
+}
+
+}  // namespace
+
+struct OutlineIndex::Tree {
+  explicit Tree(const Rings& rings) : edges(leavesOf(rings)) {
+    for (const Point p : rings.points) xmax = std::max(xmax, p.x);
+  }
+  index::rtree<Leaf, index::quadratic<16>> edges;
+  double xmax = -std::numeric_limits<double>::infinity();
+};
+
+OutlineIndex::OutlineIndex(const Rings& rings) : rings_(rings), tree_(std::make_unique<Tree>(rings)) {}
+OutlineIndex::~OutlineIndex() = default;
+
+void OutlineIndex::edgesIn(const Box& box, std::vector<std::uint32_t>& edges) const {
+  edges.clear();
+  for (auto leaf = tree_->edges.qbegin(index::intersects(boxOf(box))); leaf != tree_->edges.qend(); ++leaf) {
+    edges.push_back(leaf->second);
+  }
+  std::ranges::sort(edges);
+}
+
+bool OutlineIndex::contains(Point p) const {
+  if (!(p.x <= tree_->xmax)) return false;
+  bool inside = false;
+  const TreeBox ray = boxOf({p.x, p.y, tree_->xmax, p.y});
+  for (auto leaf = tree_->edges.qbegin(index::intersects(ray)); leaf != tree_->edges.qend(); ++leaf) {
+    const auto e = leaf->second;
+    inside = inside != crossesRay(rings_.points[e], rings_.points[rings_.next(e)], p);
+  }
+  return inside;
+}
+
+}  // namespace vorpipe

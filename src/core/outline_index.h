@@ -1,0 +1,33 @@
+/// The edges of rings, found by where they are.
+#pragma once
+
+#include <memory>
+
+#include "core/outline.h"
+
+namespace vorpipe {
+
+/// Can be asked by several threads at a time.
+class OutlineIndex {
+ public:
+  /// Keeps a reference to `rings`.
+  explicit OutlineIndex(const Rings& rings);
+  OutlineIndex(const OutlineIndex&) = delete;
+  OutlineIndex& operator=(const OutlineIndex&) = delete;
+  ~OutlineIndex();
+
+  [[nodiscard]] const Rings& rings() const { return rings_; }
+
+  /// Replaces `edges` by those whose boxes meet this one, in ascending order.
+  void edgesIn(const Box& box, std::vector<std::uint32_t>& edges) const;
+
+  /// Whether a point lies inside; exact, one on an edge as sideOf says.
+  [[nodiscard]] bool contains(Point p) const;
+
+ private:
+  struct Tree;
+  const Rings& rings_;
+  std::unique_ptr<Tree> tree_;
+};
+
+}  // namespace vorpipe

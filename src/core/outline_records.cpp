@@ -1,0 +1,229 @@
+#include "core/outline_records.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "core/measure.h"
+#include "parallel.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr std::size_t grain = 4096;
+
+bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
+
+/// The measures of rings about the same origin; those of holes, which run clockwise, are taken away.
+class RingMeasures {
+ public:
+  void add(std::span<const Point> ring, bool hole) {
+    points_.assign(ring.begin(), ring.end());
+    if (hole) std::ranges::reverse(points_);
+    const Measures m = measurePolygon(points_);
+    const double sign = hole ? -1 : 1;
+    sum_.area += sign * m.area;
+    sum_.perimeter += m.perimeter;
+    first_ = {first_.x + sign * m.area * m.centroid.x, first_.y + sign * m.area * m.centroid.y};
+    const std::array<double, 3> moved{m.centroid.x * m.centroid.x, m.centroid.x * m.centroid.y,
+                                      m.centroid.y * m.centroid.y};
+    for (std::size_t k = 0; k < 3; ++k) {
+      sum_.second_moments[k] += sign * (m.second_moments[k] + m.area * moved[k]);
+    }
+    if (ring_count_++ == 0) sum_.centroid = m.centroid;
+  }
+
+  [[nodiscard]] Measures total() const {
+    Measures m = sum_;
+    if (m.area > 0) m.centroid = {first_.x / m.area, first_.y / m.area};
+    const std::array<double, 3> moved{m.centroid.x * m.centroid.x, m.centroid.x * m.centroid.y,
+                                      m.centroid.y * m.centroid.y};
+    for (std::size_t k = 0; k < 3; ++k) m.second_moments[k] -= m.area * moved[k];
+    return m;
+  }
+
+ private:
+  std::vector<Point> points_;
+  Measures sum_;
+  Point first_{0, 0};
+  int ring_count_ = 0;
+};
+
+/// What replaces the arrays of a diagram that have something for each edge.
+struct EdgeArrays {
+  std::vector<std::uint64_t> cell_offsets, ring_starts;
+  std::vector<Point> vertices;
+  std::vector<std::int64_t> neighbors;
+  std::vector<double> edge_lengths;
+};
+
+/// Writes the records of clipped cells: those by edge into new arrays, those by site over the old ones.
+class ClippedWriting {
+ public:
+  ClippedWriting(const ScaledDiagram& cells, const ClippedCells& clipped, EdgeArrays& to, Diagram& diagram)
+      : cells_(cells), clipped_(clipped), to_(to), diagram_(diagram) {}
+
+  /// Writes the records of site i, whose first ring is that number of all.
+  void cell(std::size_t i, std::size_t first_ring) {
+    switch (clipped_.fate[i]) {
+      case Fate::inside:
+        keep(i, first_ring);
+        break;
+      case Fate::cut:
+        replace(i, *clipped_.parts[i], first_ring);
+        break;
+      case Fate::outside:
+        diagram_.status[i] = Status::empty;
+        diagram_.area[i] = diagram_.perimeter[i] = 0;
+        diagram_.second_moments[i] = {};
+        diagram_.centroid[i] = cells_.givenSite(i);
+        break;
+      case Fate::none:
+        break;
+    }
+  }
+
+ private:
+  void keep(std::size_t i, std::size_t first_ring) {
+    const std::size_t old = cells_.begin(i), out = to_.cell_offsets[i], count = cells_.end(i) - old;
+    for (std::size_t k = 0; k < count; ++k) {
+      to_.vertices[out + k] = diagram_.vertices[old + k];
+      to_.edge_lengths[out + k] = diagram_.edge_lengths[old + k];
+      const std::int64_t neighbor = diagram_.neighbors[old + k];
+      const bool both_inside =
+          neighbor < 0 || clipped_.fate[static_cast<std::size_t>(neighbor)] == Fate::inside;
+      to_.neighbors[out + k] = both_inside ? neighbor
+                                           : label(i, neighbor, cells_.vertex(old + k),
+                                                   cells_.vertex(k + 1 < count ? old + k + 1 : old));
+    }
+    if (count > 0) to_.ring_starts[first_ring] = out;
+  }
+
+  void replace(std::size_t i, const ClippedCell& cell, std::size_t first_ring) {
+    RingMeasures measures;
+    const Point origin = cell.vertices.front();
+    const std::size_t out = to_.cell_offsets[i];
+    for (std::size_t r = 0; r < cell.first.size(); ++r) {
+      const auto ring = cell.ring(r);
+      relative_.clear();
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        const Point a = ring[k], b = ring[k + 1 < ring.size() ? k + 1 : 0];
+        const std::size_t e = cell.first[r] + k;
+        relative_.push_back({a.x - origin.x, a.y - origin.y});
+        to_.vertices[out + e] = cells_.unscaled(a);
+        to_.edge_lengths[out + e] = cells_.unscaled(lengthOf({b.x - a.x, b.y - a.y}));
+        to_.neighbors[out + e] = label(i, cell.neighbors[e], a, b);
+      }
+      to_.ring_starts[first_ring + r] = out + cell.first[r];
+      measures.add(relative_, cell.hole[r]);
+    }
+    const Measures m = measures.total();
+    diagram_.area[i] = cells_.unscaled(m.area, 2);
+    diagram_.perimeter[i] = cells_.unscaled(m.perimeter);
+    diagram_.centroid[i] = cells_.unscaled(Point{origin.x + m.centroid.x, origin.y + m.centroid.y});
+    for (std::size_t k = 0; k < 3; ++k)
+      diagram_.second_moments[i][k] = cells_.unscaled(m.second_moments[k], 4);
+  }
+
+  /// The neighbor of cell i across the edge from a to b, which was `neighbor` when it was clipped.
+  [[nodiscard]] std::int64_t label(std::size_t i, std::int64_t neighbor, Point a, Point b) const {
+    if (neighbor >= 0 && !isCommon(i, static_cast<std::size_t>(neighbor), a, b)) neighbor = wall_outline;
+    if (neighbor != wall_outline) return neighbor;
+    const Box& box = cells_.domain();
+    if (a.x == b.x && (a.x == box.xmin || a.x == box.xmax)) return a.x == box.xmin ? wall_xmin : wall_xmax;
+    if (a.y == b.y && (a.y == box.ymin || a.y == box.ymax)) return a.y == box.ymin ? wall_ymin : wall_ymax;
+    return wall_outline;
+  }
+
+  /// Whether the edge of cell i from a to b is one of cell j, from b to a, and no tie.
+  [[nodiscard]] bool isCommon(std::size_t i, std::size_t j, Point a, Point b) const {
+    const Point p = cells_.site(i), q = cells_.site(j);
+    if (lengthOf({b.x - a.x, b.y - a.y}) <= shortest_edge * lengthOf({q.x - p.x, q.y - p.y})) return false;
+    const auto site = static_cast<std::int64_t>(i);
+    if (clipped_.fate[j] == Fate::inside) {
+      for (std::size_t e = cells_.begin(j); e < cells_.end(j); ++e) {
+        const Point from = cells_.vertex(e),
+                    to = cells_.vertex(e + 1 < cells_.end(j) ? e + 1 : cells_.begin(j));
+        if (cells_.neighbor(e) == site && from == b && to == a) return true;
+      }
+      return false;
+    }
+    if (clipped_.fate[j] != Fate::cut) return false;
+    const ClippedCell& other = *clipped_.parts[j];
+    for (std::size_t r = 0; r < other.first.size(); ++r) {
+      const auto ring = other.ring(r);
+      for (std::size_t k = 0; k < ring.size(); ++k) {
+        if (other.neighbors[other.first[r] + k] == site && ring[k] == b &&
+            ring[k + 1 < ring.size() ? k + 1 : 0] == a) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  const ScaledDiagram& cells_;
+  const ClippedCells& clipped_;
+  EdgeArrays& to_;
+  Diagram& diagram_;
+  std::vector<Point> relative_;
+};
+
+struct Counts {
+  std::uint64_t edges, rings;
+};
+
+Counts countsOf(const ScaledDiagram& cells, const ClippedCells& clipped, std::size_t i) {
+  if (clipped.fate[i] == Fate::inside) {
+    const std::uint64_t edges = cells.end(i) - cells.begin(i);
+    return {edges, edges > 0 ? 1U : 0U};
+  }
+  if (clipped.fate[i] == Fate::cut)
+    return {clipped.parts[i]->vertices.size(), clipped.parts[i]->first.size()};
+  return {0, 0};
+}
+
+}  // namespace
+
+ScaledDiagram::ScaledDiagram(const ClippedRun& run, const Diagram& diagram)
+    : run_(run),
+      diagram_(diagram),
+      scale_(-run.exponent),
+      unscale_(run.exponent),
+      domain_{scale_(run.domain.xmin), scale_(run.domain.ymin), scale_(run.domain.xmax),
+              scale_(run.domain.ymax)} {}
+
+void ScaledDiagram::appendVertices(std::size_t site, std::vector<Point>& to) const {
+  for (std::size_t v = begin(site); v < end(site); ++v) to.push_back(vertex(v));
+}
+
+void writeClipped(const ScaledDiagram& cells, const ClippedCells& clipped, Diagram& diagram) {
+  const std::size_t count = cells.size();
+  EdgeArrays arrays;
+  arrays.cell_offsets.assign(count + 1, 0);
+  std::vector<std::uint64_t> first_ring(count + 1, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Counts counts = countsOf(cells, clipped, i);
+    arrays.cell_offsets[i + 1] = arrays.cell_offsets[i] + counts.edges;
+    first_ring[i + 1] = first_ring[i] + counts.rings;
+  }
+  arrays.ring_starts.resize(first_ring.back());
+  arrays.vertices.resize(arrays.cell_offsets.back());
+  arrays.neighbors.resize(arrays.cell_offsets.back());
+  arrays.edge_lengths.resize(arrays.cell_offsets.back());
+  parallelFor(count, grain, cells.threads(), [&](std::size_t begin, std::size_t end) {
+    ClippedWriting writing(cells, clipped, arrays, diagram);
+    for (std::size_t i = begin; i < end; ++i) writing.cell(i, first_ring[i]);
+  });
+  const auto outside = static_cast<std::uint64_t>(std::ranges::count(clipped.fate, Fate::outside));
+  diagram.report.ok -= outside;
+  diagram.report.empty += outside;
+  diagram.cell_offsets = std::move(arrays.cell_offsets);
+  diagram.ring_starts = std::move(arrays.ring_starts);
+  diagram.vertices = std::move(arrays.vertices);
+  diagram.neighbors = std::move(arrays.neighbors);
+  diagram.edge_lengths = std::move(arrays.edge_lengths);
+}
+
+}  // namespace vorpipe

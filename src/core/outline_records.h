@@ -1,0 +1,61 @@
+/// The records of cells before and after they are clipped to an outline.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "core/outline_cells.h"
+#include "core/outline_clip.h"
+#include "core/records.h"
+
+namespace vorpipe {
+
+/// A diagram's cells, in units in which the domain is about 1.
+class ScaledDiagram {
+ public:
+  ScaledDiagram(const ClippedRun& run, const Diagram& diagram);
+
+  [[nodiscard]] std::size_t size() const { return diagram_.status.size(); }
+  [[nodiscard]] int threads() const { return run_.threads; }
+  [[nodiscard]] const Box& domain() const { return domain_; }
+  [[nodiscard]] bool hasCell(std::size_t site) const { return diagram_.status[site] == Status::ok; }
+  [[nodiscard]] Point site(std::size_t site) const {
+    return scaled({run_.sites.x[site], run_.sites.y[site]});
+  }
+  /// As the caller gave it.
+  [[nodiscard]] Point givenSite(std::size_t site) const { return {run_.sites.x[site], run_.sites.y[site]}; }
+  [[nodiscard]] Point centroid(std::size_t site) const { return scaled(diagram_.centroid[site]); }
+  [[nodiscard]] std::size_t begin(std::size_t site) const { return diagram_.cell_offsets[site]; }
+  [[nodiscard]] std::size_t end(std::size_t site) const { return diagram_.cell_offsets[site + 1]; }
+  [[nodiscard]] Point vertex(std::size_t edge) const { return scaled(diagram_.vertices[edge]); }
+  [[nodiscard]] std::int64_t neighbor(std::size_t edge) const { return diagram_.neighbors[edge]; }
+  [[nodiscard]] std::span<const std::int64_t> neighborsOf(std::size_t site) const {
+    return std::span(diagram_.neighbors).subspan(begin(site), end(site) - begin(site));
+  }
+  void appendVertices(std::size_t site, std::vector<Point>& to) const;
+
+  [[nodiscard]] double scaled(double value, int power = 1) const { return scale_(value, power); }
+  [[nodiscard]] Point scaled(Point p) const { return scale_(p); }
+  [[nodiscard]] double unscaled(double value, int power = 1) const { return unscale_(value, power); }
+  [[nodiscard]] Point unscaled(Point p) const { return unscale_(p); }
+
+ private:
+  const ClippedRun& run_;
+  const Diagram& diagram_;
+  Unscale scale_, unscale_;
+  Box domain_;
+};
+
+/// What became of a cell; one that is not cut and inside stays as it is.
+enum class Fate : std::uint8_t { none, inside, outside, cut };
+
+struct ClippedCells {
+  explicit ClippedCells(std::size_t sites) : fate(sites, Fate::none), parts(sites) {}
+  std::vector<Fate> fate;                           ///< by site
+  std::vector<std::unique_ptr<ClippedCell>> parts;  ///< of cells that are cut
+};
+
+/// Replaces the records in `diagram`, of which `cells` is, as clipToOutline says.
+void writeClipped(const ScaledDiagram& cells, const ClippedCells& clipped, Diagram& diagram);
+
+}  // namespace vorpipe

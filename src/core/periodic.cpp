@@ -1,0 +1,215 @@
+#include "core/periodic.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/order.h"
+#include "core/prepare.h"
+#include "core/wide.h"
+#include "parallel.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr std::size_t grain = 1 << 16;
+/// Beyond so many periods a double hardly tells where in the domain a site would be.
+constexpr double most_periods = 0x1p50;
+
+/// What places are multiples of: sums of three lengths and every place in the domain have 53 bits.
+double quantumOf(double low, double high) {
+  const double largest = std::max(0.75 * (high - low), 0.5 * std::max(std::abs(low), std::abs(high)));
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  return std::ldexp(1.0, exponent - 52);
+}
+
+double rounded(double value, double quantum) { return std::nearbyint(value / quantum) * quantum; }
+
+int scaleExponent(const Box& domain) {
+  int exponent = 0;
+  std::frexp(std::max(domain.xmax - domain.xmin, domain.ymax - domain.ymin), &exponent);
+  return 1 - exponent;
+}
+
+bool isUsable(const Sites& sites, const Box& domain) {
+  const auto number = [](double value) { return std::isfinite(value); };
+  return domain.xmin < domain.xmax && domain.ymin < domain.ymax && number(domain.xmax - domain.xmin) &&
+         number(domain.ymax - domain.ymin) && sites.size() > 0 && sites.y.size() == sites.size() &&
+         (sites.weight.empty() || sites.weight.size() == sites.size()) &&
+         std::ranges::all_of(sites.x, number) && std::ranges::all_of(sites.y, number) &&
+         std::ranges::all_of(sites.weight, number);
+}
+
+bool repeatsX(Periodic periodic) { return periodic == Periodic::x || periodic == Periodic::xy; }
+bool repeatsY(Periodic periodic) { return periodic == Periodic::y || periodic == Periodic::xy; }
+
+/// Puts the coordinates of one axis into the domain; returns the first site that is too far away, or none.
+class Placing {
+ public:
+  Placing(const Sites& sites, int exponent, PeriodicSites& out)
+      : sites_(sites), scale_(exponent), out_(out) {}
+
+  void put(std::size_t begin, std::size_t end, std::uint8_t& outside, std::size_t& too_far) {
+    for (auto i = begin; i < end; ++i) {
+      const bool x = put(i, 0, sites_.x[i], out_.sites.x[i], outside);
+      const bool y = put(i, 1, sites_.y[i], out_.sites.y[i], outside);
+      if (!x || !y) too_far = std::min(too_far, i);
+    }
+  }
+
+ private:
+  bool put(std::size_t i, std::size_t a, double from, double& to, std::uint8_t& outside) const {
+    const PeriodicAxis& axis = out_.axis[a];
+    const double scaled = scale_(from);
+    const bool inside = axis.contains(scaled);
+    if (!axis.periodic) {
+      to = scaled;
+      if (!inside) outside = 1;
+      return true;
+    }
+    const auto placed = axis.put(scaled);
+    to = placed.place;
+    out_.home[i][a] = inside ? static_cast<std::int8_t>(placed.periods) : std::int8_t{0};
+    return std::abs(placed.periods) <= most_periods;
+  }
+
+  const Sites& sites_;
+  PowerOfTwo scale_;
+  PeriodicSites& out_;
+};
+
+/// Whether a place, moved by a shift, lies in the box along an axis.
+bool isCovered(double place, double low, double high) { return place >= low && place <= high; }
+
+void append(ImagedSites& out, const PeriodicSites& placed, std::uint32_t site, int sx, int sy) {
+  const Sites& sites = placed.sites;
+  out.sites.x.push_back(sites.x[site] + sx * placed.axis[0].length);
+  out.sites.y.push_back(sites.y[site] + sy * placed.axis[1].length);
+  if (!sites.weight.empty()) out.sites.weight.push_back(sites.weight[site]);
+  out.images.push_back({site, {static_cast<std::int8_t>(sx), static_cast<std::int8_t>(sy)}});
+}
+
+}  // namespace
+
+PeriodicAxis::PeriodicAxis(double low_end, double high_end, bool repeats)
+    : periodic(repeats),
+      low(low_end),
+      high(high_end),
+      length(high_end - low_end),
+      low_(low_end),
+      high_(high_end) {
+  if (!periodic) return;
+  quantum_ = quantumOf(low_, high_);
+  // Places count from the middle of the domain, where doubles are finest.
+  offset_ = rounded(low_ + 0.5 * length, quantum_);
+  low = rounded(low_, quantum_) - offset_;
+  length = rounded(length, quantum_);
+  high = low + length;
+}
+
+PeriodicAxis::Placed PeriodicAxis::put(double scaled) const {
+  if (!periodic) return {scaled, 0};
+  const Wide from_middle = Wide::sum(rounded(scaled, quantum_), -offset_);
+  double periods = std::floor((from_middle.high - low) / length);
+  if (!(std::abs(periods) <= most_periods)) return {low, 2 * most_periods};
+  const Wide whole = Wide::product(periods, length);
+  // All of these are multiples of the quantum, and none of the sums needs more than 53 bits of it.
+  const Wide near = Wide::sum(from_middle.high, -whole.high);
+  double place = near.high + (near.low + (from_middle.low - whole.low));
+  if (place < low) {
+    place += length;
+    periods -= 1;
+  } else if (place >= high) {
+    place -= length;
+    periods += 1;
+  }
+  return {place, periods};
+}
+
+Result<PeriodicSites> placeSites(const Sites& sites, const Box& domain, Periodic periodic, int threads) {
+  if (!isUsable(sites, domain)) {
+    const auto refused = prepare(sites, domain, threads);
+    if (!refused) return tl::unexpected(refused.error());
+  }
+  const int exponent = scaleExponent(domain);
+  const PowerOfTwo scale(exponent);
+  PeriodicSites placed{{PeriodicAxis(scale(domain.xmin), scale(domain.xmax), repeatsX(periodic)),
+                        PeriodicAxis(scale(domain.ymin), scale(domain.ymax), repeatsY(periodic))},
+                       exponent,
+                       {},
+                       {}};
+  placed.sites.x.resize(sites.size());
+  placed.sites.y.resize(sites.size());
+  placed.home.resize(sites.size(), {0, 0});
+  const auto parts = (sites.size() + grain - 1) / grain;
+  std::vector<std::uint8_t> outside(parts);
+  std::vector<std::size_t> too_far(parts, sites.size());
+  Placing placing(sites, exponent, placed);
+  parallelFor(sites.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    placing.put(begin, end, outside[begin / grain], too_far[begin / grain]);
+  });
+  if (const auto i = *std::ranges::min_element(too_far); i < sites.size()) {
+    return tl::unexpected(Error{
+        ErrorCode::input, fmt::format("site {} is too far from the domain to be wrapped into it: {}, {}", i,
+                                      sites.x[i], sites.y[i])});
+  }
+  placed.all_inside = std::ranges::find(outside, 1) == outside.end();
+  placed.sites.weight = sites.weight;
+  for (double& weight : placed.sites.weight) weight = scale(scale(weight));
+  return placed;
+}
+
+ImagedSites withImages(const PeriodicSites& placed, const Band& band) {
+  ImagedSites out;
+  out.sites = placed.sites;
+  out.count = placed.sites.size();
+  const PeriodicAxis &x = placed.axis[0], &y = placed.axis[1];
+  const auto& width = band.width;
+  const auto widened = [&](double by_x, double by_y) {
+    return Box{x.low - by_x, y.low - by_y, x.high + by_x, y.high + by_y};
+  };
+  out.covered = out.box = widened(width[0], width[1]);
+  if (!band.heavy.empty()) out.box = widened(x.periodic ? x.length : 0, y.periodic ? y.length : 0);
+  const auto inBand = [&](double place, std::size_t a) {
+    const PeriodicAxis& axis = placed.axis[a];
+    return axis.periodic && (place <= axis.low + width[a] || place >= axis.high - width[a]);
+  };
+  std::vector<std::uint32_t> near;
+  for (std::uint32_t i = 0; i < out.count; ++i) {
+    if (inBand(placed.sites.x[i], 0) || inBand(placed.sites.y[i], 1)) near.push_back(i);
+  }
+  std::vector<std::uint32_t> wanted;
+  std::ranges::set_union(near, band.heavy, std::back_inserter(wanted));
+  const int most_x = x.periodic ? 1 : 0, most_y = y.periodic ? 1 : 0;
+  // Shift by shift, so that images of one position stand in the order of their sites.
+  for (int sy = -most_y; sy <= most_y; ++sy) {
+    for (int sx = -most_x; sx <= most_x; ++sx) {
+      if (sx == 0 && sy == 0) continue;
+      for (const auto i : wanted) {
+        const double px = placed.sites.x[i] + sx * x.length, py = placed.sites.y[i] + sy * y.length;
+        const bool covered = (!x.periodic || isCovered(px, out.covered.xmin, out.covered.xmax)) &&
+                             (!y.periodic || isCovered(py, out.covered.ymin, out.covered.ymax));
+        if (covered || std::ranges::binary_search(band.heavy, i)) append(out, placed, i, sx, sy);
+      }
+    }
+  }
+  return out;
+}
+
+Result<Sites> wrapped(const Sites& sites, const Box& domain, Periodic periodic) {
+  if (periodic == Periodic::none) return sites;
+  const auto placed = placeSites(sites, domain, periodic, 0);
+  if (!placed) return tl::unexpected(placed.error());
+  const PowerOfTwo unscale(-placed->exponent);
+  Sites out{{}, {}, sites.weight};
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const auto [x, y] = placed->home[i];
+    out.x.push_back(unscale(placed->axis[0].number(placed->sites.x[i], x)));
+    out.y.push_back(unscale(placed->axis[1].number(placed->sites.y[i], y)));
+  }
+  return out;
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,84 @@
+/// A domain that repeats itself along one axis or both: where its sites stand, and their images.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+/// One axis of a domain, in scaled units. Where it is periodic, places are whole multiples of a quantum,
+/// and so is the period, so that images are exact copies: what is computed of two copies is the same.
+class PeriodicAxis {
+ public:
+  /// Places of an axis between two scaled numbers; without a period they are the numbers themselves.
+  PeriodicAxis(double low_end, double high_end, bool repeats);
+
+  struct Placed {
+    double place;    ///< in [low, high) where the axis is periodic
+    double periods;  ///< from there to the site; huge where the site is too far away to tell
+  };
+  [[nodiscard]] Placed put(double scaled) const;
+  /// Whether a scaled number lies in the domain, its ends among it.
+  [[nodiscard]] bool contains(double scaled) const { return scaled >= low_ && scaled <= high_; }
+  /// The scaled number that a place, some whole number of periods further, stands for.
+  [[nodiscard]] double number(double place, double periods) const {
+    return place + (offset_ + periods * length);
+  }
+
+  bool periodic;
+  double low, high;  ///< as places
+  double length;     ///< the period
+
+ private:
+  double low_, high_, offset_ = 0, quantum_ = 0;
+};
+
+/// An image of a site: so many widths and heights of the domain from the site's place in it.
+struct SiteImage {
+  std::uint32_t site;
+  std::array<std::int8_t, 2> shift;
+};
+
+/// The sites of a periodic domain. Axis 0 is x, axis 1 is y; coordinates are places.
+struct PeriodicSites {
+  std::array<PeriodicAxis, 2> axis;
+  int exponent;  ///< scaled units are the input's times 2^exponent
+  Sites sites;   ///< each in the domain along the axes that are periodic; weights scaled
+  /// By site: how many periods from its place its cell is to be, 0 or 1: a site at the domain's upper end
+  /// keeps its own place.
+  std::vector<std::array<std::int8_t, 2>> home;
+  bool all_inside = true;  ///< no site lies outside of the domain along an axis that is not periodic
+
+  [[nodiscard]] Box domain() const { return {axis[0].low, axis[1].low, axis[0].high, axis[1].high}; }
+};
+
+/// Puts the sites into the domain. Errors (input): as prepare's; a site more than 2^50 periods away.
+Result<PeriodicSites> placeSites(const Sites& sites, const Box& domain, Periodic periodic, int threads);
+
+/// How far beyond the domain images are needed, along each axis; a whole period is always enough.
+struct Band {
+  std::array<double, 2> width{0, 0};
+  /// The heaviest sites, ascending, all of whose images within a period are needed; else every cell near
+  /// the domain's border would ask for a band as wide as they reach.
+  std::vector<std::uint32_t> heavy;
+  double heaviest = 0;  ///< largest weight of the others
+};
+
+/// Sites together with their images in the domain and a band around it, and all of those of heavy sites.
+struct ImagedSites {
+  Sites sites;  ///< first the sites themselves, then their images
+  std::size_t count = 0;
+  std::vector<SiteImage> images;
+  Box covered{};  ///< holds images of all sites
+  Box box{};      ///< what cells are clipped to: the same, or all periods where heavy sites have images
+
+  /// The site that entry i of `sites` is or is an image of.
+  [[nodiscard]] std::uint32_t siteOf(std::uint32_t i) const { return i < count ? i : images[i - count].site; }
+};
+
+ImagedSites withImages(const PeriodicSites& placed, const Band& band);
+
+}  // namespace vorpipe

@@ -1,0 +1,123 @@
+#include "core/periodic_cells.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/assemble.h"
+#include "core/diagram.h"
+#include "core/periodic_band.h"
+#include "core/periodic_proof.h"
+#include "core/periodic_records.h"
+#include "core/periodic_seam.h"
+#include "core/stopwatch.h"
+
+namespace vorpipe {
+namespace {
+
+/// Of the domain's area, that the areas may miss or exceed it by: what double leaves, and what cells that
+/// agree do not come near.
+constexpr double area_rounding = 1e-12, area_wrong = 1e-6;
+
+/// Adds up the times of all runs; a stage that none had stays negative.
+void addTimes(const Times& run, Times& sum) {
+  const auto add = [](double from, double& to) {
+    if (from >= 0) to = std::max(to, 0.0) + from;
+  };
+  add(run.order, sum.order);
+  add(run.upload, sum.upload);
+  add(run.search, sum.search);
+  add(run.cells, sum.cells);
+}
+
+bool isWhole(const Band& band, const PeriodicSites& placed) {
+  return isWhole(band, placed, 0) && isWhole(band, placed, 1);
+}
+
+Band wholeBand(const PeriodicSites& placed, Band band) {
+  for (const std::size_t a : {0u, 1u}) band.width[a] = placed.axis[a].periodic ? placed.axis[a].length : 0;
+  return band;
+}
+
+/// Runs over sites and images, with wider and wider bands.
+class Runs {
+ public:
+  Runs(Backend& backend, Backend& judge, int threads, const PeriodicSites& placed, CellsOptions options)
+      : backend_(backend), judge_(judge), threads_(threads), placed_(placed), options_(std::move(options)) {
+    options_.periodic = Periodic::none;
+    options_.density = {};
+    options_.detail = Detail::polygons;  // The proof is about vertices.
+  }
+
+  Result<void> cells(const Band& band) {
+    const Stopwatch order_watch;
+    imaged = withImages(placed_, band);
+    times.order = std::max(times.order, 0.0) + 1e3 * order_watch.seconds();
+    options_.domain = imaged.box;
+    auto run = cellsOn(backend_, judge_, threads_, imaged.sites, options_);
+    if (!run) return tl::unexpected(run.error());
+    diagram = std::move(*run);
+    addTimes(diagram.report.time_ms, times);
+    return {};
+  }
+
+  /// After `cells`: the next band to try, or `band` itself if the cells are right.
+  Result<Band> settle(const Band& band) {
+    const Stopwatch watch;
+    const Band proved = bandThatProves(placed_, imaged, diagram, band, threads_);
+    const bool whole = isWhole(band, placed_);
+    if (proved.width != band.width) return proved;
+    if (!whole && !isClosed(imaged, diagram)) return wholeBand(placed_, band);
+    keepSites(imaged, diagram);
+    const bool settled = settleSeam(placed_, imaged, diagram);
+    const double gap = areaGap(diagram, placed_.domain(), threads_);
+    times.cells = std::max(times.cells, 0.0) + 1e3 * watch.seconds();
+    if (!whole && !(settled && std::abs(gap) <= area_rounding)) return wholeBand(placed_, band);
+    if (settled && std::abs(gap) <= area_wrong) return band;
+    return tl::unexpected(
+        Error{ErrorCode::input,
+              fmt::format("the cells of the periodic domain do not agree across its border, and add up to {} "
+                          "of it, beyond what rounding explains",
+                          1 + gap)});
+  }
+
+  ImagedSites imaged;
+  Diagram diagram;
+  Times times;
+
+ private:
+  Backend& backend_;
+  Backend& judge_;
+  int threads_;
+  const PeriodicSites& placed_;
+  CellsOptions options_;
+};
+
+}  // namespace
+
+Result<Diagram> periodicCellsOn(Backend& backend, Backend& judge_backend, int threads, const Sites& sites,
+                                const CellsOptions& options) {
+  if (!options.outline.empty()) {
+    return tl::unexpected(Error{ErrorCode::input, "a domain with an outline cannot be periodic"});
+  }
+  const Stopwatch order_watch;
+  auto placed = placeSites(sites, options.domain, options.periodic, threads);
+  if (!placed) return tl::unexpected(placed.error());
+  Band band = likelyBandForCells(*placed, threads);
+  Runs runs(backend, judge_backend, threads, *placed, options);
+  runs.times.order = 1e3 * order_watch.seconds();
+  for (;;) {
+    if (auto run = runs.cells(band); !run) return tl::unexpected(run.error());
+    auto next = runs.settle(band);
+    if (!next) return tl::unexpected(next.error());
+    if (next->width == band.width) break;
+    band = std::move(*next);
+  }
+  const Stopwatch records_watch;
+  finishRecords(*placed, runs.imaged, options.detail, threads, runs.diagram);
+  runs.times.cells += 1e3 * records_watch.seconds();
+  runs.diagram.report.time_ms = runs.times;
+  return std::move(runs.diagram);
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,12 @@
+/// Cells of a periodic domain: those of an ordinary diagram of the sites and some images.
+#pragma once
+
+#include "backend/backend.h"
+
+namespace vorpipe {
+
+/// What Session::cells does where options.periodic names an axis. Errors: those of cellsOn and placeSites.
+Result<Diagram> periodicCellsOn(Backend& backend, Backend& judge_backend, int threads, const Sites& sites,
+                                const CellsOptions& options);
+
+}  // namespace vorpipe

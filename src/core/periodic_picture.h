@@ -1,0 +1,31 @@
+/// What a picture of a domain is drawn from, whether it is periodic or not.
+#pragma once
+
+#include <span>
+
+#include "core/periodic.h"
+#include "core/prepare.h"
+
+namespace vorpipe {
+
+/// The sites to draw: the caller's, or these with images.
+struct Scene {
+  Sites sites;        ///< empty where the domain is not periodic: then they are the caller's
+  std::size_t count;  ///< sites of the caller, which come first
+  std::vector<SiteImage> images;
+  Box clip;     ///< what cells are clipped to
+  Box picture;  ///< what is drawn
+
+  [[nodiscard]] const Sites& sitesOr(const Sites& callers) const {
+    return sites.size() == 0 ? callers : sites;
+  }
+  [[nodiscard]] std::uint32_t siteOf(std::uint32_t i) const { return i < count ? i : images[i - count].site; }
+};
+
+/// Errors: as placeSites'.
+Result<Scene> sceneOf(const Sites& sites, const RenderOptions& options, int threads);
+
+/// Names images by their sites.
+void nameSites(const Scene& scene, std::span<std::uint32_t> ids);
+
+}  // namespace vorpipe

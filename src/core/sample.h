@@ -1,0 +1,28 @@
+/// Cells tried first, that tell what a device makes of the others.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vorpipe {
+
+struct Sample {
+  std::vector<std::uint32_t> cells, rest;  ///< together `which`, both ascending
+
+  /// All of `which`, if it is too short to be worth a sample; else some hundred, evenly spread.
+  explicit Sample(std::span<const std::uint32_t> which) {
+    constexpr std::size_t size = 128, least = 8 * size;
+    const auto step = which.size() < least ? 1 : which.size() / size;
+    cells.reserve(which.size() / step + 1);
+    rest.reserve(which.size() - which.size() / step);
+    for (std::size_t e = 0; e < which.size(); ++e) (e % step == 0 ? cells : rest).push_back(which[e]);
+  }
+
+  /// How many of the rest will fail if `failed` of the sample did: rather too few.
+  [[nodiscard]] std::size_t expected(std::size_t failed) const {
+    return failed * rest.size() / cells.size() / 2;
+  }
+};
+
+}  // namespace vorpipe

@@ -1,0 +1,73 @@
+#include "core/site_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/curve_order.h"
+
+namespace vorpipe {
+namespace {
+
+/// Two triangles for each site are numbered by 32 bits with a sign.
+constexpr std::size_t most_sites = std::size_t{1} << 29;
+
+/// Whether the differences of sites and walls are what exact decisions ask for: two doubles differ by at
+/// least one part in 2^53 of the smaller.
+bool isInRange(const SiteSet& sites) {
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  const auto look = [&](double coordinate) {
+    const double size = std::abs(coordinate);
+    if (size > 0) least = std::min(least, size);
+    most = std::max(most, size);
+  };
+  std::for_each(sites.x.begin(), sites.x.end(), look);
+  std::for_each(sites.y.begin(), sites.y.end(), look);
+  for (const auto wall : {sites.domain.xmin, sites.domain.xmax, sites.domain.ymin, sites.domain.ymax})
+    look(wall);
+  return most <= 0x1p240 ? least >= 0x1p-147 : sites.weight.empty() && most <= 0x1p300 && least >= 0x1p-83;
+}
+
+bool areInRange(const std::vector<double>& weights) {
+  return std::all_of(weights.begin(), weights.end(), [](double weight) {
+    const double size = std::abs(weight);
+    return size == 0 || (size >= 0x1p-440 && size <= 0x1p480);
+  });
+}
+
+/// The mesh with its points numbered by index in the set.
+Mesh triangulate(const SiteSet& sites, int threads) {
+  const auto order = orderAlongCurve(sites, threads);
+  std::vector<Point> points(order.size());
+  for (std::size_t k = 0; k < points.size(); ++k) points[k] = {sites.x[order[k]], sites.y[order[k]]};
+  std::vector<double> weights;
+  if (!sites.weight.empty()) {
+    weights.resize(order.size());
+    std::transform(order.begin(), order.end(), weights.begin(), [&](auto i) { return sites.weight[i]; });
+  }
+  auto mesh = delaunay(std::move(points), std::move(weights));
+  if (mesh.triangles.empty()) return mesh;
+  for (auto& triangle : mesh.triangles) {
+    for (auto& corner : triangle.corner) {
+      if (corner != beyond) corner = static_cast<std::int32_t>(order[static_cast<std::size_t>(corner)]);
+    }
+  }
+  std::vector<std::int32_t> at(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) at[order[k]] = mesh.at[k];
+  mesh.at = std::move(at);
+  return mesh;
+}
+
+}  // namespace
+
+bool SiteMesh::isPossible() const {
+  return sites_.size() <= most_sites && isInRange(sites_) && areInRange(sites_.weight);
+}
+
+const Mesh* SiteMesh::get() {
+  if (!mesh_) mesh_ = isPossible() ? triangulate(sites_, threads_) : Mesh{};
+  return mesh_->triangles.empty() ? nullptr : &*mesh_;
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,31 @@
+/// The triangulation of all sites: the neighbors of every cell at once, by exact decisions.
+#pragma once
+
+#include <optional>
+
+#include "backend/backend.h"
+#include "core/delaunay.h"
+
+namespace vorpipe {
+
+/// Triangulates the sites of a set when it is first asked to, on one thread. The set outlives it.
+class SiteMesh {
+ public:
+  SiteMesh(const SiteSet& sites, int threads) : sites_(sites), threads_(threads) {}
+
+  [[nodiscard]] const SiteSet& sites() const { return sites_; }
+  /// Whether there is a mesh unless all sites lie on one line: there is none of too many sites, and of
+  /// coordinates and weights too large or too near to 0 for exact decisions.
+  [[nodiscard]] bool isPossible() const;
+  [[nodiscard]] bool isMade() const { return mesh_.has_value(); }
+
+  /// The mesh, whose points are the sites by index in the set; or null.
+  const Mesh* get();
+
+ private:
+  const SiteSet& sites_;
+  int threads_;
+  std::optional<Mesh> mesh_;  ///< empty where there is none
+};
+
+}  // namespace vorpipe

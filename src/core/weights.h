@@ -1,0 +1,18 @@
+/// The weights of a SiteSet, from those of the caller.
+#pragma once
+
+#include "backend/backend.h"
+
+namespace vorpipe {
+
+/// Weights by input index in the units of a SiteSet, which are the input's times 4^exponent. The least is
+/// taken from all of them if that rounds none: a number added to all then changes nothing, and else they
+/// are not far from 0. Empty if all are equal, or if there are none.
+/// Errors (input): a weight that is not finite, or is more than 2^600 squared domains.
+Result<std::vector<double>> scaledWeights(const Sites& sites, int exponent, int threads);
+
+/// Gives weights, by input index, to a set whose sites stand in their bins: weight, heavy, grid.heaviest.
+/// None if those of the set's sites are equal.
+void giveWeights(const std::vector<double>& by_input, int threads, SiteSet& set);
+
+}  // namespace vorpipe

@@ -1,0 +1,128 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "io/error.h"
+#include "io/outline_reader.h"
+
+namespace vorpipe {
+namespace {
+
+using nlohmann::json;
+
+/// Collections in collections.
+constexpr int deepest = 32;
+
+/// What is wrong, and the path to it.
+using Problem = std::optional<std::string>;
+
+class GeoJson {
+ public:
+  explicit GeoJson(Outline& outline) : outline_(outline) {}
+
+  Problem object(const json& value, const std::string& path, int depth = 0) {
+    if (!value.is_object()) return wrong(path, fmt::format("a {}, not an object", value.type_name()));
+    const auto type = value.find("type");
+    if (type == value.end() || !type->is_string()) return wrong(path, "has no \"type\" that is a string");
+    const auto& name = type->get_ref<const std::string&>();
+    if (depth > deepest) return wrong(path, fmt::format("stands in more than {} collections", deepest));
+    if (name == "Polygon")
+      return member(value, path, "coordinates", [&](auto&&... at) { return polygon(at...); });
+    if (name == "MultiPolygon") {
+      return each(value, path, "coordinates", [&](auto&&... at) { return polygon(at...); });
+    }
+    const auto inner = [&](const json& at, const std::string& its_path) {
+      return object(at, its_path, depth + 1);
+    };
+    if (name == "Feature") return member(value, path, "geometry", inner);
+    if (name == "FeatureCollection") return each(value, path, "features", inner);
+    if (name == "GeometryCollection") return each(value, path, "geometries", inner);
+    return wrong(path, fmt::format("is a {}; a Polygon or MultiPolygon is needed", vorpipe::quoted(name)));
+  }
+
+ private:
+  static std::string wrong(const std::string& path, const std::string& what) {
+    return fmt::format("{}: {}", path.empty() ? "the top object" : path, what);
+  }
+
+  template <class Take>
+  static Problem member(const json& value, const std::string& path, const char* name, const Take& take) {
+    const auto found = value.find(name);
+    if (found == value.end()) return wrong(path, fmt::format("has no \"{}\"", name));
+    return take(*found, path.empty() ? std::string(name) : fmt::format("{}.{}", path, name));
+  }
+
+  template <class Take>
+  static Problem elements(const json& list, const std::string& path, const Take& take) {
+    if (!list.is_array()) return wrong(path, fmt::format("a {}, not an array", list.type_name()));
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      if (auto problem = take(list[k], fmt::format("{}[{}]", path, k))) return problem;
+    }
+    return {};
+  }
+
+  template <class Take>
+  static Problem each(const json& value, const std::string& path, const char* name, const Take& take) {
+    return member(value, path, name, [&](const json& list, const std::string& its_path) {
+      return elements(list, its_path, take);
+    });
+  }
+
+  Problem polygon(const json& rings, const std::string& path) {
+    auto problem = elements(
+        rings, path, [&](const json& list, const std::string& its_path) { return ring(list, its_path); });
+    if (!problem) endPolygon(outline_);
+    return problem;
+  }
+
+  Problem ring(const json& positions, const std::string& path) {
+    if (!positions.is_array()) return wrong(path, fmt::format("a {}, not an array", positions.type_name()));
+    std::vector<Point> points;
+    for (std::size_t k = 0; k < positions.size(); ++k) {
+      const json& position = positions[k];
+      const bool numbers =
+          position.is_array() && position.size() >= 2 && position[0].is_number() && position[1].is_number();
+      if (!numbers)
+        return wrong(fmt::format("{}[{}]", path, k), "no position: two numbers or more are needed");
+      points.push_back({position[0].get<double>(), position[1].get<double>()});
+    }
+    const auto added = addRing(std::move(points), outline_);
+    return added ? Problem{} : wrong(path, added.error());
+  }
+
+  Outline& outline_;
+};
+
+/// Line and column of a byte, from 1.
+std::string placeOf(std::string_view text, std::size_t byte) {
+  const std::string_view before = text.substr(0, byte);
+  const auto line = 1 + std::ranges::count(before, '\n');
+  const std::size_t last_end = before.rfind('\n');
+  const std::size_t column = 1 + (last_end == std::string_view::npos ? byte : byte - last_end - 1);
+  return fmt::format("{}:{}", line, column);
+}
+
+}  // namespace
+
+Result<Outline> readGeoJsonOutline(const std::string& name, std::string_view text) {
+  json value;
+  try {
+    value = json::parse(text);
+  } catch (const json::parse_error& error) {
+    // Its bytes count from 1.
+    const std::size_t byte = std::min(text.size(), error.byte > 0 ? error.byte - 1 : 0);
+    return inputError(fmt::format("{}:{}: is no JSON from here on", name, placeOf(text, byte)));
+  } catch (const json::out_of_range& error) {
+    return inputError(fmt::format("{}: a number is too large for a double: {}", name, error.what()));
+  }
+  Outline outline;
+  if (const auto problem = GeoJson(outline).object(value, {})) {
+    return inputError(fmt::format("{}: {}", name, *problem));
+  }
+  return outline;
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,89 @@
+# What the tests of the command line have in common. Sourced with the program as $1; the working directory is a
+# new one then, with folders in and out.
+set -u
+export LC_ALL=C
+
+vorpipe=$(realpath "$1") || exit 1
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+cd "$work" || exit 1
+mkdir in out log
+
+cases=0
+failures=0
+fail() {
+  failures=$((failures + 1))
+  echo "FAILED: $name: $*" >&2
+  sed 's/^/    stderr: /' log/err >&2
+  sed 's/^/    stdout: /' log/out >&2
+}
+
+# run CODE ARGUMENT...: runs vorpipe and checks its exit code.
+run() {
+  local expected=$1 code
+  shift
+  "$vorpipe" "$@" >log/out 2>log/err </dev/null
+  code=$?
+  [ "$code" -eq "$expected" ] || fail "exit code $code, not $expected: vorpipe $*"
+}
+
+one_line() {
+  [ "$(wc -l <log/err)" -eq 1 ] && grep -q '^vorpipe: .' log/err || fail "not one line 'vorpipe: ...' on standard error"
+}
+
+# What is in out/: which files, and their bytes.
+outputs() { find out -exec ls -di {} + | sort && find out -type f -exec cksum {} + | sort; }
+
+# fails CODE NAME TEXT ARGUMENT...: ends with CODE and one line that has TEXT; out/ stays as it was.
+fails() {
+  local code=$1 text=$3
+  name=$2
+  shift 3
+  cases=$((cases + 1))
+  printf 'an older file' >out/old.png
+  printf 'an older file' >out/old.npy
+  printf 'an older file' >out/old.json
+  printf 'an older file' >out/old.csv
+  local before
+  before=$(outputs)
+  run "$code" "$@"
+  one_line
+  grep -qF -- "$text" log/err || fail "the line does not say '$text'"
+  [ -s log/out ] && fail "something on standard output"
+  [ "$before" = "$(outputs)" ] || fail "the output folder changed"
+}
+
+# refuses NAME TEXT ARGUMENT...: render with these options is refused with exit code 2.
+refuses() {
+  local what=$1 text=$2
+  shift 2
+  fails 2 "$what" "$text" render -o out/old.png --ids out/old.npy --stats out/old.json --backend cpu "$@"
+}
+
+# refuses_file FILE TEXT: the sites of in/FILE are refused, and the line names the file.
+refuses_file() {
+  refuses "$1" "in/$1" --sites "in/$1"
+  grep -qF -- "$2" log/err || fail "the line does not say '$2'"
+}
+
+# succeeds NAME ARGUMENT...: ends with 0 and says nothing on standard error.
+succeeds() {
+  name=$1
+  shift
+  cases=$((cases + 1))
+  run 0 "$@"
+  [ -s log/err ] && fail "something on standard error"
+}
+
+expect() { grep -qF -- "$1" log/out || fail "standard output does not say '$1'"; }
+
+rm -rf out && mkdir out
+
+# The backends that take --backend by a name of their own.
+backends="cpu vulkan-geometry vulkan-compute opengl"
+numpy_python=/usr/bin/python3
+
+finish() {
+  echo "$cases cases, $failures failures"
+  [ "$failures" -eq 0 ]
+}

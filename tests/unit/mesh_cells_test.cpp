@@ -1,0 +1,129 @@
+/// What the cells of the mesh are for: they agree, in every tie, and no device wastes time on their sites.
+/// judge_test compares them with brute force.
+#include "core/mesh_cells.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "backend/cpu/cpu.h"
+#include "core/prepare.h"
+#include "core/topology.h"
+#include "unit/proposed_cells.h"
+
+namespace vorpipe::test {
+namespace {
+
+SiteSet prepared(Sites sites, const Box& domain = {0, 0, 1, 1}) { return prepare(sites, domain, 2)->set; }
+
+std::vector<std::uint32_t> allOf(const SiteSet& sites) {
+  std::vector<std::uint32_t> all(sites.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
+
+Neighborhoods cellsFromMesh(const SiteSet& sites, int threads = 2) {
+  SiteMesh mesh(sites, threads);
+  return meshCells(sites, *mesh.get(), allOf(sites), threads);
+}
+
+TEST(MeshCells, AgreeWithoutADispute) {
+  const Box whole{0, 0, 1, 1}, at_bisectors{0.25, 0.5, 0.75, 1};
+  for (const auto& sites :
+       {prepared(generate(Pattern::circle, 20000, 1)), prepared(generate(Pattern::random, 5000, 1)),
+        prepared(generate(Pattern::random, 5000, 1), {0.4, 0.4, 0.6, 0.6}),
+        prepared(generate(Pattern::square, 4096, 1), whole),
+        prepared(generate(Pattern::square, 4096, 1), at_bisectors),
+        prepared(generate(Pattern::hex, 4000, 1))}) {
+    const auto result = assemble(sites, cellsFromMesh(sites));
+    EXPECT_TRUE(result.disputed.empty()) << result.disputed.size() << " of " << sites.size();
+    const double area = std::accumulate(result.diagram.area.begin(), result.diagram.area.end(), 0.0);
+    const auto& d = sites.domain;
+    EXPECT_NEAR(area / ((d.xmax - d.xmin) * (d.ymax - d.ymin)), 1, 1e-9);
+  }
+}
+
+TEST(MeshCells, AreTheSameForAnyNumberOfThreads) {
+  const auto sites = prepared(generate(Pattern::clusters, 30000, 1));
+  const auto one = cellsFromMesh(sites, 1), many = cellsFromMesh(sites, 5);
+  EXPECT_EQ(one.neighbor, many.neighbor);
+  EXPECT_EQ(one.first, many.first);
+}
+
+TEST(MeshCells, OfSitesThatTheMeshHasNoDecisionsFor) {
+  const auto row = prepared({{0.1, 0.2, 0.5}, {0.5, 0.5, 0.5}, {}});
+  EXPECT_EQ(SiteMesh(row, 1).get(), nullptr);
+  const auto near_zero = prepared({{1e-60, 0.2, 0.5}, {0.5, 0.1, 0.7}, {}});
+  EXPECT_EQ(SiteMesh(near_zero, 1).get(), nullptr);
+  const auto far = prepared({{1e80, 0.2, 0.5, -1e80}, {0.5, 0.1, 0.7, 1e70}, {}});
+  SiteMesh mesh(far, 1);
+  ASSERT_NE(mesh.get(), nullptr);
+  const auto cells = meshCells(far, *mesh.get(), allOf(far), 1);
+  EXPECT_EQ(std::count(cells.status.begin(), cells.status.end(), CellStatus::certified), 2);
+}
+
+/// Counts what is asked of it.
+class Counting final : public Backend {
+ public:
+  const BackendInfo& info() const override { return cpu_->info(); }
+  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override {
+    return cpu_->upload(sites, shade);
+  }
+  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) override {
+    asked += which.size();
+    return cpu_->cells(which, effort, out);
+  }
+  Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) override {
+    return cpu_->cells(batch, out);
+  }
+  Result<void> begin(const View& view) override { return cpu_->begin(view); }
+  Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
+                    std::span<CellStatus> status) override {
+    asked += which.size();
+    return cpu_->draw(which, effort, status);
+  }
+  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
+                    std::span<CellStatus> status) override {
+    return cpu_->draw(batch, marks, effort, status);
+  }
+  Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override {
+    return cpu_->read(rgba, ids);
+  }
+
+  std::size_t asked = 0;
+
+ private:
+  std::unique_ptr<Backend> cpu_ = makeCpuBackend(BackendOptions{});
+};
+
+struct Asked {
+  std::size_t device, judge;
+};
+
+Asked askedFor(Pattern pattern) {
+  const auto sites = prepared(generate(pattern, 40000, 1));
+  Counting device, judge_backend;
+  SiteMesh mesh(sites, 2);
+  Judge judge(judge_backend, mesh);
+  const SearchOptions search;
+  const Progress progress;
+  Report report;
+  const auto topology = findTopology({device, judge, sites, search, 2, progress}, report);
+  EXPECT_TRUE(topology);
+  EXPECT_TRUE(std::none_of(topology->status.begin(), topology->status.end(),
+                           [](auto status) { return status == CellStatus::missing; }));
+  return {device.asked, judge_backend.asked};
+}
+
+TEST(MeshCells, SpareTheDeviceAndTheJudgeWhatTheyFailAt) {
+  const auto circle = askedFor(Pattern::circle);
+  EXPECT_LT(circle.device, 2000u) << "a sample tells";
+  EXPECT_EQ(circle.judge, 0u);
+  const auto random = askedFor(Pattern::random);
+  EXPECT_GE(random.device, 40000u);
+  EXPECT_LT(random.judge, 400u);
+}
+
+}  // namespace
+}  // namespace vorpipe::test

@@ -1,0 +1,76 @@
+/// The judge of pictures against brute force.
+#include <gtest/gtest.h>
+
+#include <numeric>
+#include <random>
+
+#include "backend/cpu/picture.h"
+
+namespace vorpipe::cpu {
+namespace {
+
+/// How much nearer (x, y) is to the nearest site than to this one, as a difference of powers.
+double missedBy(const SiteSet& set, std::uint32_t site, double x, double y) {
+  const auto power = [&](std::size_t i) {
+    const double dx = x - set.x[i];
+    const double dy = y - set.y[i];
+    return dx * dx + dy * dy - (set.weight.empty() ? 0 : set.weight[i]);
+  };
+  double least = power(site);
+  for (std::size_t i = 0; i < set.size(); ++i) least = std::min(least, power(i));
+  return power(site) - least;
+}
+
+void compare(const SiteSet& set, double rounding) {
+  const NearestSite nearest(set);
+  for (int k = 0; k < 1600; ++k) {
+    const double x = (k % 40 + 0.5) / 40;
+    const double y = (k / 40 + 0.5) / 40;
+    EXPECT_LE(missedBy(set, nearest.at(x, y), x, y), rounding) << "at " << x << ", " << y;
+  }
+}
+
+struct Picture : testing::TestWithParam<double> {
+  std::mt19937_64 random{7};
+  std::uniform_real_distribution<double> uniform{0, 1};
+
+  SiteSet noise(std::size_t count) {
+    SiteSet set;
+    for (std::size_t i = 0; i < count; ++i) {
+      set.x.push_back(uniform(random));
+      set.y.push_back(uniform(random));
+      if (GetParam() > 0) set.weight.push_back(GetParam() * uniform(random));
+    }
+    return set;
+  }
+};
+
+TEST_P(Picture, showsTheNearestSite) {
+  for (const std::size_t count : {1U, 2U, 7U, 300U}) compare(noise(count), 1e-14 * (1 + GetParam()));
+}
+
+TEST_P(Picture, showsHeavySites) {
+  if (GetParam() == 0) return;
+  auto set = noise(200);
+  for (std::uint32_t i = 0; i < 5; ++i) {
+    set.weight[i] += 0.1;
+    set.heavy.push_back(i);
+  }
+  compare(set, 1e-14 * (1 + GetParam()));
+  set.weight[3] = 1e12;
+  const NearestSite nearest(set);
+  EXPECT_EQ(nearest.at(0.1, 0.9), 3U);
+}
+
+TEST_P(Picture, showsHeavySitesAlone) {
+  auto set = noise(20);
+  if (set.weight.empty()) return;
+  set.heavy.resize(20);
+  std::iota(set.heavy.begin(), set.heavy.end(), 0U);
+  compare(set, 1e-14 * (1 + GetParam()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Weights, Picture, testing::Values(0.0, 1e-3, 0.1, 100.0));
+
+}  // namespace
+}  // namespace vorpipe::cpu
