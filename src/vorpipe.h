@@ -80,6 +80,12 @@ struct Sites {
 /// 2^50 periods away.
 Result<Sites> wrapped(const Sites& sites, const Box& domain, Periodic periodic);
 
+/// How many sites and images together the cells of a domain are found among, to tell how much memory that
+/// takes: one and a little for each of many even sites, up to nine for each of a few, or of very uneven ones.
+/// If the first choice of images turns out to be too small, more are taken. Errors: those of wrapped().
+Result<std::uint64_t> sitesAndImages(const Sites& sites, const Box& domain, Periodic periodic,
+                                     int threads = 0);
+
 /// Generators of sites in the unit square; the same seed gives the same sites on every platform.
 enum class Pattern : std::uint8_t {
   random,    ///< white noise

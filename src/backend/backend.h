@@ -34,7 +34,8 @@ struct Grid {
   std::vector<std::uint32_t> first;  ///< size: columns * rows + 1
   /// Where sites have weights: the largest weight in each bin, those of SiteSet::heavy left out, and minus
   /// infinity in a bin without others; then in each 2 x 2 of these numbers, and so on up to one number for
-  /// the whole grid. Level l has ceil(columns / 2^l) x ceil(rows / 2^l) numbers, row by row.
+  /// the whole grid. Level l has ceil(columns / 2^l) x ceil(rows / 2^l) numbers, row by row. Sites that a
+  /// tile does not know are counted as well, in the bins at its border that are nearest to them.
   std::vector<double> heaviest{};
 };
 
@@ -44,14 +45,15 @@ inline constexpr std::size_t most_heavy = 32;
 /// is in [1, 2)), bin by bin of their grid, row by row; inside a bin by input index.
 struct SiteSet {
   std::vector<double> x, y;
-  /// Empty where all are equal; else in scaled units squared, and relative to the least of the input: only
-  /// their differences mean something.
+  /// Empty where all are equal; else in scaled units squared, and less the least of the input where that
+  /// rounds none of them: only their differences mean something.
   std::vector<double> weight{};
   std::vector<std::uint32_t> id;  ///< index in the input
   Box domain{};                   ///< what cells are clipped to
   Box known{};                    ///< every site in here is in the set; unbounded but for a tile
-  /// At most most_heavy sites, so much heavier than the others that every cell is cut by them first: they
-  /// would make the search of every cell wide.
+  /// At most most_heavy sites, the heaviest first, so much heavier than the others that every cell is cut by
+  /// them first: they would make the search of many cells wide. A tile has all of them; those that are
+  /// elsewhere stand behind its bins.
   std::vector<std::uint32_t> heavy{};
   Grid grid;
   [[nodiscard]] std::size_t size() const { return x.size(); }

@@ -74,6 +74,16 @@ Box squareAround(const Box& box) {
                         : Box{box.xmin, box.ymin - grown, box.xmax, box.ymax + grown};
 }
 
+/// A periodic domain takes images of sites, and polygons whether they are wanted or not.
+Result<void> forecastImages(const Input& input, std::uint64_t bytes_per_site) {
+  constexpr std::uint64_t bytes_of_images = 60;
+  if (input.periodic == Periodic::none) return {};
+  const auto count = sitesAndImages(input.sites, input.domain, input.periodic);
+  if (!count) return tl::unexpected(count.error());
+  const auto bytes = std::max(bytes_per_site, bytesPerSite(Detail::polygons)) + bytes_of_images;
+  return forecast("--periodic", *count * bytes);
+}
+
 Result<void> takeOutline(const InputOptions& options, Input& input) {
   auto outline = readOutline(options.domain.file);
   if (!outline) return named("--domain", std::move(outline.error()));
@@ -124,6 +134,7 @@ Result<Input> loadInput(const InputOptions& options, std::uint64_t bytes_per_sit
   input.periodic = options.periodic;
   if (auto taken = takeWeights(options, input); !taken) return tl::unexpected(std::move(taken.error()));
   if (auto taken = takeDomain(options, input); !taken) return tl::unexpected(std::move(taken.error()));
+  if (auto enough = forecastImages(input, bytes_per_site); !enough) return tl::unexpected(enough.error());
   input.read_ms = watch.milliseconds();
   return input;
 }

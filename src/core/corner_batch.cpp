@@ -114,12 +114,6 @@ void CornerBatch::takeOrigins() {
   }
 }
 
-void CornerBatch::measure() {
-  if (sites_.weight.empty()) return measureAbout(site_x_, site_y_);
-  takeOrigins();
-  measureAbout(origin_x_, origin_y_);
-}
-
 FOR_WIDE_TOO void CornerBatch::measureAbout(const Lane& x, const Lane& y) {
   for (std::size_t s = 0; s + 1 < slots_; ++s) {
     const double ax = (base_x_[s] - x[s]) + rest_x_[s];
@@ -131,6 +125,12 @@ FOR_WIDE_TOO void CornerBatch::measureAbout(const Lane& x, const Lane& y) {
     moment_x_[s] = cross * (ax + bx);
     moment_y_[s] = cross * (ay + by);
   }
+}
+
+void CornerBatch::measure() {
+  if (sites_.weight.empty()) return measureAbout(site_x_, site_y_);
+  takeOrigins();
+  measureAbout(origin_x_, origin_y_);
 }
 
 }  // namespace vorpipe

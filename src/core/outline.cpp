@@ -36,7 +36,7 @@ struct Stretch {
       return;
     }
     const double first = (least - from) / (to - from), second = (most - from) / (to - from);
-    begin = std::clamp(std::min(first, second), begin, 1.0);
+    begin = std::clamp(std::min(first, second), begin, end);
     end = std::clamp(std::max(first, second), begin, end);
   }
 };

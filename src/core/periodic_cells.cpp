@@ -51,6 +51,8 @@ class Runs {
 
   Result<void> cells(const Band& band) {
     const Stopwatch order_watch;
+    diagram = {};
+    imaged = {};
     imaged = withImages(placed_, band);
     times.order = std::max(times.order, 0.0) + 1e3 * order_watch.seconds();
     options_.domain = imaged.box;
@@ -97,9 +99,6 @@ class Runs {
 
 Result<Diagram> periodicCellsOn(Backend& backend, Backend& judge_backend, int threads, const Sites& sites,
                                 const CellsOptions& options) {
-  if (!options.outline.empty()) {
-    return tl::unexpected(Error{ErrorCode::input, "a domain with an outline cannot be periodic"});
-  }
   const Stopwatch order_watch;
   auto placed = placeSites(sites, options.domain, options.periodic, threads);
   if (!placed) return tl::unexpected(placed.error());
@@ -118,6 +117,13 @@ Result<Diagram> periodicCellsOn(Backend& backend, Backend& judge_backend, int th
   runs.times.cells += 1e3 * records_watch.seconds();
   runs.diagram.report.time_ms = runs.times;
   return std::move(runs.diagram);
+}
+
+Result<std::uint64_t> sitesAndImages(const Sites& sites, const Box& domain, Periodic periodic, int threads) {
+  if (periodic == Periodic::none) return sites.size();
+  const auto placed = placeSites(sites, domain, periodic, threads);
+  if (!placed) return tl::unexpected(placed.error());
+  return withImages(*placed, likelyBandForCells(*placed, threads)).sites.size();
 }
 
 }  // namespace vorpipe

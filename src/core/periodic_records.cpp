@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "core/diagram.h"
 #include "core/records.h"
 #include "parallel.h"
 
@@ -117,11 +118,7 @@ void finishRecords(const PeriodicSites& placed, const ImagedSites& imaged, Detai
   Finishing finishing(placed, imaged, diagram);
   parallelFor(imaged.count, grain, threads,
               [&](std::size_t begin, std::size_t end) { finishing.cells(begin, end); });
-  if (detail != Detail::measures) return;
-  diagram.perimeter = {};
-  diagram.second_moments = {};
-  diagram.vertices = {};
-  diagram.edge_lengths = {};
+  if (detail == Detail::measures) dropPolygons(diagram);
 }
 
 }  // namespace vorpipe

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "core/cell_drawing.h"
 #include "core/colormap.h"
@@ -15,6 +14,7 @@
 #include "core/periodic_picture.h"
 #include "core/shade.h"
 #include "core/stopwatch.h"
+#include "core/weights.h"
 
 namespace vorpipe {
 namespace {
@@ -71,11 +71,6 @@ void place(const Part& part, const std::vector<std::uint32_t>& from, const Image
   }
 }
 
-bool hasWeights(const Sites& sites) {
-  const auto& weight = sites.weight;
-  return std::adjacent_find(weight.begin(), weight.end(), std::not_equal_to<>()) != weight.end();
-}
-
 /// The measures that the colors follow, and which cells weights and an outline leave, which takes proofs;
 /// nothing where none of it is asked for.
 Result<Diagram> measure(Backend& backend, Backend& judge, int threads, const Sites& sites,
@@ -126,8 +121,8 @@ std::vector<std::uint8_t> hiddenSites(const SiteSet& set, const Scene& scene, co
   return hidden;
 }
 
-/// A site has a cell if it or one of its images has one.
-/// A cell is what an outline leaves of it: as `cells`, if there are any, say.
+/// A site has a cell if it or one of its images has one. A cell is what an outline leaves of it: as `cells`,
+/// if there are any, say.
 void countStatuses(const Prepared& prepared, const Scene& scene, const std::vector<CellStatus>& status,
                    const Diagram& cells, Rendering& rendering) {
   rendering.status.assign(scene.count, Status::duplicate);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -83,6 +84,11 @@ void findHeavy(SiteSet& set) {
 }
 
 }  // namespace
+
+bool hasWeights(const Sites& sites) {
+  const auto& weight = sites.weight;
+  return std::adjacent_find(weight.begin(), weight.end(), std::not_equal_to<>()) != weight.end();
+}
 
 Result<std::vector<double>> scaledWeights(const Sites& sites, int exponent, int threads) {
   std::vector<double> weights(sites.weight.size());

@@ -5,6 +5,9 @@
 
 namespace vorpipe {
 
+/// Whether not all weights are equal.
+bool hasWeights(const Sites& sites);
+
 /// Weights by input index in the units of a SiteSet, which are the input's times 4^exponent. The least is
 /// taken from all of them if that rounds none: a number added to all then changes nothing, and else they
 /// are not far from 0. Empty if all are equal, or if there are none.

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -11,6 +10,7 @@
 
 #include "support/backends.h"
 #include "support/cell_oracle.h"
+#include "support/shared.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {
@@ -44,10 +44,7 @@ class Cells : public testing::TestWithParam<const char*> {
 
   /// One for all tests of a process.
   static Session& sharedSession(const char* name) {
-    static std::map<std::string, Session> sessions;
-    const auto known = sessions.find(name);
-    return known != sessions.end() ? known->second
-                                   : sessions.emplace(name, open(backend(name))).first->second;
+    return Shared<Session>::get(name, [&] { return open(backend(name)); });
   }
 
   static Diagram cells(Session& session, const Sites& sites, const CellsOptions& wanted) {

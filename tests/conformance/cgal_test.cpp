@@ -20,6 +20,7 @@
 #include "support/data_sets.h"
 #include "support/exact_comparison.h"
 #include "support/exact_triangles.h"
+#include "support/shared.h"
 
 namespace vorpipe::test {
 namespace {
@@ -94,12 +95,11 @@ class OnBackend {
   }
 
   static Session& session(const std::string& name) {
-    static std::map<std::string, Session> open;
-    const auto known = open.find(name);
-    if (known != open.end()) return known->second;
-    auto opened = Session::open(backendOptions(name));
-    if (!opened) throw std::runtime_error(opened.error().message);
-    return open.emplace(name, std::move(*opened)).first->second;
+    return Shared<Session>::get(name, [&] {
+      auto opened = Session::open(backendOptions(name));
+      if (!opened) throw std::runtime_error(opened.error().message);
+      return std::move(*opened);
+    });
   }
 };
 

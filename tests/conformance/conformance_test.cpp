@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "support/backends.h"
 #include "support/data_sets.h"
 #include "support/oracle.h"
+#include "support/shared.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {
@@ -57,10 +57,7 @@ class Conformance : public testing::TestWithParam<const char*> {
 
   /// On one session for all tests of a process.
   Rendering render(const Sites& sites, const RenderOptions& wanted) {
-    static std::map<std::string, Session> sessions;
-    auto known = sessions.find(GetParam());
-    if (known == sessions.end()) known = sessions.emplace(GetParam(), open(options())).first;
-    return render(known->second, sites, wanted);
+    return render(Shared<Session>::get(GetParam(), [this] { return open(options()); }), sites, wanted);
   }
 
   Rendering expectRight(const Sites& sites, Box domain, int width = 96, int height = 96) {

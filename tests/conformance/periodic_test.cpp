@@ -392,6 +392,14 @@ TEST_P(PeriodicPictures, showTheHeaviestOfTheNear) {
   }
 }
 
+TEST_P(PeriodicPictures, ofOutlinesAreRefused) {
+  auto wanted = picture(Periodic::x);
+  wanted.outline = {{{0, 0}, {1, 0}, {0, 1}}, {0, 3}, {0, 1}};
+  const auto refused = sharedSession(GetParam()).render({{0.5}, {0.5}, {}}, wanted);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::input);
+}
+
 TEST_P(PeriodicPictures, haveColorsEdgesAndDotsOfTheSites) {
   const auto sites = generate(Pattern::random, 40, 9);
   auto wanted = picture(Periodic::xy);

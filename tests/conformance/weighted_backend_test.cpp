@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -15,6 +14,7 @@
 #include "core/heaviest.h"
 #include "support/backends.h"
 #include "support/random_sites.h"
+#include "support/shared.h"
 #include "unit/brute_force.h"
 
 namespace vorpipe::test {
@@ -93,17 +93,14 @@ class WeightedBackend : public testing::TestWithParam<const char*> {
 
   // One for all tests of a process.
   static Backend& backend() {
-    static std::map<std::string, std::unique_ptr<Backend>> opened;
-    auto& known = opened[GetParam()];
-    if (!known) {
+    return *Shared<std::unique_ptr<Backend>>::get(GetParam(), [] {
       BackendOptions options;
       options.name = GetParam();
       options.validation = true;
       auto made = vorpipe::openBackend(options);
-      EXPECT_TRUE(made.has_value()) << made.error().message;
-      known = std::move(made.value().backend);
-    }
-    return *known;
+      if (!made) throw std::runtime_error(made.error().message);
+      return std::move(made->backend);
+    });
   }
 
   void TearDown() override {

@@ -199,6 +199,17 @@ TEST(Band, IsThinForManySites) {
   EXPECT_LT(withImages(in_domain, band).images.size(), 15'000u);
 }
 
+TEST(Band, TellsHowManySitesAndImagesThereAre) {
+  const auto many = generate(Pattern::random, 100'000, 8);
+  EXPECT_EQ(sitesAndImages(many, unit, Periodic::none), 100'000u);
+  const auto count = sitesAndImages(many, unit, Periodic::xy).value_or(0);
+  EXPECT_GT(count, 101'000u);
+  EXPECT_LT(count, 115'000u);
+  EXPECT_EQ(sitesAndImages({{0.5}, {0.5}, {}}, unit, Periodic::xy), 9u);
+  EXPECT_EQ(sitesAndImages({{0.5}, {0.5}, {}}, unit, Periodic::y), 3u);
+  EXPECT_FALSE(sitesAndImages({}, unit, Periodic::y));
+}
+
 TEST(Band, StaysThinWhereAFewSitesAreHeavy) {
   auto sites = generate(Pattern::random, 10'000, 8);
   sites.weight.assign(10'000, 0);

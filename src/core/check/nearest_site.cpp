@@ -125,6 +125,7 @@ std::vector<std::uint32_t> NearestSite::allAt(Point p) const {
     search(*tree_->lifted);
   }
   std::vector<std::uint32_t> sites;
+  sites.reserve(near.size());
   for (const auto& [found, squared] : near) sites.push_back(tree_->cloud.index[found]);
   return sites;
 }
