@@ -43,7 +43,7 @@ std::string refusal(const Sites& sites, const Box& domain = unit) {
   return made ? "" : made.error().message;
 }
 
-TEST(Weights, standBesideTheirSitesInScaledUnits) {
+TEST(ScaledWeights, standBesideTheirSitesInScaledUnits) {
   auto sites = weightedSites(1000, 50);
   for (auto& x : sites.x) x *= 8;
   for (auto& weight : sites.weight) weight *= 64;
@@ -54,7 +54,7 @@ TEST(Weights, standBesideTheirSitesInScaledUnits) {
   }
 }
 
-TEST(Weights, areAsWithoutAnythingAddedToAll) {
+TEST(ScaledWeights, areAsWithoutAnythingAddedToAll) {
   auto sites = weightedSites(1000, 50);
   for (auto& weight : sites.weight) weight = std::floor(weight * 0x1p20) * 0x1p-20;
   const auto set = prepared(sites);
@@ -66,14 +66,14 @@ TEST(Weights, areAsWithoutAnythingAddedToAll) {
   }
 }
 
-TEST(Weights, areNotRounded) {
+TEST(ScaledWeights, areNotRounded) {
   auto sites = weightedSites(100, 50);
   sites.weight[7] = -1e9;
   const auto set = prepared(sites);
   for (std::size_t i = 0; i < set.size(); ++i) ASSERT_EQ(set.weight[i], sites.weight[set.id[i]]);
 }
 
-TEST(Weights, thatAreEqualAreNone) {
+TEST(ScaledWeights, thatAreEqualAreNone) {
   auto sites = generate(Pattern::random, 100, 1);
   sites.weight.assign(100, 1e9 / 3);
   const auto set = prepared(sites);
@@ -84,7 +84,7 @@ TEST(Weights, thatAreEqualAreNone) {
   EXPECT_TRUE(prepared(sites).weight.empty()) << "only that of a duplicate differs";
 }
 
-TEST(Weights, thatAreUnusableAreRefused) {
+TEST(ScaledWeights, thatAreUnusableAreRefused) {
   auto sites = generate(Pattern::random, 3, 1);
   for (const double weight : {infinite, -infinite, std::nan("")}) {
     sites.weight = {0, weight, 1};
@@ -99,7 +99,7 @@ TEST(Weights, thatAreUnusableAreRefused) {
   EXPECT_NE(refusal(sites), "");
 }
 
-TEST(Weights, decideWhichDuplicateOwnsThePosition) {
+TEST(ScaledWeights, decideWhichDuplicateOwnsThePosition) {
   for (const std::size_t others : {1u, 60u}) {  // the latter sorts its crowd
     Sites sites = generate(Pattern::random, 200, 1);
     Random random(5);
