@@ -1,4 +1,3 @@
-#include <geos_c.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,73 +7,11 @@
 #include <set>
 
 #include "checked_runs.h"
+#include "geos_clip.h"
 #include "outlines.h"
 
 namespace vorpipe::test {
 namespace {
-
-CellsOptions inside(const Outline& outline, const Box& domain = {0, 0, 1, 1}) {
-  CellsOptions options{};
-  options.domain = domain;
-  options.outline = outline;
-  return options;
-}
-
-/// Another way to the same areas: GEOS, cell by cell.
-class GeosClip {
- public:
-  explicit GeosClip(const Outline& outline) : geos_(GEOS_init_r()) {
-    std::vector<GEOSGeometry*> polygons;
-    for (std::size_t p = 0; p + 1 < outline.polygon_offsets.size(); ++p) {
-      std::vector<GEOSGeometry*> rings;
-      for (auto r = outline.polygon_offsets[p]; r < outline.polygon_offsets[p + 1]; ++r) {
-        const auto begin = outline.ring_offsets[r], end = outline.ring_offsets[r + 1];
-        rings.push_back(ring(std::span(outline.points).subspan(begin, end - begin)));
-      }
-      polygons.push_back(GEOSGeom_createPolygon_r(geos_, rings[0], rings.data() + 1,
-                                                  static_cast<unsigned>(rings.size() - 1)));
-    }
-    outline_ = GEOSGeom_createCollection_r(geos_, GEOS_MULTIPOLYGON, polygons.data(),
-                                           static_cast<unsigned>(polygons.size()));
-  }
-  GeosClip(const GeosClip&) = delete;
-  GeosClip& operator=(const GeosClip&) = delete;
-  ~GeosClip() {
-    GEOSGeom_destroy_r(geos_, outline_);
-    GEOS_finish_r(geos_);
-  }
-
-  struct Left {
-    double area = 0, length = 0;
-    int parts = 0;
-  };
-  Left clip(std::span<const Point> cell) {
-    GEOSGeometry* polygon = GEOSGeom_createPolygon_r(geos_, ring(cell), nullptr, 0);
-    GEOSGeometry* left = GEOSIntersection_r(geos_, polygon, outline_);
-    Left result;
-    GEOSArea_r(geos_, left, &result.area);
-    GEOSLength_r(geos_, left, &result.length);
-    for (int k = 0; k < GEOSGetNumGeometries_r(geos_, left); ++k) {
-      // Where the cell touches the outline, points and lines may be left besides.
-      const GEOSGeometry* part = GEOSGetGeometryN_r(geos_, left, k);
-      result.parts += GEOSGeomTypeId_r(geos_, part) == GEOS_POLYGON && GEOSisEmpty_r(geos_, part) == 0;
-    }
-    GEOSGeom_destroy_r(geos_, left);
-    GEOSGeom_destroy_r(geos_, polygon);
-    return result;
-  }
-
- private:
-  GEOSGeometry* ring(std::span<const Point> points) {
-    std::vector<Point> closed(points.begin(), points.end());
-    closed.push_back(closed[0]);
-    return GEOSGeom_createLinearRing_r(
-        geos_,
-        GEOSCoordSeq_copyFromBuffer_r(geos_, &closed[0].x, static_cast<unsigned>(closed.size()), 0, 0));
-  }
-  GEOSContextHandle_t geos_;
-  GEOSGeometry* outline_ = nullptr;
-};
 
 /// Rings close, outer ones with their holes; edges are common to two cells, on the outline or on a wall; the
 /// measures are those of the rings.
@@ -326,80 +263,6 @@ TEST(OutlineCells, threadsAndDetailDoNotMatter) {
   EXPECT_TRUE(measures.vertices.empty());
   EXPECT_TRUE(measures.ring_starts.empty());
   EXPECT_TRUE(measures.perimeter.empty());
-}
-
-TEST(OutlineCells, checkFindsNothingWrong) {
-  const Outline outline = country(2000);
-  Sites weighted = generate(Pattern::random, 900, 3);
-  for (std::size_t i = 0; i < weighted.size(); ++i) {
-    weighted.weight.push_back(static_cast<double>(i % 10) * 1e-4);
-  }
-  const auto expectRight = [&](const Sites& sites, Detail detail) {
-    CellsOptions options = inside(outline);
-    options.detail = detail;
-    EXPECT_THAT(*check(sites, options, cellsOf(sites, options)), testing::IsEmpty());
-  };
-  for (const Detail detail : {Detail::measures, Detail::polygons, Detail::everything}) {
-    for (const Sites& sites :
-         {mixedSites(), generate(Pattern::hex, 3000, 1), generate(Pattern::circle, 500, 1)}) {
-      expectRight(sites, detail);
-    }
-  }
-  expectRight(weighted, Detail::polygons);
-}
-
-TEST(OutlineCells, checkFindsWhatIsWrong) {
-  const Sites sites = mixedSites();
-  const CellsOptions options = inside(country(2000));
-  const Diagram right = cellsOf(sites, options);
-  const auto broken = [&](const auto& change) {
-    Diagram d = right;
-    change(d);
-    return promisesOf(check(sites, options, d));
-  };
-  std::size_t along = 0, between = 0;
-  while (right.neighbors[along] != wall_outline) ++along;
-  while (right.neighbors[between] < 0) ++between;
-  using testing::Contains;
-  EXPECT_THAT(broken([&](Diagram& d) { d.vertices[along].x += 1e-3; }), Contains("rings"));
-  EXPECT_THAT(broken([&](Diagram& d) { d.neighbors[between] = wall_outline; }), Contains("edges"));
-  EXPECT_THAT(broken([&](Diagram& d) { d.neighbors[along] = wall_xmin; }), Contains("edges"));
-  EXPECT_THAT(broken([&](Diagram& d) { d.area[7] += 1e-8; }),
-              testing::AllOf(Contains("areas"), Contains("rings")));
-  EXPECT_THAT(broken([&](Diagram& d) { d.ring_starts.erase(d.ring_starts.begin()); }), Contains("rings"));
-  CellsOptions bare = options;
-  bare.outline = {};
-  EXPECT_THAT(promisesOf(check(sites, options, cellsOf(sites, bare))), Contains("areas"));
-}
-
-std::string refusalOf(const Outline& outline, Periodic periodic = Periodic::none) {
-  CellsOptions options = inside(outline);
-  options.periodic = periodic;
-  const auto cells = cpuSession().cells(generate(Pattern::random, 10, 1), options);
-  if (cells) return "accepted";
-  EXPECT_EQ(cells.error().code, ErrorCode::input);
-  return cells.error().message;
-}
-
-TEST(OutlineCells, outlinesThatAreNoPolygonsAreRefusedWithThePlace) {
-  const auto has = [](const std::string& text) { return testing::HasSubstr(text); };
-  EXPECT_THAT(refusalOf(outlineOf({{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}}})), has("at (0.5, 0.5)"));
-  EXPECT_THAT(refusalOf(outlineOf({{rectangle(0, 0, 0.5, 0.5)}, {rectangle(0.25, 0.25, 1, 1)}})),
-              testing::AnyOf(has("at (0.25, 0.5)"), has("at (0.5, 0.25)")));
-  EXPECT_THAT(refusalOf(outlineOf({{rectangle(0, 0, 1, 1)}, {rectangle(0.25, 0.25, 0.5, 0.5)}})),
-              has(" at ("));
-  EXPECT_THAT(refusalOf(outlineOf({{rectangle(0, 0, 0.5, 0.5), rectangle(0.6, 0.6, 0.7, 0.7)}})),
-              has(" at ("));
-  EXPECT_THAT(refusalOf(outlineOf({{{{0, 0}, {1, 1}}}})), has("ring 0 has 2 points"));
-  EXPECT_THAT(refusalOf(outlineOf({{{{0, 0}, {0.5, 0.5}, {1, 1}}}})), has(" at ("));
-  EXPECT_THAT(refusalOf(outlineOf({{{{0, 0}, {1, 0}, {NAN, 1}}}})), has("point 2 of ring 0 is not finite"));
-  Outline ringless = outlineOf({{rectangle(0, 0, 1, 1)}});
-  ringless.polygon_offsets = {0, 0, 1};
-  EXPECT_THAT(refusalOf(ringless), has("polygon 0 has no rings"));
-  EXPECT_THAT(refusalOf(outlineOf({{rectangle(0, 0, 1, 1)}}), Periodic::x), has("periodic"));
-  Outline open = outlineOf({{rectangle(0, 0, 1, 1)}});
-  open.ring_offsets.back() = 3;
-  EXPECT_THAT(refusalOf(open), has("offsets"));
 }
 
 }  // namespace

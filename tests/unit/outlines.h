@@ -106,4 +106,12 @@ inline std::vector<std::uint64_t> ringBounds(const Diagram& diagram, std::size_t
   return bounds;
 }
 
+/// What cells inside an outline are asked for with.
+inline CellsOptions inside(const Outline& outline, const Box& domain = {0, 0, 1, 1}) {
+  CellsOptions options{};
+  options.domain = domain;
+  options.outline = outline;
+  return options;
+}
+
 }  // namespace vorpipe::test

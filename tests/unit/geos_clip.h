@@ -1,0 +1,69 @@
+/// GEOS as the judge of cells that are clipped to an outline.
+#pragma once
+
+#include <geos_c.h>
+
+#include <span>
+#include <vector>
+
+#include "vorpipe.h"
+
+namespace vorpipe::test {
+
+/// Another way to the same areas: GEOS, cell by cell.
+class GeosClip {
+ public:
+  explicit GeosClip(const Outline& outline) : geos_(GEOS_init_r()) {
+    std::vector<GEOSGeometry*> polygons;
+    for (std::size_t p = 0; p + 1 < outline.polygon_offsets.size(); ++p) {
+      std::vector<GEOSGeometry*> rings;
+      for (auto r = outline.polygon_offsets[p]; r < outline.polygon_offsets[p + 1]; ++r) {
+        const auto begin = outline.ring_offsets[r], end = outline.ring_offsets[r + 1];
+        rings.push_back(ring(std::span(outline.points).subspan(begin, end - begin)));
+      }
+      polygons.push_back(GEOSGeom_createPolygon_r(geos_, rings[0], rings.data() + 1,
+                                                  static_cast<unsigned>(rings.size() - 1)));
+    }
+    outline_ = GEOSGeom_createCollection_r(geos_, GEOS_MULTIPOLYGON, polygons.data(),
+                                           static_cast<unsigned>(polygons.size()));
+  }
+  GeosClip(const GeosClip&) = delete;
+  GeosClip& operator=(const GeosClip&) = delete;
+  ~GeosClip() {
+    GEOSGeom_destroy_r(geos_, outline_);
+    GEOS_finish_r(geos_);
+  }
+
+  struct Left {
+    double area = 0, length = 0;
+    int parts = 0;
+  };
+  Left clip(std::span<const Point> cell) {
+    GEOSGeometry* polygon = GEOSGeom_createPolygon_r(geos_, ring(cell), nullptr, 0);
+    GEOSGeometry* left = GEOSIntersection_r(geos_, polygon, outline_);
+    Left result;
+    GEOSArea_r(geos_, left, &result.area);
+    GEOSLength_r(geos_, left, &result.length);
+    for (int k = 0; k < GEOSGetNumGeometries_r(geos_, left); ++k) {
+      // Where the cell touches the outline, points and lines may be left besides.
+      const GEOSGeometry* part = GEOSGetGeometryN_r(geos_, left, k);
+      result.parts += GEOSGeomTypeId_r(geos_, part) == GEOS_POLYGON && GEOSisEmpty_r(geos_, part) == 0;
+    }
+    GEOSGeom_destroy_r(geos_, left);
+    GEOSGeom_destroy_r(geos_, polygon);
+    return result;
+  }
+
+ private:
+  GEOSGeometry* ring(std::span<const Point> points) {
+    std::vector<Point> closed(points.begin(), points.end());
+    closed.push_back(closed[0]);
+    return GEOSGeom_createLinearRing_r(
+        geos_,
+        GEOSCoordSeq_copyFromBuffer_r(geos_, &closed[0].x, static_cast<unsigned>(closed.size()), 0, 0));
+  }
+  GEOSContextHandle_t geos_;
+  GEOSGeometry* outline_ = nullptr;
+};
+
+}  // namespace vorpipe::test
