@@ -195,8 +195,8 @@ class Untying {
   std::vector<std::uint8_t> disputed_;
 };
 
-/// Records a cell all of whose edges are ties. One without weights just touches the domain, from outside;
-/// with them it may lie anywhere, and has an area.
+/// Records a cell all of whose edges are ties: of a site that is hidden but for a little, or far outside. It is
+/// empty only if it has no area at all.
 void recordUnedged(const ProposedCells& proposed, std::uint32_t cell, const Records& records) {
   const auto& sites = proposed.sites;
   const auto row = edgesOf(proposed.cells, cell);

@@ -58,9 +58,7 @@ class CellFinder {
     if (!found_.sure && !decide) return CellStatus::open;
     sortRing(found_.edges);
     const auto& edges = found_.edges;
-    const auto ties = std::count_if(edges.begin(), edges.end(), [&](const auto& e) { return isTie(e); });
-    // Of ties alone without weights: of a site outside that the domain touches, up to rounding.
-    if (edges.empty() || (ties == std::ssize(edges) && !hasWeights())) return CellStatus::empty;
+    if (edges.empty()) return CellStatus::empty;
     if (mayBeEmpty(edges, shift_)) return decide ? CellStatus::empty : CellStatus::open;
     if (!isSure(edges, shift_, found_.blur) && !decide) return CellStatus::open;
     return CellStatus::certified;
