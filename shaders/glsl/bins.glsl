@@ -1,9 +1,9 @@
 // The bins of a uniform grid over sites, and which of them a search turns to when. Whoever includes this
 // file defines before it
-//   int firstOfBin(int bin)  the first site of a bin, row by row; at columns * rows, the number of sites
+//   cell_int firstOfBin(cell_int bin)  the first site of a bin, row by row; at columns * rows, the number of sites
 // and with WEIGHTED
-//   real leadOf(int number)  a number of Grid::heaviest minus the weight of the cell's site, rounded up
-//   int heavyAt(int k)       site k of SiteSet::heavy
+//   real leadOf(cell_int number)  a number of Grid::heaviest minus the weight of the cell's site, rounded up
+//   int heavyAt(int k)            site k of SiteSet::heavy
 //
 // The sites stand bin by bin, so that bins side by side in a row are one run of sites.
 
@@ -23,10 +23,10 @@ struct Bins {
 
 // Bins by column and row, all inclusive.
 struct BinRange {
-    int west;
-    int south;
-    int east;
-    int north;
+    cell_int west;
+    cell_int south;
+    cell_int east;
+    cell_int north;
 };
 
 #define MOST_RUNS 8
@@ -35,9 +35,9 @@ struct BinRange {
 // Runs of sites, one after the other: the i-th site of all is at place i + shift[r], with r the first
 // run for which i < end[r].
 struct Runs {
-    int shift[MOST_RUNS];
-    int end[MOST_RUNS];
-    int count;  // of sites
+    cell_int shift[MOST_RUNS];
+    cell_int end[MOST_RUNS];
+    cell_int count;  // of sites
 };
 
 #include "bin_along.glsl"
@@ -54,56 +54,55 @@ BinRange binsOf(IN(Bins) bins, vec4 box) {
 
 // A part of a row of bins, empty where from > to or where the grid has no such row.
 struct BinRow {
-    int row;
-    int from;
-    int to;
+    cell_int row;
+    cell_int from;
+    cell_int to;
 };
 
 // The sites first .. behind - 1.
 struct Span {
-    int first;
-    int behind;
+    cell_int first;
+    cell_int behind;
 };
 
 Span sitesOf(IN(Bins) bins, IN(BinRow) part) {
-    int rows = bins.rows;
-    bool some = part.row >= 0 && part.row < rows && part.from <= part.to;
-    int bin = part.row * bins.columns + part.from;
+    cell_bool some = part.row >= 0 && part.row < bins.rows && part.from <= part.to;
+    cell_int bin = part.row * bins.columns + part.from;
     Span span;
-    span.first = firstOfBin(some ? bin : 0);
-    span.behind = firstOfBin(some ? bin + part.to - part.from + 1 : 0);
+    span.first = firstOfBin(some ? bin : cell_int(0));
+    span.behind = firstOfBin(some ? bin + part.to - part.from + 1 : cell_int(0));
     return span;
 }
 
-int placeInRuns(IN(Runs) runs, int i) {
-    int shift = runs.shift[0];
+cell_int placeInRuns(IN(Runs) runs, cell_int i) {
+    cell_int shift = runs.shift[0];
     for (int r = 1; r < MOST_RUNS; r++) {
         shift = i >= runs.end[r - 1] ? runs.shift[r] : shift;
     }
     return i + shift;
 }
 
-int placeInBlock(IN(Runs) runs, int i) {
-    return i + (i < runs.end[0] ? runs.shift[0] : (i < runs.end[1] ? runs.shift[1] : runs.shift[2]));
+cell_int placeInBlock(IN(Runs) runs, int i) {
+    return (i < runs.end[0] ? runs.shift[0] : (i < runs.end[1] ? runs.shift[1] : runs.shift[2])) + i;
 }
 
 // Part r of the 3 x 3 bins around the origin.
-BinRow partOfBlock(IN(Bins) bins, int r, int column, int row) {
+BinRow partOfBlock(IN(Bins) bins, int r, cell_int column, cell_int row) {
     BinRow part;
     part.row = r == 0 ? row : (r == 1 ? row - 1 : row + 1);
-    part.from = max(column - 1, 0);
-    part.to = r < BLOCK_RUNS ? min(column + 1, bins.columns - 1) : -1;
+    part.from = max(column - 1, cell_int(0));
+    part.to = min(column + 1, cell_int(bins.columns - 1));
     return part;
 }
 
 // Part r of what a step of the search tries of the bins in `range`. Step 0: the ring around the block.
 // Step s: the four rows that are 2 s - 2 and 2 s - 1 away from the origin, without what the ring had.
-BinRow partOfStep(IN(BinRange) range, int step, int r, int column, int row) {
+BinRow partOfStep(IN(BinRange) range, int step, int r, cell_int column, cell_int row) {
     bool ring = step == 0;
     bool right = r % 2 == 1;
     int pair = r / 2;
-    int west = ring ? max(range.west, column - 2) : range.west;
-    int east = ring ? min(range.east, column + 2) : range.east;
+    cell_int west = ring ? max(range.west, column - 2) : range.west;
+    cell_int east = ring ? min(range.east, column + 2) : range.east;
     int done = ring ? 1 : 2;  // columns and rows on either side of the origin's
     int away = ring ? (pair + 1) / 2 : 2 * step - 2 + pair / 2;
     bool whole = away > done;
@@ -111,17 +110,18 @@ BinRow partOfStep(IN(BinRange) range, int step, int r, int column, int row) {
     bool again = !ring && (whole ? right : away == 0 && upward);
     BinRow part;
     part.row = upward ? row + away : row - away;
-    bool used = part.row >= range.south && part.row <= range.north && !again;
+    cell_bool used = part.row >= range.south && part.row <= range.north && !again;
     part.from = !whole && right ? column + done + 1 : west;
     part.to = whole || right ? east : column - done - 1;
     part.to = used ? part.to : part.from - 1;
     return part;
 }
 
-Runs runsOfBlock(IN(Bins) bins, int column, int row) {
+// Of the block, no more than the first BLOCK_RUNS runs are there.
+Runs runsOfBlock(IN(Bins) bins, cell_int column, cell_int row) {
     Runs runs;
-    runs.count = 0;
-    for (int r = 0; r < MOST_RUNS; r++) {
+    runs.count = cell_int(0);
+    for (int r = 0; r < BLOCK_RUNS; r++) {
         BinRow part = partOfBlock(bins, r, column, row);
         Span span = sitesOf(bins, part);
         runs.shift[r] = span.first - runs.count;
@@ -137,26 +137,26 @@ int firstStep(IN(Bins) bins) { return -((bins.heavy + MOST_RUNS - 1) / MOST_RUNS
 
 Runs runsOfHeavy(IN(Bins) bins, int step) {
     Runs runs;
-    runs.count = 0;
+    runs.count = cell_int(0);
     for (int r = 0; r < MOST_RUNS; r++) {
         int k = (-1 - step) * MOST_RUNS + r;
         bool some = k < bins.heavy;
-        runs.shift[r] = heavyAt(some ? k : 0) - runs.count;
-        runs.count += some ? 1 : 0;
+        runs.shift[r] = cell_int(heavyAt(some ? k : 0)) - runs.count;
+        runs.count += cell_int(some ? 1 : 0);
         runs.end[r] = runs.count;
     }
     return runs;
 }
 #endif
 
-Runs runsOfStep(IN(Bins) bins, IN(BinRange) range, int step, int column, int row) {
+Runs runsOfStep(IN(Bins) bins, IN(BinRange) range, int step, cell_int column, cell_int row) {
 #ifdef WEIGHTED
     if (step < 0) {
         return runsOfHeavy(bins, step);
     }
 #endif
     Runs runs;
-    runs.count = 0;
+    runs.count = cell_int(0);
     for (int r = 0; r < MOST_RUNS; r++) {
         BinRow part = partOfStep(range, step, r, column, row);
         Span span = sitesOf(bins, part);
@@ -168,14 +168,15 @@ Runs runsOfStep(IN(Bins) bins, IN(BinRange) range, int step, int column, int row
 }
 
 // Whether step `step` or a later one has bins of `range` to try; asked after step 0.
-bool isLeft(IN(BinRange) range, int step, int column, int row) {
+cell_bool isLeft(IN(BinRange) range, int step, cell_int column, cell_int row) {
 #ifdef WEIGHTED
     if (step <= 0) {
-        return true;
+        return cell_bool(true);
     }
 #endif
-    bool wide = range.west < column - 2 || range.east > column + 2;
-    int next = wide ? 2 * step - 2 : max(2 * step - 2, 3);
+    cell_bool wide = range.west < column - 2 || range.east > column + 2;
+    int next_of_wide = 2 * step - 2;
+    cell_int next = wide ? cell_int(next_of_wide) : cell_int(max(next_of_wide, 3));
     return range.south <= row - next || range.north >= row + next;
 }
 
@@ -184,23 +185,25 @@ bool isLeft(IN(BinRange) range, int step, int column, int row) {
 // By how much the sites of the bins in `range`, but for the heavy ones, are heavier than the cell's own: a
 // bound from above. It comes from the finest level of Grid::heaviest where the range has few numbers.
 real leadIn(IN(Bins) bins, IN(BinRange) range) {
-    int first = 0;
-    int columns = bins.columns;
-    int rows = bins.rows;
+    cell_int first = cell_int(0);
+    cell_int columns = cell_int(bins.columns);
+    cell_int rows = cell_int(bins.rows);
     BinRange seen = range;
-    while (seen.east - seen.west > 2 || seen.north - seen.south > 2) {
-        first += columns * rows;
-        columns = (columns + 1) / 2;
-        rows = (rows + 1) / 2;
-        seen.west = seen.west / 2;
-        seen.south = seen.south / 2;
-        seen.east = seen.east / 2;
-        seen.north = seen.north / 2;
+    cell_bool many = seen.east - seen.west > 2 || seen.north - seen.south > 2;
+    while (ANY(many)) {
+        first += many ? columns * rows : cell_int(0);
+        columns = many ? (columns + 1) / 2 : columns;
+        rows = many ? (rows + 1) / 2 : rows;
+        seen.west = many ? seen.west / 2 : seen.west;
+        seen.south = many ? seen.south / 2 : seen.south;
+        seen.east = many ? seen.east / 2 : seen.east;
+        seen.north = many ? seen.north / 2 : seen.north;
+        many = seen.east - seen.west > 2 || seen.north - seen.south > 2;
     }
     real lead = -FAR;
     for (int k = 0; k < 9; k++) {
-        int column = min(seen.west + k % 3, seen.east);
-        int row = min(seen.south + k / 3, seen.north);
+        cell_int column = min(seen.west + k % 3, seen.east);
+        cell_int row = min(seen.south + k / 3, seen.north);
         real here = leadOf(first + row * columns + column);
         lead = here > lead ? here : lead;
     }
@@ -217,6 +220,6 @@ real leadOfAll(IN(Bins) bins) {
         columns = (columns + 1) / 2;
         rows = (rows + 1) / 2;
     }
-    return leadOf(top);
+    return leadOf(cell_int(top));
 }
 #endif

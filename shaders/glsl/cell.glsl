@@ -12,6 +12,7 @@
 //   ROUNDING                 the relative rounding error of real
 //   FAR                      farther than anything
 //   WEIGHTED                 defined or not: whether sites have weights
+//   CUTTING                  what the compiler is to know of the function that cuts
 //   NOWHERE, SAME            parallel lines get this sine, and lines that are the same this much of a
 //                            distance, which rounding swallows for any others: so the former meet far
 //                            away, and the latter do too
@@ -78,7 +79,7 @@ void beginCell(INOUT(Cell) c, vec4 walls) {
 // The line of an edge that is gone is still a true bound of the cell, so free slots need no test.
 // Compare and select, not min and max: those take three instructions each where NaN must be heeded. And
 // || and && between variables and plain comparisons: anything more becomes a branch.
-void cutCell(INOUT(Cell) c, vec2 n, real h, cell_int line) {
+CUTTING void cutCell(INOUT(Cell) c, vec2 n, real h, cell_int line) {
     real lo = -FAR;
     real hi = FAR;
     cell_bool some = cell_bool(false);

@@ -1,6 +1,7 @@
 // The search over a uniform grid, fused with the clipping. Whoever includes this file has included
 // cell.glsl and defines before it
-//   int firstOfBin(int bin)   the first site of a bin, row by row; at columns * rows, the number of sites
+//   ANY(condition)            whether a cell_bool holds for any cell of those side by side
+//   cell_int firstOfBin(cell_int bin)  the first site of a bin, row by row; at columns * rows, the number of sites
 //   vec2 offsetTo(cell_int place)  the site at `place` minus the site of the cell, exact or nearly so
 // and with WEIGHTED, besides what bins.glsl wants,
 //   real weightAgainst(cell_int place)  the weight of the cell's site minus that of the site at `place`
@@ -16,7 +17,8 @@
 //
 // Loops are of the form do { } while, with a first pass that always has something to do. Lanes of a
 // software driver pass through a loop together, and once more than the longest of them where the test
-// comes first.
+// comes first. Cells side by side do so as well: a loop goes on while ANY of them does, and those that are done
+// turn to their own site, which cuts nothing.
 
 #include "bins.glsl"
 
@@ -66,13 +68,13 @@ Bisector bisectorWith(IN(Viewpoint) view, cell_int place) {
 
 // Cuts by the bisector with the site at `place`, unless that is the cell's own. False if the two are too
 // near to each other for that.
-bool cutBySite(INOUT(Cell) c, IN(Viewpoint) view, int place) {
+cell_bool cutBySite(INOUT(Cell) c, IN(Viewpoint) view, cell_int place) {
     Bisector b = bisectorWith(view, place);
 #ifdef WEIGHTED
     b.h = hasEdge(c, place) ? FAR : b.h;  // a heavy site comes twice
 #endif
     cutCell(c, b.n, b.h, place);
-    bool own = place == view.self;
+    cell_bool own = place == view.self;
     return b.apart || own;
 }
 
@@ -142,41 +144,47 @@ vec4 flowerBox(IN(Cell) c, IN(Viewpoint) view) {
 }
 
 // Cuts by those sites of the runs that cut. False if one of them is too near for that.
-bool cutByRuns(INOUT(Cell) c, IN(Viewpoint) view, IN(Runs) runs) {
-    bool certain = true;
-    int i = 0;
+cell_bool cutByRuns(INOUT(Cell) c, IN(Viewpoint) view, IN(Runs) runs) {
+    cell_bool certain = cell_bool(true);
+    cell_bool more = cell_bool(false);
+    cell_int i = cell_int(0);
     do {
         Vertices vertices = verticesOf(c);
-        int found0 = view.self;
-        int found1 = view.self;
-        int found2 = view.self;
-        int found3 = view.self;
-        int found = 0;
+        cell_int found0 = view.self;
+        cell_int found1 = view.self;
+        cell_int found2 = view.self;
+        cell_int found3 = view.self;
+        cell_int found = cell_int(0);
+        cell_bool some = i < runs.count;
         do {
-            int place = i < runs.count ? placeInRuns(runs, i) : view.self;
-            bool hit = mayCut(vertices, view, place);
+            cell_int place = some ? placeInRuns(runs, i) : view.self;
+            cell_bool hit = mayCut(vertices, view, place);
             found0 = hit && found == 0 ? place : found0;
             found1 = hit && found == 1 ? place : found1;
             found2 = hit && found == 2 ? place : found2;
             found3 = hit && found == 3 ? place : found3;
-            found += hit ? 1 : 0;
-            i++;
-        } while (i < runs.count && found < MOST_FOUND);
+            found += hit ? cell_int(1) : cell_int(0);
+            i += some ? cell_int(1) : cell_int(0);
+            some = i < runs.count && found < MOST_FOUND;
+        } while (ANY(some));
         int f = 0;
+        cell_bool waiting;
         do {
-            bool apart = cutBySite(c, view, f == 0 ? found0 : (f == 1 ? found1 : (f == 2 ? found2 : found3)));
+            cell_bool apart = cutBySite(c, view, f == 0 ? found0 : (f == 1 ? found1 : (f == 2 ? found2 : found3)));
             certain = certain && apart;
             f++;
-        } while (f < found);
-    } while (i < runs.count && !c.overflow && !c.empty);
+            waiting = found > f;
+        } while (ANY(waiting));
+        more = i < runs.count && !c.overflow && !c.empty;
+    } while (ANY(more));
     return certain;
 }
 
 // Cuts by all sites of the block. False if one of them is too near for that.
-bool cutByBlock(INOUT(Cell) c, IN(Viewpoint) view, IN(Runs) runs, bool worthwhile) {
-    bool certain = true;
+cell_bool cutByBlock(INOUT(Cell) c, IN(Viewpoint) view, IN(Runs) runs, cell_bool worthwhile) {
+    cell_bool certain = cell_bool(true);
     int i = 0;
-    bool going = worthwhile;
+    cell_bool going = worthwhile;
     Bisector next = bisectorWith(view, runs.count > 0 ? placeInBlock(runs, 0) : view.self);
     do {
         // The next one is made before this one cuts, so that its loads and roots are done meanwhile.
@@ -188,19 +196,21 @@ bool cutByBlock(INOUT(Cell) c, IN(Viewpoint) view, IN(Runs) runs, bool worthwhil
 #endif
         next = bisectorWith(view, going ? placeInBlock(runs, i) : view.self);
         cutCell(c, b.n, b.h, b.place);
-        bool own = b.place == view.self;
+        cell_bool own = b.place == view.self;
         certain = certain && (b.apart || own);
-    } while (going);
+    } while (ANY(going));
     return certain;
 }
 
 #ifdef WEIGHTED
-// The box of all sites that can cut the cell, but for those in `heavy`; lowers view.lead to what the bins in
-// it say: a site that can cut is no heavier, so it lies in the box, whose bins bound its weight.
-vec4 boxLeft(IN(Cell) c, IN(Bins) bins, INOUT(Viewpoint) view, int rounds) {
+// The box of all sites that can cut the cell, but for those in `heavy`; where sites are left to try, lowers
+// view.lead to what the bins in it say: a site that can cut is no heavier, so it lies in the box, whose bins
+// bound its weight.
+vec4 boxLeft(IN(Cell) c, IN(Bins) bins, INOUT(Viewpoint) view, cell_bool left, int rounds) {
     vec4 box = flowerBox(c, view);
     for (int round = 0; round < rounds; round++) {
-        view.lead = min(view.lead, leadIn(bins, binsOf(bins, box)));
+        real lead = min(view.lead, leadIn(bins, binsOf(bins, box)));
+        view.lead = left ? lead : view.lead;
         box = flowerBox(c, view);
     }
     return box;
@@ -210,41 +220,43 @@ vec4 boxLeft(IN(Cell) c, IN(Bins) bins, INOUT(Viewpoint) view, int rounds) {
 // Clips the cell of the site at place `self`, which lies at `shift` from the origin of the cell, by
 // every site that can cut it. outset moves every line outward, by up to its two components along x and
 // y: nothing, to measure; half a step of the vertex grid, to draw.
-int clipSite(INOUT(Cell) c, IN(Bins) bins, vec4 walls, vec2 outset, int self, vec2 shift) {
+cell_int clipSite(INOUT(Cell) c, IN(Bins) bins, vec4 walls, vec2 outset, cell_int self, vec2 shift) {
     beginCell(c, vec4(walls.x - outset.x, walls.y - outset.y, walls.z + outset.x, walls.w + outset.y));
     Viewpoint view;
     view.self = self;
     view.shift = shift;
     view.outset = outset;
-    int column = binAlong(-bins.low.x / bins.size, bins.columns);
-    int row = binAlong(-bins.low.y / bins.size, bins.rows);
+    cell_int column = binAlong(-bins.low.x / bins.size, bins.columns);
+    cell_int row = binAlong(-bins.low.y / bins.size, bins.rows);
     Runs runs = runsOfBlock(bins, column, row);
-    int tried = runs.count;
-    bool left = tried <= bins.most;
-    bool certain = cutByBlock(c, view, runs, left);
+    cell_int tried = runs.count;
+    cell_bool left = tried <= bins.most;
+    cell_bool certain = cutByBlock(c, view, runs, left);
 #ifdef WEIGHTED
     int step = firstStep(bins);
     view.lead = leadOfAll(bins);
-    vec4 box = boxLeft(c, bins, view, 2);
+    vec4 box = boxLeft(c, bins, view, left, 2);
 #else
     int step = 0;
     vec4 box = flowerBox(c, view);
 #endif
     do {
         runs = runsOfStep(bins, binsOf(bins, box), step, column, row);
-        tried += runs.count + MOST_RUNS;
+        tried += left ? runs.count + MOST_RUNS : cell_int(0);
         left = left && tried <= bins.most && !c.overflow && !c.empty;
-        runs.count = left ? runs.count : 0;
-        bool apart = cutByRuns(c, view, runs);
+        runs.count = left ? runs.count : cell_int(0);
+        cell_bool apart = cutByRuns(c, view, runs);
         certain = certain && apart;
 #ifdef WEIGHTED
-        box = boxLeft(c, bins, view, 1);
+        box = boxLeft(c, bins, view, left, 1);
 #else
         box = flowerBox(c, view);
 #endif
         step++;
-        left = left && isLeft(binsOf(bins, box), step, column, row);
-    } while (left);
-    bool unknown = box.x < bins.known.x || box.y < bins.known.y || box.z > bins.known.z || box.w > bins.known.w;
-    return outcome(c, unknown || !certain || tried > bins.most);
+        cell_bool beyond = isLeft(binsOf(bins, box), step, column, row);
+        left = left && beyond;
+    } while (ANY(left));
+    cell_bool unknown = box.x < bins.known.x || box.y < bins.known.y || box.z > bins.known.z || box.w > bins.known.w;
+    cell_bool given_up = tried > bins.most;
+    return outcome(c, unknown || given_up || !certain);
 }

@@ -2,6 +2,8 @@
 #define real float
 #define cell_int int
 #define cell_bool bool
+#define ANY(condition) (condition)
+#define CUTTING
 #define EDGES(T, name) T name[MAX_EDGES]
 #define IN(T) in T
 #define INOUT(T) inout T

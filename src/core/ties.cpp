@@ -195,16 +195,16 @@ class Untying {
   std::vector<std::uint8_t> disputed_;
 };
 
-/// Records a cell all of whose edges are ties: of a site that is hidden but for a little, or far outside. It is
-/// empty only if it has no area at all.
+/// Records a cell all of whose edges are ties: of a site that is hidden but for a little, or far outside. It
+/// is empty only if it has no area at all.
 void recordUnedged(const ProposedCells& proposed, std::uint32_t cell, const Records& records) {
   const auto& sites = proposed.sites;
   const auto row = edgesOf(proposed.cells, cell);
-  if (sites.weight.empty()) return records.empty(cell);
   std::vector<Place> corners;
   placeCorners(sites, cell, row, corners);
   const auto origin = measuringOrigin(sites, cell, corners.front());
   const auto m = measureCell(origin, corners);
+  if (sites.weight.empty() && !(m.area > 0)) return records.empty(cell);
   records.cell(cell, 0, std::max(m.area, 0.0), origin, m.centroid);
 }
 

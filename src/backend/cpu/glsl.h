@@ -11,6 +11,8 @@
 
 #define cell_int int
 #define cell_bool bool
+#define ANY(condition) (condition)
+#define CUTTING
 #define EDGES(T, name) T name[static_cast<std::size_t>(MAX_EDGES)]
 #define EDGE_END edgeEnd()
 #define IN(T) const T&

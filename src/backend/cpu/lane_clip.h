@@ -1,5 +1,4 @@
-/// The shared files for several cells side by side: bins for one after the other, clipping for all at once.
-/// See lane_words.h.
+/// The shared files for several cells side by side. See lane_words.h.
 #pragma once
 
 #include "backend/cpu/lane_words.h"
@@ -12,42 +11,13 @@ namespace lanes {
 constexpr std::size_t width = lane_count;
 
 #ifdef WEIGHTED
-/// A difference of weights. What is larger than this lies beyond any domain, and squares must be finite.
-inline float leadOver(double own, double other) {
-  constexpr double most = 1e18;
-  return static_cast<float>(max(-most, min(most, own - other)));
+/// Differences of weights. What is larger than this lies beyond any domain, and squares must be finite.
+inline Reals leadOver(const Doubles& own, const Doubles& other) {
+  const Doubles most = 1e18 - Doubles{};
+  return toReals(max(-most, min(most, own - other)));
 }
 #endif
 
-#define FAR 1e30F
-
-/// The bins, for one cell after the other.
-template <class Words>
-struct Walk {
-  using real = typename Words::real;
-  using vec2 = typename Words::vec2;
-  using vec4 = typename Words::vec4;
-
-  const std::uint32_t* bin_starts = nullptr;
-  [[nodiscard]] int firstOfBin(int bin) const { return static_cast<int>(bin_starts[bin]); }
-
-#ifdef WEIGHTED
-  const double* heaviest = nullptr;
-  const std::uint32_t* heavy = nullptr;
-  double weight = 0;  ///< of the cell's site
-  [[nodiscard]] int heavyAt(int k) const { return static_cast<int>(heavy[k]); }
-  [[nodiscard]] real leadOf(int number) const {
-    const real lead = -leadOver(weight, heaviest[number]);
-    return lead + abs(lead) * 1.2e-7F;
-  }
-#endif
-
-#include "bins.glsl"
-};
-
-#undef FAR
-
-// From here on a constant is one for every cell.
 #define ROUNDING everyReal(5.9604645e-8F)
 #define FAR everyReal(1e30F)
 #define NOWHERE everyReal(1e-36F)
@@ -65,14 +35,25 @@ struct Clip {
   using vec4 = typename Words::vec4;
   static constexpr int MAX_EDGES = Edges;
 
-  vec2 offset;  ///< to the site that is tried next
-  [[nodiscard]] vec2 offsetTo(const cell_int&) const { return offset; }
-  [[nodiscard]] int firstOfBin(int) const;  // of the walk alone
+  const double *sites_x, *sites_y;  ///< all sites
+  const std::uint32_t* bin_starts;  ///< of their grid
+  Doubles site_x, site_y;           ///< the sites of the cells
+  [[nodiscard]] cell_int firstOfBin(const cell_int& bin) const { return gather(bin_starts, bin); }
+  [[nodiscard]] vec2 offsetTo(const cell_int& place) const {
+    return {toReals(gather(sites_x, place) - site_x), toReals(gather(sites_y, place) - site_y)};
+  }
 #ifdef WEIGHTED
-  real against_next;  ///< the weight of the cell's site minus that of the one that is tried next
-  [[nodiscard]] real weightAgainst(const cell_int&) const { return against_next; }
-  [[nodiscard]] int heavyAt(int) const;  // of the walk alone, like the next
-  [[nodiscard]] real leadOf(int) const;
+  const double *weights, *heaviest;
+  const std::uint32_t* heavy;
+  Doubles weight;  ///< of the cells' sites
+  [[nodiscard]] real weightAgainst(const cell_int& place) const {
+    return leadOver(weight, gather(weights, place));
+  }
+  [[nodiscard]] int heavyAt(int k) const { return static_cast<int>(heavy[k]); }
+  [[nodiscard]] real leadOf(const cell_int& number) const {
+    const real lead = -leadOver(weight, gather(heaviest, number));
+    return lead + abs(lead) * 1.2e-7F;
+  }
 #endif
 
 #include "cell.glsl"
