@@ -1,6 +1,7 @@
 #include "core/triage.h"
 
 #include <atomic>
+#include <cmath>
 #include <numeric>
 
 #include "parallel.h"
@@ -15,16 +16,33 @@ bool isInside(const SiteSet& sites, std::size_t i) {
   return sites.x[i] >= box.xmin && sites.x[i] <= box.xmax && sites.y[i] >= box.ymin && sites.y[i] <= box.ymax;
 }
 
+bool fitsFloat(const SiteSet& sites, std::size_t i) {
+  constexpr double most_distance = 1e15, most_weight = 1e18;
+  return std::abs(sites.x[i]) <= most_distance && std::abs(sites.y[i]) <= most_distance &&
+         (sites.weight.empty() || std::abs(sites.weight[i]) <= most_weight);
+}
+
 }  // namespace
 
 Triage sortOut(const SiteSet& sites, int threads) {
   std::atomic<std::size_t> outside{0};
+  std::atomic<bool> fit{true};
   parallelFor(sites.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
     std::size_t count = 0;
-    for (auto i = begin; i < end; ++i) count += isInside(sites, i) ? 0u : 1u;
+    bool all_fit = true;
+    for (auto i = begin; i < end; ++i) {
+      count += isInside(sites, i) ? 0u : 1u;
+      all_fit = all_fit && fitsFloat(sites, i);
+    }
     outside += count;
+    if (!all_fit) fit = false;
   });
   Triage triage;
+  if (!fit) {
+    triage.outside.resize(sites.size());
+    std::iota(triage.outside.begin(), triage.outside.end(), 0u);
+    return triage;
+  }
   if (outside == 0) {
     triage.inside.resize(sites.size());
     std::iota(triage.inside.begin(), triage.inside.end(), 0u);

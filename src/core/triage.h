@@ -6,12 +6,14 @@
 namespace vorpipe {
 
 struct Triage {
-  std::vector<std::uint32_t> inside;   ///< sites inside the domain, ascending
+  std::vector<std::uint32_t> inside;   ///< sites whose cells a device is asked for, ascending
   std::vector<std::uint32_t> outside;  ///< the others, ascending; their cells are the judge's
 };
 
-/// As far as a site outside the domain is from its cell, a float is too coarse to say whether the domain
-/// holds a little of it.
+/// A device gets the sites inside the domain: as far as one outside is from its cell, a float is too coarse
+/// to say whether the domain holds a little of it. It gets none where squares of distances or weights may not
+/// fit in a float: a site 1e15 domains away, or a weight of 1e18 squared domains, touches the search of any
+/// cell.
 Triage sortOut(const SiteSet& sites, int threads);
 
 }  // namespace vorpipe

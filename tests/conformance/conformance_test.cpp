@@ -94,6 +94,13 @@ TEST_P(Conformance, collinearSitesGiveStrips) {
   EXPECT_EQ(expectRight(sites, unit).report.ok, 50u);
 }
 
+TEST_P(Conformance, aSiteBeyondTheReachOfFloatsTakesNothing) {
+  auto sites = generate(Pattern::random, 16, 5);
+  sites.x.push_back(1e25);
+  sites.y.push_back(-3e24);
+  EXPECT_EQ(expectRight(sites, unit).report.empty, 1u);
+}
+
 TEST_P(Conformance, equalSitesAreDuplicatesOfTheLowestIndex) {
   const Sites sites{std::vector<double>(20, 0.25), std::vector<double>(20, 0.75), {}};
   const auto rendering = expectRight(sites, unit);

@@ -23,6 +23,15 @@ ProgramText textOf(Entries entries, bool fast) {
   return {shaders::site_vert_410(), geometry, {}, captured};
 }
 
+/// While it lives, nothing is drawn.
+class Discarding {
+ public:
+  Discarding() { glEnable(GL_RASTERIZER_DISCARD); }
+  Discarding(const Discarding&) = delete;
+  Discarding& operator=(const Discarding&) = delete;
+  ~Discarding() { glDisable(GL_RASTERIZER_DISCARD); }
+};
+
 }  // namespace
 
 Result<void> Cells::run(Entries entries, Effort effort, std::size_t count, Neighborhoods& out) {
@@ -33,7 +42,7 @@ Result<void> Cells::run(Entries entries, Effort effort, std::size_t count, Neigh
   const std::size_t row_bytes = room * sizeof(GLint);
   const std::size_t record_bytes = word_bytes + row_bytes;
   if (auto used = made_[programOf(entries, effort)].use(textOf(entries, fast)); !used) return used;
-  glEnable(GL_RASTERIZER_DISCARD);
+  const Discarding discarding;
   const std::size_t at_once = Feedback::entriesAtOnce(record_bytes);
   Result<void> answered;
   for (std::size_t first = 0; first < count && answered; first += at_once) {
@@ -46,7 +55,6 @@ Result<void> Cells::run(Entries entries, Effort effort, std::size_t count, Neigh
       return true;
     });
   }
-  glDisable(GL_RASTERIZER_DISCARD);
   if (!answered) return answered;
   return takeErrors("clipping cells");
 }

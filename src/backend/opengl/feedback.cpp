@@ -49,7 +49,13 @@ Result<void> Feedback::end(std::size_t primitive_bytes,
   const auto* start = static_cast<const std::byte*>(
       glMapBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, static_cast<GLsizeiptr>(bytes), GL_MAP_READ_BIT));
   if (start == nullptr) return broken("cannot be read");
-  const bool sane = read(std::span(start, bytes));
+  bool sane = false;
+  try {
+    sane = read(std::span(start, bytes));
+  } catch (...) {
+    glUnmapBuffer(GL_TRANSFORM_FEEDBACK_BUFFER);
+    throw;
+  }
   const bool kept = glUnmapBuffer(GL_TRANSFORM_FEEDBACK_BUFFER) == GL_TRUE;
   if (!kept || !sane) return broken("gave an answer that makes no sense");
   return {};

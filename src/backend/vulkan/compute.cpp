@@ -111,7 +111,8 @@ ComputeBackend::ComputeBackend(Parts parts, BackendInfo info, std::uint64_t stor
               VK_FORMAT_R32G32B32A32_SFLOAT}),
       marks_({"marks", VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT, Placement::upload,
               VK_FORMAT_R32G32B32A32_UINT}),
-      answers_({"answers", VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Placement::download}),
+      answers_({"answers", VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                Placement::download}),
       vertices_({"vertices", VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
                  Placement::device}) {}
 

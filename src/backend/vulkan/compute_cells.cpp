@@ -79,6 +79,7 @@ Result<void> ComputeBackend::findCells(const Clipping& clipping, Neighborhoods& 
   for (std::size_t first = 0; first < clipping.count; first += slice) {
     const std::size_t here = std::min(slice, clipping.count - first);
     VORPIPE_TRY(device_.run([&](VkCommandBuffer commands) {
+      clearBefore(device_, commands, answers_.get(), here * row_bytes);
       dispatch(device_, commands, *kernel, clipping.bindings,
                {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(here)}, here);
     }));

@@ -66,6 +66,7 @@ Result<void> ComputeBackend::drawCells(const Clipping& clipping, std::span<CellS
     const std::size_t here = std::min(slice, clipping.count - first);
     VORPIPE_TRY(triangles_.prepare(device_, kernels_));
     VORPIPE_TRY(device_.run([&](VkCommandBuffer commands) {
+      clearBefore(device_, commands, answers_.get(), here * word);
       dispatch(device_, commands, *kernel, clipping.bindings,
                {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(here)}, here);
       orderShaders(device_, commands);

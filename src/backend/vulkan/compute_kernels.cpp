@@ -84,6 +84,16 @@ void dispatchIndirect(const Device& device, VkCommandBuffer commands, VkPipeline
   device.api().vkCmdDispatchIndirect(commands, arguments.buffer, arguments.offset);
 }
 
+void clearBefore(const Device& device, VkCommandBuffer commands, VkBuffer buffer, VkDeviceSize bytes) {
+  device.api().vkCmdFillBuffer(commands, buffer, 0, bytes, 0);
+  auto order = structure<VkMemoryBarrier>(VK_STRUCTURE_TYPE_MEMORY_BARRIER);
+  order.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+  order.dstAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
+  device.api().vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT,
+                                    VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, 0, 1, &order, 0, nullptr, 0,
+                                    nullptr);
+}
+
 void orderShaders(const Device& device, VkCommandBuffer commands) {
   auto order = structure<VkMemoryBarrier>(VK_STRUCTURE_TYPE_MEMORY_BARRIER);
   order.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;

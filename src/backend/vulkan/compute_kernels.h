@@ -53,6 +53,10 @@ struct DispatchArguments {
 void dispatchIndirect(const Device& device, VkCommandBuffer commands, VkPipeline kernel,
                       const Bindings& bindings, const Slice& slice, const DispatchArguments& arguments);
 
+/// Records that the first `bytes` of a buffer are zero before later shaders write there. The buffer takes
+/// transfers.
+void clearBefore(const Device& device, VkCommandBuffer commands, VkBuffer buffer, VkDeviceSize bytes);
+
 /// Records that what shaders have written is there for later shaders.
 void orderShaders(const Device& device, VkCommandBuffer commands);
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "backend/cell_answers.h"
 #include "backend/vulkan/error.h"
 #include "backend/vulkan/structure.h"
 #include "layout.glsl"
@@ -37,7 +38,7 @@ std::string_view typeName(VkPhysicalDeviceType type) {
 }
 
 int preference(std::string_view type) {
-  constexpr std::string_view order[] = {"discrete", "integrated", "virtual", "cpu", "other"};
+  constexpr std::string_view order[] = {"discrete", "integrated", "virtual", "other", "cpu"};
   return static_cast<int>(std::ranges::find(order, type) - std::begin(order));
 }
 
@@ -109,7 +110,7 @@ std::string whyNoGeometry(const Capabilities& capabilities) {
   }
   return whatIsTooLow(
       capabilities, {{"maxTexelBufferElements", 256},
-                     {"maxStorageBufferRange", EDGES_MOST * sizeof(std::int32_t)},
+                     {"maxStorageBufferRange", answerRoom(EDGES_MOST, true) * sizeof(std::int32_t)},
                      {"maxGeometryOutputVertices", EDGES_MOST},
                      {"maxGeometryTotalOutputComponents", std::uint64_t{EDGES_MOST} * components_per_vertex},
                      {"maxImageDimension2D", 1},
@@ -196,7 +197,8 @@ std::vector<const Physical*> candidates(std::span<const Physical> devices, std::
   std::size_t index = 0;
   const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
   const bool is_number = error == std::errc() && end == wanted.data() + wanted.size();
-  if (is_number && index < devices.size()) return {&devices[index]};
+  if (is_number && index >= devices.size()) return {};
+  if (is_number) return {&devices[index]};
   std::vector<const Physical*> found;
   for (const Physical& device : devices) {
     if (isPartOf(wanted, device.info.name)) found.push_back(&device);
