@@ -3,7 +3,7 @@
 #define VORPIPE_LAYOUT
 
 // Room for the edges of one cell while it is clipped, a multiple of 4: the fast pipeline, which
-// overflows for 4.5 % of the cells of white noise, and the roomy one for those (some 40 of a million
+// overflows for 5.2 % of the cells of white noise, and the roomy one for those (some 40 of a million
 // cells go on to the host). Time grows with the room, and the time that software
 // drivers compile grows with its square: 16 would take them three times as long as 12.
 #define EDGES_FAST 8

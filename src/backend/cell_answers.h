@@ -1,4 +1,4 @@
-/// What shaders/glsl/edges.geom answers, as neighborhoods.
+/// What edges.geom and neighbors.comp of shaders/glsl answer, as neighborhoods.
 #pragma once
 
 #include <cstddef>

@@ -24,7 +24,7 @@ struct SiteMark {
   std::uint32_t shade;  ///< index into a view's palette
 };
 
-/// The uniform block SiteGrid of sites.glsl, as std140 lays it out. Boxes are west, south, east, north.
+/// The uniform block SiteGrid of site_grid.glsl, as std140 lays it out. Boxes are west, south, east, north.
 struct SiteGridUniform {
   float domain_high[4], domain_low[4];  ///< from the center of the domain, like a site
   float known_high[4], known_low[4];

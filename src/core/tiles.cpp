@@ -9,7 +9,7 @@
 namespace vorpipe {
 namespace {
 
-/// On each side of a tile, in bins: with evenly spread sites nearly every circle of security ends in it.
+/// On each side of a tile, in bins: with evenly spread sites nearly every flower ends in it.
 constexpr std::uint32_t halo = 5;
 
 bool fitsWithHalo(const Grid& grid, const BinBlock& tile, std::uint64_t most_sites, std::uint64_t most_bins) {
