@@ -7,13 +7,9 @@
 #include <utility>
 
 #include "core/hidden.h"
-#include "core/row_start.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {
-
-constexpr std::size_t grain = 4096;
 
 /// The last effort that a disputed cell was found with.
 class Efforts {
@@ -23,6 +19,7 @@ class Efforts {
   /// The cells among `disputed` to find again, and how: in double where that has not been tried yet, else
   /// exactly. Both sides of a dispute are among them, so that one of them has something left to try.
   std::pair<std::vector<std::uint32_t>, Effort> next(const std::vector<std::uint32_t>& disputed) {
+    if (disputed.empty()) return {{}, Effort::exact};
     if (last_.empty()) last_.assign(cells_, Effort::fast);
     for (const auto effort : {Effort::in_double, Effort::exact}) {
       std::vector<std::uint32_t> which;
@@ -71,8 +68,22 @@ std::vector<std::uint32_t> cellsWithoutArea(const SiteSet& sites, const Topology
   return cells;
 }
 
+/// Cells of sites with weights all of whose edges are ties: it takes exact numbers to tell them from hidden
+/// ones.
+std::vector<std::uint32_t> cellsOfTies(const ProposedCells& proposed, const TiedCells& tied) {
+  std::vector<std::uint32_t> cells;
+  if (proposed.sites.weight.empty()) return cells;
+  for (std::size_t k = 0; k < tied.cell.size(); ++k) {
+    const auto begin = tied.tie.begin() + static_cast<std::ptrdiff_t>(tied.first[k]);
+    const auto end = tied.tie.begin() + static_cast<std::ptrdiff_t>(tied.first[k + 1]);
+    const bool has_cell = proposed.cells.status[tied.cell[k]] == CellStatus::certified;
+    if (has_cell && std::find(begin, end, 0) == end) cells.push_back(tied.cell[k]);
+  }
+  return cells;
+}
+
 Neighborhoods emptyCells(std::size_t count) {
-  return {std::vector(count, CellStatus::empty), std::vector<std::uint64_t>(count + 1), {}};
+  return {std::vector(count, CellStatus::empty), BigVector<std::uint64_t>(count + 1, 0), {}};
 }
 
 /// What to try for cells in dispute. Where they cannot be blamed, since all of them are exact, a cell beside
@@ -92,11 +103,6 @@ std::pair<std::vector<std::uint32_t>, Effort> nextAround(const Topology& topolog
   return next;
 }
 
-std::span<std::int32_t> rowOf(Topology& topology, std::size_t cell) {
-  return std::span(topology.neighbor)
-      .subspan(topology.first[cell], topology.first[cell + 1] - topology.first[cell]);
-}
-
 }  // namespace
 
 Result<TiedCells> agreeOnCells(const TopologyInput& input, Topology& topology, const Records& records,
@@ -104,9 +110,6 @@ Result<TiedCells> agreeOnCells(const TopologyInput& input, Topology& topology, c
   std::vector<std::uint8_t> rough(input.sites.size());
   Efforts efforts(input.sites.size());
   std::vector<std::uint32_t> changed;
-  parallelFor(input.sites.size(), grain, input.threads, [&](std::size_t begin, std::size_t end) {
-    for (auto cell = begin; cell < end; ++cell) beginAtFirst(input.sites, rowOf(topology, cell));
-  });
   for (bool all = true;; all = false) {
     const EdgeIndex index(topology, input.threads);
     const ProposedCells proposed{input.sites, topology, index, input.threads};
@@ -117,11 +120,9 @@ Result<TiedCells> agreeOnCells(const TopologyInput& input, Topology& topology, c
     }
     auto tied = untieCells(proposed, rough);
     if (!tied) return tied;
-    if (tied->disputed.empty()) {
-      recordTiedCells(proposed, *tied, records);
-      return tied;
-    }
-    const auto vanished = cellsWithoutArea(input.sites, topology, tied->disputed);
+    const bool agreed = tied->disputed.empty();
+    const auto doubtful = agreed ? cellsOfTies(proposed, *tied) : std::move(tied->disputed);
+    const auto vanished = cellsWithoutArea(input.sites, topology, doubtful);
     if (!vanished.empty()) {
       changed.clear();
       addWithNeighbors(topology, vanished, changed);
@@ -129,18 +130,21 @@ Result<TiedCells> agreeOnCells(const TopologyInput& input, Topology& topology, c
       replaceCells(vanished, emptyCells(vanished.size()), input.threads, topology);
       continue;
     }
-    const auto [which, effort] = nextAround(topology, tied->disputed, efforts);
+    const auto [which, effort] = agreed ? efforts.next(doubtful) : nextAround(topology, doubtful, efforts);
+    if (agreed && which.empty()) {
+      recordTiedCells(proposed, *tied, records);
+      return tied;
+    }
     if (which.empty()) {
       return tl::unexpected(
           Error{ErrorCode::input,
                 fmt::format("the cells of {} sites around site {} disagree beyond exact arithmetic",
-                            tied->disputed.size(), input.sites.id[tied->disputed[0]])});
+                            doubtful.size(), input.sites.id[doubtful[0]])});
     }
     // Whoever is or was a neighbor of a changed cell may have to be judged anew.
     changed.clear();
     addWithNeighbors(topology, which, changed);
     if (auto found = findAgain(input, which, effort, topology); !found) return tl::unexpected(found.error());
-    for (const auto cell : which) beginAtFirst(input.sites, rowOf(topology, cell));
     (effort == Effort::exact ? report.exact : report.in_double) += which.size();
     addWithNeighbors(topology, which, changed);
     sortUnique(changed);

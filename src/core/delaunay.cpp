@@ -77,6 +77,10 @@ class Triangulation {
 
   /// Whether point i is inside a triangle's circle. That of an edge of the hull and the point at infinity is
   /// the half-plane outside, and the edge itself, as far as it does not hide the point by weight.
+  ///
+  /// By weight, ties are broken as if each square of a distance counted for (1 - e) of itself: what changes
+  /// by that is the plain test with its sign turned. So a point whose cell has no area is hidden, and not a
+  /// corner of triangles or not as the order of insertion has it.
   bool conflicts(std::int32_t t, std::int32_t i) {
     const auto& corner = triangle(t).corner;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -85,15 +89,18 @@ class Triangulation {
       const int side = orientation(at(a), at(b), at(i));
       return side > 0 || (side == 0 && conflictsOnLine(a, b, i));
     }
-    return weights_.empty()
-               ? inCircle(at(corner[0]), at(corner[1]), at(corner[2]), at(i)) > 0
-               : inCircle(weighted(corner[0]), weighted(corner[1]), weighted(corner[2]), weighted(i)) > 0;
+    const auto inPlain = [&] { return inCircle(at(corner[0]), at(corner[1]), at(corner[2]), at(i)); };
+    if (weights_.empty()) return inPlain() > 0;
+    const int inside = inCircle(weighted(corner[0]), weighted(corner[1]), weighted(corner[2]), weighted(i));
+    return inside != 0 ? inside > 0 : inPlain() < 0;
   }
 
   /// For point i on the line through a and b.
   bool conflictsOnLine(std::int32_t a, std::int32_t b, std::int32_t i) {
-    return weights_.empty() ? isBetween(at(a), at(b), at(i))
-                            : inInterval(weighted(a), weighted(b), weighted(i)) > 0;
+    const bool between = isBetween(at(a), at(b), at(i));
+    if (weights_.empty()) return between;
+    const int inside = inInterval(weighted(a), weighted(b), weighted(i));
+    return inside != 0 ? inside > 0 : !between;
   }
 
   /// For p on the line through a and b.

@@ -26,7 +26,8 @@ struct Mesh {
 };
 
 /// Triangulates distinct points, by weight if there are weights (a regular triangulation), with exact
-/// decisions; of points on a circle, an order of insertion that follows from their number alone decides.
+/// decisions; of points on a circle, an order of insertion that follows from their number alone decides. A
+/// point whose cell has no area is hidden.
 /// Empty if all lie on a line. Points near each other in the plane should be near each other in the order.
 /// Coordinates: as predicates.h says, or up to 2^300, if their differences are not below 2^-136 then.
 Mesh delaunay(std::vector<Point> points, std::vector<double> weights = {});

@@ -61,8 +61,11 @@ Mesh triangulate(const SiteSet& sites, int threads) {
 
 }  // namespace
 
-bool SiteMesh::isPossible() const {
-  return sites_.size() <= most_sites && isInRange(sites_) && areInRange(sites_.weight);
+bool SiteMesh::isPossible() {
+  if (!possible_) {
+    possible_ = sites_.size() <= most_sites && isInRange(sites_) && areInRange(sites_.weight);
+  }
+  return *possible_;
 }
 
 const Mesh* SiteMesh::get() {

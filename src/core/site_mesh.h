@@ -16,7 +16,7 @@ class SiteMesh {
   [[nodiscard]] const SiteSet& sites() const { return sites_; }
   /// Whether there is a mesh unless all sites lie on one line: there is none of too many sites, and of
   /// coordinates and weights too large or too near to 0 for exact decisions.
-  [[nodiscard]] bool isPossible() const;
+  [[nodiscard]] bool isPossible();
   [[nodiscard]] bool isMade() const { return mesh_.has_value(); }
 
   /// The mesh, whose points are the sites by index in the set; or null.
@@ -25,6 +25,7 @@ class SiteMesh {
  private:
   const SiteSet& sites_;
   int threads_;
+  std::optional<bool> possible_;
   std::optional<Mesh> mesh_;  ///< empty where there is none
 };
 

@@ -195,8 +195,8 @@ class Untying {
   std::vector<std::uint8_t> disputed_;
 };
 
-/// Records a cell all of whose edges are ties: of a site that is hidden but for a little, or far outside. It
-/// is empty only if it has no area at all.
+/// Records a cell all of whose edges are ties: of a site that is hidden but for a little, or far outside. One
+/// without weights that has no area, but for rounding, only touches the domain, and is empty.
 void recordUnedged(const ProposedCells& proposed, std::uint32_t cell, const Records& records) {
   const auto& sites = proposed.sites;
   const auto row = edgesOf(proposed.cells, cell);
@@ -204,7 +204,9 @@ void recordUnedged(const ProposedCells& proposed, std::uint32_t cell, const Reco
   placeCorners(sites, cell, row, corners);
   const auto origin = measuringOrigin(sites, cell, corners.front());
   const auto m = measureCell(origin, corners);
-  if (sites.weight.empty() && !(m.area > 0)) return records.empty(cell);
+  const Box& domain = sites.domain;
+  const double no_area = 1e-12 * (domain.xmax - domain.xmin) * (domain.ymax - domain.ymin);
+  if (sites.weight.empty() && !(m.area > no_area)) return records.empty(cell);
   records.cell(cell, 0, std::max(m.area, 0.0), origin, m.centroid);
 }
 
@@ -215,7 +217,10 @@ Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std:
   tied.first.push_back(0);
   for (std::size_t cell = 0; cell < rough.size(); ++cell) {
     if (rough[cell] == 0) continue;
-    if (tied.cell.empty()) tied.entry.assign(rough.size(), TiedCells::not_tied);
+    if (tied.cell.empty()) {
+      reserveBig(tied.entry, rough.size());
+      tied.entry.assign(rough.size(), TiedCells::not_tied);
+    }
     tied.entry[cell] = static_cast<std::uint32_t>(tied.cell.size());
     tied.cell.push_back(static_cast<std::uint32_t>(cell));
     tied.first.push_back(tied.first.back() + edgesOf(proposed.cells, cell).size());

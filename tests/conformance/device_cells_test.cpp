@@ -159,7 +159,7 @@ TEST(DeviceCells, ComeInTheOrderAskedFor) {
   }
   ASSERT_TRUE(backend->cells(std::span<const std::uint32_t>{}, Effort::fast, some).has_value());
   EXPECT_TRUE(some.status.empty() && some.neighbor.empty());
-  EXPECT_EQ(some.first, std::vector<std::uint64_t>{0});
+  EXPECT_EQ(some.first, BigVector<std::uint64_t>{0});
 }
 
 // A tile: what lies beyond the box that it knows may cut its outer cells.

@@ -26,21 +26,32 @@ struct Wanted {
   std::vector<double> domain;
   std::vector<std::string> disabled, limits;
   std::string search = "grid";
+  double weight_scale = 1;
   std::uint64_t count = 2000;
   std::uint64_t seed = 1;
   int threads = 0;
   bool measures = false;
 };
 
+std::vector<DataSetKind> allKinds() {
+  auto kinds = dataSetKinds();
+  kinds.insert(kinds.end(), weightedSetKinds().begin(), weightedSetKinds().end());
+  return kinds;
+}
+
 void addOptions(CLI::App& app, Wanted& wanted) {
   std::string sets;
-  for (const auto& kind : dataSetKinds()) sets += fmt::format("\n  {}: {}", kind.name, kind.difficulty);
+  for (const auto& kind : allKinds()) sets += fmt::format("\n  {}: {}", kind.name, kind.difficulty);
   app.footer("Data sets:" + sets);
-  app.add_option("inputs", wanted.inputs, "files of sites, data sets as NAME or NAME:N, or all")->required();
+  app.add_option("inputs", wanted.inputs,
+                 "files of sites, data sets as NAME or NAME:N, all, or weighted: all that have weights")
+      ->required();
   app.add_option("--backends", wanted.backends, "names; all that can be used")->delimiter(',');
   app.add_option("--domain", wanted.domain, "XMIN,YMIN,XMAX,YMAX instead of the input's own")
       ->delimiter(',')
       ->expected(4);
+  app.add_option("--weight-scale", wanted.weight_scale, "what weights of files are multiplied by")
+      ->capture_default_str();
   app.add_option("--search", wanted.search, "grid, or flann:K")->capture_default_str();
   app.add_option("--sites", wanted.count, "N of data sets named without it")->capture_default_str();
   app.add_option("--seed", wanted.seed, "of data sets")->capture_default_str();
@@ -57,7 +68,7 @@ double secondsSince(std::chrono::steady_clock::time_point begin) {
 Result<DataSet> load(const std::string& input, const Wanted& wanted) {
   const auto colon = input.find(':');
   const auto name = input.substr(0, colon);
-  const auto& kinds = dataSetKinds();
+  const auto kinds = allKinds();
   DataSet set;
   if (std::ranges::find(kinds, name, &DataSetKind::name) != kinds.end()) {
     const auto count = colon == std::string::npos ? wanted.count : std::stoull(input.substr(colon + 1));
@@ -65,6 +76,7 @@ Result<DataSet> load(const std::string& input, const Wanted& wanted) {
   } else {
     auto sites = readSites(input);
     if (!sites) return tl::unexpected(sites.error());
+    for (auto& weight : sites->weight) weight *= wanted.weight_scale;
     set = {input, std::move(*sites), {}};
     set.domain = boxAround(set.sites);
   }
@@ -115,7 +127,7 @@ bool compare(const DataSet& set, const ExactCells& exact, Session& session, cons
       report.in_double, report.exact, comparison.worst_area);
   for (const auto& fault : comparison.first) fmt::print("    {}\n", fault);
   if (wanted.measures) return comparison.agree();
-  const auto triangles = findTriangleFaults(*diagram, set.sites, set.domain, exact.triangles);
+  const auto triangles = findTriangleFaults(*diagram, set.sites, set.domain, exact);
   if (!triangles.none())
     fmt::print("    triangles: {} turned, {} overlapping, {} not Delaunay, {} missing\n", triangles.turned,
                triangles.overlapping, triangles.not_local, triangles.missing);
@@ -128,9 +140,10 @@ int run(int argc, char** argv) {
   CLI::App app("Compares cells with exact ones.");
   addOptions(app, wanted);
   CLI11_PARSE(app, argc, argv);
-  if (wanted.inputs == std::vector<std::string>{"all"}) {
+  const bool all = wanted.inputs == std::vector<std::string>{"all"};
+  if (all || wanted.inputs == std::vector<std::string>{"weighted"}) {
     wanted.inputs.clear();
-    for (const auto& kind : dataSetKinds()) wanted.inputs.emplace_back(kind.name);
+    for (const auto& kind : all ? allKinds() : weightedSetKinds()) wanted.inputs.emplace_back(kind.name);
   }
   if (wanted.backends.empty()) {
     for (const char* name : backend_names) {

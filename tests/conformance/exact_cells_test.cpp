@@ -29,13 +29,15 @@ std::set<std::int64_t> neighborsOf(const ExactCells& cells, std::size_t i, doubl
 }
 
 TEST(ExactCells, tileTheDomain) {
-  for (const auto& kind : dataSetKinds()) {
-    const auto set = makeDataSet(kind.name, 300, 3);
-    const auto& d = set.domain;
-    const double whole = (d.xmax - d.xmin) * (d.ymax - d.ymin);
-    if (!std::isnormal(whole)) continue;
-    const auto cells = exactCells(set.sites, d);
-    EXPECT_NEAR(std::accumulate(cells.area.begin(), cells.area.end(), 0.0) / whole, 1, 1e-13) << kind.name;
+  for (const auto* kinds : {&dataSetKinds(), &weightedSetKinds()}) {
+    for (const auto& kind : *kinds) {
+      const auto set = makeDataSet(kind.name, 300, 3);
+      const auto& d = set.domain;
+      const double whole = (d.xmax - d.xmin) * (d.ymax - d.ymin);
+      if (!std::isnormal(whole)) continue;
+      const auto cells = exactCells(set.sites, d);
+      EXPECT_NEAR(std::accumulate(cells.area.begin(), cells.area.end(), 0.0) / whole, 1, 1e-13) << kind.name;
+    }
   }
 }
 
@@ -68,6 +70,46 @@ TEST(ExactCells, ofEqualSitesBelongToTheFirst) {
   const auto cells = exactCells({{0.5, 0.25, 0.5, -0.0, 0.0}, {0.5, 0.5, 0.5, 0.0, -0.0}, {}}, unit);
   EXPECT_EQ(cells.owner, (std::vector<std::uint32_t>{0, 1, 0, 3, 3}));
   EXPECT_EQ(cells.area[2], 0);
+}
+
+TEST(ExactCells, areThoseOfWeights) {
+  const auto cells = exactCells({{0.25, 0.75, 2.25}, {0.5, 0.5, 0.5}, {0.25, 0, 2.25}}, unit);
+  EXPECT_EQ(cells.area, (std::vector<double>{0.75, 0, 0.25}));
+  EXPECT_EQ(cells.hidden, (std::vector<std::uint8_t>{0, 1, 0}));
+  EXPECT_EQ(cells.triangles, 0u);
+  EXPECT_EQ(neighborsOf(cells, 0, 0), (std::set<std::int64_t>{-1, -3, -4, 2}));
+  EXPECT_EQ(neighborsOf(cells, 2, 0), (std::set<std::int64_t>{-2, -3, -4, 0}));
+}
+
+/// The one in the middle takes the octagon that is left of a square by its corners.
+TEST(ExactCells, areThoseOfAHeavySiteAmongOthers) {
+  const auto cells = exactCells({{0, 4, 0, 4, 2}, {0, 0, 4, 4, 2}, {0, 0, 0, 0, 4}}, {0, 0, 4, 4});
+  EXPECT_EQ(cells.area, (std::vector<double>{0.5, 0.5, 0.5, 0.5, 14}));
+  EXPECT_EQ(cells.triangles, 4u);
+}
+
+TEST(ExactCells, withoutAreaAreHidden) {
+  for (const double off : {-0x1p-40, 0.0, 0x1p-40}) {
+    SCOPED_TRACE(off);
+    const Sites middle{{0, 4, 0, 4, 2}, {0, 0, 4, 4, 2}, {0, 0, 0, 0, -8 + off}};
+    const auto cells = exactCells(middle, {0, 0, 4, 4});
+    EXPECT_EQ(cells.hidden[4], off > 0 ? 0 : 1);
+    EXPECT_EQ(cells.area[4] > 0, off > 0);
+    EXPECT_EQ(cells.triangles, off > 0 ? 4u : 2u);
+    EXPECT_EQ(neighborsOf(cells, 0, 0x1p-30), (std::set<std::int64_t>{-1, -3, 1, 2}));
+    // Its cell would be a line.
+    const Sites row{{0, 4, 2}, {0, 0, 0}, {0, 0, -4 + off}};
+    EXPECT_EQ(exactCells(row, {0, 0, 4, 4}).hidden[2], off > 0 ? 0 : 1);
+    const Sites side{{0, 4, 2, 2}, {0, 0, 0, 3}, {0, 0, -4 + off, 0}};
+    EXPECT_EQ(exactCells(side, {0, 0, 4, 4}).hidden[2], off > 0 ? 0 : 1);
+    EXPECT_EQ(exactCells(side, {0, 0, 4, 4}).triangles, off > 0 ? 2u : 1u);
+  }
+}
+
+TEST(ExactCells, ofEqualSitesBelongToTheHeaviest) {
+  const auto cells =
+      exactCells({{0.5, 0.25, 0.5, 0.5, 0.25}, {0.5, 0.5, 0.5, 0.5, 0.5}, {1, 1, 2, 2, -3}}, unit);
+  EXPECT_EQ(cells.owner, (std::vector<std::uint32_t>{2, 1, 2, 2, 1}));
 }
 
 /// The exact cells as a diagram says them.
@@ -181,7 +223,7 @@ TriangleFaults triangleFaultsAfter(const std::function<void(Diagram&)>& spoil) {
   auto diagram = session->cells(sites, options);
   EXPECT_TRUE(diagram) << diagram.error().message;
   spoil(*diagram);
-  return findTriangleFaults(*diagram, sites, unit, exactCells(sites, unit).triangles);
+  return findTriangleFaults(*diagram, sites, unit, exactCells(sites, unit));
 }
 
 TEST(TriangleFaults, areNoneInADelaunayTriangulation) {
@@ -196,15 +238,39 @@ TEST(TriangleFaults, areFound) {
   EXPECT_GE(triangleFaultsAfter([](Diagram& d) { d.triangles.pop_back(); }).missing, 1u);
 }
 
+TEST(TriangleFaults, haveAHiddenSite) {
+  const Sites sites{{0, 4, 0, 4, 2}, {0, 0, 4, 4, 2}, {0, 0, 0, 0, -8}};
+  Diagram diagram;
+  diagram.status.assign(5, Status::ok);
+  diagram.cell_offsets.assign(6, 0);
+  const auto faults = [&] { return findTriangleFaults(diagram, sites, unit, exactCells(sites, unit)); };
+  diagram.triangles = {{0, 1, 3}, {0, 3, 2}};
+  EXPECT_TRUE(faults().none());
+  diagram.triangles = {{0, 1, 4}, {1, 3, 4}, {2, 4, 3}, {0, 4, 2}};
+  EXPECT_EQ(faults().turned, 4u);
+  EXPECT_EQ(faults().missing, 1u);
+}
+
+TEST(TriangleFaults, haveAnEdgeThatWeightsTurn) {
+  const Sites sites{{0.2, 0.8, 0.5, 0.5}, {0.5, 0.5, 0.6, 0.4}, {0.1, 0.1, 0, 0}};
+  Diagram diagram;
+  diagram.status.assign(4, Status::ok);
+  diagram.cell_offsets.assign(5, 0);
+  diagram.triangles = {{0, 1, 2}, {1, 0, 3}};
+  EXPECT_TRUE(findTriangleFaults(diagram, sites, unit, exactCells(sites, unit)).none());
+  diagram.triangles = {{0, 3, 2}, {1, 2, 3}};
+  EXPECT_EQ(findTriangleFaults(diagram, sites, unit, exactCells(sites, unit)).not_local, 1u);
+}
+
 TEST(TriangleFaults, haveAnEdgeThatIsNotDelaunay) {
   const Sites sites{{0.2, 0.8, 0.5, 0.5}, {0.5, 0.5, 0.6, 0.4}, {}};
   Diagram diagram;
   diagram.status.assign(4, Status::ok);
   diagram.cell_offsets.assign(5, 0);
   diagram.triangles = {{0, 3, 2}, {1, 2, 3}};
-  EXPECT_TRUE(findTriangleFaults(diagram, sites, unit, 2).none());
+  EXPECT_TRUE(findTriangleFaults(diagram, sites, unit, exactCells(sites, unit)).none());
   diagram.triangles = {{0, 1, 2}, {1, 0, 3}};
-  EXPECT_EQ(findTriangleFaults(diagram, sites, unit, 2).not_local, 1u);
+  EXPECT_EQ(findTriangleFaults(diagram, sites, unit, exactCells(sites, unit)).not_local, 1u);
 }
 
 }  // namespace

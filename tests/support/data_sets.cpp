@@ -4,37 +4,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "support/data_set_makers.h"
 #include "support/site_shapes.h"
 
 namespace vorpipe::test {
 
 namespace {
-
-constexpr Box unit{0, 0, 1, 1};
-
-Sites randomSites(std::uint64_t n, Random& random) { return generate(Pattern::random, n, random()); }
-
-Sites mapped(Sites sites, double scale, double x, double y) {
-  for (auto& value : sites.x) value = x + scale * value;
-  for (auto& value : sites.y) value = y + scale * value;
-  return sites;
-}
-
-Box mapped(const Box& box, double scale, double x, double y) {
-  return {x + scale * box.xmin, y + scale * box.ymin, x + scale * box.xmax, y + scale * box.ymax};
-}
-
-struct Maker {
-  DataSetKind kind;
-  DataSet (*make)(std::uint64_t n, Random& random);
-};
-
-DataSet inUnit(Sites sites) { return {{}, std::move(sites), unit}; }
-
-DataSet inItsBox(Sites sites) {
-  const Box box = boxAround(sites);
-  return {{}, std::move(sites), box};
-}
 
 Sites withCenter(Sites sites) {
   add(sites, {0.5, 0.5});
@@ -64,7 +39,7 @@ DataSet turnedLattice(std::uint64_t n, Random&) {
 }
 
 DataSet scaled(double scale, std::uint64_t n, Random& random) {
-  return {{}, mapped(randomSites(n, random), scale, 0, 0), mapped(unit, scale, 0, 0)};
+  return {{}, mapped(randomSites(n, random), scale, 0, 0), mapped(unit_square, scale, 0, 0)};
 }
 
 /// Eastings and northings in meters, to the millimeter.
@@ -139,7 +114,7 @@ const std::vector<Maker>& makers() {
        }},
       {{"cropped", "most sites outside of the domain"},
        [](N n, Random& r) {
-         return DataSet{{}, mapped(randomSites(n, r), 3, -1.3, -0.7), unit};
+         return DataSet{{}, mapped(randomSites(n, r), 3, -1.3, -0.7), unit_square};
        }},
       {{"far", "no site in the domain"},
        [](N n, Random& r) { return inUnit(mapped(randomSites(n, r), 1, 5, -3)); }},
@@ -165,24 +140,33 @@ const std::vector<Maker>& makers() {
   return all;
 }
 
+std::vector<DataSetKind> kindsOf(const std::vector<Maker>& makers) {
+  std::vector<DataSetKind> kinds;
+  for (const auto& maker : makers) kinds.push_back(maker.kind);
+  return kinds;
+}
+
 }  // namespace
 
 const std::vector<DataSetKind>& dataSetKinds() {
-  static const std::vector<DataSetKind> kinds = [] {
-    std::vector<DataSetKind> found;
-    for (const auto& maker : makers()) found.push_back(maker.kind);
-    return found;
-  }();
+  static const auto kinds = kindsOf(makers());
+  return kinds;
+}
+
+const std::vector<DataSetKind>& weightedSetKinds() {
+  static const auto kinds = kindsOf(weightedMakers());
   return kinds;
 }
 
 DataSet makeDataSet(std::string_view name, std::uint64_t n, std::uint64_t seed) {
-  for (const auto& maker : makers()) {
-    if (maker.kind.name != name) continue;
-    Random random(seed);
-    auto set = maker.make(n, random);
-    set.name = name;
-    return set;
+  for (const auto* all : {&makers(), &weightedMakers()}) {
+    for (const auto& maker : *all) {
+      if (maker.kind.name != name) continue;
+      Random random(seed);
+      auto set = maker.make(n, random);
+      set.name = name;
+      return set;
+    }
   }
   throw std::invalid_argument("no data set is called " + std::string(name));
 }

@@ -17,14 +17,17 @@ struct DataSet {
   Box domain;
 };
 
-/// The names of all data sets, each with what is hard about it.
+/// A data set's name, and what is hard about it.
 struct DataSetKind {
   std::string_view name, difficulty;
 };
+/// Those without weights.
 const std::vector<DataSetKind>& dataSetKinds();
+/// Those with weights.
+const std::vector<DataSetKind>& weightedSetKinds();
 
 /// Makes about n sites of a kind; some kinds have a size of their own. The same n and seed give the
-/// same sites. Throws std::invalid_argument for a name that is not in dataSetKinds().
+/// same sites. Throws std::invalid_argument for a name that is in neither list.
 DataSet makeDataSet(std::string_view name, std::uint64_t n, std::uint64_t seed);
 
 /// The box of the sites, grown by 5 % of its longer side: the domain of sites from a file.

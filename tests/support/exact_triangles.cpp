@@ -1,21 +1,20 @@
 #include "support/exact_triangles.h"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
+#include "support/exact_bisector.h"
+
 namespace vorpipe::test {
 namespace {
-
-using Number = CGAL::Exact_predicates_exact_constructions_kernel::FT;
 
 constexpr std::size_t most_faults_told = 10;
 
 /// Ties end in one vertex, which may shorten several edges below nothing; by this, as a part of the
-/// distance of two sites, at most.
+/// distance of the sites that meet there, at most.
 constexpr double tie = 1e-5;
 
 /// A side of a triangle, and the corner on the left of the way along it.
@@ -26,12 +25,12 @@ struct Side {
 
 class Triangles {
  public:
-  Triangles(const Diagram& diagram, const Sites& sites, const Box& domain)
-      : diagram_(diagram), sites_(sites), domain_(domain) {}
+  Triangles(const Diagram& diagram, const Sites& sites, const Box& domain, const ExactCells& exact)
+      : diagram_(diagram), places_(sites), domain_(domain), exact_(exact) {}
 
-  TriangleFaults run(std::uint64_t count) {
-    if (diagram_.triangles.size() != count)
-      fault(faults_.missing, "{} triangles, not {}", diagram_.triangles.size(), count);
+  TriangleFaults run() {
+    if (diagram_.triangles.size() != exact_.triangles)
+      fault(faults_.missing, "{} triangles, not {}", diagram_.triangles.size(), exact_.triangles);
     for (const auto& triangle : diagram_.triangles) addTriangle(triangle);
     std::sort(sides_.begin(), sides_.end(), [](const auto& a, const auto& b) { return a.way() < b.way(); });
     for (std::size_t k = 1; k < sides_.size(); ++k) {
@@ -41,7 +40,7 @@ class Triangles {
     for (const auto& side : sides_) {
       if (side.from < side.to) checkLocally(side);
     }
-    for (std::uint32_t i = 0; i < sites_.size(); ++i) checkCorners(i);
+    for (std::uint32_t i = 0; i < exact_.owner.size(); ++i) checkCorners(i);
     return std::move(faults_);
   }
 
@@ -53,23 +52,14 @@ class Triangles {
       faults_.first.push_back(fmt::format(format, std::forward<Args>(args)...));
   }
 
-  struct Vector {
-    Number x, y;
-  };
-
-  [[nodiscard]] Vector way(std::uint32_t from, std::uint32_t to) const {
-    return {Number(sites_.x[to]) - Number(sites_.x[from]), Number(sites_.y[to]) - Number(sites_.y[from])};
-  }
-
-  static Number cross(const Vector& a, const Vector& b) { return a.x * b.y - a.y * b.x; }
-
   void addTriangle(const std::array<std::uint32_t, 3>& triangle) {
     const auto& [i, j, k] = triangle;
     const bool known = std::ranges::all_of(triangle, [&](auto site) {
-      return site < sites_.size() && diagram_.status[site] != Status::duplicate;
+      return site < exact_.owner.size() && exact_.owner[site] == site && exact_.hidden[site] == 0;
     });
-    if (!known || cross(way(i, j), way(i, k)) <= 0) {
-      fault(faults_.turned, "triangle {}, {}, {} is not counter-clockwise, or has a duplicate", i, j, k);
+    if (!known || cross(places_.way(i, j), places_.way(i, k)) <= 0) {
+      fault(faults_.turned, "triangle {}, {}, {} is not counter-clockwise, or has a duplicate or hidden site",
+            i, j, k);
       return;
     }
     sides_.push_back({i, j, k});
@@ -84,18 +74,25 @@ class Triangles {
     return found != sides_.end() && found->way() == wanted ? &*found : nullptr;
   }
 
-  /// Where on the bisector of a side is the center of a triangle that stands on it, as in exact_cells.
-  [[nodiscard]] Number center(std::uint32_t from, const Vector& d, std::uint32_t third) const {
-    const auto e = way(from, third);
-    return (e.x * (e.x - d.x) + e.y * (e.y - d.y)) / (2 * cross(d, e));
+  /// The square of the longest way between the corners of two triangles that share a side.
+  [[nodiscard]] Number widest(const Side& side, std::uint32_t right) const {
+    Number most = 0;
+    for (const auto a : {side.from, side.to, side.left}) {
+      for (const auto b : {side.left, side.to, right}) {
+        const auto d = places_.way(a, b);
+        most = std::max(most, Number(dot(d, d)));
+      }
+    }
+    return most;
   }
 
   void checkLocally(const Side& side) {
     const auto* back = find(side.to, side.from);
     if (!back) return;
-    const auto d = way(side.from, side.to);
-    const Number edge = center(side.from, d, side.left) - center(side.from, d, back->left);
-    if (edge < -tie)
+    const auto bisector = places_.bisector(side.from, side.to);
+    const Number edge =
+        places_.meeting(side.from, bisector, side.left) - places_.meeting(side.from, bisector, back->left);
+    if (edge < 0 && edge * edge * bisector.squared > tie * tie * widest(side, back->left))
       fault(faults_.not_local,
             "the triangles of {}, {} with {} and {} should be flipped: edge {} of the distance", side.from,
             side.to, side.left, back->left, CGAL::to_double(edge));
@@ -120,8 +117,9 @@ class Triangles {
   }
 
   const Diagram& diagram_;
-  const Sites& sites_;
+  ExactPlaces places_;
   const Box& domain_;
+  const ExactCells& exact_;
   std::vector<Side> sides_;
   TriangleFaults faults_;
 };
@@ -129,8 +127,8 @@ class Triangles {
 }  // namespace
 
 TriangleFaults findTriangleFaults(const Diagram& diagram, const Sites& sites, const Box& domain,
-                                  std::uint64_t count) {
-  return Triangles(diagram, sites, domain).run(count);
+                                  const ExactCells& exact) {
+  return Triangles(diagram, sites, domain, exact).run();
 }
 
 }  // namespace vorpipe::test

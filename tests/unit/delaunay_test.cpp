@@ -143,6 +143,37 @@ TEST(Delaunay, byWeight) {
   EXPECT_EQ(broken(line, delaunay(line, heavy), heavy), "");
 }
 
+/// Those whose cells would have no area, in whatever order points are inserted.
+TEST(Delaunay, hidesPointsOnTheVerge) {
+  constexpr int side = 11;
+  std::vector<std::pair<int, int>> places;
+  for (int i = 0; i < side * side; ++i) places.emplace_back(i % side, i / side);
+  std::mt19937 random(7);
+  for (int run = 0; run < 20; ++run) {
+    std::shuffle(places.begin(), places.end(), random);
+    std::vector<Point> points;
+    std::vector<double> flat, board;
+    for (const auto& [x, y] : places) {
+      points.push_back({1.0 * x, 1.0 * y});
+      flat.push_back(1.0 * (x * x + y * y));
+      board.push_back((x + y) % 2 == 0 ? 0 : -1);
+    }
+    const auto isHidden = [&](const Mesh& mesh, std::size_t i) {
+      const auto& corner = mesh.triangles[static_cast<std::size_t>(mesh.at[i])].corner;
+      return std::count(corner.begin(), corner.end(), static_cast<std::int32_t>(i)) == 0;
+    };
+    const auto corners_alone = delaunay(points, flat);
+    const auto even_alone = delaunay(points, board);
+    EXPECT_EQ(broken(points, corners_alone, flat), "");
+    EXPECT_EQ(broken(points, even_alone, board), "");
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const auto& [x, y] = places[i];
+      EXPECT_EQ(isHidden(corners_alone, i), x % (side - 1) != 0 || y % (side - 1) != 0) << x << ", " << y;
+      EXPECT_EQ(isHidden(even_alone, i), (x + y) % 2 != 0) << x << ", " << y;
+    }
+  }
+}
+
 TEST(Delaunay, ofPointsThatAreAllTies) {
   std::vector<Point> lattice, ring, line, cross, parabola;
   for (int i = 0; i < 900; ++i) lattice.push_back({0.1 + i % 30, 0.1 + i / 30});
