@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "big_vector.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -107,8 +108,8 @@ struct View {
 /// a set with weights has the sites and walls that leave nothing of it, in any order, some perhaps twice.
 struct Neighborhoods {
   std::vector<CellStatus> status;
-  std::vector<std::uint64_t> first;  ///< size: entries + 1
-  std::vector<std::int32_t> neighbor;
+  BigVector<std::uint64_t> first;  ///< size: entries + 1
+  BigVector<std::int32_t> neighbor;
 };
 
 struct BackendInfo {
@@ -167,6 +168,10 @@ class Backend {
 
   /// Reads the picture back. Row 0 is the bottom row of the view. Both spans hold width * height.
   virtual Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) = 0;
+
+  /// How long the device has been at work, by its own clock, since it was opened; negative where none is
+  /// read: software devices, and those without timestamps.
+  [[nodiscard]] virtual double deviceSeconds() const { return -1; }
 
   /// What the validation layers said since the last call.
   virtual std::vector<std::string> validationMessages() { return {}; }

@@ -33,6 +33,13 @@ Result<Device> Device::open(const Physical& physical) {
   volkLoadDeviceTable(device.api_.get(), device.device_);
   vkGetPhysicalDeviceMemoryProperties(physical.handle, &device.memory_);
   VORPIPE_TRY(device.prepare(physical.queue_family));
+  // A software device's timestamps come from its rasterizer, which other work does not pass through; the host
+  // waits for such a device while it works, and knows how long that took.
+  if (physical.info.type != "cpu") {
+    Result<Clock> clock = Clock::create(physical, device.device_, *device.api_);
+    if (!clock) return tl::unexpected(std::move(clock).error());
+    device.clock_ = std::move(*clock);
+  }
   return device;
 }
 
@@ -43,10 +50,12 @@ Device::Device(Device&& other) noexcept
       queue_(other.queue_),
       pool_(std::move(other.pool_)),
       done_(std::move(other.done_)),
+      clock_(std::move(other.clock_)),
       commands_(other.commands_) {}
 
 Device::~Device() {
   if (device_ == VK_NULL_HANDLE) return;
+  clock_ = {};
   done_ = {};
   pool_ = {};
   api_->vkDestroyDevice(device_, nullptr);
@@ -79,12 +88,14 @@ Result<void> Device::run(const std::function<void(VkCommandBuffer)>& record) {
   auto begin = structure<VkCommandBufferBeginInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO);
   begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
   VORPIPE_TRY(check(api_->vkBeginCommandBuffer(commands_, &begin), "vkBeginCommandBuffer"));
+  clock_.begin(*api_, commands_);
   record(commands_);
   auto for_host = structure<VkMemoryBarrier>(VK_STRUCTURE_TYPE_MEMORY_BARRIER);
   for_host.srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT;
   for_host.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
   api_->vkCmdPipelineBarrier(commands_, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1,
                              &for_host, 0, nullptr, 0, nullptr);
+  clock_.end(*api_, commands_);
   VORPIPE_TRY(check(api_->vkEndCommandBuffer(commands_), "vkEndCommandBuffer"));
   auto submit = structure<VkSubmitInfo>(VK_STRUCTURE_TYPE_SUBMIT_INFO);
   submit.commandBufferCount = 1;
@@ -92,8 +103,10 @@ Result<void> Device::run(const std::function<void(VkCommandBuffer)>& record) {
   const VkFence fence = done_.get();
   VORPIPE_TRY(check(api_->vkResetFences(device_, 1, &fence), "vkResetFences"));
   VORPIPE_TRY(check(api_->vkQueueSubmit(queue_, 1, &submit, fence), "vkQueueSubmit"));
-  return check(api_->vkWaitForFences(device_, 1, &fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max()),
-               "vkWaitForFences");
+  VORPIPE_TRY(
+      check(api_->vkWaitForFences(device_, 1, &fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max()),
+            "vkWaitForFences"));
+  return clock_.take(device_, *api_);
 }
 
 }  // namespace vorpipe::vulkan

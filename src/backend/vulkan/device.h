@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "backend/vulkan/clock.h"
 #include "backend/vulkan/handle.h"
 #include "backend/vulkan/physical.h"
 #include "vorpipe.h"
@@ -17,7 +18,7 @@ namespace vorpipe::vulkan {
 
 class Device {
  public:
-  /// Opens a usable device with exactly the features that the geometry pipelines need.
+  /// Opens a usable device with exactly the features that the pipelines need.
   static Result<Device> open(const Physical& physical);
   Device(Device&& other) noexcept;
   Device& operator=(Device&&) = delete;
@@ -31,6 +32,9 @@ class Device {
   /// what it wrote.
   Result<void> run(const std::function<void(VkCommandBuffer)>& record);
 
+  /// How long all of that took by the device's own clock; negative if none is read.
+  [[nodiscard]] double seconds() const { return clock_.seconds(); }
+
  private:
   Device() = default;
   Result<void> prepare(std::uint32_t queue_family);
@@ -41,6 +45,7 @@ class Device {
   VkQueue queue_ = VK_NULL_HANDLE;
   Handle<VkCommandPool> pool_;
   Handle<VkFence> done_;
+  Clock clock_;
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
 };
 

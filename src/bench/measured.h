@@ -1,0 +1,70 @@
+/// Measurements and how they are told: repeated runs, their medians and spread, tables in Markdown and in
+/// JSON. `vorpipe bench` and the programs of tests/bench use the same.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "vorpipe.h"
+
+namespace vorpipe::bench {
+
+/// One quantity, measured again and again, in the order of the measurements.
+using Samples = std::vector<double>;
+
+/// Of at least one sample; the mean of the middle two of an even number.
+double median(Samples samples);
+double least(const Samples& samples);
+/// The median absolute deviation from the median: half of the samples lie at most that far from it.
+double spread(const Samples& samples);
+
+/// There is no figure, and why; nothing to say where a figure makes no sense.
+struct Missing {
+  std::string why;
+};
+
+/// What one place of a table holds: words, a whole number, a number, a measured quantity, or nothing.
+using Cell = std::variant<std::string, std::uint64_t, double, Samples, Missing>;
+
+struct Column {
+  std::string key;      ///< in JSON
+  std::string heading;  ///< in Markdown, with the unit
+};
+
+struct Table {
+  std::string name;   ///< in JSON
+  std::string title;  ///< in Markdown
+  std::vector<Column> columns;
+  std::vector<std::vector<Cell>> rows{};  ///< each as long as columns
+  std::vector<std::string> notes{};       ///< below the table
+};
+
+/// Three digits, as "0.00123", "12.3" or "1,234"; a number below 1e-4 as "1.23e-05".
+std::string numberText(double value);
+
+/// A heading, the table and its notes. A measured quantity is its median and, in brackets, its spread as a
+/// part of that: "0.396 (1.2 %)".
+std::string markdown(const Table& table);
+
+/// The table as an object: name, title, notes, and rows, objects by the columns' keys. A measured quantity
+/// is {"median", "least", "spread", "samples"}; what is missing is null, and the row's "missing" says why.
+nlohmann::ordered_json json(const Table& table);
+
+/// Something to measure. `run` does it once; `counts` says whether to keep the figures or only to warm up.
+struct Course {
+  std::string name;                              ///< for the progress
+  std::function<Result<void>(bool counts)> run;  ///< an error ends this course alone, but for `cancelled`
+  std::string failed{};                          ///< out: its error
+};
+
+/// Runs every course once to warm up, then `repetitions` rounds of all of them, each round in an order of its
+/// own, the same in every program: what else the machine does then falls on all alike. A course that fails is
+/// not run again. Error (cancelled): progress or a course said so.
+Result<void> interleave(std::span<Course> courses, int repetitions, const Progress& progress);
+
+}  // namespace vorpipe::bench

@@ -1,0 +1,80 @@
+#include "bench/timed_backend.h"
+
+#include "core/stopwatch.h"
+
+namespace vorpipe::bench {
+namespace {
+
+template <class T>
+std::uint64_t bytesOf(const T& array) {
+  return array.size() * sizeof(array[0]);
+}
+
+template <class Real>
+std::uint64_t bytesOf(const CellBatch<Real>& batch) {
+  return bytesOf(batch.entries) + bytesOf(batch.lines);
+}
+
+std::uint64_t bytesOf(const SiteSet& sites) {
+  return bytesOf(sites.x) + bytesOf(sites.y) + bytesOf(sites.weight) + bytesOf(sites.grid.first) +
+         bytesOf(sites.grid.heaviest);
+}
+
+std::uint64_t bytesOf(const Neighborhoods& found) {
+  return bytesOf(found.status) + bytesOf(found.first) + bytesOf(found.neighbor);
+}
+
+}  // namespace
+
+template <class Call>
+Result<void> TimedBackend::timed(Stage stage, std::uint64_t sent, const Call& call) {
+  const double device_before = timed_.deviceSeconds();
+  const Stopwatch watch;
+  auto done = call();
+  StageWork& work = at(stage);
+  work.seconds += watch.seconds();
+  work.device_seconds += timed_.deviceSeconds() - device_before;
+  work.sent += sent;
+  ++work.calls;
+  return done;
+}
+
+Result<void> TimedBackend::upload(const SiteSet& sites, std::span<const std::uint8_t> shade) {
+  return timed(Stage::upload, bytesOf(sites) + bytesOf(shade), [&] { return timed_.upload(sites, shade); });
+}
+
+Result<void> TimedBackend::cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) {
+  auto done = timed(Stage::clip, bytesOf(which), [&] { return timed_.cells(which, effort, out); });
+  at(Stage::clip).received += bytesOf(out);
+  return done;
+}
+
+Result<void> TimedBackend::cells(const CellBatch<double>& batch, Neighborhoods& out) {
+  auto done = timed(Stage::clip, bytesOf(batch), [&] { return timed_.cells(batch, out); });
+  at(Stage::clip).received += bytesOf(out);
+  return done;
+}
+
+Result<void> TimedBackend::begin(const View& view) {
+  return timed(Stage::draw, 0, [&] { return timed_.begin(view); });
+}
+
+Result<void> TimedBackend::draw(std::span<const std::uint32_t> which, Effort effort,
+                                std::span<CellStatus> status) {
+  at(Stage::draw).received += bytesOf(status);
+  return timed(Stage::draw, bytesOf(which), [&] { return timed_.draw(which, effort, status); });
+}
+
+Result<void> TimedBackend::draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
+                                std::span<CellStatus> status) {
+  at(Stage::draw).received += bytesOf(status);
+  return timed(Stage::draw, bytesOf(batch) + bytesOf(marks),
+               [&] { return timed_.draw(batch, marks, effort, status); });
+}
+
+Result<void> TimedBackend::read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) {
+  at(Stage::download).received += bytesOf(rgba) + bytesOf(ids);
+  return timed(Stage::download, 0, [&] { return timed_.read(rgba, ids); });
+}
+
+}  // namespace vorpipe::bench

@@ -1,0 +1,57 @@
+/// A backend that says how long each call of another one took.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "backend/backend.h"
+
+namespace vorpipe::bench {
+
+/// What a run consists of. `order` and `search` are core's own, and so is `rest`; the others are calls of a
+/// backend, and `resolve` is all calls of the judge.
+enum class Stage : std::uint8_t { order, search, upload, clip, draw, download, resolve, rest };
+inline constexpr std::size_t stage_count = 8;
+inline constexpr std::array<const char*, stage_count> stage_names = {"order", "search",   "upload",  "clip",
+                                                                     "draw",  "download", "resolve", "rest"};
+
+struct StageWork {
+  double seconds = 0;         ///< on the host's clock
+  double device_seconds = 0;  ///< on the device's own, if it has one
+  std::uint64_t calls = 0;
+  std::uint64_t sent = 0, received = 0;  ///< bytes handed over in calls of the interface
+};
+
+using Work = std::array<StageWork, stage_count>;
+
+/// Passes every call on.
+class TimedBackend final : public Backend {
+ public:
+  explicit TimedBackend(Backend& timed) : timed_(timed) {}
+
+  const BackendInfo& info() const override { return timed_.info(); }
+  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override;
+  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) override;
+  Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) override;
+  Result<void> begin(const View& view) override;
+  Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
+                    std::span<CellStatus> status) override;
+  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
+                    std::span<CellStatus> status) override;
+  Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override;
+  std::vector<std::string> validationMessages() override { return timed_.validationMessages(); }
+  [[nodiscard]] double deviceSeconds() const override { return timed_.deviceSeconds(); }
+
+  /// What was done so far, by stage.
+  [[nodiscard]] const Work& work() const { return work_; }
+
+ private:
+  template <class Call>
+  Result<void> timed(Stage stage, std::uint64_t sent, const Call& call);
+  StageWork& at(Stage stage) { return work_[static_cast<std::size_t>(stage)]; }
+
+  Backend& timed_;
+  Work work_{};
+};
+
+}  // namespace vorpipe::bench

@@ -1,0 +1,261 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "bench/conditions.h"
+#include "bench/tables.h"
+#include "cli/command.h"
+#include "cli/forecast.h"
+#include "cli/input.h"
+#include "cli/options.h"
+#include "cli/progress.h"
+#include "cli/run_end.h"
+#include "io/error.h"
+
+namespace vorpipe::cli {
+namespace {
+
+struct NamedTable {
+  std::string_view name;
+  bench::Bench measure;
+  bool has_curves;
+};
+
+constexpr std::array<NamedTable, 5> tables = {{{"scaling", bench::scaling, true},
+                                               {"stages", bench::stages, false},
+                                               {"inputs", bench::inputs, false},
+                                               {"memory", bench::memory, true},
+                                               {"thesis", bench::thesis, true}}};
+
+constexpr int most_repetitions = 1000;
+/// Of the quick selection, and of whole tables, which end with fewer by themselves.
+constexpr std::uint64_t quick_sites = 100'000, all_sites = 16'000'000;
+constexpr std::uint64_t quick_side = 2000;
+
+struct BenchCommand {
+  std::vector<std::string> tables;
+  std::vector<std::string> backends;
+  BackendOptions backend;
+  TalkOptions talk;
+  std::vector<std::string> sites;
+  std::uint64_t repetitions = bench::usual_repetitions;
+  std::optional<std::uint64_t> max_sites;
+  std::optional<std::uint64_t> max_side;
+  std::string json, markdown, plot;
+};
+
+std::vector<const NamedTable*> wantedTables(const BenchCommand& command) {
+  std::vector<const NamedTable*> wanted;
+  for (const NamedTable& table : tables) {
+    const auto is_it = [&](const std::string& name) { return name == table.name || name == "all"; };
+    if (command.tables.empty() || std::ranges::any_of(command.tables, is_it)) wanted.push_back(&table);
+  }
+  return wanted;
+}
+
+/// Opens each backend that was named, which must be possible, or each that can be opened.
+Result<std::vector<bench::OpenedDevice>> openBackends(const BenchCommand& command,
+                                                      std::vector<std::string>& unusable) {
+  std::vector<bench::OpenedDevice> opened;
+  const bool named_all = !command.backends.empty();
+  const std::vector<std::string> every = {"vulkan-compute", "cpu", "vulkan-geometry", "opengl"};
+  for (const std::string& name : named_all ? command.backends : every) {
+    if (auto go_on = stopIfAsked(); !go_on) return tl::unexpected(go_on.error());
+    BackendOptions options = command.backend;
+    options.name = name;
+    const auto session = Session::open(options);
+    if (session) {
+      if (command.talk.verbose && !session->choice().empty()) printNote(session->choice());
+      opened.push_back({name, session->device()});
+    } else if (named_all || session.error().code != ErrorCode::device) {
+      return tl::unexpected(session.error());
+    } else {
+      unusable.push_back(fmt::format("{}: not measured: {}", name, session.error().message));
+    }
+  }
+  return opened;
+}
+
+/// Why a job would not fit into this machine's memory.
+std::string refusal(const bench::Job& job, std::uint64_t sites) {
+  Work work;
+  work.draws = job.side > 0;
+  if (!work.draws) work.cells = job.detail;
+  auto enough = forecastSites(work, {}, sites, false);
+  if (enough && work.draws) enough = forecastPicture({job.side, job.side}, 1);
+  if (enough) return {};
+  const std::string& message = enough.error().message;
+  return "not tried" + message.substr(message.find(':'));
+}
+
+Result<std::vector<bench::DataSet>> loadFiles(const std::vector<std::string>& paths) {
+  std::vector<bench::DataSet> sets;
+  for (const std::string& path : paths) {
+    InputOptions options;
+    options.sites = path;
+    Work work;
+    work.cells = Detail::measures;
+    auto input = loadInput(options, work);
+    if (!input) return tl::unexpected(std::move(input.error()));
+    const std::string name = input->seed ? path : std::filesystem::path(path).filename().string();
+    sets.push_back({name, std::move(input->sites), input->domain});
+  }
+  return sets;
+}
+
+Result<bench::Settings> settingsOf(const BenchCommand& command,
+                                   const std::vector<bench::OpenedDevice>& opened) {
+  bench::Settings settings;
+  auto files = loadFiles(command.sites);
+  if (!files) return tl::unexpected(std::move(files.error()));
+  settings.files = std::move(*files);
+  for (const bench::OpenedDevice& backend : opened) settings.backends.push_back(backend.name);
+  settings.options = command.backend;
+  settings.repetitions = static_cast<int>(command.repetitions);
+  const bool quick = command.tables.empty();
+  settings.max_sites = command.max_sites.value_or(quick ? quick_sites : all_sites);
+  settings.max_side =
+      static_cast<int>(command.max_side.value_or(quick ? quick_side : bench::largest_picture));
+  settings.refusal = refusal;
+  std::error_code none;
+  settings.program = std::filesystem::read_symlink("/proc/self/exe", none).string();
+  return settings;
+}
+
+/// Measures table by table; `say` gets the text of each as soon as it is there.
+Result<bench::Findings> measure(const BenchCommand& command, bench::Lab& lab,
+                                const std::function<void(const std::string&)>& say) {
+  bench::Findings all;
+  for (const NamedTable* table : wantedTables(command)) {
+    auto found = table->measure(lab);
+    if (!found) return found;
+    for (auto& each : found->tables) {
+      say('\n' + bench::markdown(each));
+      all.tables.push_back(std::move(each));
+    }
+    for (auto& plot : found->plots) all.plots.push_back(std::move(plot));
+  }
+  return all;
+}
+
+/// The files that were asked for, with what is written to each.
+struct Output {
+  std::string path;
+  std::function<std::string()> text;
+};
+
+Result<void> writeFiles(std::span<const Output> outputs, std::span<OutputFile> files) {
+  std::vector<Writer> writers;
+  for (const Output& output : outputs) {
+    writers.emplace_back([&output](OutputFile& to) { return to.write(output.text()); });
+  }
+  return writeOutputs(files, writers);
+}
+
+Result<ExitCode> bench(const BenchCommand& command) {
+  const auto wanted = wantedTables(command);
+  if (!command.plot.empty() && std::ranges::none_of(wanted, &NamedTable::has_curves)) {
+    return inputError("--plot: the tables that were named have no curves; scaling, memory and thesis have");
+  }
+  std::string text;
+  bench::Findings findings;
+  nlohmann::ordered_json report;
+  std::vector<Output> outputs;
+  if (!command.json.empty()) {
+    outputs.push_back({command.json, [&] {
+                         return report.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+                       }});
+  }
+  if (!command.markdown.empty()) outputs.push_back({command.markdown, [&] { return text; }});
+  std::string caption;
+  if (!command.plot.empty()) outputs.push_back({command.plot, [&] { return svg(findings.plots, caption); }});
+  std::vector<std::string> paths(outputs.size());
+  std::ranges::transform(outputs, paths.begin(), &Output::path);
+  auto files = openOutputs(paths);
+  if (!files) return tl::unexpected(std::move(files.error()));
+
+  std::vector<std::string> unusable;
+  const auto opened = openBackends(command, unusable);
+  if (!opened) return tl::unexpected(opened.error());
+  auto settings = settingsOf(command, *opened);
+  if (!settings) return tl::unexpected(std::move(settings.error()));
+  ProgressBar bar(command.talk.quiet);
+  settings->progress = bar.callback();
+  const auto say = [&](const std::string& more) {
+    bar.clear();
+    text += more;
+    printSummary(command.talk, paths, more);
+    std::fflush(stdout);
+  };
+  const bench::Machine machine = bench::thisMachine();
+  const bench::Conditions conditions{machine, *opened, unusable, *settings};
+  say(bench::markdown(conditions));
+  report = bench::json(conditions);
+  caption = fmt::format("vorpipe {}, revision {}; {}, {} threads; {}", machine.version, machine.revision,
+                        machine.cpu, machine.hardware_threads, machine.time);
+  bench::Lab lab(std::move(*settings));
+  auto measured = measure(command, lab, say);
+  bar.clear();
+  if (!measured) return tl::unexpected(std::move(measured.error()));
+  findings = std::move(*measured);
+  report["tables"] = nlohmann::json::array();
+  for (const auto& table : findings.tables) report["tables"].push_back(bench::json(table));
+  if (auto written = writeFiles(outputs, *files); !written) return tl::unexpected(std::move(written.error()));
+  if (lab.failures().empty()) return exit_done;
+  return deviceError(
+      fmt::format("{} measurements failed, as {}", lab.failures().size(), lab.failures().front()));
+}
+
+/// What is wrong with the name of a table; nothing if it is one.
+std::string wrongTable(const std::string& text) {
+  const bool known = text == "all" || std::ranges::find(tables, text, &NamedTable::name) != tables.end();
+  return known ? ""
+               : fmt::format("{} is not one of scaling, stages, inputs, memory, thesis, all",
+                             vorpipe::quoted(text));
+}
+
+}  // namespace
+
+Subcommand addBench(CLI::App& app) {
+  auto command = std::make_shared<BenchCommand>();
+  CLI::App* sub = app.add_subcommand(
+      "bench",
+      "measures how fast it is, and prints tables in Markdown: scaling, stages, inputs, memory, thesis");
+  sub->add_option(
+         "TABLE", command->tables,
+         fmt::format("scaling, stages, inputs, memory, thesis or all [all, up to {} sites: some minutes]",
+                     quick_sites))
+      ->type_name("")
+      ->check(wrongTable);
+  addParsed(*sub, "--backend", command->backends, "NAME[,NAME...]",
+            fmt::format("{} [all that can be used]", fmt::join(backendNames(), ", ")), parseBackendList);
+  addDeviceChoice(*sub, command->backend);
+  const auto whole = [](std::uint64_t most) {
+    return [most](std::string_view text) { return parseWhole(text, 1, most); };
+  };
+  addParsed(*sub, "--repetitions", command->repetitions, "N",
+            fmt::format("of each measurement, after one to warm up [{}]", bench::usual_repetitions),
+            whole(most_repetitions));
+  addParsed(*sub, "--max-sites", command->max_sites, "N", "leaves out what has more sites", whole(all_sites));
+  addParsed(*sub, "--max-side", command->max_side, "N", "leaves out pictures with longer sides",
+            whole(bench::largest_picture));
+  addRepeatable(
+      *sub, "--sites", "FILE", "real data for the table inputs, as other subcommands take them; repeatable",
+      [](std::string_view text) { return Parsed<std::string>(text); },
+      [sites = &command->sites](std::string path) { sites->push_back(std::move(path)); });
+  addRunOptions(*sub, command->backend);
+  addMaskOptions(*sub, command->backend.mask);
+  addFile(*sub, "--json", command->json, "", "every figure with all its samples");
+  addFile(*sub, "--markdown", command->markdown, "", "what is printed, in a file");
+  addFile(*sub, "--plot", command->plot, ".svg", "the curves");
+  addTalkOptions(*sub, command->talk);
+  return Subcommand{sub, [command] { return bench(*command); }};
+}
+
+}  // namespace vorpipe::cli
