@@ -1,23 +1,22 @@
-/// How fast cells are: each backend against CGAL's Delaunay triangulation and, on uneven sites,
-/// against itself on even ones. All of it in one run, repeated in random order, so that what else the
-/// machine does falls on all alike.
-#include <benchmark/benchmark.h>
+/// How fast cells are: vorpipe's backends and other programs on the same sites, all of it in one run,
+/// repeated in random order, so that what else the machine does falls on all alike. First each has to be
+/// right.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <exception>
-#include <map>
-#include <memory>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "bench/cgal_delaunay.h"
-#include "bench/speed_table.h"
-#include "support/data_sets.h"
+#include "bench/contest.h"
+#include "bench/machine.h"
 
 namespace vorpipe::test {
 namespace {
@@ -25,120 +24,157 @@ namespace {
 struct Wanted {
   std::uint64_t sites = 1000000;
   std::uint64_t seed = 1;
-  int repetitions = 5;
-  int threads = 0;
+  double weights = 0;
+  int repetitions = 7;
   bool polygons = false;
+  std::vector<int> threads{0};
   std::vector<std::string> backends{"vulkan-compute", "cpu"};
   std::vector<std::string> patterns{"random"};
+  std::vector<std::string> peers;
+  std::string node_modules = NODE_MODULES;
+  std::string json;
 };
+
+constexpr std::string_view d3_name = "d3";
+
+std::string peerNames() {
+  std::string names;
+  for (const auto& peer : builtPeers()) names += peer.name + ", ";
+  return names.append(d3_name);
+}
 
 void addOptions(CLI::App& app, Wanted& wanted) {
   std::string patterns;
-  for (const auto& kind : dataSetKinds()) patterns += fmt::format("\n  {}: {}", kind.name, kind.difficulty);
+  for (const auto* kinds : {&dataSetKinds(), &weightedSetKinds()}) {
+    for (const auto& kind : *kinds) patterns += fmt::format("\n  {}: {}", kind.name, kind.difficulty);
+  }
   app.footer("Patterns:" + patterns);
   app.add_option("--sites", wanted.sites, "how many")->capture_default_str();
-  app.add_option("--seed", wanted.seed, "of the sites")->capture_default_str();
-  app.add_option("--repetitions", wanted.repetitions, "of each measurement")->capture_default_str();
-  app.add_option("--threads", wanted.threads, "of the CPU; 0 is all")->capture_default_str();
-  app.add_flag("--polygons", wanted.polygons, "all of a diagram, not its measures alone");
-  app.add_option("--backends", wanted.backends, "names")->delimiter(',')->capture_default_str();
-  app.add_option("--patterns", wanted.patterns, "names, or all; random is always among them")
+  app.add_option("--seed", wanted.seed, "of sites and weights")->capture_default_str();
+  app.add_option(
+         "--weights", wanted.weights,
+         "random weights for those without: up to this many squares of the mean distance of neighbors")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  app.add_option("--patterns", wanted.patterns, "names, or all without weights")
       ->delimiter(',')
       ->capture_default_str();
+  app.add_option("--backends", wanted.backends, "names")->delimiter(',')->capture_default_str();
+  app.add_option("--threads", wanted.threads, "of vorpipe, one line for each; 0 is all")
+      ->delimiter(',')
+      ->capture_default_str();
+  app.add_flag("--polygons", wanted.polygons, "all of vorpipe's diagram, not its measures alone");
+  app.add_option("--peers", wanted.peers, "names, or none; all by default: " + peerNames())->delimiter(',');
+  app.add_option("--node-modules", wanted.node_modules, "where npm has put d3-delaunay")
+      ->capture_default_str();
+  app.add_option("--repetitions", wanted.repetitions, "of each measurement; 0: only check that all agree")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  app.add_option("--json", wanted.json, "a file to write the figures to");
 }
 
-void measureCells(benchmark::State& state, Session& session, const DataSet& set, Detail detail) {
-  CellsOptions options{};
-  options.domain = set.domain;
-  options.detail = detail;
-  for (auto _ : state) {
-    const auto begin = std::chrono::steady_clock::now();
-    const auto diagram = session.cells(set.sites, options);
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-    state.SetIterationTime(taken.count());
-    if (!diagram) state.SkipWithError(diagram.error().message.c_str());
+/// Those that are named, or all; notes say which are not there, and why.
+Result<std::vector<Peer>> choosePeers(const Wanted& wanted, std::vector<std::string>& notes) {
+  std::vector<Peer> chosen;
+  if (wanted.peers == std::vector<std::string>{"none"}) return chosen;
+  auto all = builtPeers();
+  if (auto d3 = d3Delaunay(wanted.node_modules)) {
+    all.push_back(std::move(*d3));
+  } else {
+    notes.push_back(d3.error().message + ": not measured");
   }
+  if (wanted.peers.empty()) return all;
+  for (const auto& name : wanted.peers) {
+    const auto found = std::ranges::find(all, name, &Peer::name);
+    if (found == all.end())
+      return tl::unexpected(Error{ErrorCode::input, fmt::format("--peers: no {} here", name)});
+    chosen.push_back(std::move(*found));
+    all.erase(found);
+  }
+  return chosen;
 }
 
-void measureTriangulation(benchmark::State& state, const DataSet& set) {
-  for (auto _ : state) state.SetIterationTime(triangulate(set.sites).seconds);
-}
-
-/// What is measured, and what it is measured on.
-struct Course {
-  std::vector<std::unique_ptr<DataSet>> sets;
-  std::map<std::string, Session> sessions;
-  std::vector<Measured> rows;
-};
-
-Result<Course> prepare(const Wanted& wanted) {
-  Course course;
-  for (const auto& pattern : wanted.patterns)
-    course.sets.push_back(std::make_unique<DataSet>(makeDataSet(pattern, wanted.sites, wanted.seed)));
-  for (const auto& set : course.sets)
-    course.rows.push_back({"cgal", set->name, set->sites.size(), "cgal random"});
+Result<void> openSessions(const Wanted& wanted, Contestants& contestants) {
   for (const auto& name : wanted.backends) {
-    BackendOptions options;
-    options.name = name;
-    options.threads = wanted.threads;
-    auto session = Session::open(options);
-    if (!session) return tl::unexpected(session.error());
-    course.sessions.emplace(name, std::move(*session));
-    for (const auto& set : course.sets) {
-      course.rows.push_back({name, set->name, set->sites.size(), name + " random"});
+    for (const int threads : wanted.threads) {
+      BackendOptions options;
+      options.name = name;
+      options.threads = threads;
+      auto session = Session::open(options);
+      if (!session) return tl::unexpected(session.error());
+      contestants.sessions.push_back({std::move(*session), threads});
     }
   }
-  return course;
+  return {};
 }
 
-void registerAll(Course& course, const Wanted& wanted) {
-  const auto detail = wanted.polygons ? Detail::everything : Detail::measures;
-  for (const auto& row : course.rows) {
-    const DataSet& set = **std::ranges::find(course.sets, row.sites, [](const auto& s) { return s->name; });
-    const auto session = course.sessions.find(row.what);
-    auto* registered =
-        session == course.sessions.end()
-            ? benchmark::RegisterBenchmark(row.name().c_str(),
-                                           [&set](auto& state) { measureTriangulation(state, set); })
-            : benchmark::RegisterBenchmark(row.name().c_str(), [&set, session, detail](auto& state) {
-                measureCells(state, session->second, set, detail);
-              });
-    registered->Iterations(1)->Repetitions(wanted.repetitions)->UseManualTime()->Unit(benchmark::kSecond);
+Result<void> makeRounds(const Wanted& wanted, std::deque<Round>& rounds) {
+  BackendOptions cpu;
+  cpu.name = "cpu";
+  auto judge = Session::open(cpu);
+  if (!judge) return tl::unexpected(judge.error());
+  for (const auto& pattern : wanted.patterns) {
+    Round round{makeInput(makeDataSet(pattern, wanted.sites, wanted.seed), wanted.weights, wanted.seed), {}};
+    CellsOptions options{};
+    options.domain = round.input.set.domain;
+    auto reference = judge->cells(round.input.set.sites, options);
+    if (!reference) return tl::unexpected(reference.error());
+    round.reference = std::move(*reference);
+    rounds.push_back(std::move(round));
   }
+  return {};
+}
+
+Result<bool> measure(const Wanted& wanted) {
+  Contestants contestants;
+  std::vector<std::string> notes;
+  auto peers = choosePeers(wanted, notes);
+  if (!peers) return tl::unexpected(peers.error());
+  contestants.peers = std::move(*peers);
+  contestants.detail = wanted.polygons ? Detail::everything : Detail::measures;
+  if (auto opened = openSessions(wanted, contestants); !opened) return tl::unexpected(opened.error());
+  std::deque<Round> rounds;
+  if (auto made = makeRounds(wanted, rounds); !made) return tl::unexpected(made.error());
+  std::deque<Contest> contests;
+  auto courses = makeCourses(contestants, rounds, contests);
+  const auto machine = bench::thisMachine();
+  if (auto ran = bench::interleave(courses, wanted.repetitions, {}); !ran) return tl::unexpected(ran.error());
+
+  bool right = true;
+  for (const auto& course : courses) {
+    if (course.failed.empty()) continue;
+    right = false;
+    fmt::print(stderr, "bench_cells: {}: {}\n", course.name, course.failed);
+  }
+  if (wanted.repetitions == 0) return right;
+  fmt::print("{}", bench::markdown(machine));
+  nlohmann::ordered_json tables = nlohmann::ordered_json::array();
+  for (const auto& round : rounds) {
+    auto table = makeTable(round, contests);
+    table.notes = notes;
+    tables.push_back(bench::json(table));
+    fmt::print("\n{}", bench::markdown(table));
+  }
+  if (wanted.json.empty()) return right;
+  std::ofstream out(wanted.json);
+  out << nlohmann::ordered_json{{"machine", bench::json(machine)}, {"tables", tables}}.dump(1) << '\n';
+  if (!out.flush()) return tl::unexpected(Error{ErrorCode::input, "cannot write " + wanted.json});
+  return right;
 }
 
 int run(int argc, char** argv) {
   Wanted wanted;
-  CLI::App app("Measures cells against CGAL's Delaunay triangulation. Options of Google Benchmark work too.");
+  CLI::App app("Measures cells of vorpipe and of other programs, which are single-threaded.");
   addOptions(app, wanted);
-  std::vector<char*> ours{argv[0]};
-  std::string interleaving = "--benchmark_enable_random_interleaving=true";
-  std::vector<char*> theirs{argv[0], interleaving.data()};
-  for (int i = 1; i < argc; ++i)
-    (std::string_view(argv[i]).starts_with("--benchmark_") ? theirs : ours).push_back(argv[i]);
-  CLI11_PARSE(app, static_cast<int>(ours.size()), ours.data());
+  CLI11_PARSE(app, argc, argv);
   if (wanted.patterns == std::vector<std::string>{"all"}) {
     wanted.patterns.clear();
     for (const auto& kind : dataSetKinds()) wanted.patterns.emplace_back(kind.name);
   }
-  if (std::ranges::find(wanted.patterns, "random") == wanted.patterns.end())
-    wanted.patterns.insert(wanted.patterns.begin(), "random");
-
-  auto course = prepare(wanted);
-  if (!course) {
-    fmt::print(stderr, "bench_cells: {}\n", course.error().message);
-    return 3;
-  }
-  registerAll(*course, wanted);
-  int count = static_cast<int>(theirs.size());
-  benchmark::Initialize(&count, theirs.data());
-  if (benchmark::ReportUnrecognizedArguments(count, theirs.data())) return 2;
-#ifndef NDEBUG
-  fmt::print(stderr, "bench_cells: built with assertions (CGAL's are many): its times mean little\n");
-#endif
-  SpeedTable table(course->rows);
-  benchmark::RunSpecifiedBenchmarks(&table);
-  return table.failed() ? 1 : 0;
+  const auto right = measure(wanted);
+  if (right) return *right ? 0 : 1;
+  fmt::print(stderr, "bench_cells: {}\n", right.error().message);
+  return right.error().code == ErrorCode::input ? 2 : 3;
 }
 
 }  // namespace

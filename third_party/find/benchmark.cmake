@@ -1,5 +1,0 @@
-find_package(benchmark CONFIG QUIET)
-if(TARGET benchmark::benchmark)
-  add_library(dep::benchmark INTERFACE IMPORTED)
-  target_link_libraries(dep::benchmark INTERFACE benchmark::benchmark)
-endif()

@@ -1,0 +1,5 @@
+find_package(Qhull CONFIG QUIET)
+if(TARGET Qhull::qhull_r)
+  add_library(dep::qhull INTERFACE IMPORTED)
+  target_link_libraries(dep::qhull INTERFACE Qhull::qhull_r)
+endif()

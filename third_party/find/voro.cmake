@@ -1,0 +1,7 @@
+find_path(VORO_INCLUDE_DIR voro++/voro++.hh)
+find_library(VORO_LIBRARY voro++)
+if(VORO_INCLUDE_DIR AND VORO_LIBRARY)
+  add_library(dep::voro INTERFACE IMPORTED)
+  target_include_directories(dep::voro SYSTEM INTERFACE ${VORO_INCLUDE_DIR})
+  target_link_libraries(dep::voro INTERFACE ${VORO_LIBRARY})
+endif()
