@@ -3,10 +3,11 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <numeric>
+#include <utility>
 
 #include "core/corner_batch.h"
 #include "core/row_start.h"
+#include "core/size_order.h"
 #include "core/wide.h"
 #include "parallel.h"
 
@@ -18,13 +19,13 @@ constexpr std::size_t grain = 4096;
 /// Writes the edges of cells in the order of the set.
 class Writing {
  public:
-  Writing(const ProposedCells& proposed, const TiedCells& tied, const Records& records)
+  Writing(const ProposedCells& proposed, const TiedCells& tied, const Unscale& unscale, Diagram& diagram)
       : proposed_(proposed),
         sites_(proposed.sites),
         cells_(proposed.cells),
         tied_(tied),
-        records_(records),
-        diagram_(records.diagram),
+        unscale_(unscale),
+        diagram_(diagram),
         batch_(proposed.sites) {}
 
   /// Writes the neighbors of cells begin to end - 1.
@@ -44,25 +45,25 @@ class Writing {
 
   /// Writes the polygons of cells begin to end - 1.
   void polygons(std::size_t begin, std::size_t end) {
-    for (auto cell = begin; cell < end; ++cell) {
-      if (cells_.status[cell] == CellStatus::empty) continue;
-      if (tied_.has(cell)) {
-        writeTied(cell);
-        continue;
-      }
-      const auto row = edgesOf(cells_, cell);
-      auto added = batch_.add(static_cast<std::uint32_t>(cell), row);
-      if (added == CornerBatch::Added::full) {
-        writeBatch();
-        added = batch_.add(static_cast<std::uint32_t>(cell), row);
-      }
-      if (added == CornerBatch::Added::other) writeAlone(cell, row);
-    }
+    const auto all = [](std::size_t cell) { return static_cast<std::uint32_t>(cell); };
+    forCellsBySize(cells_, begin, end, all, [&](std::uint32_t cell) { polygon(cell); });
     writeBatch();
   }
 
  private:
   static constexpr std::size_t ahead = 32;
+
+  void polygon(std::uint32_t cell) {
+    if (cells_.status[cell] == CellStatus::empty) return;
+    if (tied_.has(cell)) return writeTied(cell);
+    const auto row = edgesOf(cells_, cell);
+    auto added = batch_.add(cell, row);
+    if (added == CornerBatch::Added::full) {
+      writeBatch();
+      added = batch_.add(cell, row);
+    }
+    if (added == CornerBatch::Added::other) writeAlone(cell, row);
+  }
 
   void writeNeighbors(std::size_t cell, std::uint64_t out) {
     const auto row = edgesOf(cells_, cell);
@@ -79,7 +80,7 @@ class Writing {
     for (std::size_t k = 0; k < batch_.size(); ++k) {
       const auto row = batch_.row(k);
       places_.clear();
-      for (std::size_t e = 0; e < row.size(); ++e) places_.push_back(batch_.placeOf(batch_.slot(k) + e));
+      for (std::size_t e = 0; e < row.size(); ++e) places_.push_back(batch_.placeOf(k, e));
       writePolygon(batch_.cell(k), row);
       writeMoments(batch_.cell(k), places_);
     }
@@ -116,11 +117,11 @@ class Writing {
       const auto& begin = places_[e];
       const double length = lengthOf(wayBetween(begin, places_[e + 1 < row.size() ? e + 1 : 0]));
       perimeter += length;
-      diagram_.vertices[out] = records_.unscale(positionOf(begin));
+      diagram_.vertices[out] = unscale_(positionOf(begin));
       diagram_.neighbors[out] = outsideIndex(sites_, row[e]);
-      diagram_.edge_lengths[out] = records_.unscale(length);
+      diagram_.edge_lengths[out] = unscale_(length);
     }
-    diagram_.perimeter[id] = records_.unscale(perimeter);
+    diagram_.perimeter[id] = unscale_(perimeter);
   }
 
   /// Writes the second moments of the cell with these corners, before ties join them.
@@ -128,7 +129,7 @@ class Writing {
     const auto id = sites_.id[cell];
     const auto m = measureCell(measuringOrigin(sites_, cell, corners.front()), corners);
     for (std::size_t k = 0; k < 3; ++k) {
-      diagram_.second_moments[id][k] = records_.unscale(m.second_moments[k], 4);
+      diagram_.second_moments[id][k] = unscale_(m.second_moments[k], 4);
     }
   }
 
@@ -136,7 +137,7 @@ class Writing {
   const SiteSet& sites_;
   const Neighborhoods& cells_;
   const TiedCells& tied_;
-  const Records& records_;
+  const Unscale& unscale_;
   Diagram& diagram_;
   CornerBatch batch_;
   std::vector<std::uint32_t> edges_;
@@ -144,52 +145,96 @@ class Writing {
   std::vector<Place> places_;
 };
 
-}  // namespace
-
-void makeArrays(const Prepared& prepared, const Sites& sites, const Neighborhoods& cells, Detail detail,
-                int threads, Diagram& diagram) {
-  const auto count = sites.size();
-  // Cells that are found again may come back with a few edges more.
-  const auto edges = cells.neighbor.size() + cells.neighbor.size() / 1024 + 64;
-  // To touch memory for the first time takes long, so that it is shared out.
-  std::vector<std::function<void()>> tasks{
-      [&] { diagram.neighbors.resize(edges); },
-      [&] { diagram.centroid.resize(count); },
-      [&] { diagram.area.resize(count); },
-      [&] { diagram.cell_offsets.resize(count + 1); },
-      [&] { diagram.status.resize(count, Status::duplicate); },
+/// Gives the arrays that `detail` asks for their lengths. To touch memory for the first time takes long, so
+/// that it is shared out.
+void makeArrays(std::size_t count, std::size_t edges, Detail detail, int threads, Diagram& diagram) {
+  std::vector<std::function<void()>> tasks;
+  const auto make = [&tasks](auto& array, std::size_t size) {
+    tasks.emplace_back([&array, size] { makeBig(array, size); });
   };
   if (detail != Detail::measures) {
-    tasks.insert(tasks.begin(),
-                 {[&] { diagram.vertices.resize(edges); }, [&] { diagram.edge_lengths.resize(edges); },
-                  [&] { diagram.second_moments.resize(count); }, [&] { diagram.perimeter.resize(count); }});
+    make(diagram.vertices, edges);
+    make(diagram.edge_lengths, edges);
+    make(diagram.second_moments, count);
+    make(diagram.perimeter, count);
   }
-  parallelFor(tasks.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto task = begin; task < end; ++task) tasks[task]();
+  make(diagram.neighbors, edges);
+  make(diagram.centroid, count);
+  make(diagram.area, count);
+  make(diagram.cell_offsets, count + 1);
+  make(diagram.status, count);
+  parallelFor(tasks.size(), 1, threads, [&](std::size_t task, std::size_t) { tasks[task](); });
+}
+
+/// areaGap of `count` cells.
+template <class AreaOf>
+double gapOf(std::size_t count, const AreaOf& areaOf, const Box& domain, int threads) {
+  std::vector<Wide> parts((count + grain - 1) / grain);
+  parallelFor(count, grain, threads, [&](std::size_t begin, std::size_t end) {
+    // One sum would wait for itself.
+    std::array<Wide, 4> sums{};
+    for (auto i = begin; i < end; ++i) sums[i % 4] = sums[i % 4] + Wide{areaOf(i), 0};
+    parts[begin / grain] = (sums[0] + sums[1]) + (sums[2] + sums[3]);
   });
-  if (prepared.set.size() == count) return;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (prepared.owner[i] != i) diagram.centroid[i] = {sites.x[i], sites.y[i]};
-  }
+  const double domain_area = (domain.xmax - domain.xmin) * (domain.ymax - domain.ymin);
+  if (!std::isnormal(domain_area)) return 0;
+  Wide gap{-domain_area, 0};
+  for (const auto part : parts) gap = gap + part;
+  return gap.high / domain_area;
 }
 
-void closeArrays(Diagram& diagram) {
-  auto& offsets = diagram.cell_offsets;
-  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-  for (const auto status : diagram.status) {
-    diagram.report.ok += status == Status::ok ? 1 : 0;
-    diagram.report.empty += status == Status::empty ? 1 : 0;
+}  // namespace
+
+BigVector<CellRecord> makeRecords(const Prepared& prepared, const Sites& sites) {
+  BigVector<CellRecord> records(sites.size());
+  if (prepared.set.size() == sites.size()) return records;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    if (prepared.owner[i] != i) records[i] = {0, {sites.x[i], sites.y[i]}, 0, Status::duplicate};
   }
-  diagram.report.duplicate = diagram.status.size() - diagram.report.ok - diagram.report.empty;
-  diagram.neighbors.resize(offsets.back());
-  if (diagram.vertices.empty()) return;
-  diagram.vertices.resize(offsets.back());
-  diagram.edge_lengths.resize(offsets.back());
+  return records;
 }
 
-void writeEdges(const ProposedCells& proposed, const TiedCells& tied, Detail detail, const Records& records) {
+void takeRecords(std::span<const CellRecord> records, Detail detail, int threads, Diagram& diagram) {
+  struct Sums {
+    std::uint64_t edges = 0, ok = 0, empty = 0;
+  };
+  std::vector<Sums> sums((records.size() + grain - 1) / grain);
+  parallelFor(records.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    Sums sum;
+    for (auto i = begin; i < end; ++i) {
+      sum.edges += records[i].edges;
+      sum.ok += records[i].status == Status::ok ? 1u : 0u;
+      sum.empty += records[i].status == Status::empty ? 1u : 0u;
+    }
+    sums[begin / grain] = sum;
+  });
+  auto& report = diagram.report;
+  std::uint64_t edges = 0;
+  for (auto& sum : sums) {
+    edges += std::exchange(sum.edges, edges);
+    report.ok += sum.ok;
+    report.empty += sum.empty;
+  }
+  report.duplicate = records.size() - report.ok - report.empty;
+  makeArrays(records.size(), edges, detail, threads, diagram);
+  diagram.cell_offsets.back() = edges;
+  parallelFor(records.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    auto offset = sums[begin / grain].edges;
+    for (auto i = begin; i < end; ++i) {
+      const auto& record = records[i];
+      diagram.status[i] = record.status;
+      diagram.area[i] = record.area;
+      diagram.centroid[i] = record.centroid;
+      diagram.cell_offsets[i] = offset;
+      offset += record.edges;
+    }
+  });
+}
+
+void writeEdges(const ProposedCells& proposed, const TiedCells& tied, Detail detail, const Unscale& unscale,
+                Diagram& diagram) {
   parallelFor(proposed.sites.size(), grain, proposed.threads, [&](std::size_t begin, std::size_t end) {
-    Writing writing(proposed, tied, records);
+    Writing writing(proposed, tied, unscale, diagram);
     if (detail == Detail::measures) {
       writing.neighbors(begin, end);
     } else {
@@ -199,17 +244,13 @@ void writeEdges(const ProposedCells& proposed, const TiedCells& tied, Detail det
 }
 
 double areaGap(const Diagram& diagram, const Box& domain, int threads) {
-  std::vector<Wide> parts((diagram.area.size() + grain - 1) / grain);
-  parallelFor(diagram.area.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
-    Wide sum{0, 0};
-    for (auto i = begin; i < end; ++i) sum = sum + Wide{diagram.area[i], 0};
-    parts[begin / grain] = sum;
-  });
-  const double domain_area = (domain.xmax - domain.xmin) * (domain.ymax - domain.ymin);
-  if (!std::isnormal(domain_area)) return 0;
-  Wide gap{-domain_area, 0};
-  for (const auto part : parts) gap = gap + part;
-  return gap.high / domain_area;
+  return gapOf(
+      diagram.area.size(), [&](std::size_t i) { return diagram.area[i]; }, domain, threads);
+}
+
+double areaGap(std::span<const CellRecord> records, const Box& domain, int threads) {
+  return gapOf(
+      records.size(), [&](std::size_t i) { return records[i].area; }, domain, threads);
 }
 
 }  // namespace vorpipe

@@ -1,4 +1,4 @@
-/// The arrays of a Diagram: made, and filled cell by cell.
+/// From the records of cells to the arrays of a Diagram.
 #pragma once
 
 #include "core/prepare.h"
@@ -6,21 +6,25 @@
 
 namespace vorpipe {
 
-/// Gives the arrays that `detail` asks for their lengths, those by edge an upper bound, and writes
-/// what is known of sites without a cell of their own: duplicates.
-void makeArrays(const Prepared& prepared, const Sites& sites, const Neighborhoods& cells, Detail detail,
-                int threads, Diagram& diagram);
+/// Records for all input sites; those of sites without a cell of their own, duplicates, are written.
+BigVector<CellRecord> makeRecords(const Prepared& prepared, const Sites& sites);
 
-/// Turns the numbers of edges in cell_offsets into offsets, counts the statuses, and cuts the arrays by
-/// edge to their length.
-void closeArrays(Diagram& diagram);
+/// Gives the arrays that `detail` asks for their lengths, fills those that say what the records do, and
+/// counts the statuses.
+void takeRecords(std::span<const CellRecord> records, Detail detail, int threads, Diagram& diagram);
 
 /// Writes neighbors, and for more detail than measures the vertices, edge lengths, perimeters
 /// and second moments.
-void writeEdges(const ProposedCells& proposed, const TiedCells& tied, Detail detail, const Records& records);
+void writeEdges(const ProposedCells& proposed, const TiedCells& tied, Detail detail, const Unscale& unscale,
+                Diagram& diagram);
+
+/// Of the domain's area, what the areas may miss or exceed it by: what double leaves, and what no diagram of
+/// cells that agree has ever come near.
+inline constexpr double area_rounding = 1e-12, area_wrong = 1e-6;
 
 /// By how much the sum of all areas differs from the domain's area, as a part of that. Summation
 /// itself loses nothing that counts. 0 if areas of the domain's size are beyond the range of doubles.
 double areaGap(const Diagram& diagram, const Box& domain, int threads);
+double areaGap(std::span<const CellRecord> records, const Box& domain, int threads);
 
 }  // namespace vorpipe

@@ -4,6 +4,7 @@
 #include <atomic>
 
 #include "core/corner_batch.h"
+#include "core/size_order.h"
 #include "parallel.h"
 
 namespace vorpipe {
@@ -42,8 +43,8 @@ class Checking {
     bool any = false;
     std::array<bool, CornerBatch::most_cells> passed{};
     for (std::size_t k = 0; k < batch_.size(); ++k) {
-      passed[k] = passes(batch_.cell(k), batch_.row(k),
-                         [&, slot = batch_.slot(k)](std::size_t e) { return batch_.excess(slot + e) > 0; });
+      passed[k] =
+          passes(batch_.cell(k), batch_.row(k), [&](std::size_t e) { return batch_.excess(k, e) > 0; });
       any = any || passed[k];
     }
     if (any) batch_.measure();
@@ -99,27 +100,22 @@ class Checking {
   }
 
   [[nodiscard]] double perimeterOf(std::size_t k) const {
+    const auto edges = batch_.row(k).size();
     double perimeter = 0;
-    for (std::size_t s = batch_.slot(k); s < batch_.slot(k) + batch_.row(k).size(); ++s) {
-      perimeter += lengthOf(wayBetween(batch_.placeOf(s), batch_.placeOf(s + 1)));
+    for (std::size_t e = 0; e < edges; ++e) {
+      perimeter += lengthOf(wayBetween(batch_.placeOf(k, e), batch_.placeOf(k, e + 1 < edges ? e + 1 : 0)));
     }
     return perimeter;
   }
 
   void record(std::size_t k) {
     const auto cell = batch_.cell(k);
-    const auto edges = batch_.row(k).size();
-    double cross = 0;
-    Point moment{0, 0};
-    for (std::size_t s = batch_.slot(k); s < batch_.slot(k) + edges; ++s) {
-      cross += batch_.cross(s);
-      moment.x += batch_.moment(s).x;
-      moment.y += batch_.moment(s).y;
-    }
-    if (!sites_.weight.empty()) markFlat(cell, cross / 2, perimeterOf(k));
-    const double third = 1 / (3 * cross);
-    const auto origin = measuringOrigin(sites_, cell, batch_.placeOf(batch_.slot(k)));
-    records_.cell(cell, edges, cross / 2, origin, {moment.x * third, moment.y * third});
+    const double area = batch_.twiceArea(k) / 2;
+    const auto moment = batch_.moment(k);
+    if (!sites_.weight.empty()) markFlat(cell, area, perimeterOf(k));
+    const double third = 1 / (3 * batch_.twiceArea(k));
+    const auto origin = measuringOrigin(sites_, cell, batch_.placeOf(k, 0));
+    records_.cell(cell, batch_.row(k).size(), area, origin, {moment.x * third, moment.y * third});
   }
 
   void checkAlone(std::uint32_t cell, std::span<const std::int32_t> row) {
@@ -147,6 +143,17 @@ class Checking {
   std::vector<Place> places_;
 };
 
+/// Checks the cells cellAt(0) to cellAt(count - 1).
+template <class CellAt>
+void checkSome(const ProposedCells& proposed, std::size_t count, const CellAt& cellAt, const Records& records,
+               std::span<std::uint8_t> rough) {
+  parallelFor(count, grain, proposed.threads, [&](std::size_t begin, std::size_t end) {
+    Checking checking(proposed, records, rough);
+    forCellsBySize(proposed.cells, begin, end, cellAt, [&](std::uint32_t cell) { checking.check(cell); });
+    checking.finish();
+  });
+}
+
 bool isInside(const Box& box, double x, double y) {
   return x >= box.xmin && x <= box.xmax && y >= box.ymin && y <= box.ymax;
 }
@@ -173,19 +180,13 @@ bool isRightlyEmpty(const SiteSet& sites, const Neighborhoods& cells, std::size_
 
 void checkCells(const ProposedCells& proposed, std::span<const std::uint32_t> which, const Records& records,
                 std::span<std::uint8_t> rough) {
-  parallelFor(which.size(), grain, proposed.threads, [&](std::size_t begin, std::size_t end) {
-    Checking checking(proposed, records, rough);
-    for (auto k = begin; k < end; ++k) checking.check(which[k]);
-    checking.finish();
-  });
+  checkSome(
+      proposed, which.size(), [&](std::size_t k) { return which[k]; }, records, rough);
 }
 
 void checkCells(const ProposedCells& proposed, const Records& records, std::span<std::uint8_t> rough) {
-  parallelFor(proposed.sites.size(), grain, proposed.threads, [&](std::size_t begin, std::size_t end) {
-    Checking checking(proposed, records, rough);
-    for (auto cell = begin; cell < end; ++cell) checking.check(static_cast<std::uint32_t>(cell));
-    checking.finish();
-  });
+  const auto all = [](std::size_t cell) { return static_cast<std::uint32_t>(cell); };
+  checkSome(proposed, proposed.sites.size(), all, records, rough);
 }
 
 }  // namespace vorpipe

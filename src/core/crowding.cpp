@@ -3,6 +3,7 @@
 #include <atomic>
 #include <iterator>
 
+#include "big_vector.h"
 #include "parallel.h"
 
 namespace vorpipe {
@@ -26,6 +27,7 @@ class Sorting {
   Crowding run() {
     Crowding crowding;
     if (!findDensities()) {
+      reserveBig(crowding.even, which_.size());
       crowding.even.assign(which_.begin(), which_.end());
       return crowding;
     }

@@ -8,6 +8,10 @@
 
 #include "backend/backend.h"
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
 namespace vorpipe {
 
 /// The edges of one cell, counter-clockwise.
@@ -15,6 +19,10 @@ inline std::span<const std::int32_t> edgesOf(const Neighborhoods& cells, std::si
   return std::span(cells.neighbor)
       .subspan(static_cast<std::size_t>(cells.first[cell]),
                static_cast<std::size_t>(cells.first[cell + 1] - cells.first[cell]));
+}
+
+inline std::span<std::int32_t> edgesOf(Neighborhoods& cells, std::size_t cell) {
+  return std::span(cells.neighbor).subspan(cells.first[cell], cells.first[cell + 1] - cells.first[cell]);
 }
 
 /// Looks neighbors up in cells of any number of edges. Cells outlive it unchanged.
@@ -30,10 +38,7 @@ class EdgeIndex {
     if (row.size() > most_scanned) return findInLarge(cell, neighbor);
     const auto* edge = row.data();
     if (row.size() <= at_once && edge + at_once <= end_) {
-      // Looking at a few edges too many is faster than to guess where to stop.
-      std::uint32_t found = 0;
-      for (std::size_t e = 0; e < at_once; ++e) found |= std::uint32_t{edge[e] == neighbor} << e;
-      const auto first = static_cast<std::size_t>(std::countr_zero(found));
+      const auto first = static_cast<std::size_t>(std::countr_zero(matches(edge, neighbor)));
       return first < row.size() ? first : none;
     }
     for (std::size_t e = 0; e < row.size(); ++e) {
@@ -47,6 +52,23 @@ class EdgeIndex {
   /// neighbors, each of which asks for itself, from costing their number squared.
   static constexpr std::size_t most_scanned = 64;
   static constexpr std::size_t at_once = 8;
+
+  /// Bit e says whether edge[e] is `neighbor`. To look at a few edges too many is faster than to guess where
+  /// to stop.
+  static std::uint32_t matches(const std::int32_t* edge, std::int32_t neighbor) {
+#if defined(__SSE2__)
+    const auto* four = reinterpret_cast<const __m128i*>(edge);
+    const auto wanted = _mm_set1_epi32(neighbor);
+    const auto low = _mm_cmpeq_epi32(_mm_loadu_si128(four), wanted);
+    const auto high = _mm_cmpeq_epi32(_mm_loadu_si128(four + 1), wanted);
+    const auto bytes = _mm_packs_epi16(_mm_packs_epi32(low, high), _mm_setzero_si128());
+    return static_cast<std::uint32_t>(_mm_movemask_epi8(bytes));
+#else
+    std::uint32_t found = 0;
+    for (std::size_t e = 0; e < at_once; ++e) found |= std::uint32_t{edge[e] == neighbor} << e;
+    return found;
+#endif
+  }
 
   struct Large {
     std::size_t cell;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/row_start.h"
 #include "parallel.h"
 
 namespace vorpipe {
@@ -12,7 +13,7 @@ constexpr std::size_t grain = std::size_t{1} << 15;
 }  // namespace
 
 /// Part 0 has the one entry that stands for every cell which was never added.
-Gathering::Gathering(std::size_t cells, int threads) : places_(cells), threads_(threads) {
+Gathering::Gathering(std::size_t cells, int threads) : places_(cells, Place{0, 0}), threads_(threads) {
   parts_.push_back({{CellStatus::missing}, {0, 0}, {}});
 }
 
@@ -24,7 +25,9 @@ void Gathering::add(std::span<const std::uint32_t> which, Neighborhoods found) {
   });
 }
 
-Neighborhoods Gathering::finish() const {
+/// copy(row, out) writes a row to its place.
+template <class Copy>
+Neighborhoods Gathering::finishWith(const Copy& copy) const {
   const auto cells = places_.size();
   Neighborhoods all;
   all.status.resize(cells);
@@ -47,15 +50,22 @@ Neighborhoods Gathering::finish() const {
   all.neighbor.resize(block_first.back());
   parallelFor(cells, grain, threads_, [&](std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end; ++i) {
-      const auto& part = parts_[places_[i].part];
-      const auto e = places_[i].entry;
+      const auto& place = places_[i];
       all.first[i] += block_first[begin / grain];
-      std::copy(part.neighbor.begin() + static_cast<std::ptrdiff_t>(part.first[e]),
-                part.neighbor.begin() + static_cast<std::ptrdiff_t>(part.first[e + 1]),
-                all.neighbor.begin() + static_cast<std::ptrdiff_t>(all.first[i]));
+      copy(edgesOf(parts_[place.part], place.entry), all.neighbor.data() + all.first[i]);
     }
   });
   return all;
+}
+
+Neighborhoods Gathering::finish() const {
+  return finishWith(
+      [](std::span<const std::int32_t> row, std::int32_t* out) { std::copy(row.begin(), row.end(), out); });
+}
+
+Neighborhoods Gathering::finishFromFirst(const SiteSet& sites) const {
+  return finishWith(
+      [&](std::span<const std::int32_t> row, std::int32_t* out) { copyFromFirst(sites, row, out); });
 }
 
 }  // namespace vorpipe

@@ -20,12 +20,18 @@ class Gathering {
   /// All cells in order; `missing` what was never added.
   [[nodiscard]] Neighborhoods finish() const;
 
+  /// The same, each neighborhood turned as beginAtFirst has it.
+  [[nodiscard]] Neighborhoods finishFromFirst(const SiteSet& sites) const;
+
  private:
+  template <class Copy>
+  [[nodiscard]] Neighborhoods finishWith(const Copy& copy) const;
+
   struct Place {
     std::uint32_t part, entry;
   };
   std::vector<Neighborhoods> parts_;
-  std::vector<Place> places_;  ///< by cell
+  BigVector<Place> places_;  ///< by cell
   int threads_;
 };
 

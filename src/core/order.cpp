@@ -1,9 +1,9 @@
 #include "core/order.h"
 
 #include <cmath>
-#include <memory>
 #include <numeric>
 
+#include "big_vector.h"
 #include "core/grid.h"
 #include "parallel.h"
 
@@ -50,13 +50,13 @@ class Ordering {
   /// Fresh memory is expensive to touch for the first time; so that is done on all threads too.
   void makeRoom() {
     const auto count = sites_.size();
-    placed_ = std::make_unique_for_overwrite<Placed[]>(count);
+    placed_.resize(count);
     parallelFor(4, 1, threads_, [&](std::size_t task, std::size_t) {
-      if (task == 0) set_.x.resize(count);
-      if (task == 1) set_.y.resize(count);
-      if (task == 2) set_.id.resize(count);
+      if (task == 0) makeBig(set_.x, count);
+      if (task == 1) makeBig(set_.y, count);
+      if (task == 2) makeBig(set_.id, count);
       if (task == 3) {
-        owner_.resize(count);
+        makeBig(owner_, count);
         std::iota(owner_.begin(), owner_.end(), 0u);
       }
     });
@@ -101,7 +101,7 @@ class Ordering {
     const auto first_bin = bucket << bucket_bits_;
     const auto bins = std::min(std::size_t{1} << bucket_bits_, set_.grid.first.size() - 1 - first_bin);
     const auto begin = bucket_first_[bucket];
-    const std::span<const Placed> sites(placed_.get() + begin, bucket_first_[bucket + 1] - begin);
+    const std::span<const Placed> sites(placed_.data() + begin, bucket_first_[bucket + 1] - begin);
     std::vector<std::uint32_t> next(bins + 1);
     for (const auto& site : sites) ++next[site.bin - first_bin + 1];
     std::partial_sum(next.begin(), next.end(), next.begin());
@@ -221,7 +221,7 @@ class Ordering {
   std::vector<std::uint32_t>& owner_;
   int bucket_bits_ = least_bucket_bits;
   std::size_t buckets_ = 0, block_ = 0, blocks_ = 0;
-  std::unique_ptr<Placed[]> placed_;         ///< bucket by bucket
+  BigVector<Placed> placed_;                 ///< bucket by bucket
   std::vector<std::uint32_t> places_;        ///< of a block's next site of a bucket, by block and bucket
   std::vector<std::uint32_t> bucket_first_;  ///< of its sites; size: buckets + 1
   std::vector<std::uint32_t> removed_;       ///< duplicates by bucket

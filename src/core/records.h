@@ -1,9 +1,9 @@
-/// The records of a Diagram that is being made: from the sites of a SiteSet, in scaled units, to input
-/// order and the caller's units.
+/// The records of cells: from the sites of a SiteSet, in scaled units, to input order and the caller's units.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/measure.h"
 #include "core/place.h"
@@ -48,40 +48,38 @@ inline Measures measureCell(Point origin, std::span<const Place> corners) {
   return measurePolygon(polygon);
 }
 
-/// Writes the records of cells; any thread may write any cell. The arrays are as long as they need to be.
+/// What a Diagram says of one site. Input order is anywhere in memory, so that it is written to one place and
+/// not yet to the arrays of a Diagram, which are four.
+struct CellRecord {
+  double area;
+  Point centroid;
+  std::uint32_t edges;
+  Status status;
+};
+
+/// Writes the records of cells; any thread may write any cell.
 struct Records {
   const SiteSet& sites;
   Unscale unscale;
-  Diagram& diagram;
+  std::span<CellRecord> by_input;
 
-  /// Says that the record of `cell` will be written soon. Input order is anywhere in memory, and a
-  /// store that waits for it holds up those behind it.
+  /// Says that the record of `cell` will be written soon: a store that waits for its memory holds up those
+  /// behind it.
   void announce(std::size_t cell) const {
 #if defined(__GNUC__)
-    const auto id = sites.id[cell];
-    __builtin_prefetch(&diagram.status[id], 1);
-    __builtin_prefetch(&diagram.cell_offsets[id + std::size_t{1}], 1);
-    __builtin_prefetch(&diagram.area[id], 1);
-    __builtin_prefetch(&diagram.centroid[id], 1);
+    __builtin_prefetch(&by_input[sites.id[cell]], 1);
 #else
     (void)cell;
 #endif
   }
   void empty(std::size_t cell) const {
-    const auto id = sites.id[cell];
-    diagram.status[id] = Status::empty;
-    diagram.cell_offsets[id + std::size_t{1}] = 0;
-    diagram.area[id] = 0;
-    diagram.centroid[id] = unscale(Point{sites.x[cell], sites.y[cell]});
+    by_input[sites.id[cell]] = {0, unscale(Point{sites.x[cell], sites.y[cell]}), 0, Status::empty};
   }
-  /// `centroid` is relative to `origin`, as measuringOrigin has it. Until all offsets are summed up,
-  /// cell_offsets[i + 1] is the number of edges of cell i.
+  /// `centroid` is relative to `origin`, as measuringOrigin has it.
   void cell(std::size_t cell, std::size_t edges, double area, Point origin, Point centroid) const {
-    const auto id = sites.id[cell];
-    diagram.status[id] = Status::ok;
-    diagram.cell_offsets[id + std::size_t{1}] = edges;
-    diagram.area[id] = unscale(area, 2);
-    diagram.centroid[id] = unscale(Point{origin.x + centroid.x, origin.y + centroid.y});
+    by_input[sites.id[cell]] = {unscale(area, 2),
+                                unscale(Point{origin.x + centroid.x, origin.y + centroid.y}),
+                                static_cast<std::uint32_t>(edges), Status::ok};
   }
 };
 

@@ -1,9 +1,12 @@
 /// Cells tried first, that tell what a device makes of the others.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
+
+#include "big_vector.h"
 
 namespace vorpipe {
 
@@ -15,8 +18,12 @@ struct Sample {
     constexpr std::size_t size = 128, least = 8 * size;
     const auto step = which.size() < least ? 1 : which.size() / size;
     cells.reserve(which.size() / step + 1);
-    rest.reserve(which.size() - which.size() / step);
-    for (std::size_t e = 0; e < which.size(); ++e) (e % step == 0 ? cells : rest).push_back(which[e]);
+    reserveBig(rest, which.size() - which.size() / step);
+    for (std::size_t begin = 0; begin < which.size(); begin += step) {
+      const auto some = which.subspan(begin, std::min(step, which.size() - begin));
+      cells.push_back(some.front());
+      rest.insert(rest.end(), some.begin() + 1, some.end());
+    }
   }
 
   /// How many of the rest will fail if `failed` of the sample did: rather too few.

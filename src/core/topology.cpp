@@ -7,6 +7,7 @@
 #include "core/grid_topology.h"
 #include "core/hidden.h"
 #include "core/list_topology.h"
+#include "core/row_start.h"
 #include "core/triage.h"
 
 namespace vorpipe {
@@ -27,6 +28,7 @@ Result<void> findAgain(const TopologyInput& input, const std::vector<std::uint32
   auto found = input.judge.find(which, effort, input.threads, input.progress, exact);
   if (!found) return tl::unexpected(found.error());
   proveEmpty(input.sites, which, input.threads, *found);
+  for (std::size_t e = 0; e < which.size(); ++e) beginAtFirst(input.sites, edgesOf(*found, e));
   replaceCells(which, std::move(*found), input.threads, topology);
   return {};
 }
@@ -44,7 +46,7 @@ Result<Topology> findTopology(const TopologyInput& input, Report& report) {
   auto found = input.judge.find(*left, Effort::in_double, input.threads, input.progress, report.exact);
   if (!found) return tl::unexpected(found.error());
   gathering.add(*left, std::move(*found));
-  auto topology = gathering.finish();
+  auto topology = gathering.finishFromFirst(input.sites);
   std::vector<std::uint32_t> all(input.sites.weight.size());
   std::iota(all.begin(), all.end(), 0u);
   proveEmpty(input.sites, all, input.threads, topology);

@@ -6,8 +6,8 @@
 
 namespace vorpipe {
 
-/// The neighborhoods of all cells of a SiteSet, each certified or empty. With weights, those that were empty
-/// without proof are open.
+/// The neighborhoods of all cells of a SiteSet, each certified or empty, turned as beginAtFirst has them.
+/// With weights, those that were empty without proof are open.
 using Topology = Neighborhoods;
 
 /// What finding a topology works with; all of it outlives the call.

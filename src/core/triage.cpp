@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "big_vector.h"
 #include "parallel.h"
 
 namespace vorpipe {
@@ -44,7 +45,7 @@ Triage sortOut(const SiteSet& sites, int threads) {
     return triage;
   }
   if (outside == 0) {
-    triage.inside.resize(sites.size());
+    makeBig(triage.inside, sites.size());
     std::iota(triage.inside.begin(), triage.inside.end(), 0u);
     return triage;
   }

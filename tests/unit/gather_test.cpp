@@ -15,8 +15,8 @@ TEST(Gathering, PutsLaterAnswersInThePlaceOfEarlierOnes) {
   gathering.add(std::vector<std::uint32_t>{0, 3}, {{certified, empty}, {0, 2, 2}, {2, -4}});
   const auto all = gathering.finish();
   EXPECT_EQ(all.status, (std::vector{certified, missing, certified, empty}));
-  EXPECT_EQ(all.first, (std::vector<std::uint64_t>{0, 2, 2, 5, 5}));
-  EXPECT_EQ(all.neighbor, (std::vector<std::int32_t>{2, -4, 0, -1, -2}));
+  EXPECT_EQ(all.first, (BigVector<std::uint64_t>{0, 2, 2, 5, 5}));
+  EXPECT_EQ(all.neighbor, (BigVector<std::int32_t>{2, -4, 0, -1, -2}));
 }
 
 TEST(Gathering, HoldsManyCells) {

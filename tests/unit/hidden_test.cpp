@@ -100,8 +100,8 @@ TEST(ProveEmpty, takesTheProofAndOpensWhatHasNone) {
   proveEmpty(set, which, 2, cells);
   EXPECT_EQ(cells.status,
             (std::vector{CellStatus::empty, CellStatus::certified, CellStatus::open, CellStatus::open}));
-  EXPECT_EQ(cells.first, (std::vector<std::uint64_t>{0, 0, 3, 3, 3}));
-  EXPECT_EQ(cells.neighbor, (std::vector<std::int32_t>{2, 3, wall_xmin}));
+  EXPECT_EQ(cells.first, (BigVector<std::uint64_t>{0, 0, 3, 3, 3}));
+  EXPECT_EQ(cells.neighbor, (BigVector<std::int32_t>{2, 3, wall_xmin}));
 }
 
 /// The point whose powers to three sites are equal, in units of double.

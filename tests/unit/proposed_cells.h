@@ -149,8 +149,8 @@ inline Assembled assemble(const SiteSet& set, Neighborhoods cells, int threads =
   prepared.owner.resize(set.size());
   std::iota(prepared.owner.begin(), prepared.owner.end(), 0u);
   const Sites none{std::vector<double>(set.size()), std::vector<double>(set.size()), {}};
-  makeArrays(prepared, none, cells, detail, threads, result.diagram);
-  const Records records{prepared.set, Unscale(0), result.diagram};
+  auto by_input = makeRecords(prepared, none);
+  const Records records{prepared.set, Unscale(0), by_input};
   const EdgeIndex index(cells, threads);
   const ProposedCells proposed{set, cells, index, threads};
   std::vector<std::uint8_t> rough(set.size());
@@ -161,8 +161,8 @@ inline Assembled assemble(const SiteSet& set, Neighborhoods cells, int threads =
   result.tied_vertices = tied->place.size();
   if (!tied->disputed.empty()) return result;
   recordTiedCells(proposed, *tied, records);
-  closeArrays(result.diagram);
-  writeEdges(proposed, *tied, detail, records);
+  takeRecords(by_input, detail, threads, result.diagram);
+  writeEdges(proposed, *tied, detail, records.unscale, result.diagram);
   if (detail == Detail::everything) {
     SiteMesh mesh(proposed.sites, threads);
     result.diagram.triangles = dualTriangles(proposed, *tied, mesh);

@@ -1,0 +1,31 @@
+/// Cells one after the other by their number of edges.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "backend/backend.h"
+
+namespace vorpipe {
+
+/// Calls each(cell) for cellAt(begin) to cellAt(end - 1), those with few edges first. In such an order a
+/// processor foresees where the loops over edges end, and cells of one number of edges can be worked on side
+/// by side.
+template <class CellAt, class Each>
+void forCellsBySize(const Neighborhoods& cells, std::size_t begin, std::size_t end, const CellAt& cellAt,
+                    const Each& each) {
+  constexpr std::size_t most = 64;
+  const auto sizeOf = [&](std::uint32_t cell) {
+    return std::min<std::size_t>(cells.first[cell + std::size_t{1}] - cells.first[cell], most);
+  };
+  std::array<std::uint32_t, most + 2> next{};
+  for (auto k = begin; k < end; ++k) ++next[sizeOf(cellAt(k)) + 1];
+  for (std::size_t size = 0; size < most; ++size) next[size + 1] += next[size];
+  std::vector<std::uint32_t> order(end - begin);
+  for (auto k = begin; k < end; ++k) order[next[sizeOf(cellAt(k))]++] = cellAt(k);
+  for (const auto cell : order) each(cell);
+}
+
+}  // namespace vorpipe
