@@ -5,7 +5,9 @@ cmake_minimum_required(VERSION 3.25)
 # Regular expressions of the own headers that each kind of file may include; the first that matches
 # a file's path holds for it.
 set(kinds
-    "^(vorpipe|parallel)\\.h$"
+    "^vorpipe(\\.h$|/)"
+    "^(parallel|big_vector)\\.h$"
+    "^geos\\.h$"
     "^core/"
     "^backend/registry\\."
     "^backend/cpu/"
@@ -13,18 +15,22 @@ set(kinds
     "^backend/opengl/"
     "^backend/[^/]*$"
     "^io/"
+    "^bench/"
     "^cli/"
     "^view/")
 set(may_include
+    "^vorpipe/"
     "^$"
-    "^(vorpipe\\.h|parallel\\.h|core/.*|backend/(backend|collect|registry)\\.h)$"
+    "^vorpipe\\.h$"
+    "^(vorpipe\\.h|(parallel|big_vector)\\.h|geos\\.h|core/.*|backend/(backend|collect|registry)\\.h)$"
     "^(vorpipe\\.h|backend/[^/]*\\.h|backend/cpu/cpu\\.h|backend/vulkan/vulkan_backend\\.h|backend/opengl/opengl_backend\\.h)$"
-    "^(vorpipe\\.h|parallel\\.h|backend/[^/]*\\.h|backend/cpu/.*|(layout|bins|cell|grid|list)\\.glsl)$"
-    "^(vorpipe\\.h|parallel\\.h|backend/[^/]*\\.h|backend/vulkan/.*|layout\\.glsl|shaders\\.h)$"
-    "^(vorpipe\\.h|parallel\\.h|backend/[^/]*\\.h|backend/opengl/.*|layout\\.glsl|shaders\\.h)$"
-    "^(vorpipe\\.h|parallel\\.h|backend/[^/]*\\.h|layout\\.glsl)$"
-    "^(vorpipe\\.h|io/.*)$"
-    "^(vorpipe\\.h|io/.*|cli/.*)$"
+    "^(vorpipe\\.h|(parallel|big_vector)\\.h|backend/[^/]*\\.h|backend/cpu/.*|(layout|bins|cell|grid|list)\\.glsl)$"
+    "^(vorpipe\\.h|(parallel|big_vector)\\.h|backend/[^/]*\\.h|backend/vulkan/.*|layout\\.glsl|shaders\\.h)$"
+    "^(vorpipe\\.h|(parallel|big_vector)\\.h|backend/[^/]*\\.h|backend/opengl/.*|layout\\.glsl|shaders\\.h)$"
+    "^(vorpipe\\.h|(parallel|big_vector)\\.h|backend/[^/]*\\.h|layout\\.glsl)$"
+    "^(vorpipe\\.h|geos\\.h|io/.*)$"
+    "^(vorpipe\\.h|(parallel|big_vector)\\.h|bench/.*|io/site_source\\.h|core/(diagram|render|stopwatch)\\.h|backend/(backend|registry)\\.h)$"
+    "^(vorpipe\\.h|io/.*|bench/.*|cli/.*)$"
     "^(vorpipe\\.h|view/.*)$")
 
 # Headers, most of them a library's, and the only files that may include them.
@@ -37,17 +43,19 @@ set(guarded_headers
     "^flann/"
     "^(csv|png|zip)\\.h$"
     "^geos_c\\.h$"
+    "^geos\\.h$"
     "^boost/geometry/"
     "^CLI/")
 set(users
-    "^(core/|backend/registry\\.)"
+    "^(core/|bench/|backend/registry\\.)"
     "^backend/vulkan/"
     "^backend/opengl/"
     "^backend/cpu/"
     "^view/"
     "^core/flann_"
     "^io/"
-    "^(core/outline_|io/)"
+    "^geos\\.h$"
+    "^(core/outline_check|io/hole_triangles)\\."
     "^core/outline_"
     "^cli/")
 
@@ -85,6 +93,7 @@ vorpipe_expect(TRUE backend/registry.cpp backend/cpu/cpu.h TRUE)
 vorpipe_expect(TRUE backend/vulkan/device.cpp backend/capabilities.h TRUE)
 vorpipe_expect(TRUE cli/render.cpp io/png.h TRUE)
 vorpipe_expect(FALSE core/diagram.cpp backend/cpu/cpu.h TRUE)
+vorpipe_expect(FALSE bench/lab.cpp core/judge.h TRUE)
 vorpipe_expect(FALSE core/diagram.cpp flann/flann.hpp FALSE)
 vorpipe_expect(FALSE core/diagram.cpp ../backend/cpu/cpu.h TRUE)
 vorpipe_expect(FALSE backend/opengl/draw.cpp backend/vulkan/device.h TRUE)

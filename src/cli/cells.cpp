@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "cli/command.h"
+#include "cli/forecast.h"
 #include "cli/input.h"
 #include "cli/options.h"
 #include "cli/progress.h"
@@ -54,10 +55,10 @@ Detail neededDetail(const CellsCommand& command) {
   return detail;
 }
 
-std::uint64_t neededBytesPerSite(const CellsCommand& command) {
+Work workOf(const CellsCommand& command) {
   std::uint64_t beside = command.check ? bytes_per_checked_site : 0;
   for (const CellsFile& file : command.files) beside = std::max(beside, bytesToWriteSite(file.format));
-  return bytesPerSite(neededDetail(command)) + beside;
+  return {false, neededDetail(command), !command.density.empty(), beside};
 }
 
 std::optional<double> massSum(const Diagram& diagram) {
@@ -103,10 +104,18 @@ Result<ExitCode> cells(const CellsCommand& command) {
   const Stopwatch total;
   const std::vector<std::string> paths = outputPaths(command);
   if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("cells.csv"));
-  const auto input = loadInput(command.input, neededBytesPerSite(command));
+  const Work work = workOf(command);
+  const auto input = loadInput(command.input, work);
   if (!input) return tl::unexpected(input.error());
   auto options = cellsOptions(command, *input);
   if (!options) return tl::unexpected(std::move(options.error()));
+  const int threads = command.backend.threads;
+  if (const auto checked = checkInput(command.input, *input, *options, threads); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  if (const auto enough = forecastImages(work, *input, threads); !enough) {
+    return tl::unexpected(enough.error());
+  }
   auto files = openOutputs(paths);
   if (!files) return tl::unexpected(std::move(files.error()));
   auto session = Session::open(command.backend);
@@ -115,20 +124,19 @@ Result<ExitCode> cells(const CellsCommand& command) {
   options->progress = bar.callback();
   const auto diagram = session->cells(input->sites, *options);
   bar.clear();
-  if (!diagram) return asOption(diagram.error());
+  if (!diagram) return asOption(diagram.error(), command.input);
   if (!validationIsSilent(diagram->report)) return exit_device;
   if (command.check) {
-    const auto passed = passesCheck(check(input->sites, *options, *diagram, command.backend.threads));
+    const auto passed = passesCheck(check(input->sites, *options, *diagram, threads));
     if (!passed) return tl::unexpected(passed.error());
     if (!*passed) return exit_different;
   }
   const auto written = writeFiles(command, *input, *diagram, *files, total);
   if (!written) return tl::unexpected(written.error());
-  if (!command.talk.quiet) {
-    fmt::print("{}, {}\n", outcomeText(paths, diagram->report),
-               runText(diagram->report, total.milliseconds(), command.check));
-  }
-  if (command.talk.verbose && !session->choice().empty()) fmt::print("{}\n", session->choice());
+  printSummary(command.talk, paths,
+               fmt::format("{}, {}\n", outcomeText(paths, diagram->report),
+                           runText(diagram->report, total.milliseconds(), command.check)));
+  if (command.talk.verbose && !session->choice().empty()) printNote(session->choice());
   return exit_done;
 }
 
@@ -147,8 +155,7 @@ Subcommand addCells(CLI::App& app) {
                 [files = &command->files](CellsFile file) { files->push_back(std::move(file)); });
   addFile(*sub, "--density", command->density, "",
           "a density over the domain, .png (dark is dense) or .npy, pixels with row 0 at the top: the mass "
-          "of each "
-          "cell and its center");
+          "of each cell and its center");
   addBackendChoice(*sub, command->backend);
   addSearchOptions(*sub, command->search);
   addRunOptions(*sub, command->backend);

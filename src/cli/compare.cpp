@@ -5,10 +5,12 @@
 
 #include "cli/command.h"
 #include "cli/comparison.h"
+#include "cli/forecast.h"
 #include "cli/input.h"
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/run_end.h"
+#include "cli/stats.h"
 #include "io/png_file.h"
 
 namespace vorpipe::cli {
@@ -21,12 +23,13 @@ struct CompareCommand {
   TalkOptions talk;
   RenderOptions picture{};
   std::optional<Size> size;
-  std::string report, png;
+  bool check = false;
+  std::string report, png, stats;
 };
 
 std::vector<std::string> outputPaths(const CompareCommand& command) {
   std::vector<std::string> paths;
-  for (const std::string& path : {command.report, command.png}) {
+  for (const std::string& path : {command.report, command.png, command.stats}) {
     if (!path.empty()) paths.push_back(path);
   }
   return paths;
@@ -45,16 +48,23 @@ Result<RenderOptions> pictureOptions(const CompareCommand& command, const Input&
   return forecastPicture(size, runs + pairs + montage).map([&] { return options; });
 }
 
-/// The cells of what is drawn.
-CellsOptions cellsOptions(const RenderOptions& picture) {
-  CellsOptions options{};
-  options.domain = picture.domain;
-  options.outline = picture.outline;
-  options.periodic = picture.periodic;
-  options.search = picture.search;
-  options.detail = Detail::measures;
-  options.progress = picture.progress;
-  return options;
+/// Adds the promises that are broken, after the backend's name and what broke them.
+Result<void> addBroken(std::string_view name, std::string_view what,
+                       const Result<std::vector<std::string>>& found, std::vector<std::string>& broken) {
+  if (!found) return tl::unexpected(found.error());
+  for (const std::string& promise : *found) broken.push_back(fmt::format("{}, {}: {}", name, what, promise));
+  return {};
+}
+
+Result<void> checkRun(const CompareCommand& command, const Input& input, const RenderOptions& picture,
+                      BackendRun& run) {
+  if (!command.check) return {};
+  const int threads = command.backend.threads;
+  auto drawn =
+      addBroken(run.name, "picture", check(input.sites, picture, run.rendering, threads), run.broken);
+  if (!drawn) return drawn;
+  return addBroken(run.name, "cells", check(input.sites, cellsOptions(picture), run.cells, threads),
+                   run.broken);
 }
 
 Result<BackendRun> runBackend(const CompareCommand& command, const std::string& name, const Input& input,
@@ -67,12 +77,17 @@ Result<BackendRun> runBackend(const CompareCommand& command, const std::string& 
   picture.progress = bar.callback();
   const Stopwatch render_watch;
   auto rendering = session->render(input.sites, picture);
-  if (!rendering) return asOption(std::move(rendering.error()));
+  if (!rendering) return asOption(std::move(rendering.error()), command.input);
   const double render_ms = render_watch.milliseconds();
   const Stopwatch cells_watch;
   auto cells = session->cells(input.sites, cellsOptions(picture));
-  if (!cells) return asOption(std::move(cells.error()));
-  return BackendRun{name, std::move(*rendering), std::move(*cells), render_ms, cells_watch.milliseconds()};
+  if (!cells) return asOption(std::move(cells.error()), command.input);
+  bar.clear();
+  BackendRun run{name, std::move(*rendering), std::move(*cells), render_ms, cells_watch.milliseconds(), {}};
+  if (auto checked = checkRun(command, input, picture, run); !checked) {
+    return tl::unexpected(std::move(checked.error()));
+  }
+  return run;
 }
 
 /// Runs every backend; none when the validation layers spoke, after printing what they said.
@@ -91,7 +106,8 @@ Result<std::vector<BackendRun>> runBackends(const CompareCommand& command, const
 }
 
 Result<void> writeFiles(const CompareCommand& command, const Comparison& comparison, const Input& input,
-                        std::span<OutputFile> files) {
+                        std::span<OutputFile> files, const Stopwatch& total) {
+  const Stopwatch watch;
   std::vector<Writer> writers;
   if (!command.report.empty()) {
     writers.emplace_back([&](OutputFile& to) { return to.write(comparisonJson(comparison, input)); });
@@ -102,27 +118,56 @@ Result<void> writeFiles(const CompareCommand& command, const Comparison& compari
       return writePng(to, montage.width, montage.height, montage.rgba);
     });
   }
+  if (!command.stats.empty()) {
+    writers.emplace_back([&](OutputFile& to) {
+      return to.write(statsJson({"compare", input, reportOf(comparison), watch.milliseconds(),
+                                 total.milliseconds(), areaSum(comparison.runs.front().cells)}));
+    });
+  }
   return writeOutputs(files, writers);
 }
 
-Result<ExitCode> compare(const CompareCommand& command) {
+Work workOf(const CompareCommand& command) {
   // Cells are kept of every run while the next is at work.
   const std::uint64_t kept = (command.backends.size() - 1) * bytes_per_kept_site;
-  const auto input = loadInput(command.input, bytesPerSite(Detail::measures) + kept);
+  return {true, Detail::measures, false, kept + (command.check ? bytes_per_checked_site : 0)};
+}
+
+/// The input and what is drawn of it, or why that cannot be.
+Result<RenderOptions> checkedOptions(const CompareCommand& command, const Input& input) {
+  const int threads = command.backend.threads;
+  auto options = pictureOptions(command, input);
+  if (!options) return options;
+  if (auto checked = checkInput(command.input, input, cellsOptions(*options), threads); !checked) {
+    return tl::unexpected(std::move(checked.error()));
+  }
+  if (auto enough = forecastImages(workOf(command), input, threads); !enough) {
+    return tl::unexpected(std::move(enough.error()));
+  }
+  return options;
+}
+
+Result<ExitCode> compare(const CompareCommand& command) {
+  const Stopwatch total;
+  const auto input = loadInput(command.input, workOf(command));
   if (!input) return tl::unexpected(input.error());
-  const auto options = pictureOptions(command, *input);
+  const auto options = checkedOptions(command, *input);
   if (!options) return tl::unexpected(options.error());
-  auto files = openOutputs(outputPaths(command));
+  const std::vector<std::string> paths = outputPaths(command);
+  auto files = openOutputs(paths);
   if (!files) return tl::unexpected(std::move(files.error()));
   auto runs = runBackends(command, *input, *options);
   if (!runs) return tl::unexpected(std::move(runs.error()));
   if (runs->empty()) return exit_device;
+  std::vector<std::string> broken;
+  for (const BackendRun& run : *runs) broken.insert(broken.end(), run.broken.begin(), run.broken.end());
+  if (!*passesCheck(broken)) return exit_different;
   auto pairs = comparePairs(*runs, *input);
   if (!pairs) return tl::unexpected(std::move(pairs.error()));
   const Comparison comparison{std::move(*runs), std::move(*pairs)};
-  const auto written = writeFiles(command, comparison, *input, *files);
+  const auto written = writeFiles(command, comparison, *input, *files, total);
   if (!written) return tl::unexpected(written.error());
-  if (!command.talk.quiet) fmt::print("{}", comparisonTable(comparison));
+  printSummary(command.talk, paths, comparisonTable(comparison));
   const std::string differences = disagreementText(comparison);
   if (differences.empty()) return exit_done;
   printError(differences);
@@ -141,11 +186,15 @@ Subcommand addCompare(CLI::App& app) {
       ->required();
   addInputOptions(*sub, command->input)->required();
   addSizeOption(*sub, command->size);
+  addDeviceChoice(*sub, command->backend);
   addSearchOptions(*sub, command->picture.search);
   addRunOptions(*sub, command->backend);
   addMaskOptions(*sub, command->backend.mask);
   addFile(*sub, "--report", command->report, "", "what was found, in JSON");
   addFile(*sub, "-o", command->png, ".png", "the pictures side by side, and below each pair's differences");
+  sub->add_flag("--check", command->check,
+                "verifies what render and cells verify, of each backend; exit code 1 if a promise is broken");
+  addFile(*sub, "--stats", command->stats, "", "what was done by all of them together, in JSON");
   addTalkOptions(*sub, command->talk);
   return Subcommand{sub, [command] { return compare(*command); }};
 }

@@ -82,7 +82,46 @@ std::string pairText(const PairDiff& pair) {
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
+/// Adds a run's counters and times; a stage that none had stays negative.
+void addRun(const Report& run, Report& sum) {
+  sum.retried += run.retried;
+  sum.in_double += run.in_double;
+  sum.exact += run.exact;
+  for (const auto stage :
+       {&Times::order, &Times::upload, &Times::search, &Times::cells, &Times::draw, &Times::download}) {
+    const double ms = run.time_ms.*stage;
+    double& to = sum.time_ms.*stage;
+    if (ms >= 0) to = std::max(to, 0.0) + ms;
+  }
+}
+
+/// Adds a name to a list of different ones.
+void addName(const std::string& name, std::string& list) {
+  if (list.empty()) {
+    list = name;
+  } else if (list.find(name) == std::string::npos) {
+    list += ", " + name;
+  }
+}
+
 }  // namespace
+
+Report reportOf(const Comparison& comparison) {
+  const Report& first = comparison.runs.front().cells.report;
+  Report sum;
+  sum.ok = first.ok;
+  sum.empty = first.empty;
+  sum.duplicate = first.duplicate;
+  sum.hidden = first.hidden;
+  for (const BackendRun& run : comparison.runs) {
+    addRun(run.rendering.report, sum);
+    addRun(run.cells.report, sum);
+    sum.backend += (sum.backend.empty() ? "" : ", ") + run.name;
+    addName(run.cells.report.device, sum.device);
+    addName(run.cells.report.driver, sum.driver);
+  }
+  return sum;
+}
 
 Result<std::vector<PairDiff>> comparePairs(const std::vector<BackendRun>& runs, const Input& input) {
   std::vector<PairDiff> pairs;

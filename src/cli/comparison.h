@@ -15,6 +15,7 @@ struct BackendRun {
   Rendering rendering;
   Diagram cells;
   double render_ms = 0, cells_ms = 0;
+  std::vector<std::string> broken{};  ///< promises that a check found broken
 };
 
 struct PairDiff {
@@ -38,6 +39,10 @@ std::string comparisonTable(const Comparison& comparison);
 
 /// Which pairs differ and what in the first of them, in one line; empty when all agree.
 std::string disagreementText(const Comparison& comparison);
+
+/// What all runs did together: sums, and the names of the backends and devices. The statuses are those of the
+/// first run's cells.
+Report reportOf(const Comparison& comparison);
 
 /// The object that `--report` writes, with a line's end.
 std::string comparisonJson(const Comparison& comparison, const Input& input);

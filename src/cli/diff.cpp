@@ -9,8 +9,10 @@
 #include "cli/difference_text.h"
 #include "cli/input.h"
 #include "cli/options.h"
+#include "cli/progress.h"
 #include "cli/run_end.h"
 #include "io/error.h"
+#include "io/extension.h"
 #include "io/npy_ids.h"
 #include "io/png_file.h"
 
@@ -29,13 +31,16 @@ struct Outcome {
   Picture picture;
 };
 
-bool namesIds(const std::string& path) { return path.ends_with(".npy") || path.ends_with(".NPY"); }
+bool namesIds(const std::string& path) { return lowerExtension(path) == ".npy"; }
 
 Result<IdDiff> idDiff(const DiffCommand& command, const Image& a, const Image& b) {
   if (command.input.sites.empty()) return diffIds(a.ids, b.ids, a.width, a.height);
-  const auto input = loadInput(command.input, sizeof(double[3]));
+  Work work;
+  work.beside = sizeof(double[3]);
+  const auto input = loadInput(command.input, work);
   if (!input) return tl::unexpected(input.error());
-  return diffIds(a.ids, b.ids, a.width, a.height, input->sites, input->domain, input->periodic);
+  auto diff = diffIds(a.ids, b.ids, a.width, a.height, input->sites, input->domain, input->periodic);
+  return diff ? diff : asOption(std::move(diff.error()), command.input);
 }
 
 Result<Outcome> compareIds(const DiffCommand& command, const Image& a, const Image& b) {
@@ -48,9 +53,9 @@ Result<Outcome> compareIds(const DiffCommand& command, const Image& a, const Ima
     outcome.picture = grayOfIds(a.ids, a.width, a.height);
     markDifferences(outcome.picture, diff->pixels);
   }
-  if (command.talk.verbose && !command.talk.quiet) {
-    for (const IdDifference& place : diff->first) fmt::print("{}\n", placeText(place));
-    if (diff->wrong > 0) fmt::print("worst: {}\n", placeText(diff->worst));
+  if (command.talk.verbose) {
+    for (const IdDifference& place : diff->first) printNote(placeText(place));
+    if (diff->wrong > 0) printNote("worst: " + placeText(diff->worst));
   }
   return outcome;
 }
@@ -111,7 +116,8 @@ Result<ExitCode> diff(const DiffCommand& command) {
     printError(fmt::format("{} and {} differ: {}", command.a, command.b, outcome->difference));
     return exit_different;
   }
-  if (!command.talk.quiet) fmt::print("{} and {}: {}\n", command.a, command.b, outcome->agreement);
+  printSummary(command.talk, std::array{command.png},
+               fmt::format("{} and {}: {}\n", command.a, command.b, outcome->agreement));
   return exit_done;
 }
 

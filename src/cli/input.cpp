@@ -1,15 +1,13 @@
 #include "cli/input.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <span>
 #include <utility>
 
+#include "cli/forecast.h"
 #include "cli/progress.h"
 #include "io/error.h"
 #include "io/outline_file.h"
@@ -20,30 +18,6 @@ namespace vorpipe::cli {
 namespace {
 
 constexpr int default_longer_side = 1000;
-/// Color and id: on the device (whose memory is this machine's when it is software), and read back.
-constexpr std::uint64_t bytes_per_pixel_drawing = 16;
-constexpr std::uint64_t bytes_per_pixel_kept = 8;
-
-std::uint64_t physicalMemory() {
-  const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
-  if (pages <= 0 || page <= 0) return std::numeric_limits<std::uint64_t>::max();
-  return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page);
-}
-
-Result<void> forecast(std::string_view option, std::uint64_t bytes) {
-  constexpr double gigabyte = 1e9;
-  const std::uint64_t memory = physicalMemory();
-  if (bytes <= memory) return {};
-  return inputError(fmt::format("{}: needs about {:.1f} GB of memory, this machine has {:.1f} GB", option,
-                                static_cast<double>(bytes) / gigabyte,
-                                static_cast<double>(memory) / gigabyte));
-}
-
-Box boxOf(std::span<const Point> points) {
-  const auto [left, right] = std::ranges::minmax(points, {}, &Point::x);
-  const auto [low, high] = std::ranges::minmax(points, {}, &Point::y);
-  return {left.x, low.y, right.x, high.y};
-}
 
 Result<void> takeWeights(const InputOptions& options, Input& input) {
   const std::string_view option = options.random_weights ? "--random-weights" : "--weights";
@@ -72,16 +46,6 @@ Box squareAround(const Box& box) {
   const double grown = (std::max(width, height) - std::min(width, height)) / 2;
   return width < height ? Box{box.xmin - grown, box.ymin, box.xmax + grown, box.ymax}
                         : Box{box.xmin, box.ymin - grown, box.xmax, box.ymax + grown};
-}
-
-/// A periodic domain takes images of sites, and polygons whether they are wanted or not.
-Result<void> forecastImages(const Input& input, std::uint64_t bytes_per_site) {
-  constexpr std::uint64_t bytes_of_images = 60;
-  if (input.periodic == Periodic::none) return {};
-  const auto count = sitesAndImages(input.sites, input.domain, input.periodic);
-  if (!count) return tl::unexpected(count.error());
-  const auto bytes = std::max(bytes_per_site, bytesPerSite(Detail::polygons)) + bytes_of_images;
-  return forecast("--periodic", *count * bytes);
 }
 
 Result<void> takeOutline(const InputOptions& options, Input& input) {
@@ -115,17 +79,24 @@ Result<void> takeDomain(const InputOptions& options, Input& input) {
   return {};
 }
 
+/// The option that gives the sites their weights.
+std::string_view weightsOption(const InputOptions& options) {
+  if (options.random_weights) return "--random-weights";
+  return options.weights.empty() ? "--sites" : "--weights";
+}
+
 }  // namespace
 
-Result<Input> loadInput(const InputOptions& options, std::uint64_t bytes_per_site) {
+Result<Input> loadInput(const InputOptions& options, const Work& work) {
   const Stopwatch watch;
   const std::uint64_t generated = generatedCount(options.sites).value_or(0);
-  if (const auto enough = forecast("--sites", generated * bytes_per_site); !enough) {
+  if (const auto enough = forecastSites(work, options, generated, false); !enough) {
     return tl::unexpected(enough.error());
   }
   auto source = loadSites(options.sites, options.seed);
   if (!source) return named("--sites", std::move(source.error()));
-  if (const auto enough = forecast("--sites", source->sites.size() * bytes_per_site); !enough) {
+  const bool weighted = !source->sites.weight.empty();
+  if (const auto enough = forecastSites(work, options, source->sites.size(), weighted); !enough) {
     return tl::unexpected(enough.error());
   }
   Input input;
@@ -134,7 +105,6 @@ Result<Input> loadInput(const InputOptions& options, std::uint64_t bytes_per_sit
   input.periodic = options.periodic;
   if (auto taken = takeWeights(options, input); !taken) return tl::unexpected(std::move(taken.error()));
   if (auto taken = takeDomain(options, input); !taken) return tl::unexpected(std::move(taken.error()));
-  if (auto enough = forecastImages(input, bytes_per_site); !enough) return tl::unexpected(enough.error());
   input.read_ms = watch.milliseconds();
   return input;
 }
@@ -144,13 +114,34 @@ tl::unexpected<Error> named(std::string_view option, Error error) {
   return tl::unexpected(std::move(error));
 }
 
-tl::unexpected<Error> asOption(Error error) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> options = {
-      {{"outline: ", "--domain: "}, {"density: ", "--density: "}, {"search by FLANN: ", "--search: "}}};
-  for (const auto& [what, option] : options) {
-    if (error.message.starts_with(what)) error.message.replace(0, what.size(), option);
-  }
-  return tl::unexpected(std::move(error));
+tl::unexpected<Error> asOption(Error error, const InputOptions& options) {
+  // How messages begin, and how much of that the option stands for.
+  struct Subject {
+    std::string_view begin, option;
+    bool replaced = false;
+  };
+  const std::array<Subject, 11> subjects = {{{"outline: ", "--domain", true},
+                                             {"density: ", "--density", true},
+                                             {"search by FLANN: ", "--search", true},
+                                             {"domain: ", "--domain", true},
+                                             {"the domain ", "--domain"},
+                                             {"the weight of ", weightsOption(options)},
+                                             {"the cells of the periodic domain ", "--periodic"},
+                                             {"the cells of ", "--sites"},
+                                             {"the areas of ", "--sites"},
+                                             {"sites ", "--sites"},
+                                             {"site ", "--sites"}}};
+  const auto* const subject = std::ranges::find_if(
+      subjects, [&](const Subject& each) { return error.message.starts_with(each.begin); });
+  if (subject == subjects.end()) return tl::unexpected(std::move(error));
+  if (subject->replaced) error.message.erase(0, subject->begin.size());
+  return named(subject->option, std::move(error));
+}
+
+Result<void> checkInput(const InputOptions& options, const Input& input, const CellsOptions& cells,
+                        int threads) {
+  auto checked = vorpipe::checkInput(input.sites, cells, threads);
+  return checked ? checked : asOption(std::move(checked.error()), options);
 }
 
 Box domainOfSites(const Sites& sites) {
@@ -172,23 +163,6 @@ Size defaultSize(const Box& domain) {
   };
   if (width >= height) return Size{default_longer_side, shorter(height / width)};
   return Size{shorter(width / height), default_longer_side};
-}
-
-std::uint64_t bytesPerSite(Detail detail) {
-  switch (detail) {
-    case Detail::measures:
-      return 250;
-    case Detail::polygons:
-      return 330;
-    case Detail::everything:
-      break;
-  }
-  return 350;
-}
-
-Result<void> forecastPicture(const Size& size, std::uint64_t pictures) {
-  const auto pixels = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
-  return forecast("--size", pixels * (bytes_per_pixel_drawing + pictures * bytes_per_pixel_kept));
 }
 
 }  // namespace vorpipe::cli

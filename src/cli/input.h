@@ -1,6 +1,9 @@
 /// The sites of a run, and what follows from them where the options leave it open.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "cli/options.h"
 #include "vorpipe.h"
 
@@ -15,26 +18,29 @@ struct Input {
   double read_ms = 0;
 };
 
-/// What one site takes at most while its cell is computed with that detail, by a mean cell.
-std::uint64_t bytesPerSite(Detail detail);
-/// The same while it is drawn, and what a check takes beside either.
-inline constexpr std::uint64_t bytes_per_drawn_site = 250;
-inline constexpr std::uint64_t bytes_per_checked_site = 80;
-/// What remains of a site once its cell is there, with Detail::measures, and drawn.
-inline constexpr std::uint64_t bytes_per_kept_site = 90;
+/// What a run does with its sites, by which they take memory.
+struct Work {
+  bool draws = false;
+  std::optional<Detail> cells{};  ///< none: only where drawing takes them
+  bool density = false;
+  std::uint64_t beside = 0;  ///< bytes for each site: of a check, of files, of other runs
+};
 
-/// Loads or generates the sites of --sites, for a run that takes so many bytes for each, their weights and
-/// the domain. Errors: those of loadSites, readWeights and readOutline, after the option's name; there are
-/// too many sites for this machine's memory, no default domain holds them, options contradict each other
-/// (input).
-Result<Input> loadInput(const InputOptions& options, std::uint64_t bytes_per_site);
+/// Loads or generates the sites of --sites, their weights and the domain. Errors: those of loadSites,
+/// readWeights and readOutline, after the option's name; there are too many sites for this machine's memory,
+/// no default domain holds them, options contradict each other (input).
+Result<Input> loadInput(const InputOptions& options, const Work& work);
 
 /// The error of what an option names, with the option in front where that is to blame.
 tl::unexpected<Error> named(std::string_view option, Error error);
 
 /// An error of the library, which begins with what is wrong, in the words of the command line, which begin
 /// with the option that sets it.
-tl::unexpected<Error> asOption(Error error);
+tl::unexpected<Error> asOption(Error error, const InputOptions& options);
+
+/// Refuses what checkInput does, in the words of the command line.
+Result<void> checkInput(const InputOptions& options, const Input& input, const CellsOptions& cells,
+                        int threads);
 
 /// The box of at least one site, grown on every side by 5 % of its longer side, or by 0.5 where all
 /// sites are equal; by more where so little would vanish beside the coordinates.
@@ -42,8 +48,5 @@ Box domainOfSites(const Sites& sites);
 
 /// Pixels for a picture of `domain`: the longer side 1000, the other at least 1.
 Size defaultSize(const Box& domain);
-
-/// Refuses (input) a picture for which this machine has too little memory; `pictures` are held at once.
-Result<void> forecastPicture(const Size& size, std::uint64_t pictures);
 
 }  // namespace vorpipe::cli

@@ -47,12 +47,12 @@ CLI::Option* addInputOptions(CLI::App& app, InputOptions& options) {
   addParsed(app, "--seed", options.seed, "S", "seed of the generator [1]", [](std::string_view text) {
     return parseWhole(text, 0, UINT64_MAX);
   })->needs(sites);
-  addParsed(app, "--domain", options.domain, "XMIN,YMIN,XMAX,YMAX or FILE",
-            "what is drawn and measured [0,0,1,1; for files the box of the sites, grown by 5 % of its longer "
-            "side]; "
-            "or its outline, polygons with holes: .geojson, .json or .wkt, over the square around which "
-            "generators are spread",
-            parseDomain)
+  addParsed(
+      app, "--domain", options.domain, "XMIN,YMIN,XMAX,YMAX or FILE",
+      "what is drawn and measured [0,0,1,1; for files the box of the sites, grown by 5 % of its longer "
+      "side]; or its outline, polygons with holes: .geojson, .json or .wkt, over the square around which "
+      "generators are spread",
+      parseDomain)
       ->needs(sites);
   addWeightOptions(app, options, sites);
   addParsed(app, "--periodic", options.periodic, "x, y or xy",
@@ -61,12 +61,16 @@ CLI::Option* addInputOptions(CLI::App& app, InputOptions& options) {
   return sites;
 }
 
-void addBackendChoice(CLI::App& app, BackendOptions& options) {
-  addParsed(app, "--backend", options.name, "NAME",
-            fmt::format("{} [{}]", fmt::join(backendNames(), ", "), options.name), parseBackend);
+void addDeviceChoice(CLI::App& app, BackendOptions& options) {
   app.add_option("--device", options.device,
                  "index or part of the name, as `vorpipe devices` lists them [the best]")
       ->type_name("DEVICE");
+}
+
+void addBackendChoice(CLI::App& app, BackendOptions& options) {
+  addParsed(app, "--backend", options.name, "NAME",
+            fmt::format("{} [{}]", fmt::join(backendNames(), ", "), options.name), parseBackend);
+  addDeviceChoice(app, options);
 }
 
 void addRunOptions(CLI::App& app, BackendOptions& options) {
@@ -103,7 +107,8 @@ void addSizeOption(CLI::App& app, std::optional<Size>& size) {
 
 void addTalkOptions(CLI::App& app, TalkOptions& options) {
   auto* quiet = app.add_flag("--quiet", options.quiet, "prints nothing but errors");
-  app.add_flag("--verbose", options.verbose, "also says why a backend was taken")->excludes(quiet);
+  app.add_flag("--verbose", options.verbose, "also says why a backend was taken, on a terminal")
+      ->excludes(quiet);
 }
 
 }  // namespace vorpipe::cli

@@ -64,6 +64,8 @@ struct TalkOptions {
 
 /// --sites, --seed, --domain, --weights, --random-weights, --periodic
 CLI::Option* addInputOptions(CLI::App& app, InputOptions& options);
+/// --device
+void addDeviceChoice(CLI::App& app, BackendOptions& options);
 /// --backend, --device
 void addBackendChoice(CLI::App& app, BackendOptions& options);
 /// --threads, --validate

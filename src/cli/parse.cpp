@@ -149,7 +149,7 @@ Parsed<ColorBy> parseColor(std::string_view text) {
 
 Parsed<std::string> parseColormap(std::string_view text) { return oneOf(colormaps(), text); }
 
-Parsed<std::vector<std::string>> parseBackends(std::string_view text) {
+Parsed<std::vector<std::string>> parseBackendList(std::string_view text) {
   std::vector<std::string> names;
   for (const std::string_view name : split(text, ',')) {
     if (name.empty()) return bad(fmt::format("{} has an empty name", quoted(text)));
@@ -160,7 +160,12 @@ Parsed<std::vector<std::string>> parseBackends(std::string_view text) {
     if (!known) return bad(std::move(known.error()));
     names.push_back(std::move(*known));
   }
-  if (names.size() < 2) return bad("needs at least two backends, as in cpu,vulkan-geometry");
+  return names;
+}
+
+Parsed<std::vector<std::string>> parseBackends(std::string_view text) {
+  auto names = parseBackendList(text);
+  if (names && names->size() < 2) return bad("needs at least two backends, as in cpu,vulkan-geometry");
   return names;
 }
 

@@ -66,7 +66,10 @@ Parsed<ColorBy> parseColor(std::string_view text);
 /// One of colormaps().
 Parsed<std::string> parseColormap(std::string_view text);
 
-/// Two or more different backendNames(), separated by commas.
+/// Different backendNames(), separated by commas.
+Parsed<std::vector<std::string>> parseBackendList(std::string_view text);
+
+/// The same, two or more.
 Parsed<std::vector<std::string>> parseBackends(std::string_view text);
 
 /// A file name that ends in `extension`, such as ".png", or has none (/dev/stdout); any where

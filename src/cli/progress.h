@@ -58,6 +58,9 @@ class ProgressBar {
   std::chrono::steady_clock::time_point last_;
 };
 
+/// Prints a line on standard error, if that is a terminal.
+void printNote(std::string_view text);
+
 /// Milliseconds since it was made.
 class Stopwatch {
  public:

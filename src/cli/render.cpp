@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/forecast.h"
 #include "cli/input.h"
 #include "cli/options.h"
 #include "cli/progress.h"
@@ -35,10 +36,12 @@ std::vector<std::string> outputPaths(const RenderCommand& command) {
   return paths;
 }
 
-std::uint64_t neededBytesPerSite(const RenderCommand& command) {
+Work workOf(const RenderCommand& command) {
   const bool measured = command.picture.color == ColorBy::area || command.picture.color == ColorBy::neighbors;
-  return (measured ? bytesPerSite(Detail::measures) : bytes_per_drawn_site) +
-         (command.check ? bytes_per_checked_site : 0);
+  Work work{true};
+  if (measured) work.cells = Detail::measures;
+  work.beside = command.check ? bytes_per_checked_site : 0;
+  return work;
 }
 
 /// What is drawn, once the sites are known.
@@ -83,10 +86,18 @@ Result<ExitCode> render(const RenderCommand& command) {
   const Stopwatch total;
   const std::vector<std::string> paths = outputPaths(command);
   if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("picture.png"));
-  const auto input = loadInput(command.input, neededBytesPerSite(command));
+  const Work work = workOf(command);
+  const auto input = loadInput(command.input, work);
   if (!input) return tl::unexpected(input.error());
   auto options = pictureOptions(command, *input);
   if (!options) return tl::unexpected(std::move(options.error()));
+  const int threads = command.backend.threads;
+  if (const auto checked = checkInput(command.input, *input, cellsOptions(*options), threads); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  if (const auto enough = forecastImages(work, *input, threads); !enough) {
+    return tl::unexpected(enough.error());
+  }
   auto files = openOutputs(paths);
   if (!files) return tl::unexpected(std::move(files.error()));
   auto session = Session::open(command.backend);
@@ -95,20 +106,19 @@ Result<ExitCode> render(const RenderCommand& command) {
   options->progress = bar.callback();
   const auto rendering = session->render(input->sites, *options);
   bar.clear();
-  if (!rendering) return asOption(rendering.error());
+  if (!rendering) return asOption(rendering.error(), command.input);
   if (!validationIsSilent(rendering->report)) return exit_device;
   if (command.check) {
-    const auto passed = passesCheck(check(input->sites, *options, *rendering, command.backend.threads));
+    const auto passed = passesCheck(check(input->sites, *options, *rendering, threads));
     if (!passed) return tl::unexpected(passed.error());
     if (!*passed) return exit_different;
   }
   const auto written = writeFiles(command, *input, *rendering, *files, total);
   if (!written) return tl::unexpected(written.error());
-  if (!command.talk.quiet) {
-    fmt::print("{}, {}x{}, {}\n", outcomeText(paths, rendering->report), options->width, options->height,
-               runText(rendering->report, total.milliseconds(), command.check));
-  }
-  if (command.talk.verbose && !session->choice().empty()) fmt::print("{}\n", session->choice());
+  printSummary(command.talk, paths,
+               fmt::format("{}, {}x{}, {}\n", outcomeText(paths, rendering->report), options->width,
+                           options->height, runText(rendering->report, total.milliseconds(), command.check)));
+  if (command.talk.verbose && !session->choice().empty()) printNote(session->choice());
   return exit_done;
 }
 

@@ -2,12 +2,26 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cassert>
 
 #include "cli/progress.h"
 
 namespace vorpipe::cli {
+namespace {
+
+/// Whether a path leads to where standard output goes: /dev/stdout does.
+bool isStandardOutput(const std::string& path) {
+  struct stat there {
+  }, here{};
+  return stat(path.c_str(), &there) == 0 && fstat(STDOUT_FILENO, &here) == 0 && there.st_dev == here.st_dev &&
+         there.st_ino == here.st_ino;
+}
+
+}  // namespace
 
 Error nothingToDo(std::string_view example) {
   return {ErrorCode::input,
@@ -15,15 +29,15 @@ Error nothingToDo(std::string_view example) {
 }
 
 bool validationIsSilent(const Report& report, std::string_view name) {
-  for (const std::string& message : report.validation_messages) {
-    printError(fmt::format("validation: {}{}{}", name, name.empty() ? "" : ": ", message));
-  }
-  return report.validation_messages.empty();
+  if (report.validation_messages.empty()) return true;
+  printError(fmt::format("validation: {}{}{}", name, name.empty() ? "" : ": ",
+                         fmt::join(report.validation_messages, "; ")));
+  return false;
 }
 
 Result<bool> passesCheck(const Result<std::vector<std::string>>& broken) {
   if (!broken) return tl::unexpected(broken.error());
-  for (const std::string& promise : *broken) printError("--check: " + promise);
+  if (!broken->empty()) printError(fmt::format("--check: {}", fmt::join(*broken, "; ")));
   return broken->empty();
 }
 
@@ -42,6 +56,10 @@ Result<void> writeOutputs(std::span<OutputFile> files, std::span<const Writer> w
   ignoreSignals();
   if (const auto go_on = stopIfAsked(); !go_on) return go_on;
   return commitAll(files);
+}
+
+void printSummary(const TalkOptions& talk, std::span<const std::string> paths, std::string_view lines) {
+  if (!talk.quiet && std::ranges::none_of(paths, isStandardOutput)) fmt::print("{}", lines);
 }
 
 std::string outcomeText(std::span<const std::string> paths, const Report& report) {

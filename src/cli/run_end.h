@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/options.h"
 #include "io/output_file.h"
 #include "vorpipe.h"
 
@@ -16,10 +17,10 @@ namespace vorpipe::cli {
 /// The error of a run that was asked for nothing; `example` is a file that it could write.
 Error nothingToDo(std::string_view example);
 
-/// Prints what the validation layers said, a line each, after `name`; whether they said nothing.
+/// Prints what the validation layers said, in one line, after `name`; whether they said nothing.
 bool validationIsSilent(const Report& report, std::string_view name = {});
 
-/// Prints what check() found, a line for each broken promise; whether all hold. Error: check()'s.
+/// Prints what check() found, in one line; whether all promises hold. Error: check()'s.
 Result<bool> passesCheck(const Result<std::vector<std::string>>& broken);
 
 /// Creates the output files of a run that from now on stops, and leaves none of them, when a signal asks it
@@ -32,6 +33,9 @@ using Writer = std::function<Result<void>(OutputFile&)>;
 /// Has each file written by the writer at its place, and puts all in place together. Errors: those of
 /// the writers; a signal has asked to stop. One that comes after that is too late.
 Result<void> writeOutputs(std::span<OutputFile> files, std::span<const Writer> writers);
+
+/// Prints the lines that sum up a run on standard output, unless it is quiet or one of its files goes there.
+void printSummary(const TalkOptions& talk, std::span<const std::string> paths, std::string_view lines);
 
 /// "a.png, b.npy: 10 cells (0 empty, 0 duplicate)", as summaries begin.
 std::string outcomeText(std::span<const std::string> paths, const Report& report);

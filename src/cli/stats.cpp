@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 namespace vorpipe::cli {
@@ -12,13 +13,21 @@ using Json = nlohmann::ordered_json;
 
 Json time(double milliseconds) { return milliseconds < 0 ? Json(nullptr) : Json(milliseconds); }
 
+/// Of this process. What getrusage says of a process on Linux may be its parent's, before it became another
+/// program.
 std::uint64_t peakMemoryBytes() {
+  constexpr std::uint64_t kilobyte = 1024;
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;) {
+    std::uint64_t peak = 0;
+    if (word == "VmHWM:" && status >> peak) return peak * kilobyte;
+  }
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
 #ifdef __APPLE__
   constexpr std::uint64_t unit = 1;
 #else
-  constexpr std::uint64_t unit = 1024;
+  constexpr std::uint64_t unit = kilobyte;
 #endif
   return static_cast<std::uint64_t>(usage.ru_maxrss) * unit;
 }
@@ -66,6 +75,7 @@ std::string statsJson(const Stats& stats) {
   json["domain"] = {domain.xmin, domain.ymin, domain.xmax, domain.ymax};
   addShape(json, stats.input);
   json["status"] = {{"ok", report.ok}, {"empty", report.empty}, {"duplicate", report.duplicate}};
+  json["hidden"] = stats.input.sites.weight.empty() ? Json(nullptr) : Json(report.hidden);
   json["resolved"] = {{"retried", report.retried}, {"double", report.in_double}, {"exact", report.exact}};
   json["area_sum"] = stats.area_sum ? Json(*stats.area_sum) : Json(nullptr);
   json["mass_sum"] = stats.mass_sum ? Json(*stats.mass_sum) : Json(nullptr);

@@ -130,9 +130,10 @@ void CellDrawing::describe(Report& report) const {
   report.in_double += in_double_;
   report.exact += exact_;
   auto& times = report.time_ms;
-  times.upload = 1e3 * upload_.seconds();
-  if (lists_) times.search = 1e3 * (tree_seconds_ + lists_->searchSeconds());
-  if (in_double_ > 0) times.cells = std::max(times.cells, 0.0) + 1e3 * judge_seconds_;
+  const auto add = [](double seconds, double& to) { to = std::max(to, 0.0) + 1e3 * seconds; };
+  add(upload_.seconds(), times.upload);
+  if (lists_) add(tree_seconds_ + lists_->searchSeconds(), times.search);
+  if (in_double_ > 0) add(judge_seconds_, times.cells);
   times.draw = 1e3 * (batches_.seconds() + (grid_ ? grid_->seconds() : lists_->drawSeconds()));
 }
 

@@ -35,7 +35,7 @@ class CellDrawing {
   /// certified or empty, by index in the set.
   [[nodiscard]] const std::vector<CellStatus>& status() const { return status_; }
 
-  /// Writes down how many cells took which way, and the times.
+  /// Adds how many cells took which way, and the times.
   void describe(Report& report) const;
 
  private:

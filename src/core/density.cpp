@@ -77,7 +77,7 @@ class Masses {
     diagram_.mass_centroid[i] = diagram_.centroid[i];
     if (diagram_.status[i] != Status::ok) return;
     const CellRings rings(diagram_, i);
-    const Box box = boxOf(rings, diagram_.centroid[i]);
+    const Box box = boxAround(rings, diagram_.centroid[i]);
     const Point offset{x_.pixelsTo(box.xmin), y_.pixelsTo(box.ymin)};
     const PixelRows::Range columns{x_.at(offset.x), x_.at(x_.pixelsTo(box.xmax))};
     const PixelRows::Range rows{y_.at(offset.y), y_.at(y_.pixelsTo(box.ymax))};
@@ -102,15 +102,9 @@ class Masses {
 
  private:
   /// Of its vertices; of its centroid if it has none, because all its edges are ties.
-  [[nodiscard]] Box boxOf(const CellRings& rings, Point centroid) const {
-    const Point first = rings.begin() < rings.end() ? diagram_.vertices[rings.begin()] : centroid;
-    Box box{first.x, first.y, first.x, first.y};
-    for (auto v = rings.begin(); v < rings.end(); ++v) {
-      const Point p = diagram_.vertices[v];
-      box = {std::min(box.xmin, p.x), std::min(box.ymin, p.y), std::max(box.xmax, p.x),
-             std::max(box.ymax, p.y)};
-    }
-    return box;
+  [[nodiscard]] Box boxAround(const CellRings& rings, Point centroid) const {
+    const auto vertices = std::span(diagram_.vertices).subspan(rings.begin(), rings.end() - rings.begin());
+    return boxOf(vertices.empty() ? std::span<const Point>(&centroid, 1) : vertices);
   }
   [[nodiscard]] Point inPixels(Point p, const Box& box) const {
     return {(p.x - box.xmin) / x_.size, (p.y - box.ymin) / y_.size};

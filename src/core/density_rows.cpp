@@ -8,6 +8,8 @@ namespace {
 
 /// Of a height of 1 pixel, or of a lower polygon's: so few that those of 100,000 edges in a row can be added.
 constexpr int height_bits = 45;
+/// Of a whole polygon's height, which is a number of 63 bits as well: a higher polygon has fewer for a pixel.
+constexpr int most_bits = 62;
 
 }  // namespace
 
@@ -17,7 +19,8 @@ void PixelRows::begin(Point offset, double height, Range columns, Range rows) {
   rows_ = rows;
   int exponent = 0;
   std::frexp(height, &exponent);
-  units_ = std::ldexp(1.0, height_bits - std::min(exponent, 0));
+  const int beyond = std::max(exponent - (most_bits - height_bits), std::min(exponent, 0));
+  units_ = std::ldexp(1.0, height_bits - beyond);
   unit_ = 1 / units_;
   edges_.clear();
   parts_.resize(std::max(parts_.size(), static_cast<std::size_t>(columns.last - columns.first + 1)));

@@ -1,10 +1,8 @@
 /// Integrals over the part of a polygon in each pixel of a grid, row by row.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "vorpipe.h"

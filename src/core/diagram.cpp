@@ -18,18 +18,13 @@
 namespace vorpipe {
 namespace {
 
-/// Of the domain's area, that the areas may miss or exceed it by: what double leaves, and what no
-/// diagram of cells that agree has ever come near.
-constexpr double area_rounding = 1e-12;
-constexpr double area_wrong = 1e-6;
-
 /// Agrees on cells whose areas add up to that of the domain. That they do not although neighbors agree
 /// everywhere takes a diagram that lies over itself, so that no cell on its own can be blamed: all are
 /// found again.
 Result<TiedCells> agree(const TopologyInput& input, Topology& topology, const Records& records,
                         const Box& domain, Report& report) {
   auto tied = agreeOnCells(input, topology, records, report);
-  if (!tied || std::abs(areaGap(records.diagram, domain, input.threads)) <= area_rounding) return tied;
+  if (!tied || std::abs(areaGap(records.by_input, domain, input.threads)) <= area_rounding) return tied;
   std::vector<std::uint32_t> all(input.sites.size());
   std::iota(all.begin(), all.end(), 0u);
   if (auto found = findAgain(input, all, Effort::in_double, topology); !found) {
@@ -38,7 +33,7 @@ Result<TiedCells> agree(const TopologyInput& input, Topology& topology, const Re
   report.in_double += all.size();
   tied = agreeOnCells(input, topology, records, report);
   if (!tied) return tied;
-  const double gap = areaGap(records.diagram, domain, input.threads);
+  const double gap = areaGap(records.by_input, domain, input.threads);
   if (std::abs(gap) <= area_wrong) return tied;
   return tl::unexpected(
       Error{ErrorCode::input,
@@ -57,22 +52,15 @@ void dropPolygons(Diagram& diagram) {
 }
 
 Result<Diagram> cellsOn(Backend& backend, Backend& judge_backend, int threads, const Sites& sites,
-                        const CellsOptions& options) {
-  if (auto checked = checkSearch(options.search); !checked) return tl::unexpected(checked.error());
-  if (auto checked = checkOutline(options.outline, options.periodic); !checked) {
-    return tl::unexpected(checked.error());
-  }
+                        const CellsOptions& options, const CallersSites* callers) {
   if (options.periodic != Periodic::none) {
     return periodicCellsOn(backend, judge_backend, threads, sites, options);
   }
   Diagram diagram;
   auto& times = diagram.report.time_ms;
   Stopwatch order_watch;
-  auto prepared = prepare(sites, options.domain, threads);
+  auto prepared = prepare(sites, options.domain, threads, callers);
   if (!prepared) return tl::unexpected(prepared.error());
-  if (auto checked = checkSearch(options.search, prepared->set); !checked) {
-    return tl::unexpected(checked.error());
-  }
   times.order = 1e3 * order_watch.seconds();
 
   Stopwatch cells_watch;
@@ -83,15 +71,17 @@ Result<Diagram> cellsOn(Backend& backend, Backend& judge_backend, int threads, c
   if (!topology) return tl::unexpected(topology.error());
   // To clip cells takes their polygons, whether they are wanted or not.
   const Detail detail = options.outline.empty() ? options.detail : std::max(options.detail, Detail::polygons);
-  makeArrays(*prepared, sites, *topology, detail, threads, diagram);
-  const Records records{prepared->set, Unscale(prepared->exponent), diagram};
+  auto by_input = makeRecords(*prepared, sites);
+  const Records records{prepared->set, Unscale(prepared->exponent), by_input};
   const auto tied = agree(input, *topology, records, options.domain, diagram.report);
   if (!tied) return tl::unexpected(tied.error());
-  closeArrays(diagram);
+  takeRecords(by_input, detail, threads, diagram);
+  by_input = {};
+  if (!prepared->set.weight.empty()) diagram.report.hidden = diagram.report.empty;
   {
     const EdgeIndex index(*topology, threads);
     const ProposedCells agreed{prepared->set, *topology, index, threads};
-    writeEdges(agreed, *tied, detail, records);
+    writeEdges(agreed, *tied, detail, records.unscale, diagram);
     if (detail == Detail::everything) diagram.triangles = dualTriangles(agreed, *tied, mesh);
   }
   if (!options.outline.empty()) {

@@ -13,10 +13,6 @@ namespace {
 
 constexpr double farthest = 0x1p200;  ///< what predicates stand
 
-bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
-
-bool isLess(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
-
 /// Of a ring without equal neighbors that does not cross itself: at its leftmost point it turns the way it
 /// runs.
 bool isCounterClockwise(std::span<const Point> ring) {
@@ -75,7 +71,7 @@ Result<Rings> ringsOf(const Outline& outline, int exponent) {
           return tl::unexpected(Error{
               ErrorCode::input, fmt::format("outline: ({}, {}) is too far from the domain", from.x, from.y)});
         }
-        if (rings.size() == begin || !(rings.points.back() == point)) rings.points.push_back(point);
+        if (rings.size() == begin || rings.points.back() != point) rings.points.push_back(point);
       }
       while (rings.size() > begin + 1 && rings.points.back() == rings.points[begin]) rings.points.pop_back();
       const bool outer = r == outline.polygon_offsets[polygon];

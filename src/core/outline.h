@@ -9,6 +9,9 @@
 
 namespace vorpipe {
 
+/// An order of points, by x and then by y.
+inline bool isLess(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
+
 /// Closed rings, outer ones counter-clockwise and holes clockwise, so that the inside lies to the left of
 /// every edge; no two neighboring points are equal. Edge e runs from point e to point next(e).
 struct Rings {
@@ -26,8 +29,9 @@ struct Rings {
 
 /// Refuses what is not empty and no valid polygon or polygons: offsets that do not fit, numbers that are not
 /// finite, rings of fewer than 3 points or without area, rings that cross themselves or each other, polygons
-/// that overlap or share a side, more than 2^31 points, a domain that is periodic besides. Error (input):
-/// names the ring, or the place in the outline's own coordinates.
+/// that overlap or share a side, more than 2^31 points, a box with an area beyond the range of double, a
+/// domain that is periodic besides. Error (input): names the ring, or the place in the outline's own
+/// coordinates.
 Result<void> checkOutline(const Outline& outline, Periodic periodic);
 
 /// The rings of a valid outline, scaled by 2^exponent. Error (input): they are too far from the domain, which

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "core/assemble.h"
 #include "core/outline_clip.h"
 #include "core/outline_records.h"
 #include "parallel.h"
@@ -16,18 +17,8 @@ namespace {
 /// Cells that ask for the edges near them together: most are far from all edges.
 constexpr std::size_t group_size = 32;
 constexpr std::size_t grain = 16 * group_size;
-/// Of the outline's area, that the cells' areas may miss or exceed it by; and what double leaves of an area
-/// beside a line of length 1.
-constexpr double area_wrong = 1e-6, area_rounding = 1e-14;
-
-Box boxOf(std::span<const Point> points) {
-  Box box{points[0].x, points[0].y, points[0].x, points[0].y};
-  for (const Point p : points) {
-    box = {std::min(box.xmin, p.x), std::min(box.ymin, p.y), std::max(box.xmax, p.x),
-           std::max(box.ymax, p.y)};
-  }
-  return box;
-}
+/// What double leaves of an area beside a line of length 1.
+constexpr double line_rounding = 1e-14;
 
 /// Clips cells, group by group.
 class Clipping {
@@ -101,7 +92,7 @@ Result<void> checkAreas(const ScaledDiagram& cells, const Rings& rings, const Di
   const Box& box = cells.domain();
   const double largest =
       std::max({std::abs(box.xmin), std::abs(box.xmax), std::abs(box.ymin), std::abs(box.ymax)});
-  if (std::abs(sum - area) <= area_wrong * area + area_rounding * largest * (1 + length)) return {};
+  if (std::abs(sum - area) <= area_wrong * area + line_rounding * largest * (1 + length)) return {};
   return tl::unexpected(Error{
       ErrorCode::input, fmt::format("outline: the areas of all cells add up to {} of that inside it, beyond "
                                     "what rounding explains",

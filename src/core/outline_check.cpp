@@ -1,16 +1,13 @@
 #include <fmt/format.h>
-#include <geos_c.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 #include <limits>
 #include <memory>
-#include <new>
 #include <string>
 
 #include "core/outline.h"
+#include "geos.h"
 
 namespace vorpipe {
 namespace {
@@ -21,69 +18,17 @@ tl::unexpected<Error> refuse(const std::string& what) {
   return tl::unexpected(Error{ErrorCode::input, "outline: " + what});
 }
 
-/// GEOS as one thread uses it, and what it said last.
-class Geos {
- public:
-  Geos() : handle_(GEOS_init_r()) {
-    if (handle_ == nullptr) throw std::bad_alloc();
-    GEOSContext_setErrorMessageHandler_r(
-        handle_, [](const char* text, void* geos) { static_cast<Geos*>(geos)->message_ = text; }, this);
+GeosGeometry polygonAs(const Geos& geos, const Outline& outline, std::size_t polygon) {
+  std::vector<GeosGeometry> rings;
+  for (auto r = outline.polygon_offsets[polygon]; r < outline.polygon_offsets[polygon + 1]; ++r) {
+    const auto begin = outline.ring_offsets[r], end = outline.ring_offsets[r + 1];
+    rings.push_back(geosRing(geos, std::span(outline.points).subspan(begin, end - begin)));
   }
-  Geos(const Geos&) = delete;
-  Geos& operator=(const Geos&) = delete;
-  ~Geos() { GEOS_finish_r(handle_); }
-
-  [[nodiscard]] GEOSContextHandle_t handle() const { return handle_; }
-  [[nodiscard]] const std::string& message() const { return message_; }
-
- private:
-  GEOSContextHandle_t handle_;
-  std::string message_;
-};
-
-struct Destroy {
-  GEOSContextHandle_t handle = nullptr;
-  void operator()(GEOSGeometry* geometry) const { GEOSGeom_destroy_r(handle, geometry); }
-  void operator()(char* text) const { GEOSFree_r(handle, text); }
-};
-using Geometry = std::unique_ptr<GEOSGeometry, Destroy>;
-
-Geometry owned(const Geos& geos, GEOSGeometry* geometry) { return {geometry, Destroy{geos.handle()}}; }
-
-/// Gives up what is owned, for a function of GEOS that takes it.
-std::vector<GEOSGeometry*> released(std::vector<Geometry>& geometries) {
-  std::vector<GEOSGeometry*> taken;
-  taken.reserve(geometries.size());
-  for (auto& geometry : geometries) taken.push_back(geometry.release());
-  return taken;
+  return geosPolygon(geos, std::move(rings));
 }
 
-Geometry ringAs(const Geos& geos, const Outline& outline, std::size_t ring) {
-  const auto begin = static_cast<std::ptrdiff_t>(outline.ring_offsets[ring]);
-  const auto end = static_cast<std::ptrdiff_t>(outline.ring_offsets[ring + 1]);
-  std::vector<Point> closed(outline.points.begin() + begin, outline.points.begin() + end);
-  closed.push_back(closed.front());
-  GEOSCoordSequence* points = GEOSCoordSeq_copyFromBuffer_r(
-      geos.handle(), &closed.front().x, static_cast<unsigned>(closed.size()), /*hasZ=*/0, /*hasM=*/0);
-  if (points == nullptr) return owned(geos, nullptr);
-  return owned(geos, GEOSGeom_createLinearRing_r(geos.handle(), points));
-}
-
-Geometry polygonAs(const Geos& geos, const Outline& outline, std::size_t polygon) {
-  std::vector<Geometry> holes;
-  Geometry outer = ringAs(geos, outline, outline.polygon_offsets[polygon]);
-  for (auto r = outline.polygon_offsets[polygon] + 1; r < outline.polygon_offsets[polygon + 1]; ++r) {
-    holes.push_back(ringAs(geos, outline, r));
-    if (!holes.back()) return owned(geos, nullptr);
-  }
-  if (!outer) return outer;
-  const auto count = static_cast<unsigned>(holes.size());
-  auto taken = released(holes);
-  return owned(geos, GEOSGeom_createPolygon_r(geos.handle(), outer.release(), taken.data(), count));
-}
-
-Geometry geometryOf(const Geos& geos, const Outline& outline) {
-  std::vector<Geometry> polygons;
+GeosGeometry geometryOf(const Geos& geos, const Outline& outline) {
+  std::vector<GeosGeometry> polygons;
   for (std::size_t p = 0; p + 1 < outline.polygon_offsets.size(); ++p) {
     polygons.push_back(polygonAs(geos, outline, p));
     if (!polygons.back()) return owned(geos, nullptr);
@@ -106,13 +51,13 @@ std::string placeOf(const Geos& geos, const GEOSGeometry* location) {
 Result<void> checkPolygons(const Outline& outline) {
   const Geos geos;
   const auto failed = [&] { return refuse(fmt::format("GEOS could not check it: {}", geos.message())); };
-  const Geometry geometry = geometryOf(geos, outline);
+  const GeosGeometry geometry = geometryOf(geos, outline);
   if (!geometry) return failed();
   char* reason = nullptr;
   GEOSGeometry* location = nullptr;
   const char valid = GEOSisValidDetail_r(geos.handle(), geometry.get(), 0, &reason, &location);
-  const std::unique_ptr<char, Destroy> reason_owner(reason, Destroy{geos.handle()});
-  const Geometry location_owner = owned(geos, location);
+  const std::unique_ptr<char, GeosDestroy> reason_owner(reason, GeosDestroy{geos.handle()});
+  const GeosGeometry location_owner = owned(geos, location);
   if (valid == 1) return {};
   if (valid != 0) return failed();
   return refuse(fmt::format("{}{}; rings and polygons must not cross, overlap or share a side",
@@ -138,6 +83,14 @@ Result<void> checkRing(const Outline& outline, std::size_t ring) {
   return {};
 }
 
+/// Neither GEOS nor the areas of cells could be trusted.
+Result<void> checkSize(const Outline& outline) {
+  const Box box = boxOf(outline.points);
+  const double width = box.xmax - box.xmin, height = box.ymax - box.ymin;
+  if (std::isnormal(width * height)) return {};
+  return refuse(fmt::format("its box of {} x {} has no area that a double can hold", width, height));
+}
+
 }  // namespace
 
 Result<void> checkOutline(const Outline& outline, Periodic periodic) {
@@ -161,6 +114,7 @@ Result<void> checkOutline(const Outline& outline, Periodic periodic) {
   for (std::size_t r = 0; r + 1 < outline.ring_offsets.size(); ++r) {
     if (auto checked = checkRing(outline, r); !checked) return checked;
   }
+  if (auto checked = checkSize(outline); !checked) return checked;
   return checkPolygons(outline);
 }
 

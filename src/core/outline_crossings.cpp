@@ -9,19 +9,8 @@
 namespace vorpipe {
 namespace {
 
-bool isLess(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
-
 Box boxAround(Point a, Point b) {
   return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
-}
-
-Box boxAround(std::span<const Point> points) {
-  Box box{points[0].x, points[0].y, points[0].x, points[0].y};
-  for (const Point p : points) {
-    box = {std::min(box.xmin, p.x), std::min(box.ymin, p.y), std::max(box.xmax, p.x),
-           std::max(box.ymax, p.y)};
-  }
-  return box;
 }
 
 bool areApart(const Box& a, const Box& b) {
@@ -59,7 +48,7 @@ void Crossings::cross(std::uint32_t edge) {
   const Box box = boxAround(p, q);
   for (std::size_t k = 0; k < polygon_.size(); ++k) {
     const Point a = polygon_.from(k), b = polygon_.to(k);
-    if ((a.x == b.x && a.y == b.y) || areApart(box, boxAround(a, b))) continue;
+    if (a == b || areApart(box, boxAround(a, b))) continue;
     const int side = sideOf(a, b, q);
     if (sideOf(a, b, p) == side || sideOfEdge(p, q, a) == sideOfEdge(p, q, b)) continue;
     const Point at = meeting(a, b, p, q);
@@ -148,7 +137,7 @@ bool Crossings::traceRing(std::span<const std::uint32_t> edges) {
 
 bool Crossings::find(const Polygon& polygon, std::span<const std::uint32_t> near) {
   polygon_ = polygon;
-  box_ = boxAround(polygon.vertices);
+  box_ = boxOf(polygon.vertices);
   crossings_.clear();
   arcs_.clear();
   whole_.clear();

@@ -16,13 +16,14 @@ using TreePoint = boost::geometry::model::point<double, 2, boost::geometry::cs::
 using TreeBox = boost::geometry::model::box<TreePoint>;
 using Leaf = std::pair<TreeBox, std::uint32_t>;
 
-TreeBox boxOf(const Box& box) { return {{box.xmin, box.ymin}, {box.xmax, box.ymax}}; }
+TreeBox treeBox(const Box& box) { return {{box.xmin, box.ymin}, {box.xmax, box.ymax}}; }
 
 std::vector<Leaf> leavesOf(const Rings& rings) {
   std::vector<Leaf> leaves(rings.size());
   for (std::uint32_t e = 0; e < rings.size(); ++e) {
     const Point p = rings.points[e], q = rings.points[rings.next(e)];
-    leaves[e] = {boxOf({std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x), std::max(p.y, q.y)}), e};
+    leaves[e] = {treeBox({std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x), std::max(p.y, q.y)}),
+                 e};
   }
   return leaves;
 }
@@ -42,7 +43,8 @@ OutlineIndex::~OutlineIndex() = default;
 
 void OutlineIndex::edgesIn(const Box& box, std::vector<std::uint32_t>& edges) const {
   edges.clear();
-  for (auto leaf = tree_->edges.qbegin(index::intersects(boxOf(box))); leaf != tree_->edges.qend(); ++leaf) {
+  for (auto leaf = tree_->edges.qbegin(index::intersects(treeBox(box))); leaf != tree_->edges.qend();
+       ++leaf) {
     edges.push_back(leaf->second);
   }
   std::ranges::sort(edges);
@@ -51,7 +53,7 @@ void OutlineIndex::edgesIn(const Box& box, std::vector<std::uint32_t>& edges) co
 bool OutlineIndex::contains(Point p) const {
   if (!(p.x <= tree_->xmax)) return false;
   bool inside = false;
-  const TreeBox ray = boxOf({p.x, p.y, tree_->xmax, p.y});
+  const TreeBox ray = treeBox({p.x, p.y, tree_->xmax, p.y});
   for (auto leaf = tree_->edges.qbegin(index::intersects(ray)); leaf != tree_->edges.qend(); ++leaf) {
     const auto e = leaf->second;
     inside = inside != crossesRay(rings_.points[e], rings_.points[rings_.next(e)], p);

@@ -13,8 +13,6 @@ namespace {
 
 constexpr std::size_t grain = 4096;
 
-bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
-
 /// The measures of rings about the same origin; those of holes, which run clockwise, are taken away.
 class RingMeasures {
  public:

@@ -27,21 +27,6 @@ double quantumOf(double low, double high) {
 
 double rounded(double value, double quantum) { return std::nearbyint(value / quantum) * quantum; }
 
-int scaleExponent(const Box& domain) {
-  int exponent = 0;
-  std::frexp(std::max(domain.xmax - domain.xmin, domain.ymax - domain.ymin), &exponent);
-  return 1 - exponent;
-}
-
-bool isUsable(const Sites& sites, const Box& domain) {
-  const auto number = [](double value) { return std::isfinite(value); };
-  return domain.xmin < domain.xmax && domain.ymin < domain.ymax && number(domain.xmax - domain.xmin) &&
-         number(domain.ymax - domain.ymin) && sites.size() > 0 && sites.y.size() == sites.size() &&
-         (sites.weight.empty() || sites.weight.size() == sites.size()) &&
-         std::ranges::all_of(sites.x, number) && std::ranges::all_of(sites.y, number) &&
-         std::ranges::all_of(sites.weight, number);
-}
-
 bool repeatsX(Periodic periodic) { return periodic == Periodic::x || periodic == Periodic::xy; }
 bool repeatsY(Periodic periodic) { return periodic == Periodic::y || periodic == Periodic::xy; }
 
@@ -83,12 +68,35 @@ class Placing {
 /// Whether a place, moved by a shift, lies in the box along an axis.
 bool isCovered(double place, double low, double high) { return place >= low && place <= high; }
 
-void append(ImagedSites& out, const PeriodicSites& placed, std::uint32_t site, int sx, int sy) {
-  const Sites& sites = placed.sites;
-  out.sites.x.push_back(sites.x[site] + sx * placed.axis[0].length);
-  out.sites.y.push_back(sites.y[site] + sy * placed.axis[1].length);
-  if (!sites.weight.empty()) out.sites.weight.push_back(sites.weight[site]);
-  out.images.push_back({site, {static_cast<std::int8_t>(sx), static_cast<std::int8_t>(sy)}});
+/// The domain, wider by so much on both sides of each axis.
+Box widened(const PeriodicSites& placed, double by_x, double by_y) {
+  const Box box = placed.domain();
+  return {box.xmin - by_x, box.ymin - by_y, box.xmax + by_x, box.ymax + by_y};
+}
+
+Box coveredBy(const PeriodicSites& placed, const Band& band) {
+  return widened(placed, band.width[0], band.width[1]);
+}
+
+/// The sites of which an image within a period lies in the band, or must be there anyway.
+std::vector<std::uint32_t> sitesWithImages(const PeriodicSites& placed, const Band& band) {
+  const auto inBand = [&](double place, std::size_t a) {
+    const PeriodicAxis& axis = placed.axis[a];
+    return axis.periodic && (place <= axis.low + band.width[a] || place >= axis.high - band.width[a]);
+  };
+  std::vector<std::uint32_t> near;
+  for (std::uint32_t i = 0; i < placed.sites.size(); ++i) {
+    if (inBand(placed.sites.x[i], 0) || inBand(placed.sites.y[i], 1)) near.push_back(i);
+  }
+  std::vector<std::uint32_t> wanted;
+  std::ranges::set_union(near, band.heavy, std::back_inserter(wanted));
+  return wanted;
+}
+
+/// Where an image stands.
+Point placeOf(const PeriodicSites& placed, const SiteImage& image) {
+  return {placed.sites.x[image.site] + image.shift[0] * placed.axis[0].length,
+          placed.sites.y[image.site] + image.shift[1] * placed.axis[1].length};
 }
 
 }  // namespace
@@ -129,9 +137,9 @@ PeriodicAxis::Placed PeriodicAxis::put(double scaled) const {
 }
 
 Result<PeriodicSites> placeSites(const Sites& sites, const Box& domain, Periodic periodic, int threads) {
-  if (!isUsable(sites, domain)) {
-    const auto refused = prepare(sites, domain, threads);
-    if (!refused) return tl::unexpected(refused.error());
+  // What prepare refuses it would name by the places of images.
+  if (const auto checked = checkSites(sites, domain, threads); !checked) {
+    return tl::unexpected(checked.error());
   }
   const int exponent = scaleExponent(domain);
   const PowerOfTwo scale(exponent);
@@ -161,46 +169,47 @@ Result<PeriodicSites> placeSites(const Sites& sites, const Box& domain, Periodic
   return placed;
 }
 
+void eachImage(const PeriodicSites& placed, const Band& band,
+               const std::function<void(const SiteImage&)>& take) {
+  const PeriodicAxis &x = placed.axis[0], &y = placed.axis[1];
+  const Box covered = coveredBy(placed, band);
+  const auto wanted = sitesWithImages(placed, band);
+  const std::int8_t most_x = x.periodic ? 1 : 0, most_y = y.periodic ? 1 : 0;
+  // Shift by shift, so that images of one position stand in the order of their sites.
+  for (auto sy = static_cast<std::int8_t>(-most_y); sy <= most_y; ++sy) {
+    for (auto sx = static_cast<std::int8_t>(-most_x); sx <= most_x; ++sx) {
+      if (sx == 0 && sy == 0) continue;
+      for (const auto i : wanted) {
+        const SiteImage image{i, {sx, sy}};
+        const Point place = placeOf(placed, image);
+        const bool in_band = (!x.periodic || isCovered(place.x, covered.xmin, covered.xmax)) &&
+                             (!y.periodic || isCovered(place.y, covered.ymin, covered.ymax));
+        if (in_band || std::ranges::binary_search(band.heavy, i)) take(image);
+      }
+    }
+  }
+}
+
 ImagedSites withImages(const PeriodicSites& placed, const Band& band) {
   ImagedSites out;
   out.sites = placed.sites;
   out.count = placed.sites.size();
+  out.covered = out.box = coveredBy(placed, band);
   const PeriodicAxis &x = placed.axis[0], &y = placed.axis[1];
-  const auto& width = band.width;
-  const auto widened = [&](double by_x, double by_y) {
-    return Box{x.low - by_x, y.low - by_y, x.high + by_x, y.high + by_y};
-  };
-  out.covered = out.box = widened(width[0], width[1]);
-  if (!band.heavy.empty()) out.box = widened(x.periodic ? x.length : 0, y.periodic ? y.length : 0);
-  const auto inBand = [&](double place, std::size_t a) {
-    const PeriodicAxis& axis = placed.axis[a];
-    return axis.periodic && (place <= axis.low + width[a] || place >= axis.high - width[a]);
-  };
-  std::vector<std::uint32_t> near;
-  for (std::uint32_t i = 0; i < out.count; ++i) {
-    if (inBand(placed.sites.x[i], 0) || inBand(placed.sites.y[i], 1)) near.push_back(i);
-  }
-  std::vector<std::uint32_t> wanted;
-  std::ranges::set_union(near, band.heavy, std::back_inserter(wanted));
-  const int most_x = x.periodic ? 1 : 0, most_y = y.periodic ? 1 : 0;
-  // Shift by shift, so that images of one position stand in the order of their sites.
-  for (int sy = -most_y; sy <= most_y; ++sy) {
-    for (int sx = -most_x; sx <= most_x; ++sx) {
-      if (sx == 0 && sy == 0) continue;
-      for (const auto i : wanted) {
-        const double px = placed.sites.x[i] + sx * x.length, py = placed.sites.y[i] + sy * y.length;
-        const bool covered = (!x.periodic || isCovered(px, out.covered.xmin, out.covered.xmax)) &&
-                             (!y.periodic || isCovered(py, out.covered.ymin, out.covered.ymax));
-        if (covered || std::ranges::binary_search(band.heavy, i)) append(out, placed, i, sx, sy);
-      }
-    }
-  }
+  if (!band.heavy.empty()) out.box = widened(placed, x.periodic ? x.length : 0, y.periodic ? y.length : 0);
+  eachImage(placed, band, [&](const SiteImage& image) {
+    const Point place = placeOf(placed, image);
+    out.sites.x.push_back(place.x);
+    out.sites.y.push_back(place.y);
+    if (!placed.sites.weight.empty()) out.sites.weight.push_back(placed.sites.weight[image.site]);
+    out.images.push_back(image);
+  });
   return out;
 }
 
-Result<Sites> wrapped(const Sites& sites, const Box& domain, Periodic periodic) {
+Result<Sites> wrapped(const Sites& sites, const Box& domain, Periodic periodic, int threads) {
   if (periodic == Periodic::none) return sites;
-  const auto placed = placeSites(sites, domain, periodic, 0);
+  const auto placed = placeSites(sites, domain, periodic, threads);
   if (!placed) return tl::unexpected(placed.error());
   const PowerOfTwo unscale(-placed->exponent);
   Sites out{{}, {}, sites.weight};

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "vorpipe.h"
@@ -55,7 +56,7 @@ struct PeriodicSites {
   [[nodiscard]] Box domain() const { return {axis[0].low, axis[1].low, axis[0].high, axis[1].high}; }
 };
 
-/// Puts the sites into the domain. Errors (input): as prepare's; a site more than 2^50 periods away.
+/// Puts the sites into the domain. Errors (input): those of checkSites; a site more than 2^50 periods away.
 Result<PeriodicSites> placeSites(const Sites& sites, const Box& domain, Periodic periodic, int threads);
 
 /// How far beyond the domain images are needed, along each axis; a whole period is always enough.
@@ -78,6 +79,10 @@ struct ImagedSites {
   /// The site that entry i of `sites` is or is an image of.
   [[nodiscard]] std::uint32_t siteOf(std::uint32_t i) const { return i < count ? i : images[i - count].site; }
 };
+
+/// Calls `take` for each image that the band asks for.
+void eachImage(const PeriodicSites& placed, const Band& band,
+               const std::function<void(const SiteImage&)>& take);
 
 ImagedSites withImages(const PeriodicSites& placed, const Band& band);
 

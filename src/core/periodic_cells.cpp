@@ -15,10 +15,6 @@
 namespace vorpipe {
 namespace {
 
-/// Of the domain's area, that the areas may miss or exceed it by: what double leaves, and what cells that
-/// agree do not come near.
-constexpr double area_rounding = 1e-12, area_wrong = 1e-6;
-
 /// Adds up the times of all runs; a stage that none had stays negative.
 void addTimes(const Times& run, Times& sum) {
   const auto add = [](double from, double& to) {
@@ -42,8 +38,14 @@ Band wholeBand(const PeriodicSites& placed, Band band) {
 /// Runs over sites and images, with wider and wider bands.
 class Runs {
  public:
-  Runs(Backend& backend, Backend& judge, int threads, const PeriodicSites& placed, CellsOptions options)
-      : backend_(backend), judge_(judge), threads_(threads), placed_(placed), options_(std::move(options)) {
+  Runs(Backend& backend, Backend& judge, int threads, const Sites& sites, const PeriodicSites& placed,
+       CellsOptions options)
+      : backend_(backend),
+        judge_(judge),
+        threads_(threads),
+        callers_{sites, [this](std::uint32_t i) { return imaged.siteOf(i); }},
+        placed_(placed),
+        options_(std::move(options)) {
     options_.periodic = Periodic::none;
     options_.density = {};
     options_.detail = Detail::polygons;  // The proof is about vertices.
@@ -56,12 +58,15 @@ class Runs {
     imaged = withImages(placed_, band);
     times.order = std::max(times.order, 0.0) + 1e3 * order_watch.seconds();
     options_.domain = imaged.box;
-    auto run = cellsOn(backend_, judge_, threads_, imaged.sites, options_);
+    auto run = cellsOn(backend_, judge_, threads_, imaged.sites, options_, &callers_);
     if (!run) return tl::unexpected(run.error());
     diagram = std::move(*run);
     addTimes(diagram.report.time_ms, times);
     return {};
   }
+
+  Runs(const Runs&) = delete;
+  Runs& operator=(const Runs&) = delete;
 
   /// After `cells`: the next band to try, or `band` itself if the cells are right.
   Result<Band> settle(const Band& band) {
@@ -91,6 +96,7 @@ class Runs {
   Backend& backend_;
   Backend& judge_;
   int threads_;
+  CallersSites callers_;
   const PeriodicSites& placed_;
   CellsOptions options_;
 };
@@ -103,7 +109,7 @@ Result<Diagram> periodicCellsOn(Backend& backend, Backend& judge_backend, int th
   auto placed = placeSites(sites, options.domain, options.periodic, threads);
   if (!placed) return tl::unexpected(placed.error());
   Band band = likelyBandForCells(*placed, threads);
-  Runs runs(backend, judge_backend, threads, *placed, options);
+  Runs runs(backend, judge_backend, threads, sites, *placed, options);
   runs.times.order = 1e3 * order_watch.seconds();
   for (;;) {
     if (auto run = runs.cells(band); !run) return tl::unexpected(run.error());
@@ -119,11 +125,16 @@ Result<Diagram> periodicCellsOn(Backend& backend, Backend& judge_backend, int th
   return std::move(runs.diagram);
 }
 
-Result<std::uint64_t> sitesAndImages(const Sites& sites, const Box& domain, Periodic periodic, int threads) {
+Result<std::uint64_t> sitesAndImages(const Sites& sites, const Box& domain, Periodic periodic,
+                                     ImagesFor purpose, int threads) {
   if (periodic == Periodic::none) return sites.size();
   const auto placed = placeSites(sites, domain, periodic, threads);
   if (!placed) return tl::unexpected(placed.error());
-  return withImages(*placed, likelyBandForCells(*placed, threads)).sites.size();
+  const bool pictures = purpose == ImagesFor::pictures;
+  const Band band = pictures ? bandForPlaces(*placed, threads) : likelyBandForCells(*placed, threads);
+  std::uint64_t count = sites.size();
+  eachImage(*placed, band, [&](const SiteImage&) { ++count; });
+  return count;
 }
 
 }  // namespace vorpipe

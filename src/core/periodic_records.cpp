@@ -110,6 +110,8 @@ void keepSites(const ImagedSites& imaged, Diagram& diagram) {
   report.ok = static_cast<std::uint64_t>(std::ranges::count(diagram.status, Status::ok));
   report.empty = static_cast<std::uint64_t>(std::ranges::count(diagram.status, Status::empty));
   report.duplicate = count - report.ok - report.empty;
+  // Either none is hidden, or weights differ and all that are empty are.
+  report.hidden = std::min(report.hidden, report.empty);
 }
 
 void finishRecords(const PeriodicSites& placed, const ImagedSites& imaged, Detail detail, int threads,

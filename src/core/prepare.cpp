@@ -38,13 +38,6 @@ Result<void> checkDomain(const Box& domain) {
   return {};
 }
 
-/// The power of two that brings the domain's longer side into [1, 2).
-int scaleExponent(const Box& domain) {
-  int exponent = 0;
-  std::frexp(std::max(domain.xmax - domain.xmin, domain.ymax - domain.ymin), &exponent);
-  return 1 - exponent;
-}
-
 /// What one pass over the sites finds out, in scaled units.
 struct Extent {
   Box box{infinite, infinite, -infinite, -infinite};
@@ -90,6 +83,11 @@ Error unusableSite(const Sites& sites, const PowerOfTwo& scale) {
 
 Error nearSites(const Sites& sites, std::uint32_t a, std::uint32_t b) {
   if (a > b) std::swap(a, b);
+  if (a == b) {
+    return {ErrorCode::input, fmt::format("the domain is too narrow: site {} is nearer to its own image than "
+                                          "{:.0e} of the domain's longer side",
+                                          a, least_distance)};
+  }
   return {
       ErrorCode::input,
       fmt::format("sites {} and {}: {}, {} and {}, {} are not equal, but nearer to each other than {:.0e} of "
@@ -131,14 +129,23 @@ Result<void> checkSearch(const SearchOptions& search) {
   return refuse(fmt::format("{} neighbors: must be {} to {}", search.neighbors, fewest, most));
 }
 
-Result<void> checkSearch(const SearchOptions& search, const SiteSet& set) {
-  if (search.method == Search::grid || set.weight.empty()) return {};
-  return refuse(
-      "search by FLANN: of sites with weights, those beyond the nearest may cut a cell as well; take the "
-      "grid");
+int scaleExponent(const Box& domain) {
+  int exponent = 0;
+  std::frexp(std::max(domain.xmax - domain.xmin, domain.ymax - domain.ymin), &exponent);
+  return 1 - exponent;
 }
 
-Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads) {
+Result<void> checkSites(const Sites& sites, const Box& domain, int threads) {
+  if (auto checked = checkDomain(domain); !checked) return checked;
+  if (auto checked = checkNumber(sites); !checked) return checked;
+  const int exponent = scaleExponent(domain);
+  const PowerOfTwo scale(exponent);
+  if (!extentOf(sites, scale, domain, threads).usable) return tl::unexpected(unusableSite(sites, scale));
+  const auto weights = scaledWeights(sites, exponent, threads);
+  return weights ? Result<void>{} : tl::unexpected(weights.error());
+}
+
+Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads, const CallersSites* callers) {
   if (auto checked = checkDomain(domain); !checked) return tl::unexpected(checked.error());
   if (auto checked = checkNumber(sites); !checked) return tl::unexpected(checked.error());
   Prepared prepared;
@@ -157,7 +164,10 @@ Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads) {
   orderByBins(sites, scale, threads, set, prepared.owner);
   giveWeights(*weights, threads, set);
   if (const auto near_sites = tooNear(set, threads)) {
-    return tl::unexpected(nearSites(sites, set.id[near_sites->first], set.id[near_sites->second]));
+    const auto a = set.id[near_sites->first], b = set.id[near_sites->second];
+    return tl::unexpected(callers == nullptr
+                              ? nearSites(sites, a, b)
+                              : nearSites(callers->sites, callers->siteOf(a), callers->siteOf(b)));
   }
   return prepared;
 }

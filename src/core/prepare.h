@@ -1,6 +1,8 @@
 /// From the caller's sites to a SiteSet: checked, scaled, unique, in the bins of a grid.
 #pragma once
 
+#include <functional>
+
 #include "backend/backend.h"
 
 namespace vorpipe {
@@ -12,16 +14,26 @@ struct Prepared {
   std::vector<std::uint32_t> owner;
 };
 
+/// The power of two that brings the domain's longer side into [1, 2).
+int scaleExponent(const Box& domain);
+
+/// Errors (input): no sites, more than 2^31 - 1, a coordinate that is not finite or is more than 2^300
+/// domains away, a weight that scaledWeights refuses, a domain without area.
+Result<void> checkSites(const Sites& sites, const Box& domain, int threads);
+
+/// The caller's sites, which errors name where a run has images of them as well.
+struct CallersSites {
+  const Sites& sites;
+  std::function<std::uint32_t(std::uint32_t)> siteOf;  ///< by index in the run's sites
+};
+
 /// Checks sites and domain and orders the sites by the bins of a grid. The scale is a power of two, so
-/// that what is a tie in the input stays one. Errors (input): no sites, more than 2^31 - 1, a
-/// coordinate that is not finite or is more than 2^300 domains away, a weight that scaledWeights refuses,
-/// a domain without area, two sites that are not equal but nearer to each other than 2^-80 of the domain.
-Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads);
+/// that what is a tie in the input stays one. Errors (input): those of checkSites, two sites that are not
+/// equal but nearer to each other than 2^-80 of the domain.
+Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads,
+                         const CallersSites* callers = nullptr);
 
 /// Checks the number of neighbors. Error (input): fewer than 3 or more than 1024.
 Result<void> checkSearch(const SearchOptions& search);
-
-/// Checks that a search takes the weights of a set, if it has some. Error (input): FLANN does not.
-Result<void> checkSearch(const SearchOptions& search, const SiteSet& set);
 
 }  // namespace vorpipe

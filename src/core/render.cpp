@@ -3,25 +3,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <atomic>
 
 #include "core/cell_drawing.h"
 #include "core/colormap.h"
 #include "core/diagram.h"
 #include "core/order.h"
+#include "core/outline_index.h"
 #include "core/outline_mask.h"
 #include "core/overlay.h"
 #include "core/periodic_picture.h"
 #include "core/shade.h"
 #include "core/stopwatch.h"
 #include "core/weights.h"
+#include "parallel.h"
 
 namespace vorpipe {
 namespace {
 
 constexpr int largest_side = 32768;
+constexpr std::size_t grain = 1 << 12;
 
-Result<void> checkOptions(const RenderOptions& options) {
+Result<void> checkSize(const RenderOptions& options) {
   const auto refuse = [](std::string message) {
     return tl::unexpected(Error{ErrorCode::input, std::move(message)});
   };
@@ -29,7 +32,7 @@ Result<void> checkOptions(const RenderOptions& options) {
     return refuse(fmt::format("a picture of {}x{} pixels: each side must be 1 to {}", options.width,
                               options.height, largest_side));
   }
-  return checkSearch(options.search);
+  return {};
 }
 
 /// One view of a picture that is drawn in parts: its place in the image, rows from the bottom.
@@ -71,20 +74,32 @@ void place(const Part& part, const std::vector<std::uint32_t>& from, const Image
   }
 }
 
+/// Whether all sites lie in the domain and inside the outline. Each position then has a cell of which the
+/// outline leaves something.
+bool areInside(const Sites& sites, const Box& domain, const Rings& rings, int exponent, int threads) {
+  const OutlineIndex index(rings);
+  const PowerOfTwo scale(exponent);
+  std::atomic<bool> all = true;
+  parallelFor(sites.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end && all; ++i) {
+      const double x = sites.x[i], y = sites.y[i];
+      const bool in_domain = x >= domain.xmin && x <= domain.xmax && y >= domain.ymin && y <= domain.ymax;
+      if (!in_domain || !index.contains({scale(x), scale(y)})) all = false;
+    }
+  });
+  return all;
+}
+
 /// The measures that the colors follow, and which cells weights and an outline leave, which takes proofs;
 /// nothing where none of it is asked for.
 Result<Diagram> measure(Backend& backend, Backend& judge, int threads, const Sites& sites,
-                        const RenderOptions& options) {
+                        const RenderOptions& options, const Rings& rings) {
   const bool colors = options.color == ColorBy::area || options.color == ColorBy::neighbors;
-  if (!colors && options.outline.empty() && !hasWeights(sites)) return Diagram{};
-  CellsOptions wanted{};
-  wanted.domain = options.domain;
-  wanted.outline = options.outline;
-  wanted.periodic = options.periodic;
-  wanted.search = options.search;
-  wanted.detail = Detail::measures;
-  wanted.progress = options.progress;
-  return cellsOn(backend, judge, threads, sites, wanted);
+  if (!colors && !hasWeights(sites)) {
+    if (options.outline.empty()) return Diagram{};
+    if (areInside(sites, options.domain, rings, scaleExponent(options.domain), threads)) return Diagram{};
+  }
+  return cellsOn(backend, judge, threads, sites, cellsOptions(options));
 }
 
 /// `box` is what the picture shows, in the units of the set.
@@ -141,31 +156,55 @@ void countStatuses(const Prepared& prepared, const Scene& scene, const std::vect
   }
 }
 
+/// Takes over what the cells took, to which the drawing adds.
+void beginReport(const Report& cells, Report& report) {
+  report.hidden = cells.hidden;
+  report.retried = cells.retried;
+  report.in_double = cells.in_double;
+  report.exact = cells.exact;
+  report.time_ms = cells.time_ms;
+}
+
 }  // namespace
+
+CellsOptions cellsOptions(const RenderOptions& picture) {
+  CellsOptions cells{};
+  cells.domain = picture.domain;
+  cells.outline = picture.outline;
+  cells.periodic = picture.periodic;
+  cells.search = picture.search;
+  cells.detail = Detail::measures;
+  cells.progress = picture.progress;
+  return cells;
+}
 
 Result<Rendering> renderOn(Backend& backend, Backend& judge, int threads, const Sites& sites,
                            const RenderOptions& options) {
-  if (auto checked = checkOptions(options); !checked) return tl::unexpected(checked.error());
+  if (auto checked = checkSize(options); !checked) return tl::unexpected(checked.error());
   const auto palette = paletteByName(options.colormap);
   if (!palette) return tl::unexpected(palette.error());
 
   Rendering rendering;
-  auto& times = rendering.report.time_ms;
-  const auto cells = measure(backend, judge, threads, sites, options);
+  auto& report = rendering.report;
+  auto& times = report.time_ms;
+  const auto rings = ringsOf(options.outline, scaleExponent(options.domain));
+  if (!rings) return tl::unexpected(rings.error());
+  const auto cells = measure(backend, judge, threads, sites, options, *rings);
   if (!cells) return tl::unexpected(cells.error());
-  times.cells = cells->report.time_ms.cells;
+  beginReport(cells->report, report);
 
   const Stopwatch order_watch;
   const auto scene = sceneOf(sites, options, threads);
   if (!scene) return tl::unexpected(scene.error());
   const Sites& drawn = scene->sitesOr(sites);
-  auto prepared = prepare(drawn, scene->clip, threads);
+  const CallersSites callers{sites, [&](std::uint32_t i) { return scene->siteOf(i); }};
+  auto prepared = prepare(drawn, scene->clip, threads, &callers);
   if (!prepared) return tl::unexpected(prepared.error());
   auto ids = prepared->set.id;
   nameSites(*scene, ids);
   const auto shades = shadesOf(options.color, sites, ids, *cells);
   if (!shades) return tl::unexpected(shades.error());
-  times.order = 1e3 * order_watch.seconds();
+  times.order = std::max(times.order, 0.0) + 1e3 * order_watch.seconds();
 
   const int most = backend.info().max_view;
   SiteMesh mesh(prepared->set, threads);
@@ -179,15 +218,12 @@ Result<Rendering> renderOn(Backend& backend, Backend& judge, int threads, const 
   if (!image) return tl::unexpected(image.error());
   rendering.image = std::move(*image);
   if (!options.outline.empty()) {
-    const auto rings = ringsOf(options.outline, prepared->exponent);
-    if (!rings) return tl::unexpected(rings.error());
     maskOutside(*rings, options.domain, prepared->exponent, threads, rendering.image);
   }
   if (options.edges) drawEdges(rendering.image);
   if (options.show_sites) drawSites(rendering.image, drawn, scene->count, scene->picture);
   nameSites(*scene, rendering.image.ids);
 
-  auto& report = rendering.report;
   times.download = 1e3 * download_seconds;
   drawing.describe(report);
   countStatuses(*prepared, *scene, drawing.status(), *cells, rendering);

@@ -5,7 +5,7 @@
 
 namespace vorpipe {
 
-/// What Session::render does, on an open backend.
+/// What Session::render does, on an open backend; checkOptions found nothing to refuse.
 Result<Rendering> renderOn(Backend& backend, Backend& judge, int threads, const Sites& sites,
                            const RenderOptions& options);
 

@@ -4,6 +4,7 @@
 #include "backend/registry.h"
 #include "core/density.h"
 #include "core/diagram.h"
+#include "core/input.h"
 #include "core/render.h"
 #include "vorpipe.h"
 
@@ -15,10 +16,11 @@ Error outOfMemory() {
   return {ErrorCode::device, "out of memory; fewer sites or a smaller picture would fit"};
 }
 
-/// Cells and their mass, for which their polygons are needed, whether they are wanted or not.
-Result<Diagram> cellsWithMass(Backend& backend, Backend& judge, int threads, const Sites& sites,
-                              const CellsOptions& options) {
-  if (auto checked = checkDensity(options.density); !checked) return tl::unexpected(checked.error());
+/// Cells, and their mass if there is a density: that takes their polygons, whether they are wanted or not.
+Result<Diagram> cellsAndMass(Backend& backend, Backend& judge, int threads, const Sites& sites,
+                             const CellsOptions& options) {
+  if (auto checked = checkOptions(sites, options); !checked) return tl::unexpected(checked.error());
+  if (options.density.values.empty()) return cellsOn(backend, judge, threads, sites, options);
   CellsOptions with_polygons = options;
   with_polygons.detail = std::max(options.detail, Detail::polygons);
   auto diagram = cellsOn(backend, judge, threads, sites, with_polygons);
@@ -52,6 +54,9 @@ Result<Session> Session::open(const BackendOptions& options) {
 
 Result<Rendering> Session::render(const Sites& sites, const RenderOptions& options) {
   try {
+    if (auto checked = checkOptions(sites, cellsOptions(options)); !checked) {
+      return tl::unexpected(checked.error());
+    }
     return renderOn(*state_->opened.backend, *state_->judge, state_->threads, sites, options);
   } catch (const std::bad_alloc&) {
     return tl::unexpected(outOfMemory());
@@ -60,8 +65,7 @@ Result<Rendering> Session::render(const Sites& sites, const RenderOptions& optio
 
 Result<Diagram> Session::cells(const Sites& sites, const CellsOptions& options) {
   try {
-    const auto cells = options.density.values.empty() ? cellsOn : cellsWithMass;
-    return cells(*state_->opened.backend, *state_->judge, state_->threads, sites, options);
+    return cellsAndMass(*state_->opened.backend, *state_->judge, state_->threads, sites, options);
   } catch (const std::bad_alloc&) {
     return tl::unexpected(outOfMemory());
   }

@@ -14,7 +14,7 @@ enum class CellsFormat : std::uint8_t {
   npz,      ///< NumPy arrays: everything that a Diagram holds
   geojson,  ///< a feature for each site; its geometry is null where it has no cell
   svg,      ///< a picture that says site and area where the pointer is
-  obj,      ///< a mesh: each position once, a face for each site that has a cell
+  obj,      ///< a mesh: each position once, a face for each piece of a cell
   ply,      ///< the same, binary, with site and area of each face
   vtk,      ///< the same for ParaView, with measures as cell data
   wkt,      ///< GEOMETRYCOLLECTION of a polygon for each site, EMPTY where it has no cell

@@ -21,13 +21,7 @@ PixelMap pixelMap(const Diagram& diagram) {
   if (diagram.vertices.empty()) {
     return {0, 0, 1, longer_side, longer_side};
   }
-  Box box{diagram.vertices[0].x, diagram.vertices[0].y, diagram.vertices[0].x, diagram.vertices[0].y};
-  for (const Point& vertex : diagram.vertices) {
-    box.xmin = std::min(box.xmin, vertex.x);
-    box.ymin = std::min(box.ymin, vertex.y);
-    box.xmax = std::max(box.xmax, vertex.x);
-    box.ymax = std::max(box.ymax, vertex.y);
-  }
+  const Box box = boxOf(diagram.vertices);
   const double width = box.xmax - box.xmin, height = box.ymax - box.ymin;
   const double scale = longer_side / std::max(width, height);
   return {box.xmin, box.ymax, scale, width * scale, height * scale};

@@ -16,17 +16,13 @@
 namespace vorpipe {
 namespace {
 
-constexpr std::uint64_t max_extent = 1 << 20;  ///< pixels in a row or a column
-
 template <class Number>
 Result<Density> readElements(InputFile& file, const NpyHeader& header) {
   const std::uint64_t rows = header.shape[0], columns = header.shape[1];
   Density density{static_cast<int>(columns), static_cast<int>(rows), {}};
   density.values.resize(rows * columns);
-  const auto read = eachElement<Number>(
-      file, header, rows * columns, [&](std::uint64_t index, Number element) -> Result<void> {
-        const std::uint64_t row = header.fortran_order ? index % rows : index / columns;
-        const std::uint64_t column = header.fortran_order ? index / rows : index % columns;
+  const auto read = eachPixel<Number>(
+      file, header, [&](std::uint64_t row, std::uint64_t column, Number element) -> Result<void> {
         const auto value = static_cast<double>(element);
         if (!std::isfinite(value) || value < 0) {
           return inputError(fmt::format("{}: element [{}, {}] (counted from 0) is {}; a density is 0 or more",

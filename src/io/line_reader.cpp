@@ -18,6 +18,11 @@ const char* findLineEnd(const char* first, const char* last) {
 
 }  // namespace
 
+std::string_view withoutByteOrderMark(std::string_view text) {
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  return text.starts_with(mark) ? text.substr(mark.size()) : text;
+}
+
 LineReader::LineReader(InputFile file)
     : file_(std::move(file)), buffer_(std::make_unique_for_overwrite<char[]>(longest_line)) {}
 
@@ -47,11 +52,7 @@ std::optional<std::string_view> LineReader::takeUntil(const char* end) {
   }
   const bool two = end + 1 < last && end[0] == '\r' && end[1] == '\n';
   begin_ = std::min(end_, begin_ + line.size() + (two ? 2 : 1));
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (number_ == 1 && line.starts_with(byte_order_mark)) {
-    line.remove_prefix(byte_order_mark.size());
-  }
-  return line;
+  return number_ == 1 ? withoutByteOrderMark(line) : line;
 }
 
 Result<std::optional<std::string_view>> LineReader::next() {

@@ -12,6 +12,9 @@
 
 namespace vorpipe {
 
+/// A file's text as it is after a UTF-8 byte order mark, if there is one.
+std::string_view withoutByteOrderMark(std::string_view text);
+
 class LineReader {
  public:
   static constexpr std::size_t longest_line = std::size_t{1} << 20;  ///< bytes

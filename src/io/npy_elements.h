@@ -55,4 +55,17 @@ Result<void> eachElement(InputFile& file, const NpyHeader& header, std::uint64_t
   return {};
 }
 
+/// Pixels in a row or a column of an array that is an image.
+inline constexpr std::uint64_t max_extent = 1 << 20;
+
+/// The same for all elements of an array of two axes: `take(row, column, value)`.
+template <class Value, class Take>
+Result<void> eachPixel(InputFile& file, const NpyHeader& header, Take take) {
+  const std::uint64_t rows = header.shape[0], columns = header.shape[1];
+  return eachElement<Value>(file, header, rows * columns, [&](std::uint64_t index, Value value) {
+    return header.fortran_order ? take(index % rows, index / rows, value)
+                                : take(index / columns, index % columns, value);
+  });
+}
+
 }  // namespace vorpipe

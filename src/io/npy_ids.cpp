@@ -18,17 +18,12 @@
 namespace vorpipe {
 namespace {
 
-constexpr std::uint64_t max_extent = 1 << 20;  ///< pixels in a row or a column
-
 template <class Integer>
 Result<void> readElements(InputFile& file, const NpyHeader& header, Image& image) {
-  const std::uint64_t rows = header.shape[0];
   const std::uint64_t columns = header.shape[1];
-  image.ids.resize(rows * columns);
-  return eachElement<Integer>(
-      file, header, rows * columns, [&](std::uint64_t index, Integer value) -> Result<void> {
-        const std::uint64_t row = header.fortran_order ? index % rows : index / columns;
-        const std::uint64_t column = header.fortran_order ? index / rows : index % columns;
+  image.ids.resize(header.shape[0] * columns);
+  return eachPixel<Integer>(
+      file, header, [&](std::uint64_t row, std::uint64_t column, Integer value) -> Result<void> {
         const bool none = std::is_signed_v<Integer> && value == static_cast<Integer>(-1);
         if (!none && (std::cmp_less(value, 0) || std::cmp_greater(value, no_site))) {
           return inputError(fmt::format("{}: element [{}, {}] (counted from 0) is {}; an id is 0 to {}",

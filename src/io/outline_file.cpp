@@ -9,6 +9,7 @@
 #include "io/error.h"
 #include "io/extension.h"
 #include "io/input_file.h"
+#include "io/line_reader.h"
 #include "io/outline_reader.h"
 
 namespace vorpipe {
@@ -45,7 +46,8 @@ Result<Outline> readByExtension(const std::string& path) {
   if (!text) {
     return tl::unexpected(text.error());
   }
-  auto outline = json ? readGeoJsonOutline(path, *text) : readWktOutline(path, *text);
+  const std::string_view bytes = withoutByteOrderMark(*text);
+  auto outline = json ? readGeoJsonOutline(path, bytes) : readWktOutline(path, bytes);
   if (outline && outline->empty()) {
     return inputError(path + ": holds no polygon");
   }

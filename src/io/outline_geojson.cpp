@@ -37,7 +37,12 @@ class GeoJson {
     const auto inner = [&](const json& at, const std::string& its_path) {
       return object(at, its_path, depth + 1);
     };
-    if (name == "Feature") return member(value, path, "geometry", inner);
+    if (name == "Feature") {
+      // A feature may have no place, as the cells that are empty.
+      const auto geometry = value.find("geometry");
+      if (geometry != value.end() && geometry->is_null()) return {};
+      return member(value, path, "geometry", inner);
+    }
     if (name == "FeatureCollection") return each(value, path, "features", inner);
     if (name == "GeometryCollection") return each(value, path, "geometries", inner);
     return wrong(path, fmt::format("is a {}; a Polygon or MultiPolygon is needed", vorpipe::quoted(name)));
@@ -105,18 +110,48 @@ std::string placeOf(std::string_view text, std::size_t byte) {
   return fmt::format("{}:{}", line, column);
 }
 
+/// What a text is that the parser refuses, and from which byte on. It takes no notice of what is right.
+class Refusal {
+ public:
+  explicit Refusal(std::string_view text) { json::sax_parse(text, this); }
+
+  [[nodiscard]] std::size_t byte() const { return byte_; }
+  [[nodiscard]] std::string_view what() const { return what_; }
+
+  // What the parser calls; false stops it.
+  using Text = json::string_t;
+  static bool null() { return true; }
+  static bool boolean(bool) { return true; }
+  static bool number_integer(json::number_integer_t) { return true; }
+  static bool number_unsigned(json::number_unsigned_t) { return true; }
+  static bool number_float(json::number_float_t, const Text&) { return true; }
+  static bool string(const Text&) { return true; }
+  static bool binary(const json::binary_t&) { return true; }
+  static bool start_object(std::size_t) { return true; }
+  static bool key(const Text&) { return true; }
+  static bool end_object() { return true; }
+  static bool start_array(std::size_t) { return true; }
+  static bool end_array() { return true; }
+  /// `end` is the number of bytes that were read, `last` the token at their end.
+  bool parse_error(std::size_t end, const std::string& last, const json::exception& error) {
+    const bool number = dynamic_cast<const json::out_of_range*>(&error) != nullptr;
+    what_ = number ? "the number is too large for a double" : "is no JSON from here on";
+    byte_ = end - std::min(end, number ? last.size() : 1);
+    return false;
+  }
+
+ private:
+  std::size_t byte_ = 0;
+  std::string_view what_;
+};
+
 }  // namespace
 
 Result<Outline> readGeoJsonOutline(const std::string& name, std::string_view text) {
-  json value;
-  try {
-    value = json::parse(text);
-  } catch (const json::parse_error& error) {
-    // Its bytes count from 1.
-    const std::size_t byte = std::min(text.size(), error.byte > 0 ? error.byte - 1 : 0);
-    return inputError(fmt::format("{}:{}: is no JSON from here on", name, placeOf(text, byte)));
-  } catch (const json::out_of_range& error) {
-    return inputError(fmt::format("{}: a number is too large for a double: {}", name, error.what()));
+  const json value = json::parse(text, nullptr, /*allow_exceptions=*/false);
+  if (value.is_discarded()) {
+    const Refusal refusal(text);
+    return inputError(fmt::format("{}:{}: {}", name, placeOf(text, refusal.byte()), refusal.what()));
   }
   Outline outline;
   if (const auto problem = GeoJson(outline).object(value, {})) {

@@ -13,7 +13,6 @@ namespace vorpipe {
 struct SiteSource {
   Sites sites;
   std::optional<std::uint64_t> seed;  ///< of the generator; none when the sites come from a file
-  [[nodiscard]] bool generated() const { return seed.has_value(); }
 };
 
 /// The N that `spec` asks a generator for; none where it names a file or is wrong.

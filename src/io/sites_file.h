@@ -2,14 +2,15 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include "vorpipe.h"
 
 namespace vorpipe {
 
-/// Most sites of one run: indices are 32 bits wide, and no_site is none of them.
-inline constexpr std::uint64_t max_sites = no_site - 1;
+/// Most sites of one run: a neighbor is an index of 32 bits with a sign.
+inline constexpr std::uint64_t max_sites = std::numeric_limits<std::int32_t>::max();
 
 /// Reads at least one site by the path's extension: .csv, .xyz, .txt or .npy; "-" is CSV on standard
 /// input. Sites::weight is empty where the file has none. Errors: a path or data that is wrong, with

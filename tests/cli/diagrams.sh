@@ -32,6 +32,13 @@ for backend in $backends; do
   succeeds "weights in diff on $backend" diff out/w-cpu.npy out/w-$backend.npy --sites random:500 --random-weights 0,0.004
 done
 fails 1 "other weights in diff" "pixels wrong" diff out/w-cpu.npy out/a.npy --sites random:500 --random-weights 0,0.004
+for command in "cells" "render --size 50x50"; do
+  succeeds "hidden sites, $command" $command --backend cpu --sites random:500 --random-weights 0,0.004 --stats out/w.json
+  hidden=$(sed -n 's/.*"hidden": \([0-9]*\).*/\1/p' out/w.json)
+  [ "${hidden:-0}" -gt 100 ] && grep -q "\"empty\": $hidden," out/w.json || fail "not as many are hidden as empty"
+  succeeds "none hidden without weights, $command" $command --backend cpu --sites random:500 --stats out/w.json
+  grep -q '"hidden": null' out/w.json || fail "hidden is not null"
+done
 succeeds "equal weights" cells --backend cpu --sites random:500 --random-weights 7,7 -o out/w.csv
 succeeds "no weights" cells --backend cpu --sites random:500 -o out/w2.csv
 cmp -s <(cut -d, -f1-3,5- out/w.csv) <(cut -d, -f1-3,5- out/w2.csv) || fail "equal weights change the cells"
@@ -67,6 +74,11 @@ for axes in x y xy; do
     succeeds "periodic picture in $axes on $backend" render --backend $backend --sites random:300 --periodic $axes --size 90x60 --check --ids out/p-$backend.npy
     succeeds "periodic in diff, $axes on $backend" diff out/p-cpu.npy out/p-$backend.npy --sites random:300 --periodic $axes
   done
+done
+printf 'x,y\n0,0.5\n0.99999999999999,0.5\n' >in/seam.csv
+succeeds "sites beside each other across the border" cells --backend cpu --sites in/seam.csv --domain 0,0,1,1 --periodic x --check --stats out/p.json
+for periodic in "" "--periodic x" "--periodic y" "--periodic xy"; do
+  succeeds "a domain as narrow as ties '$periodic'" cells --backend cpu --sites random:5 --domain 0,0,1,1e-9 $periodic --check --stats out/p.json
 done
 for sites in random:1 random:2 random:5 square:4; do
   succeeds "periodic, $sites" cells --backend cpu --sites $sites --periodic xy --check --stats out/p.json
@@ -126,6 +138,7 @@ if $numpy_python -c 'import numpy' 2>/dev/null; then
   $numpy_python -c 'import numpy as np
 np.save("in/density.npy", np.arange(12.0).reshape(3, 4))
 np.save("in/one.npy", np.ones((1, 1)))
+np.save("in/tall.npy", np.ones((300000, 1), dtype=np.uint8))
 np.save("in/line.npy", np.ones(5))
 np.save("in/negative.npy", -np.ones((2, 2)))
 np.save("in/nan.npy", np.full((2, 2), np.nan))'
@@ -136,6 +149,8 @@ np.save("in/nan.npy", np.full((2, 2), np.nan))'
   awk -F, 'NR > 1 && ($6 - $12 > 1e-12 || $12 - $6 > 1e-12) { bad = 1 } END { exit bad }' out/m.csv || fail "the mass is not the area"
   succeeds "a density with weights in an outline" cells --backend cpu --sites random:300 --random-weights 0,0.01 --domain in/hole.wkt --density in/one.npy --check --stats out/m.json
   grep -Eq '"mass_sum": (0\.84|0\.840000000000|0\.839999999999)' out/m.json || fail "mass_sum is not 0.84: $(grep mass_sum out/m.json)"
+  succeeds "a density of many rows" cells --backend cpu --sites square:1 --density in/tall.npy --check --stats out/m.json
+  grep -Eq '"mass_sum": (1\.0|0\.9999999999)' out/m.json || fail "mass_sum is not 1: $(grep mass_sum out/m.json)"
   for file in line.npy negative.npy nan.npy; do
     fails 2 "a density, $file" "--density: in/$file" cells --backend cpu --sites random:9 --density in/$file -o out/old.csv
   done

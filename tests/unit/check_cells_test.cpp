@@ -250,6 +250,7 @@ std::vector<Scene> rightScenes() {
           {"large", scaled(1e150, 0), {0, 0, 1e150, 1e150}},
           {"small", scaled(1e-150, 0), {0, 0, 1e-150, 1e-150}},
           {"far from the origin", scaled(1000, 5e6), {5e6, 5e6, 5e6 + 1000, 5e6 + 1000}},
+          {"narrow", generate(Pattern::random, 5, 1), {0, 0, 1, 1e-9}},
           {"oblong", generate(Pattern::random, 500, 1), {0.4, 0.1, 0.4001, 0.9}}};
 }
 

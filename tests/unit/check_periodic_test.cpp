@@ -29,6 +29,27 @@ TEST_F(CheckPeriodicCells, FindsNothingInRightOnes) {
   }
 }
 
+TEST_F(CheckPeriodicCells, TakesAnyImageThatDoubleDoesNotTellFromTheNearest) {
+  for (const double apart : {1e-12, 1e-14, 1e-15}) {
+    sites = {{0, 1 - apart}, {0.5, 0.5}, {}};
+    for (const auto periodic : {Periodic::x, Periodic::xy}) {
+      const auto wanted = periodicCells(periodic);
+      EXPECT_THAT(promisesOf(check(sites, wanted, cellsOf(sites, wanted))), IsEmpty()) << apart;
+    }
+  }
+}
+
+TEST_F(CheckPeriodicCells, AllowsTiesAsLongAsThePeriod) {
+  for (const auto periodic : {Periodic::x, Periodic::y, Periodic::xy}) {
+    auto wanted = periodicCells(periodic);
+    wanted.domain = {0, 0, 1, 1e-9};
+    cells = cellsOf(sites, wanted);
+    EXPECT_THAT(promisesOf(check(sites, wanted, cells)), IsEmpty());
+    cells.area[std::size_t(std::ranges::find(cells.status, Status::ok) - cells.status.begin())] *= 1.001;
+    EXPECT_THAT(promisesOf(check(sites, wanted, cells)), Contains("areas"));
+  }
+}
+
 TEST_F(CheckPeriodicCells, FindsOrdinaryOnes) {
   cells = cellsOf(sites, unit_cells);
   EXPECT_THAT(broken(), Contains("arrays"));

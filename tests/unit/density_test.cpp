@@ -194,6 +194,23 @@ TEST(Density, aRampDrawsTheCentroidToItsHeavySide) {
   EXPECT_NEAR(d.mass_centroid[1].y, 0.5, 1e-15);
 }
 
+TEST(Density, pixelsMayBeAsManyAsFilesHaveThem) {
+  Sites two;
+  two.x = {0.25, 0.75};
+  two.y = {0.3, 0.7};
+  for (const int count : {200'000, 300'000, 1 << 20}) {
+    for (const bool tall : {false, true}) {
+      SCOPED_TRACE(testing::Message() << count << (tall ? " rows" : " columns"));
+      Density density{tall ? 1 : count, tall ? count : 1, std::vector<double>(std::size_t(count), 2.0)};
+      density.values.back() = 0;
+      const Diagram d = cellsOf(two, under(density));
+      const double missing = 2.0 / count;
+      EXPECT_NEAR(d.mass[0] + d.mass[1], 2 - missing, 1e-13);
+      EXPECT_NEAR(d.mass[tall ? 0 : 1], 1 - (tall ? missing * 0.9 : missing), 1e-10);
+    }
+  }
+}
+
 TEST(Density, aHugePixelIsNothingToCellsThatItDoesNotTouch) {
   Density density{50, 50, std::vector<double>(2500, 1.0)};
   density.values[25 * 50 + 25] = 1e250;

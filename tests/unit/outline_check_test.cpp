@@ -79,6 +79,10 @@ TEST(OutlineCheck, outlinesThatAreNoPolygonsAreRefusedWithThePlace) {
   ringless.polygon_offsets = {0, 0, 1};
   EXPECT_THAT(refusalOf(ringless), has("polygon 0 has no rings"));
   EXPECT_THAT(refusalOf(outlineOf({{rectangle(0, 0, 1, 1)}}), Periodic::x), has("periodic"));
+  for (const double size : {1e-200, 1e200, 1e308}) {
+    EXPECT_THAT(refusalOf(outlineOf({{rectangle(-size, -size, size, size)}})),
+                testing::AllOf(has("outline: its box of "), has(" has no area that a double can hold")));
+  }
   Outline open = outlineOf({{rectangle(0, 0, 1, 1)}});
   open.ring_offsets.back() = 3;
   EXPECT_THAT(refusalOf(open), has("offsets"));

@@ -88,6 +88,41 @@ TEST(Wrapped, RefusesWhatIsTooFarToTell) {
   EXPECT_TRUE(wrapped({{0.5, 0x1p52}, {0.5, 0.5}, {}}, unit, Periodic::y));
 }
 
+/// What cells and pictures say of sites that they refuse, which is the same.
+std::string refusalOf(const Sites& sites, Periodic periodic, const Box& domain = unit) {
+  auto wanted = periodicCells(periodic);
+  wanted.domain = domain;
+  RenderOptions picture{};
+  picture.domain = domain;
+  picture.periodic = periodic;
+  picture.width = picture.height = 4;
+  auto session = cpuSession();
+  const auto cells = session.cells(sites, wanted);
+  const auto rendering = session.render(sites, picture);
+  if (cells || rendering) return "accepted";
+  EXPECT_EQ(cells.error().message, rendering.error().message);
+  EXPECT_EQ(cells.error().code, ErrorCode::input);
+  return cells.error().message;
+}
+
+TEST(PeriodicRefusals, NameTheCallersSites) {
+  const double near = 1e-26;
+  EXPECT_THAT(refusalOf({{0.5, 0.25, 0.25}, {0.5, near, 0}, {}}, Periodic::x),
+              testing::StartsWith("sites 1 and 2: 0.25, 1e-26 and 0.25, 0 are not equal"));
+  EXPECT_THAT(refusalOf({{0.7, 1.25, 0.25}, {0.5, near, 0}, {}}, Periodic::x),
+              testing::StartsWith("sites 1 and 2: 1.25, 1e-26 and 0.25, 0 are not equal"));
+  EXPECT_EQ(refusalOf({{0.5, 0}, {0.5, 1e300}, {}}, Periodic::x),
+            "site 1 is too far from the domain: 0, 1e+300");
+  EXPECT_EQ(refusalOf({{0.5, 0}, {0.5, INFINITY}, {}}, Periodic::x), "site 1 is not finite: 0, inf");
+  EXPECT_EQ(refusalOf({{0.5, 0}, {0.5, 0}, {0, 1e308}}, Periodic::xy),
+            "the weight of site 1 is too large for the domain: 1e+308");
+  EXPECT_EQ(refusalOf({{0.5, 0}, {0.5, 0}, {0, NAN}}, Periodic::xy),
+            "the weight of site 1 is not finite: nan");
+  EXPECT_THAT(refusalOf({{0.1, 0.5}, {0, 0}, {}}, Periodic::y, {0, 0, 1, 1e-30}),
+              testing::StartsWith("the domain is too narrow: site 0"));
+  EXPECT_THAT(refusalOf({{0.1}, {0.1}, {}}, Periodic::y, {0, 1, 1, 0}), testing::StartsWith("the domain "));
+}
+
 TEST(Images, AreAllOfABandOnce) {
   auto sites = generate(Pattern::random, 300, 2);
   sites.weight.assign(300, 0);
@@ -173,13 +208,17 @@ TEST(Band, IsThinForManySites) {
 
 TEST(Band, TellsHowManySitesAndImagesThereAre) {
   const auto many = generate(Pattern::random, 100'000, 8);
-  EXPECT_EQ(sitesAndImages(many, unit, Periodic::none), 100'000u);
-  const auto count = sitesAndImages(many, unit, Periodic::xy).value_or(0);
+  EXPECT_EQ(sitesAndImages(many, unit, Periodic::none, ImagesFor::cells), 100'000u);
+  const auto count = sitesAndImages(many, unit, Periodic::xy, ImagesFor::cells).value_or(0);
   EXPECT_GT(count, 101'000u);
   EXPECT_LT(count, 115'000u);
-  EXPECT_EQ(sitesAndImages({{0.5}, {0.5}, {}}, unit, Periodic::xy), 9u);
-  EXPECT_EQ(sitesAndImages({{0.5}, {0.5}, {}}, unit, Periodic::y), 3u);
-  EXPECT_FALSE(sitesAndImages({}, unit, Periodic::y));
+  EXPECT_EQ(sitesAndImages({{0.5}, {0.5}, {}}, unit, Periodic::xy, ImagesFor::cells), 9u);
+  EXPECT_EQ(sitesAndImages({{0.5}, {0.5}, {}}, unit, Periodic::y, ImagesFor::cells), 3u);
+  EXPECT_FALSE(sitesAndImages({}, unit, Periodic::y, ImagesFor::cells));
+  const auto fewer = sitesAndImages(many, unit, Periodic::xy, ImagesFor::pictures).value_or(0);
+  EXPECT_GT(fewer, 100'000u);
+  EXPECT_LT(fewer, count);
+  EXPECT_EQ(fewer, 100'000 + withImages(placed(many), bandForPlaces(placed(many), 1)).images.size());
 }
 
 TEST(Band, StaysThinWhereAFewSitesAreHeavy) {

@@ -61,6 +61,7 @@ std::vector<std::string> brokenBy(const CheckedCells& run) {
   const Diagram& d = run.diagram;
   const bool outcome = checkOutcome(run, {d.status, d.owner, d.report}, broken);
   if (!checkArrays(run, broken) || !outcome) return broken.take();
+  checkMass(run, broken);
   if (run.outline != nullptr) {
     const CheckedOutline outline(run);
     checkMeasures(run, outline.area(), clipped_sum_slack, broken);
@@ -99,6 +100,8 @@ bool checkArrays(const CheckedCells& run, Broken& broken) {
   const std::size_t entries = d.cell_offsets.back();
   right = has("neighbors", d.neighbors.size(), entries) &&
           has("neighbor_shifts", d.neighbor_shifts.size(), run.repeats() ? entries : 0) &&
+          has("mass", d.mass.size(), run.density != nullptr ? run.size() : 0) &&
+          has("mass_centroid", d.mass_centroid.size(), d.mass.size()) &&
           (!polygons || (has("vertices", d.vertices.size(), entries) &&
                          has("edge_lengths", d.edge_lengths.size(), entries)));
   return right && broken.expect("neighbors", run.size(), run.threads,
@@ -129,7 +132,7 @@ double areaSum(const Diagram& diagram) {
 Result<std::vector<std::string>> check(const Sites& sites, const CellsOptions& options,
                                        const Diagram& diagram, int threads) {
   try {
-    const auto inside = checks::insideOf(sites, options.domain, options.periodic);
+    const auto inside = checks::insideOf(sites, options.domain, options.periodic, threads);
     if (!inside) return tl::unexpected(inside.error());
     return checks::brokenBy(checks::CheckedCells(inside->of(sites), options, diagram, threads));
   } catch (const std::bad_alloc&) {

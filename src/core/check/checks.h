@@ -30,6 +30,10 @@ bool checkArrays(const CheckedCells& run, Broken& broken);
 /// Nothing where there is no cell; areas that add up to `domain`, the domain's, up to that part of it.
 void checkMeasures(const CheckedCells& run, double domain, double slack, Broken& broken);
 
+/// Masses between the least and the largest density times the area, their centers in the box of the cell, and
+/// a sum that is the density's in a domain without an outline. Nothing without a density.
+void checkMass(const CheckedCells& run, Broken& broken);
+
 /// Where the neighbor across each edge of a cell has the same edge: the place in the neighbor's list, or
 /// no_twin.
 using Twins = std::vector<std::uint32_t>;
@@ -39,7 +43,8 @@ Twins findTwins(const CheckedCells& run);
 /// Neighbors name each other once, with the same ends and length. The next two rely on it.
 bool checkSymmetry(const CheckedCells& run, const Twins& twins, Broken& broken);
 
-/// Euler's formula for the domain, flat or rolled up where it is periodic, cut into cells.
+/// Euler's formula for the domain, flat or rolled up where it is periodic, cut into cells. Nothing where the
+/// domain is so narrow that ties go all across it.
 void checkPartition(const CheckedCells& run, const Twins& twins, Broken& broken);
 
 /// A Delaunay triangulation of all sites but duplicates: counter-clockwise triangles side by side, no site

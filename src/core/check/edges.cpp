@@ -101,10 +101,14 @@ Counts countAll(const Rotation& rotation) {
   return all;
 }
 
-/// What may separate copies of a vertex of cell i, a period apart.
+/// What may separate copies of a vertex of cell i, a period apart. Where a tie may be longer than that, a
+/// vertex may stand for all of its copies.
 double copySlack(const CheckedCells& run, std::size_t i, std::size_t vertex) {
   constexpr double part = 1e-12;  // of its distance from the site
-  return run.repeats() ? run.rounding(i) + part * length(run.vertex(vertex) - run.site(i)) : 0;
+  if (!run.repeats()) return 0;
+  const double slack = run.rounding(i) + part * length(run.vertex(vertex) - run.site(i));
+  const double ties = run.mayBeNarrow() ? tie_slack * run.reach(i) : 0;
+  return ties < run.shortest_period ? slack : slack + ties;
 }
 
 /// Whether a vertex of cell i is one of the cell across its edge e, as that cell has it.
@@ -167,7 +171,26 @@ bool checkSymmetry(const CheckedCells& run, const Twins& twins, Broken& broken) 
                        [&](std::size_t i) { return wrongTwin(run, twins, i); });
 }
 
+/// Whether ties go all across the domain beside cell i: two of its edges in a row are opposite walls, or its
+/// own opposite images.
+bool isPinched(const CheckedCells& run, std::size_t i) {
+  for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
+    const std::int64_t a = run.diagram.neighbors[e], b = run.diagram.neighbors[run.next(i, e)];
+    if (a < 0 && b < 0) {
+      if (a != b && std::max(a, b) - std::min(a, b) == 1 && std::max(a, b) % 2 != 0) return true;
+    } else if (a == b && a == static_cast<std::int64_t>(i)) {
+      const auto s = run.shift(e), t = run.shift(run.next(i, e));
+      if (s[0] == -t[0] && s[1] == -t[1]) return true;
+    }
+  }
+  return false;
+}
+
 void checkPartition(const CheckedCells& run, const Twins& twins, Broken& broken) {
+  // What such ties leave hangs together in points, or not at all.
+  for (std::size_t i = 0; i < run.size(); ++i) {
+    if (isPinched(run, i)) return;
+  }
   const Counts counts = countAll({run, twins});
   // A band and a torus have no outside to be a face, and a hole.
   const std::size_t outside = run.repeats() ? 0 : 1;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "core/check/nearest_site.h"
 #include "core/check/run.h"
@@ -15,7 +16,7 @@ struct InsideSites {
 };
 
 /// Errors: those of wrapped().
-Result<InsideSites> insideOf(const Sites& sites, const Box& domain, Periodic periodic);
+Result<InsideSites> insideOf(const Sites& sites, const Box& domain, Periodic periodic, int threads);
 
 /// Where sites stand, the same for those that the period makes equal.
 class SitePlaces {
@@ -36,6 +37,9 @@ struct NearImage {
 
 /// A site or image of least distance to p, or with weights of least power.
 NearImage nearestImage(const CheckedSites& run, const NearestSite& nearest, Point p);
+
+/// All sites and images that double does not tell from the nearest, that first.
+std::vector<NearImage> nearestImages(const CheckedSites& run, const NearestSite& nearest, Point p);
 
 /// The place of the site or image of i of least distance to p.
 Point imageNear(const CheckedSites& run, std::size_t i, Point p);

@@ -13,8 +13,6 @@ constexpr std::size_t sampled_cells = 10'000;
 constexpr std::size_t sampled_places = 20'000;
 /// Of a cell; few have more.
 constexpr std::size_t most_vertices = 16;
-/// Of the distance to the site: where ties move a vertex.
-constexpr double tie_slack = 1e-5;
 
 using Random = std::mt19937_64;
 
@@ -100,17 +98,16 @@ void checkNearest(const CheckedCells& run, const NearestSite& nearest, Broken& b
   }
   broken.expect("nearest sites", places.size(), run.threads, [&](std::size_t k) -> std::string {
     const Point p = places[k];
-    const NearImage near = nearestImage(run, nearest, p);
     const auto& owner = run.diagram.owner;
     // Seen from the site's own place, and then from its owner's.
-    const Point moved = p - (near.place - run.site(near.site));
-    const auto isInCellOf = [&](std::uint32_t i) {
-      return inCell(run, owner[i], moved - (run.site(i) - run.site(owner[i])));
+    const auto isInCellOf = [&](const NearImage& near) {
+      const Point own = run.site(owner[near.site]);
+      return inCell(run, owner[near.site], p - (near.place - own));
     };
-    const auto sites = nearest.allAt(moved);
-    if (std::any_of(sites.begin(), sites.end(), isInCellOf)) return {};
+    const auto near = nearestImages(run, nearest, p);
+    if (std::any_of(near.begin(), near.end(), isInCellOf)) return {};
     return fmt::format("({}, {}) does not lie in the cell of its nearest site {}", p.x / run.scale,
-                       p.y / run.scale, owner[near.site]);
+                       p.y / run.scale, owner[near.front().site]);
   });
 }
 

@@ -28,8 +28,6 @@ using Metric = nanoflann::L2_Simple_Adaptor<double, Cloud, double, std::uint32_t
 template <int dimensions>
 using KdTree = nanoflann::KDTreeSingleIndexAdaptor<Metric, Cloud, dimensions, std::uint32_t>;
 constexpr std::size_t leaf_size = 16;
-/// Two or three differences, squares and sums, of each of two sites, with some room.
-constexpr double squared_rounding = 16 * epsilon;
 
 double square(double a) { return a * a; }
 

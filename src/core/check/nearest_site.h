@@ -9,6 +9,9 @@
 
 namespace vorpipe::checks {
 
+/// Of a squared distance: two or three differences, squares and sums, of each of two sites, with some room.
+inline constexpr double squared_rounding = 16 * epsilon;
+
 /// A kd-tree that shares nothing with what computes cells and pictures.
 class NearestSite {
  public:
@@ -20,8 +23,8 @@ class NearestSite {
   /// A site, in scaled coordinates, of least distance to p, with weights of least power; of equal ones any.
   [[nodiscard]] std::uint32_t at(Point p) const;
 
-  /// All sites that double does not tell from the nearest: their squared distances to p, or powers, differ
-  /// from the least by no more than rounding.
+  /// All sites that double does not tell from the nearest, that first: their squared distances to p, or
+  /// powers, differ from the least by no more than rounding.
   [[nodiscard]] std::vector<std::uint32_t> allAt(Point p) const;
 
  private:

@@ -9,8 +9,6 @@ namespace vorpipe::checks {
 namespace {
 
 constexpr std::size_t sampled_places = 20'000;
-/// Of a cell's reach: where ties move a vertex.
-constexpr double tie_slack = 1e-5;
 
 /// Whether the way from a to b crosses the ray from p to the right.
 bool crossesRay(Point p, Point a, Point b) {

@@ -129,7 +129,7 @@ std::vector<std::string> brokenBy(const CheckedSites& run, const RenderOptions& 
 Result<std::vector<std::string>> check(const Sites& sites, const RenderOptions& options,
                                        const Rendering& rendering, int threads) {
   try {
-    const auto inside = checks::insideOf(sites, options.domain, options.periodic);
+    const auto inside = checks::insideOf(sites, options.domain, options.periodic, threads);
     if (!inside) return tl::unexpected(inside.error());
     checks::CheckedSites run(inside->of(sites), options.domain, options.periodic, threads);
     if (!options.outline.empty()) run.outline = &options.outline;

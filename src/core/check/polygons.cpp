@@ -8,9 +8,6 @@
 namespace vorpipe::checks {
 namespace {
 
-/// A vertex stands for all that ties join, each shorter than 1e-6 of the distance between two sites,
-/// which is at most twice the distance from vertex to site.
-constexpr double tie_slack = 1e-5;
 /// Of a sum of a cell's own numbers.
 constexpr double sum_slack = 1e-9;
 

@@ -20,10 +20,13 @@ namespace vorpipe::checks {
 inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 inline Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
-inline bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
 inline double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 inline double length(Point a) { return std::sqrt(dot(a, a)); }
+
+/// Of a cell's reach: how far ties, each shorter than 1e-6 of the distance between two sites, may move a
+/// vertex. A vertex stands for all that they join.
+inline constexpr double tie_slack = 1e-5;
 
 /// How far p lies beyond the bisector of two sites, seen from the first, which is heavier by `lead`.
 inline double beyondBisector(Point from, Point to, double lead, Point p) {
@@ -52,12 +55,16 @@ struct CheckedSites {
     domain = {box.xmin * scale, box.ymin * scale, box.xmax * scale, box.ymax * scale};
     largest = std::max(
         {std::abs(domain.xmin), std::abs(domain.xmax), std::abs(domain.ymin), std::abs(domain.ymax)});
+    if (repeats_x) shortest_period = domain.xmax - domain.xmin;
+    if (repeats_y) shortest_period = std::min(shortest_period, domain.ymax - domain.ymin);
     weighted =
         std::adjacent_find(of.weight.begin(), of.weight.end(), std::not_equal_to<>()) != of.weight.end();
   }
   [[nodiscard]] std::size_t size() const { return sites.size(); }
   [[nodiscard]] Point site(std::size_t i) const { return {sites.x[i] * scale, sites.y[i] * scale}; }
   [[nodiscard]] bool repeats() const { return repeats_x || repeats_y; }
+  /// Whether cells may reach so far that ties are as long as a period.
+  [[nodiscard]] bool mayBeNarrow() const { return shortest_period < 100 * tie_slack; }
   /// p, so many widths and heights of the domain further.
   [[nodiscard]] Point moved(Point p, double widths, double heights) const {
     return {p.x + widths * (domain.xmax - domain.xmin), p.y + heights * (domain.ymax - domain.ymin)};
@@ -82,7 +89,8 @@ struct CheckedSites {
   int threads;
   double scale;
   Box domain{};
-  double largest = 0;                ///< coordinate of the domain
+  double largest = 0;  ///< coordinate of the domain
+  double shortest_period = std::numeric_limits<double>::infinity();
   bool weighted = false;             ///< the weights are not all equal
   const Outline* outline = nullptr;  ///< of the domain, if it has one
 };
@@ -94,6 +102,7 @@ struct CheckedCells : CheckedSites {
         diagram(result),
         detail(options.detail) {
     if (!options.outline.empty()) outline = &options.outline;
+    if (!options.density.values.empty()) density = &options.density;
   }
 
   [[nodiscard]] bool ok(std::size_t i) const { return diagram.status[i] == Status::ok; }
@@ -135,6 +144,7 @@ struct CheckedCells : CheckedSites {
 
   const Diagram& diagram;
   Detail detail;
+  const Density* density = nullptr;  ///< if there is one
 };
 
 /// The lines of a check: one for each promise that is broken.

@@ -1,0 +1,37 @@
+#include "core/input.h"
+
+#include <new>
+
+#include "core/density.h"
+#include "core/outline.h"
+#include "core/periodic.h"
+#include "core/prepare.h"
+#include "core/weights.h"
+
+namespace vorpipe {
+
+Result<void> checkOptions(const Sites& sites, const CellsOptions& options) {
+  if (auto checked = checkSearch(options.search); !checked) return checked;
+  if (options.search.method == Search::flann && hasWeights(sites)) {
+    return tl::unexpected(Error{ErrorCode::input,
+                                "search by FLANN: of sites with weights, those beyond the nearest may cut a "
+                                "cell as well; take the grid"});
+  }
+  if (!options.density.values.empty()) {
+    if (auto checked = checkDensity(options.density); !checked) return checked;
+  }
+  return checkOutline(options.outline, options.periodic);
+}
+
+Result<void> checkInput(const Sites& sites, const CellsOptions& options, int threads) {
+  try {
+    if (auto checked = checkOptions(sites, options); !checked) return checked;
+    if (options.periodic == Periodic::none) return checkSites(sites, options.domain, threads);
+    const auto placed = placeSites(sites, options.domain, options.periodic, threads);
+    return placed ? Result<void>{} : tl::unexpected(placed.error());
+  } catch (const std::bad_alloc&) {
+    return tl::unexpected(Error{ErrorCode::device, "there is not enough memory to look at the sites"});
+  }
+}
+
+}  // namespace vorpipe

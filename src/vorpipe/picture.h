@@ -1,0 +1,117 @@
+/// Pictures of cells, their comparison and their check.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "vorpipe/cells.h"
+#include "vorpipe/result.h"
+#include "vorpipe/run.h"
+#include "vorpipe/sites.h"
+
+namespace vorpipe {
+
+enum class ColorBy : std::uint8_t { site, area, neighbors, weight };
+
+struct RenderOptions {
+  Box domain;         ///< what is drawn, and what cells are clipped to
+  Outline outline{};  ///< what cells are clipped to besides, inside the domain; pixels beyond it have no site
+  Periodic periodic = Periodic::none;
+  int width, height;  ///< pixels, 1 to 32768 each
+  ColorBy color = ColorBy::site;
+  std::string colormap = "viridis";  ///< one of colormaps()
+  bool edges = false;                ///< darkens pixels beside which another cell begins
+  bool show_sites = false;           ///< a dot at each site
+  SearchOptions search;
+  Progress progress;  ///< may be empty
+};
+
+/// The options of the same cells as data, with Detail::measures.
+CellsOptions cellsOptions(const RenderOptions& picture);
+
+std::vector<std::string> colormaps();
+
+inline constexpr std::uint32_t no_site = 0xFFFFFFFFu;
+
+/// Row 0 is the top (largest y). The center of pixel (row, column) is
+/// x = xmin + (column + 0.5) / width (xmax - xmin), y = ymax - (row + 0.5) / height (ymax - ymin).
+struct Image {
+  int width = 0, height = 0;
+  std::vector<std::uint32_t> rgba;  ///< R in the lowest byte
+  std::vector<std::uint32_t> ids;   ///< index of the site in the input, or no_site
+};
+
+struct Rendering {
+  Image image;
+  std::vector<Status> status;        ///< by site, in input order
+  std::vector<std::uint32_t> owner;  ///< the site that owns the cell: itself unless a duplicate
+  Report report;
+};
+
+/// How one pixel of two id images compares.
+enum class PixelMatch : std::uint8_t { equal, tie, wrong };
+
+/// A pixel whose center is at most this far, in pixels, from the bisector of two sites may go to
+/// either: backends snap vertices to 1/256 pixel, and draw cells widened by half of that.
+inline constexpr double tie_distance = 1.0 / 128;
+
+/// One pixel that two id images give to different sites.
+struct IdDifference {
+  int row = 0, column = 0;
+  std::uint32_t a = no_site, b = no_site;
+  double distance = 0;  ///< of the pixel's center to the bisector of a and b in pixels; infinite without one
+};
+
+struct IdDiff {
+  std::uint64_t equal = 0, ties = 0, wrong = 0;
+  std::uint64_t ties_allowed = 0;   ///< the cell boundaries' length in pixel sides, frame included
+  double widest_tie = 0;            ///< largest distance of a tie
+  std::vector<IdDifference> first;  ///< the first 10 wrong pixels in reading order
+  IdDifference worst;               ///< the wrong pixel farthest from the bisector; meaningless if wrong is 0
+  std::vector<PixelMatch> pixels;
+  /// True when rounding explains every difference.
+  [[nodiscard]] bool agree() const { return wrong == 0 && ties <= ties_allowed; }
+};
+
+/// Compares two id images of width x height pixels without knowing the sites: every difference is wrong.
+IdDiff diffIds(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, int width, int height);
+
+/// Compares two id images of the same sites and domain, laid out as Image::ids.
+///
+/// A differing pixel is a tie when its center lies within tie_distance of the bisector of its two
+/// sites, and a cell ends at one of its four sides in one of the images; else it is wrong, as it is
+/// when an id names no site or both sites have one position (the lower index owns that cell). This
+/// misses no legal difference: a center that is within the distance of both drawn cells lies on one
+/// side of their bisector, and the cell on the other side is no nearer than the bisector itself.
+///
+/// Ties are also counted against the length of the cell boundaries, the image's frame among them,
+/// in the image that has less of it: a row of pixel centers that lies on a boundary (as a lattice
+/// may have it everywhere) is one tie for each pixel side of that boundary, and nothing legal is more.
+///
+/// In a periodic domain the bisector is that of the images nearest to the center.
+///
+/// Errors (input): no valid domain; those of wrapped().
+Result<IdDiff> diffIds(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, int width,
+                       int height, const Sites& sites, const Box& domain, Periodic periodic = Periodic::none);
+
+/// Where and how much two pictures differ; rows and columns are inclusive and only set when different > 0.
+struct ImageDiff {
+  std::uint64_t different = 0;  ///< pixels
+  int largest = 0;              ///< largest difference of a channel, 0 to 255
+  int first_row = 0, first_column = 0;
+  int top = 0, left = 0, bottom = 0, right = 0;  ///< box of the differing pixels
+  std::vector<PixelMatch> pixels;                ///< equal or wrong
+};
+
+/// Compares two pictures of width x height RGBA pixels, laid out as Image::rgba.
+ImageDiff diffImages(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, int width,
+                     int height);
+
+/// The same for a picture: statuses and owners, no uncovered pixel, and the nearest site of each pixel
+/// in double (of 4 million sampled pixels in larger pictures).
+Result<std::vector<std::string>> check(const Sites& sites, const RenderOptions& options,
+                                       const Rendering& rendering, int threads = 0);
+
+}  // namespace vorpipe

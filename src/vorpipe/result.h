@@ -1,0 +1,30 @@
+/// How functions fail.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+namespace vorpipe {
+
+/// The project's version, as `vorpipe --version` prints it.
+std::string_view version();
+
+enum class ErrorCode : std::uint8_t {
+  input,      ///< the options or the data are wrong (exit code 2)
+  device,     ///< no such backend or device here, or it failed (exit code 3)
+  cancelled,  ///< the caller's Progress asked to stop
+};
+
+/// What went wrong outside the program: one line that names the thing, the place and what to do.
+struct Error {
+  ErrorCode code;
+  std::string message;
+};
+
+template <class T>
+using Result = tl::expected<T, Error>;
+
+}  // namespace vorpipe

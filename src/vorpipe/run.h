@@ -1,0 +1,54 @@
+/// What all runs have in common.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vorpipe {
+
+/// What became of a site.
+enum class Status : std::uint8_t {
+  ok,         ///< it has a cell inside the domain, certified
+  empty,      ///< certified: no part of the domain is nearest to it; it lies outside, or others hide it
+  duplicate,  ///< another site has the same position and owns the cell: the heaviest, then the earliest
+};
+
+/// How the sites that may cut a cell are found.
+enum class Search : std::uint8_t {
+  grid,   ///< a walk over a uniform grid, fused with the clipping; no fixed number of neighbors
+  flann,  ///< the k nearest neighbors by FLANN, doubled for the cells that k does not certify
+};
+
+struct SearchOptions {
+  Search method = Search::grid;
+  int neighbors = 30;  ///< FLANN's k, 3 to 1024
+};
+
+/// Called from the calling thread with a stage's name and the part done in [0, 1];
+/// returning false stops the run with ErrorCode::cancelled.
+using Progress = std::function<bool(std::string_view stage, double fraction)>;
+
+/// Wall time by stage in milliseconds; negative where a stage does not apply.
+struct Times {
+  double order = -1, upload = -1, search = -1, cells = -1, draw = -1, download = -1;
+};
+
+/// What a run did, for --stats.
+struct Report {
+  std::string backend, device, driver;
+  std::uint64_t ok = 0, empty = 0, duplicate = 0;  ///< sites with that Status
+  /// Of sites with different weights: how many are not nearest to any place in the domain's box, because
+  /// others hide them there. They are among the empty; the others are what an outline leaves nothing of.
+  std::uint64_t hidden = 0;
+  /// How often cells were asked for again: of the device with more neighbors or more room, in double on the
+  /// host, in exact arithmetic. A cell may be asked for several times, and images of a periodic domain have
+  /// cells of their own.
+  std::uint64_t retried = 0, in_double = 0, exact = 0;
+  Times time_ms;
+  std::vector<std::string> validation_messages;  ///< empty unless validation was on and spoke
+};
+
+}  // namespace vorpipe

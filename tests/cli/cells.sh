@@ -1,0 +1,90 @@
+#!/usr/bin/env bash
+# Cells as data, on every backend and in every format.
+# Usage: cells.sh VORPIPE
+source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
+
+# -- Cells ----------------------------------------------------------------------------------------------
+for backend in $backends; do
+  succeeds "cells on $backend" cells --backend $backend --sites random:2000 --check -o out/cells.csv -o out/cells.npz --stats out/cells.json
+  expect "out/cells.csv, out/cells.npz, out/cells.json: 2000 cells (0 empty, 0 duplicate), $backend on "
+  expect ", checked"
+  [ "$(wc -l <log/out)" -eq 1 ] || fail "not one line on standard output"
+  grep -q '"command": "cells"' out/cells.json || fail "out/cells.json is of another command"
+  grep -Eq '"area_sum": (1\.0|1\.0000000|0\.9999999)' out/cells.json || fail "area_sum is not 1"
+  grep -Eq '"cells": [0-9]' out/cells.json || fail "out/cells.json has no time for the cells"
+  [ "$(head -n 1 out/cells.csv)" = site,x,y,weight,status,area,perimeter,centroid_x,centroid_y,vertices,neighbors ] ||
+    fail "the header of out/cells.csv"
+  [ "$(wc -l <out/cells.csv)" -eq 2001 ] || fail "out/cells.csv has not one row for each site"
+done
+
+succeeds "cells in every format" cells --backend cpu --sites clusters:500 --check --quiet -o out/cells.csv -o out/cells.npz \
+  -o out/cells.geojson -o out/cells.svg -o out/cells.obj -o out/cells.ply -o out/cells.vtk -o out/cells.WKT
+[ -s log/out ] && fail "not quiet"
+for file in out/cells.{csv,npz,geojson,svg,obj,ply,vtk,WKT}; do [ -s "$file" ] || fail "$file is not there"; done
+succeeds "cells on one thread" cells --backend cpu --sites clusters:500 --threads 1 -o out/cells1.npz -o out/cells1.csv
+cmp -s out/cells.npz out/cells1.npz && cmp -s out/cells.csv out/cells1.csv || fail "two runs differ"
+succeeds "cells, another choice of files" cells --backend cpu --sites clusters:500 -o out/cells2.csv --stats out/cells.json
+cmp -s out/cells.csv out/cells2.csv || fail "what is in a file depends on the other files"
+area_sum=$(grep '"area_sum"' out/cells.json)
+succeeds "cells, only stats, no polygons" cells --backend cpu --sites clusters:500 --stats out/cells.json
+grep -qF "$area_sum" out/cells.json || fail "area_sum depends on the files"
+succeeds "cells, nothing but the check" cells --backend cpu --sites clusters:500 --check
+expect "500 cells (0 empty, 0 duplicate), cpu on "
+[ "$(wc -l <log/out)" -eq 1 ] || fail "not one line on standard output"
+for search in grid flann flann:12; do
+  succeeds "cells, search $search" cells --backend cpu --sites clusters:500 --search $search -o out/cells2.csv
+  # Not byte for byte: where a cell begins may depend on the order in which neighbors were found.
+  cmp -s <(cut -d, -f1-5,10 out/cells.csv) <(cut -d, -f1-5,10 out/cells2.csv) || fail "the cells depend on the search"
+done
+succeeds "cells, only stats" cells --backend cpu --sites hex:500 --search flann:8 --domain 0.2,0.2,0.4,0.5 --check --stats out/cells.json
+succeeds "verbose" cells --sites random:9 --verbose --stats out/cells.json
+expect "9 cells"
+for sites in square:400 hex:400 circle:700 circle:300 random:1 random:2; do
+  succeeds "cells of $sites" cells --backend cpu --sites $sites --check --stats out/cells.json
+done
+
+if $numpy_python -c 'import numpy' 2>/dev/null; then
+  name="NumPy reads the cells"
+  cases=$((cases + 1))
+  $numpy_python - out/cells1.npz >log/out 2>log/err <<'PYTHON' || fail "NumPy does not"
+import sys
+import numpy
+cells = numpy.load(sys.argv[1])
+for name in ("sites status areas centroids cell_offsets cell_vertices neighbor_offsets neighbors "
+             "edge_lengths triangles").split():
+    assert name in cells.files, name
+assert cells["sites"].shape == (500, 2) and cells["areas"].shape == (500,)
+assert abs(cells["areas"].sum() - 1) < 1e-6
+vertices, offsets = cells["cell_vertices"], cells["cell_offsets"]
+assert vertices.shape == (offsets[-1], 2) and cells["neighbors"].shape == (cells["neighbor_offsets"][-1],)
+for begin, end, area in zip(offsets[:-1], offsets[1:], cells["areas"]):
+    x, y = vertices[begin:end].T
+    assert abs((x * numpy.roll(y, -1) - y * numpy.roll(x, -1)).sum() / 2 - area) < 1e-12
+PYTHON
+else
+  echo "SKIPPED: NumPy reads the cells: $numpy_python has no numpy" >&2
+fi
+
+printf 'x,y,weight\n1,0,5\n2,3,6\n1,0,7\n' >in/cells.csv
+succeeds "cells of a file with weights" cells --backend cpu --sites in/cells.csv --check -o out/cells.csv
+expect "2 cells (0 empty, 1 duplicate)"
+grep -q '^2,1,0,7,ok,' out/cells.csv || fail "the heavier of two equal sites does not own the cell"
+grep -q '^0,1,0,5,duplicate,' out/cells.csv || fail "the lighter of two equal sites is no duplicate"
+
+fails 2 "cells without an output" "-o" cells --backend cpu --sites random:9
+fails 2 "cells without sites" "--sites" cells --backend cpu -o out/old.csv
+fails 2 "cells of an unknown kind" "-o: out/old.png" cells --backend cpu --sites random:9 -o out/old.csv -o out/old.png
+fails 2 "cells without an extension" "-o: out/old" cells --backend cpu --sites random:9 -o out/old
+fails 2 "cells, an option where a file belongs" "-o" cells --backend cpu --sites random:9 -o --quiet
+fails 2 "cells twice in one file" "out/old.csv" cells --backend cpu --sites random:9 -o out/old.csv -o out/../out/old.csv
+fails 2 "cells, the second output cannot be written" "out/none/a.npz" cells --backend cpu --sites random:9 -o out/old.csv -o out/none/a.npz
+fails 2 "cells of a missing file" "in/missing.csv" cells --backend cpu --sites in/missing.csv -o out/old.csv --stats out/old.json
+fails 2 "cells with a bad search" "--search" cells --backend cpu --sites random:9 --search flann:2 -o out/old.csv
+fails 2 "cells with a bad domain" "--domain" cells --backend cpu --sites random:9 --domain 1,0,0,1 -o out/old.csv
+fails 2 "cells on an unknown backend" "--backend" cells --backend nope --sites random:9 -o out/old.csv
+fails 3 "cells, geometry shader masked" "geometryShader" cells --backend vulkan-geometry --disable geometryShader --sites random:9 -o out/old.csv
+if [ -w /dev/full ]; then
+  fails 3 "cells, a full disk" "/dev/full" cells --backend cpu --sites random:9 -o out/old.csv --stats /dev/full
+fi
+
+finish

@@ -1,0 +1,59 @@
+#!/usr/bin/env bash
+# Comparing pictures, ids and backends.
+# Usage: compare.sh VORPIPE
+source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
+
+# -- Comparing ------------------------------------------------------------------------------------------
+succeeds "a picture" render --backend cpu --sites random:300 --size 90x60 -o out/a.png --ids out/a.npy
+cp out/a.png out/b.png
+cp out/a.npy out/b.npy
+succeeds "a picture of other sites" render --backend cpu --sites random:300 --seed 2 --size 90x60 -o out/c.png --ids out/c.npy
+succeeds "a small picture" render --backend cpu --sites random:9 --size 9x9 -o out/d.png
+printf 'x,y,weight\n1,0,5\n2,3,6\n1,0,7\n' >in/cells.csv
+succeeds "diff of equal ids" diff out/a.npy out/b.npy --sites random:300
+expect "5400 pixels equal, 0 ties, 0 wrong"
+succeeds "diff of equal pictures" diff out/a.png out/b.png
+cp out/a.npy in/mutant.npy
+printf '\377\377\377\377' | dd of=in/mutant.npy bs=1 seek=$((128 + 4 * (7 * 90 + 11))) conv=notrunc status=none
+fails 1 "a changed id" "1 pixels wrong (0 ties, 5399 equal), first at row 7, column 11" diff out/a.npy in/mutant.npy --sites random:300
+fails 1 "a changed id, sites unknown" "first at row 7, column 11" diff out/a.npy in/mutant.npy
+fails 1 "ids of other sites" "pixels wrong" diff out/a.npy out/c.npy --sites random:300
+fails 1 "pictures that differ" "pixels differ" diff out/a.png out/c.png --quiet
+fails 1 "sizes that differ" "the sizes differ" diff out/a.png out/d.png
+cp out/a.npy out/b.Npy
+succeeds "an extension in any case" diff out/a.npy out/b.Npy
+name="picture of differences"
+cases=$((cases + 1))
+run 1 diff out/a.npy in/mutant.npy -o out/where.png
+[ -s out/where.png ] || fail "no picture"
+succeeds "compare" compare --backends "${backends// /,}" --sites random:300 --size 90x60 --report out/r.json -o out/m.png
+expect "cpu / vulkan-geometry"
+expect "vulkan-geometry / opengl"
+expect "worst area"
+grep -q '"wrong": 0' out/r.json || fail "out/r.json has no wrong"
+for key in different_statuses different_neighbors different_areas worst_area of_allowed cells_ms area_slack; do
+  grep -q "\"$key\":" out/r.json || fail "out/r.json has no $key"
+done
+[ "$(grep -c '"equal": 300,' out/r.json)" -eq 6 ] || fail "not six pairs of 300 equal cells"
+succeeds "compare duplicates and sites outside" compare --quiet --backends cpu,vulkan-geometry --sites in/cells.csv --domain 0,0,1.5,2 --size 30x30
+[ -s log/out ] && fail "not quiet"
+succeeds "compare and check" compare --backends cpu,vulkan-compute --sites clusters:300 --size 50x50 --check --stats out/s.json
+for key in command backend sites seed status hidden resolved area_sum time_ms peak_memory_bytes; do
+  grep -q "\"$key\":" out/s.json || fail "out/s.json has no $key"
+done
+grep -q '"backend": "cpu, vulkan-compute"' out/s.json || fail "out/s.json does not name the backends"
+succeeds "compare on a device" compare --backends cpu,vulkan-compute --sites random:9 --size 9x9 --device 0 --quiet
+fails 3 "compare on a device that is not there" "there is no device '77'" compare --backends cpu,vulkan-compute --sites random:9 --device 77 --report out/old.json
+name="a report on standard output"
+cases=$((cases + 1))
+"$vorpipe" compare --backends cpu,opengl --sites random:9 --size 9x9 --report /dev/stdout >out/r.json 2>log/err || fail "exit code $?"
+[ "$(head -c 1 out/r.json)$(tail -n 1 out/r.json)" = "{}" ] || fail "not the report alone is on standard output"
+fails 2 "compare with an unknown backend" '--backends: "nope" is not one of' compare --backends cpu,nope --sites random:9 --report out/old.json
+fails 2 "compare a backend with itself" "--backends" compare --backends cpu,cpu --sites random:9 --report out/old.json
+fails 2 "compare with one backend" "--backends" compare --backends cpu --sites random:9
+fails 2 "diff of a picture and ids" "out/a.npy" diff out/a.png out/a.npy
+fails 2 "diff with sites of pictures" "--sites" diff out/a.png out/b.png --sites random:300
+fails 2 "diff of a missing file" "out/nothing.npy" diff out/a.npy out/nothing.npy
+fails 2 "diff of one file" "B" diff out/a.npy
+
+finish

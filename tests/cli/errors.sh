@@ -1,0 +1,144 @@
+#!/usr/bin/env bash
+# What is refused: exit codes, one line per error, files whole or untouched.
+# Usage: errors.sh VORPIPE
+source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
+
+# -- Bad command lines ----------------------------------------------------------------------------------
+fails 2 "no subcommand" "subcommand"
+fails 2 "unknown subcommand" "paint" paint
+fails 2 "unknown option" "--nope" render --sites random:9 -o out/old.png --nope
+fails 2 "no sites" "--sites" render -o out/old.png
+fails 2 "nothing to write" "-o" render --sites random:9 --backend cpu
+refuses "no value" "--size" --sites random:9 --size
+for size in 0x10 10x0 -1x5 1000000x1000000 32769x1 10 10x x10 10x10x10 1.5x2 ax2 "" 99999999999999999999x1; do
+  refuses "size '$size'" "--size" --sites random:9 --size "$size"
+done
+for domain in land.shp 1,0,0,1 0,1,1,0 0,0,0,1 0,0,1 0,0,1,1,1 0,0,1,nan 0,0,inf,1 0,0,1e999,1 a,0,1,1 -1e308,0,1e308,1; do
+  refuses "domain $domain" "--domain" --sites random:9 --domain "$domain"
+done
+fails 2 "backend" '--backend: "nope" is not one of auto, vulkan' render --sites random:9 --backend nope -o out/old.png
+for threads in 0 -1 1025 x; do refuses "threads $threads" "--threads" --sites random:9 --threads "$threads"; done
+for search in flann:2 flann:1025 flann: flann:x trees grid:3 Grid ""; do
+  refuses "search $search" "--search" --sites random:9 --search "$search"
+done
+for seed in -1 x 18446744073709551616; do refuses "seed $seed" "--seed" --sites random:9 --seed "$seed"; done
+for limit in maxTexelBufferElements maxTexelBufferElements=x =5; do
+  refuses "limit $limit" "--limit" --sites random:9 --limit "$limit"
+done
+refuses "unknown limit" '--limit: "maxNope" is not one of maxTexelBufferElements' --sites random:9 --limit maxNope=5
+refuses "unknown feature" '--disable: "nopeShader" is not one of geometryShader' --sites random:9 --disable nopeShader
+fails 2 "unknown feature of devices" '--disable: "nopeShader"' devices --disable nopeShader
+fails 2 "unknown limit of devices" '--limit: "maxNope"' devices --limit maxNope=5
+refuses "color" "--color" --sites random:9 --color blue
+refuses "colormap" "viridis" --sites random:9 --colormap nope
+refuses "color by weight without weights" "--color: weight needs weights; random:9 has none" --sites random:9 --color weight
+gigabytes=$(($(getconf _PHYS_PAGES) * $(getconf PAGE_SIZE) / 1000000000))
+if [ "$gigabytes" -lt 500 ]; then
+  refuses "more sites than memory" "--sites: needs about" --sites random:2147483647
+  fails 2 "more cells than memory" "--sites: needs about" cells --backend cpu --sites random:2147483647 -o out/old.csv
+  for detail in "536.9 GB" "708.7 GB --density d.npy" "601.3 GB --random-weights 0,1" "601.3 GB --weights w.txt" "1181.1 GB --domain o.wkt"; do
+    read -r gigabytes unit options <<<"$detail"
+    fails 2 "cells that take $gigabytes GB" "--sites: needs about $gigabytes $unit" cells --backend cpu --sites random:2147483647 --stats out/old.json $options
+  done
+  for detail in "536.9 GB" "601.3 GB --random-weights 0,1" "1181.1 GB --domain o.wkt"; do
+    read -r gigabytes unit options <<<"$detail"
+    refuses "pictures that take $gigabytes GB" "--sites: needs about $gigabytes $unit" --sites random:2147483647 $options
+  done
+fi
+refuses "more sites than indices" "--sites: random:2147483648" --sites random:2147483648
+fails 2 "an option where a file belongs" "-o" render --backend cpu --sites random:9 -o --quiet
+fails 2 "the same for --stats" "--stats" render --backend cpu --sites random:9 --stats --quiet
+refuses "an option given twice" "--size" --sites random:9 --size 9x9 --size 8x8
+refuses "quiet and verbose" "--quiet" --sites random:9 --quiet --verbose
+for sites in random:0 random:-5 random:x random: random random:99999999999; do
+  refuses "sites $sites" "--sites" --sites "$sites"
+done
+fails 2 "one file for two outputs" "out/old.npy" render --backend cpu --sites random:9 --ids out/old.npy --stats out/../out/old.npy
+fails 2 "a picture that is no .png" "-o" render --backend cpu --sites random:9 -o out/old.json
+
+# -- Bad files ------------------------------------------------------------------------------------------
+for number in nan inf 1e999 text ""; do
+  printf 'x,y\n0,0\n1,%s\n' "$number" >"in/value.csv"
+  refuses_file value.csv "in/value.csv:3:"
+done
+printf 'x,y\n0,0\n1\n' >in/columns.csv
+refuses_file columns.csv "in/columns.csv:3:"
+printf '0,0\n1,1\n' >in/header.csv
+refuses_file header.csv "in/header.csv:1"
+: >in/empty.csv
+: >in/empty.npy
+: >in/empty.xyz
+printf 'x,y\n' >in/rows.csv
+printf '0 0\n1 nan\n' >in/value.xyz
+"$vorpipe" render --backend cpu --sites random:300 --size 90x60 --ids in/whole.npy >log/out 2>log/err || fail "exit code $?"
+head -c 1000 in/whole.npy >in/truncated.npy
+printf 'not an array at all' >in/text.npy
+printf 'x,y\n0,0\n' >in/kind.doc
+mkdir in/folder in/folder.csv
+for file in empty.csv empty.npy empty.xyz rows.csv truncated.npy text.npy kind.doc folder folder.csv missing.csv; do
+  refuses_file "$file" "in/$file"
+done
+refuses_file value.xyz "in/value.xyz:2:"
+
+# Sites that can be read, and have no cells; the backend is not asked, so that it need not be there.
+unusable() {
+  fails 2 "$1, drawn" "$2" render --backend opengl --device 77 --sites in/unusable.csv "${@:3}" -o out/old.png
+  fails 2 "$1, as cells" "$2" cells --backend opengl --device 77 --sites in/unusable.csv "${@:3}" -o out/old.csv
+  fails 2 "$1, compared" "$2" compare --backends cpu,opengl --device 77 --sites in/unusable.csv "${@:3}" --report out/old.json
+}
+printf 'x,y\n0.5,0.5\n0,1e300\n' >in/unusable.csv
+unusable "a site too far away" "--sites: site 1 is too far from the domain: 0, 1e+300" --domain 0,0,1,1
+unusable "a site too far away, periodic" "--sites: site 1 is too far from the domain: 0, 1e+300" --domain 0,0,1,1 --periodic x
+unusable "a site too far to be wrapped" "--sites: site 1 is too far from the domain" --domain 0,0,1,1 --periodic y
+printf 'x,y,weight\n0.5,0.5,1\n0,1,1e300\n' >in/unusable.csv
+unusable "a weight too large" "--sites: the weight of site 1 is too large for the domain: 1e+300" --domain 0,0,1,1
+unusable "a weight too large, periodic" "--sites: the weight of site 1" --domain 0,0,1,1 --periodic xy
+unusable "weights and FLANN" "--search: of sites with weights" --search flann
+printf 'x,y\n0.5,0.5\n0,1\n' >in/unusable.csv
+printf '1\n1e300\n' >in/heavy.txt
+unusable "a weight of a file too large" "--weights: the weight of site 1" --domain 0,0,1,1 --weights in/heavy.txt
+refuses "random weights too large" "--random-weights: the weight of site 0" --sites random:9 --random-weights 0,1e300
+printf 'POLYGON ((0 0, 1 1, 1 0, 0 1, 0 0))' >in/crossing.wkt
+unusable "an outline that crosses itself" "--domain: Self-intersection at (0.5, 0.5)" --domain in/crossing.wkt
+for size in 1e-200 1e200 1e308; do
+  printf 'POLYGON ((-%s 0, %s 0, %s %s, -%s 0))' $size $size $size $size $size >in/size.wkt
+  unusable "an outline of size $size" "has no area that a double can hold" --domain in/size.wkt
+  grep -q -- '--domain: its box' log/err || fail "the line does not name --domain"
+done
+printf 'x,y\n0.2,0\n0.2,1e-26\n' >in/near.csv
+near="sites 0 and 1: 0.2, 0 and 0.2, 1e-26 are not equal"
+for periodic in "" "--periodic x"; do
+  refuses "sites too near '$periodic'" "--sites: $near" --sites in/near.csv --domain 0,0,1,1 $periodic
+  fails 2 "cells of sites too near '$periodic'" "--sites: $near" cells --backend cpu --sites in/near.csv --domain 0,0,1,1 $periodic -o out/old.csv
+done
+
+# -- Outputs that cannot be written ---------------------------------------------------------------------
+fails 2 "no such folder" "out/none/a.png" render --backend cpu --sites random:9 -o out/none/a.png
+fails 2 "a folder as output" "in/folder" render --backend cpu --sites random:9 -o in/folder
+fails 2 "the second output cannot be written" "out/none/a.npy" render --backend cpu --sites random:9 -o out/old.png --ids out/none/a.npy
+if [ -w /dev/full ]; then
+  fails 3 "a full disk" "/dev/full" render --backend cpu --sites random:9 -o out/old.png --stats /dev/full
+  name="standard output is full"
+  cases=$((cases + 1))
+  "$vorpipe" devices --json >/dev/full 2>log/err && fail "exit code 0"
+  one_line
+fi
+
+# -- Devices that are not there -------------------------------------------------------------------------
+none() { VK_DRIVER_FILES=/nonexistent.json VK_ICD_FILENAMES=/nonexistent.json "$@"; }
+none fails 3 "no Vulkan driver" "vulkan" render --backend vulkan-geometry --sites random:9 -o out/old.png
+none fails 3 "compare without a Vulkan driver" "vulkan" compare --backends cpu,vulkan-geometry --sites random:9 --report out/old.json
+none succeeds "cpu without a Vulkan driver" render --backend cpu --sites random:9 --size 9x9 -o out/l.png
+none succeeds "devices without a Vulkan driver" devices
+expect "cannot be used"
+broken_egl() { __EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json __EGL_VENDOR_LIBRARY_DIRS=/nonexistent "$@"; }
+broken_egl fails 3 "no EGL" "opengl" render --backend opengl --sites random:9 -o out/old.png
+broken_egl succeeds "cpu without EGL" render --backend cpu --sites random:9 --size 9x9 -o out/l.png
+fails 3 "geometry shader masked" "geometryShader" render --backend vulkan-geometry --disable geometryShader --sites random:9 -o out/old.png
+fails 3 "no such device" "no-such-device" render --backend vulkan-geometry --device no-such-device --sites random:9 -o out/old.png
+fails 3 "no such device of cpu" "'3'" render --backend cpu --device 3 --sites random:9 -o out/old.png
+succeeds "the device of cpu" render --backend cpu --device 0 --sites random:9 --size 9x9 -o out/l.png
+fails 3 "no such index" "'77'" render --backend vulkan-geometry --device 77 --sites random:9 -o out/old.png
+grep -qF "there are 0" log/err && fail "it says that there are no devices"
+
+finish

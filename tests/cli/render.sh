@@ -1,0 +1,125 @@
+#!/usr/bin/env bash
+# Help, pictures, devices, and runs that are interrupted.
+# Usage: render.sh VORPIPE
+source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
+
+# -- Help and version, everywhere -----------------------------------------------------------------------
+for sub in "" render cells diff compare devices; do
+  succeeds "help of '$sub'" $sub --help
+  expect "Usage: vorpipe"
+  succeeds "version of '$sub'" $sub --version
+  expect "vorpipe "
+done
+
+# -- What works -----------------------------------------------------------------------------------------
+succeeds "render" render --backend cpu --sites random:300 --size 90x60 -o out/a.png --ids out/a.npy --stats out/a.json
+expect "out/a.png, out/a.npy, out/a.json: 300 cells (0 empty, 0 duplicate), 90x60, cpu on "
+[ "$(wc -l <log/out)" -eq 1 ] || fail "not one line on standard output"
+[ "$(head -c 8 out/a.png | tail -c 7 | head -c 3)" = PNG ] || fail "out/a.png is no PNG"
+head -c 128 out/a.npy | grep -q "(60, 90)" || fail "out/a.npy is not of shape (60, 90)"
+[ "$(wc -c <out/a.npy)" -eq $((128 + 4 * 60 * 90)) ] || fail "out/a.npy has the wrong length"
+for key in version command backend device driver sites seed domain status ok empty duplicate resolved retried \
+  double exact area_sum time_ms read order upload search cells draw download write total peak_memory_bytes; do
+  grep -q "\"$key\":" out/a.json || fail "out/a.json has no $key"
+done
+grep -q '"area_sum": null' out/a.json || fail "area_sum is not null"
+
+succeeds "quiet" render --quiet --backend cpu --sites random:300 --size 90x60 --threads 1 -o out/b.png --ids out/b.npy
+[ -s log/out ] && fail "not quiet"
+cmp -s out/a.png out/b.png && cmp -s out/a.npy out/b.npy || fail "two runs differ"
+
+succeeds "only ids" render --backend cpu --sites random:300 --seed 2 --size 90x60 --ids out/c.npy
+succeeds "negative domain as an argument of its own" render --backend cpu --sites random:9 --size 9x9 --domain -1,-1,1,1 -o out/d.png
+succeeds "negative domain" render --backend cpu --sites random:9 --size 9x9 --domain=-1,-1,1,1 -o out/e.png
+cmp -s out/d.png out/e.png || fail "the domains differ"
+succeeds "default size" render --backend cpu --sites random:9 --domain 0,0,2,1 --ids out/f.npy
+expect "1000x500"
+for color in site area neighbors; do
+  succeeds "color $color" render --backend cpu --sites hex:50 --size 40x40 --color $color --edges --show-sites -o out/g.png
+done
+succeeds "check" render --backend cpu --sites clusters:500 --size 50x50 --check --stats out/g.json
+expect "checked"
+succeeds "nothing but the check" render --backend cpu --sites clusters:500 --size 50x50 --check
+expect "500 cells (0 empty, 0 duplicate), 50x50, cpu on "
+for search in grid flann flann:12; do
+  succeeds "search $search" render --backend cpu --sites random:300 --size 90x60 --search $search --ids out/s.npy
+  cmp -s out/a.npy out/s.npy || fail "the ids depend on the search"
+done
+
+printf 'y,x,weight\n1,0,5\n2,3,6\n1,0,7\n' >in/good.csv
+succeeds "file with weights" render --backend cpu --sites in/good.csv --color weight --size 30x30 -o out/h.png
+expect "2 cells (0 empty, 1 duplicate)"
+printf 'x,y\n1e12,1e12\n1e12,1e12\n' >in/equal.csv
+succeeds "all sites equal, far away" render --backend cpu --sites in/equal.csv --size 20x20 -o out/i.png
+expect "1 cells (0 empty, 1 duplicate), 20x20"
+printf 'x,y\n0,3\n1,3\n7,3\n' >in/collinear.csv
+succeeds "collinear sites" render --backend cpu --sites in/collinear.csv --size 20x20 -o out/i.png
+expect "3 cells (0 empty, 0 duplicate), 20x20"
+
+name="ids on standard output"
+cases=$((cases + 1))
+"$vorpipe" render --backend cpu --sites random:300 --size 90x60 --ids /dev/stdout >out/piped.npy 2>log/err || fail "exit code $?"
+cmp -s out/a.npy out/piped.npy || fail "not the ids alone are on standard output"
+succeeds "a note is for terminals" render --sites random:9 --size 9x9 --verbose -o out/n.png
+[ "$(wc -l <log/out)" -eq 1 ] || fail "not one line on standard output"
+if command -v script >/dev/null && script --version 2>/dev/null | grep -q util-linux; then
+  name="a note on a terminal"
+  cases=$((cases + 1))
+  script -qec "'$vorpipe' render --sites random:9 --size 9x9 --verbose -o out/n.png >log/out" log/terminal </dev/null >log/err || fail "exit code $?"
+  grep -q 'auto took' log/err || fail "it is not there"
+  [ "$(wc -l <log/out)" -eq 1 ] || fail "not one line on standard output"
+fi
+
+name="sites on standard input"
+cases=$((cases + 1))
+printf 'x,y\n0,0\n1,1\n' | "$vorpipe" render --backend cpu --sites - --size 9x9 -o out/j.png >log/out 2>log/err || fail "exit code $?"
+
+succeeds "devices" devices
+expect "vulkan-geometry"
+expect "opengl"
+expect "cpu"
+succeeds "devices as JSON" devices --json
+expect '"backend": "cpu"'
+succeeds "a lower limit shows" devices --limit maxTexelBufferElements=65536
+expect "65536"
+
+for backend in vulkan-geometry vulkan-compute opengl; do
+  succeeds "$backend" render --backend $backend --sites random:300 --size 90x60 --ids out/k.npy --check
+  expect "$backend on "
+done
+
+# -- Interrupted ----------------------------------------------------------------------------------------
+name="interrupted"
+cases=$((cases + 1))
+before=$(outputs)
+"$vorpipe" render --backend cpu --sites random:500000 -o out/old.png >log/out 2>log/err &
+pid=$!
+until ls out/.vorpipe-* >/dev/null 2>&1 || ! kill -0 $pid 2>/dev/null; do sleep 0.02; done
+kill -INT $pid
+wait $pid
+code=$?
+[ $code -eq 130 ] || fail "exit code $code, not 130"
+one_line
+grep -q interrupted log/err || fail "the line does not say 'interrupted'"
+[ "$before" = "$(outputs)" ] || fail "the output folder changed"
+
+# Nobody reads the pipe, so that the run never comes to look whether it was asked to stop.
+name="interrupted while it writes"
+cases=$((cases + 1))
+mkfifo in/pipe.csv
+sleep 60 <in/pipe.csv &
+reader=$!
+"$vorpipe" cells --backend cpu --sites random:20000 -o out/old.npz -o in/pipe.csv >log/out 2>log/err &
+pid=$!
+until [ "$(find out -name '.vorpipe-*' -size +1000k)" ] || ! kill -0 $pid 2>/dev/null; do sleep 0.02; done
+sleep 0.5
+kill -INT $pid
+wait $pid
+code=$?
+kill $reader
+[ $code -eq 130 ] || fail "exit code $code, not 130"
+one_line
+grep -q interrupted log/err || fail "the line does not say 'interrupted'"
+[ "$before" = "$(outputs)" ] || fail "the output folder changed"
+
+finish
