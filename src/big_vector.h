@@ -65,7 +65,7 @@ void reserveBig(std::vector<T>& vector, std::size_t count) {
   askForHugePages(vector.data(), count * sizeof(T));
 }
 
-/// Gives an empty vector `count` elements without a value, in huge pages.
+/// Gives an empty vector `count` elements, zero, in huge pages.
 template <class T>
 void makeBig(std::vector<T>& vector, std::size_t count) {
   reserveBig(vector, count);

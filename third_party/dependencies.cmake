@@ -56,6 +56,6 @@ if(missing)
   vorpipe_stop_for("${missing}")
 endif()
 # Peers: the tests do without what is not there.
-foreach(name cgal qhull voro)
+foreach(name qhull voro)
   include(${CMAKE_CURRENT_LIST_DIR}/find/${name}.cmake)
 endforeach()

@@ -11,8 +11,8 @@ namespace vorpipe {
 namespace {
 
 /// The mesh of all sites takes as long as to find one cell in so many, and exactly one in so many: about 1 us
-/// a site, 20 us a cell in double, some milliseconds exactly. With weights those cells that are left have far to
-/// search, and cost four times as much.
+/// a site, 20 us a cell in double, some milliseconds exactly. With weights those cells that are left have far
+/// to search, and cost four times as much.
 constexpr std::size_t sites_per_cell = 16, sites_per_weighted_cell = 64, sites_per_exact_cell = 2048;
 
 using Indices = std::vector<std::uint32_t>;

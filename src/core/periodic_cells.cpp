@@ -60,7 +60,10 @@ class Runs {
     options_.domain = imaged.box;
     auto run = cellsOn(backend_, judge_, threads_, imaged.sites, options_, &callers_);
     if (!run) return tl::unexpected(run.error());
+    auto messages = std::move(diagram.report.validation_messages);
     diagram = std::move(*run);
+    auto& said = diagram.report.validation_messages;
+    said.insert(said.begin(), messages.begin(), messages.end());
     addTimes(diagram.report.time_ms, times);
     return {};
   }

@@ -163,6 +163,7 @@ void beginReport(const Report& cells, Report& report) {
   report.in_double = cells.in_double;
   report.exact = cells.exact;
   report.time_ms = cells.time_ms;
+  report.validation_messages = cells.validation_messages;
 }
 
 }  // namespace
@@ -233,7 +234,7 @@ Result<Rendering> renderOn(Backend& backend, Backend& judge, int threads, const 
   report.backend = device.backend;
   report.device = device.name;
   report.driver = device.driver;
-  report.validation_messages = backend.validationMessages();
+  for (auto& message : backend.validationMessages()) report.validation_messages.push_back(std::move(message));
   return rendering;
 }
 

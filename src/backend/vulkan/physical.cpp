@@ -38,7 +38,7 @@ std::string_view typeName(VkPhysicalDeviceType type) {
 }
 
 int preference(std::string_view type) {
-  constexpr std::string_view order[] = {"discrete", "integrated", "virtual", "other", "cpu"};
+  constexpr std::string_view order[] = {"discrete", "integrated", "virtual", "cpu", "other"};
   return static_cast<int>(std::ranges::find(order, type) - std::begin(order));
 }
 
@@ -197,8 +197,7 @@ std::vector<const Physical*> candidates(std::span<const Physical> devices, std::
   std::size_t index = 0;
   const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
   const bool is_number = error == std::errc() && end == wanted.data() + wanted.size();
-  if (is_number && index >= devices.size()) return {};
-  if (is_number) return {&devices[index]};
+  if (is_number && index < devices.size()) return {&devices[index]};
   std::vector<const Physical*> found;
   for (const Physical& device : devices) {
     if (isPartOf(wanted, device.info.name)) found.push_back(&device);

@@ -59,8 +59,8 @@ std::vector<std::string> brokenBy(const CheckedCells& run) {
                              [&] { return NearestSite(run); });
   Broken broken;
   const Diagram& d = run.diagram;
-  const bool outcome = checkOutcome(run, {d.status, d.owner, d.report}, broken);
-  if (!checkArrays(run, broken) || !outcome) return broken.take();
+  if (!checkOutcome(run, {d.status, d.owner, d.report}, broken)) return broken.take();
+  if (!checkArrays(run, broken)) return broken.take();
   checkMass(run, broken);
   if (run.outline != nullptr) {
     const CheckedOutline outline(run);
