@@ -150,7 +150,7 @@ class Writing {
 void makeArrays(std::size_t count, std::size_t edges, Detail detail, int threads, Diagram& diagram) {
   std::vector<std::function<void()>> tasks;
   const auto make = [&tasks](auto& array, std::size_t size) {
-    tasks.emplace_back([&array, size] { makeBig(array, size); });
+    tasks.emplace_back([&array, size] { array.resize(size); });
   };
   if (detail != Detail::measures) {
     make(diagram.vertices, edges);

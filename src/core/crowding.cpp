@@ -3,7 +3,6 @@
 #include <atomic>
 #include <iterator>
 
-#include "big_vector.h"
 #include "parallel.h"
 
 namespace vorpipe {
@@ -27,7 +26,7 @@ class Sorting {
   Crowding run() {
     Crowding crowding;
     if (!findDensities()) {
-      reserveBig(crowding.even, which_.size());
+      crowding.even.reserve(which_.size());
       crowding.even.assign(which_.begin(), which_.end());
       return crowding;
     }

@@ -52,11 +52,11 @@ class Ordering {
     const auto count = sites_.size();
     placed_.resize(count);
     parallelFor(4, 1, threads_, [&](std::size_t task, std::size_t) {
-      if (task == 0) makeBig(set_.x, count);
-      if (task == 1) makeBig(set_.y, count);
-      if (task == 2) makeBig(set_.id, count);
+      if (task == 0) set_.x.resize(count);
+      if (task == 1) set_.y.resize(count);
+      if (task == 2) set_.id.resize(count);
       if (task == 3) {
-        makeBig(owner_, count);
+        owner_.resize(count);
         std::iota(owner_.begin(), owner_.end(), 0u);
       }
     });

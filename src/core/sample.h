@@ -6,8 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "big_vector.h"
-
 namespace vorpipe {
 
 struct Sample {
@@ -18,7 +16,7 @@ struct Sample {
     constexpr std::size_t size = 128, least = 8 * size;
     const auto step = which.size() < least ? 1 : which.size() / size;
     cells.reserve(which.size() / step + 1);
-    reserveBig(rest, which.size() - which.size() / step);
+    rest.reserve(which.size() - which.size() / step);
     for (std::size_t begin = 0; begin < which.size(); begin += step) {
       const auto some = which.subspan(begin, std::min(step, which.size() - begin));
       cells.push_back(some.front());

@@ -218,7 +218,7 @@ Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std:
   for (std::size_t cell = 0; cell < rough.size(); ++cell) {
     if (rough[cell] == 0) continue;
     if (tied.cell.empty()) {
-      reserveBig(tied.entry, rough.size());
+      tied.entry.reserve(rough.size());
       tied.entry.assign(rough.size(), TiedCells::not_tied);
     }
     tied.entry[cell] = static_cast<std::uint32_t>(tied.cell.size());

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "big_vector.h"
 #include "parallel.h"
 
 namespace vorpipe {
@@ -45,7 +44,7 @@ Triage sortOut(const SiteSet& sites, int threads) {
     return triage;
   }
   if (outside == 0) {
-    makeBig(triage.inside, sites.size());
+    triage.inside.resize(sites.size());
     std::iota(triage.inside.begin(), triage.inside.end(), 0u);
     return triage;
   }
