@@ -25,7 +25,6 @@
 namespace vorpipe::cpu {
 
 using std::abs;
-using std::floor;
 using std::max;
 using std::min;
 using std::sqrt;

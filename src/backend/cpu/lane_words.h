@@ -32,7 +32,6 @@ using Reals [[gnu::vector_size(4 * lane_count)]] = float;
 using Ints [[gnu::vector_size(4 * lane_count)]] = std::int32_t;
 
 using Doubles [[gnu::vector_size(8 * lane_count)]] = double;
-using Longs [[gnu::vector_size(8 * lane_count)]] = std::int64_t;
 
 inline int max(int a, int b) { return a < b ? b : a; }
 inline int min(int a, int b) { return b < a ? b : a; }
