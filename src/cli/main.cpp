@@ -7,6 +7,7 @@
 #include <new>
 
 #include "cli/command.h"
+#include "cli/kept_memory.h"
 #include "cli/progress.h"
 #include "io/error.h"
 #include "vorpipe.h"
@@ -85,6 +86,7 @@ int parseAndRun(int count, char** arguments) {
 
 int main(int count, char** arguments) {
   using namespace vorpipe::cli;
+  vorpipe::keepFreedMemory();
   try {
     endOnSignals();
     return parseAndRun(count, arguments);

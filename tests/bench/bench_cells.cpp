@@ -17,6 +17,7 @@
 
 #include "bench/contest.h"
 #include "bench/machine.h"
+#include "cli/kept_memory.h"
 
 namespace vorpipe::test {
 namespace {
@@ -181,6 +182,7 @@ int run(int argc, char** argv) {
 }  // namespace vorpipe::test
 
 int main(int argc, char** argv) {
+  vorpipe::keepFreedMemory();
   try {
     return vorpipe::test::run(argc, argv);
   } catch (const std::exception& error) {
