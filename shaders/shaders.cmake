@@ -1,5 +1,5 @@
-# How a shader module is made: GLSL -> SPIR-V -> optimized -> checked, and GLSL 4.10 from that very
-# SPIR-V, but for compute shaders, which OpenGL 4.1 does not know. Everything goes to the build folder;
+# How a shader module is made: GLSL -> SPIR-V -> optimized -> checked, and GLSL 4.10 from the same SPIR-V but for
+# unrolled loops; compute shaders have none, which OpenGL 4.1 does not know. Everything goes to the build folder;
 # the target update-spv copies it to shaders/spv.
 # Where a compiler is missing, the modules of shaders/spv are embedded as they are.
 
@@ -16,6 +16,8 @@ set(optimize_flags -O)
 # OpenGL 4.1 has no storage buffers: every specialization constant (they are all flags) is false
 # there, and what it guards is folded away.
 set(fold_flags --set-spec-const-default-value "0:false" --freeze-spec-const --fold-spec-const-op-composite -O)
+# As text a loop is shorter than what it unrolls to, and OpenGL drivers keep the programs that they have made of it.
+set(rolled_flags -DROLLED)
 set(cross_flags --version 410 --no-es --no-420pack-extension)
 
 set(glsl_dir ${CMAKE_CURRENT_LIST_DIR}/glsl)
@@ -77,7 +79,9 @@ function(vorpipe_shader module file)
   endif()
   add_custom_command(
     OUTPUT ${out}.410.glsl
-    COMMAND ${SPIRV_OPT} ${fold_flags} ${out}.spv -o ${out}.folded.spv
+    COMMAND ${GLSLANG} --quiet ${glslang_flags} ${rolled_flags} ${defines} -o ${out}.rolled.spv ${source}
+    COMMAND ${SPIRV_OPT} ${optimize_flags} ${out}.rolled.spv -o ${out}.rolled.spv
+    COMMAND ${SPIRV_OPT} ${fold_flags} ${out}.rolled.spv -o ${out}.folded.spv
     COMMAND ${SPIRV_CROSS} ${out}.folded.spv ${cross_flags} --output ${out}.unchecked.glsl
     COMMAND ${GLSLANG} --quiet -S ${stage} ${out}.unchecked.glsl
     COMMAND ${CMAKE_COMMAND} -E rename ${out}.unchecked.glsl ${out}.410.glsl
@@ -90,11 +94,13 @@ endfunction()
 function(vorpipe_embed_shaders target)
   string(JOIN " " glslang_line ${glslang_flags})
   string(JOIN " " optimize_line ${optimize_flags})
+  string(JOIN " " rolled_line ${rolled_flags})
   string(JOIN " " fold_line ${fold_flags})
   string(JOIN " " cross_line ${cross_flags})
   file(CONFIGURE OUTPUT ${shader_recipe} @ONLY CONTENT
 "@recipe_tools@flags glslang @glslang_line@
 flags spirv_opt @optimize_line@
+flags glslang for OpenGL @rolled_line@
 flags spirv_opt for OpenGL @fold_line@
 flags spirv_cross @cross_line@
 @recipe_modules@")

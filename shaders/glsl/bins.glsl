@@ -76,14 +76,26 @@ Span sitesOf(IN(Bins) bins, IN(BinRow) part) {
 
 cell_int placeInRuns(IN(Runs) runs, cell_int i) {
     cell_int shift = runs.shift[0];
-    for (int r = 1; r < MOST_RUNS; r++) {
+    UNROLL for (int r = 1; r < MOST_RUNS; r++) {
         shift = i >= runs.end[r - 1] ? runs.shift[r] : shift;
     }
     return i + shift;
 }
 
-cell_int placeInBlock(IN(Runs) runs, int i) {
+cell_int placeInBlock(IN(Runs) runs, cell_int i) {
     return (i < runs.end[0] ? runs.shift[0] : (i < runs.end[1] ? runs.shift[1] : runs.shift[2])) + i;
+}
+
+// Which of the block's sites stands at a place; runs.count if none does.
+cell_int indexInBlock(IN(Runs) runs, cell_int place) {
+    cell_int index = runs.count;
+    cell_int begin = cell_int(0);
+    UNROLL for (int r = 0; r < BLOCK_RUNS; r++) {
+        cell_int i = place - runs.shift[r];
+        index = i >= begin && i < runs.end[r] ? i : index;
+        begin = runs.end[r];
+    }
+    return index;
 }
 
 // Part r of the 3 x 3 bins around the origin.
@@ -121,7 +133,7 @@ BinRow partOfStep(IN(BinRange) range, int step, int r, cell_int column, cell_int
 Runs runsOfBlock(IN(Bins) bins, cell_int column, cell_int row) {
     Runs runs;
     runs.count = cell_int(0);
-    for (int r = 0; r < BLOCK_RUNS; r++) {
+    UNROLL for (int r = 0; r < BLOCK_RUNS; r++) {
         BinRow part = partOfBlock(bins, r, column, row);
         Span span = sitesOf(bins, part);
         runs.shift[r] = span.first - runs.count;
@@ -138,7 +150,7 @@ int firstStep(IN(Bins) bins) { return -((bins.heavy + MOST_RUNS - 1) / MOST_RUNS
 Runs runsOfHeavy(IN(Bins) bins, int step) {
     Runs runs;
     runs.count = cell_int(0);
-    for (int r = 0; r < MOST_RUNS; r++) {
+    UNROLL for (int r = 0; r < MOST_RUNS; r++) {
         int k = (-1 - step) * MOST_RUNS + r;
         bool some = k < bins.heavy;
         runs.shift[r] = cell_int(heavyAt(some ? k : 0)) - runs.count;
@@ -157,7 +169,7 @@ Runs runsOfStep(IN(Bins) bins, IN(BinRange) range, int step, cell_int column, ce
 #endif
     Runs runs;
     runs.count = cell_int(0);
-    for (int r = 0; r < MOST_RUNS; r++) {
+    UNROLL for (int r = 0; r < MOST_RUNS; r++) {
         BinRow part = partOfStep(range, step, r, column, row);
         Span span = sitesOf(bins, part);
         runs.shift[r] = span.first - runs.count;
@@ -201,7 +213,7 @@ real leadIn(IN(Bins) bins, IN(BinRange) range) {
         many = seen.east - seen.west > 2 || seen.north - seen.south > 2;
     }
     real lead = -FAR;
-    for (int k = 0; k < 9; k++) {
+    UNROLL for (int k = 0; k < 9; k++) {
         cell_int column = min(seen.west + k % 3, seen.east);
         cell_int row = min(seen.south + k / 3, seen.north);
         real here = leadOf(first + row * columns + column);

@@ -1,5 +1,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 // Clips one entry and draws it as one triangle strip. The build gives MAX_EDGES, and
 // SEARCH_GRID where an entry is a site of an upload instead of a list of lines.
 #include "layout.glsl"
@@ -28,13 +29,13 @@ layout(std430, set = 0, binding = BINDING_STATUS) writeonly buffer Status { uint
 #include "strip.glsl"
 
 struct Pen {
-    vec2 origin;
     uvec2 mark;
     int status;
 };
 
-void emit(in Pen pen, vec2 p) {
-    gl_Position = vec4(pen.origin + p * view.scale, 0.0, 1.0);
+// `at` is in normalized device coordinates.
+void emit(in Pen pen, vec2 at) {
+    gl_Position = vec4(at, 0.0, 1.0);
     cell_mark = pen.mark;
     cell_status = uvec2(entryIndex(), uint(pen.status));
     EmitVertex();
@@ -46,17 +47,19 @@ void main() {
     if (STATUS_IN_BUFFER) {
         status_of[entryIndex()] = uint(status);
     }
-    Pen pen = Pen(entryOrigin(), uvec2(0u), status);
-    if (status == CELL_CERTIFIED && mayCoverPixel(cell, pen.origin)) {
-        pen.mark = entryMark();
+    vec2 origin = entryOrigin();
+    Covered covered = coveredPixels(cell, origin);
+    int pixels = status == CELL_CERTIFIED ? covered.pixels : 0;
+    Pen pen = Pen(pixels > 0 ? entryMark() : uvec2(0u), status);
+    if (pixels == SEVERAL) {
         Order order;
         orderEdges(cell, order);
         for (int place = 0; place < order.count; place++) {
-            emit(pen, startOfRank(cell, order, rankInStrip(place, order.count)));
+            emit(pen, origin + startOfRank(cell, order, rankInStrip(place, order.count)) * view.scale);
         }
-    } else if (!STATUS_IN_BUFFER) {
-        for (int corner = 0; corner < 3; corner++) {
-            emit(pen, vec2(0.0));
+    } else if (pixels == 1 || !STATUS_IN_BUFFER) {
+        UNROLL for (int corner = 0; corner < 3; corner++) {
+            emit(pen, pixels == 1 ? cornerAround(covered.center, corner) : vec2(0.0));
         }
     }
     EndPrimitive();

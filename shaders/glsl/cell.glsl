@@ -13,6 +13,8 @@
 //   FAR                      farther than anything
 //   WEIGHTED                 defined or not: whether sites have weights
 //   CUTTING                  what the compiler is to know of the function that cuts
+//   UNROLL                   what it is to know of a loop over slots: done by the build, this takes a tenth of
+//                            the time that drivers need, who else do it whenever a program starts
 //   NOWHERE, SAME            parallel lines get this sine, and lines that are the same this much of a
 //                            distance, which rounding swallows for any others: so the former meet far
 //                            away, and the latter do too
@@ -46,7 +48,7 @@ cell_bool isEdge(IN(Cell) c, int k) { return c.lo[k] < c.hi[k]; }
 // Here and below no function that changes a cell is called in a loop over its slots: the copies that this
 // makes in GLSL keep drivers from unrolling the loop, and the slots from becoming registers.
 void beginCell(INOUT(Cell) c, vec4 walls) {
-    for (int k = 0; k < EDGE_END; k++) {
+    UNROLL for (int k = 0; k < EDGE_END; k++) {
         int wall = k % 4;
         real outward = wall % 2 == 0 ? real(-1.0) : real(1.0);
         real lo = wall == 0 ? -walls.w : (wall == 1 ? walls.y : (wall == 2 ? walls.x : -walls.z));
@@ -83,7 +85,7 @@ CUTTING void cutCell(INOUT(Cell) c, vec2 n, real h, cell_int line) {
     real lo = -FAR;
     real hi = FAR;
     cell_bool some = cell_bool(false);
-    for (int k = 0; k < EDGE_END; k++) {
+    UNROLL for (int k = 0; k < EDGE_END; k++) {
         real cross = c.nx[k] * n.y - c.ny[k] * n.x;
         real sine = abs(cross) < NOWHERE ? NOWHERE : cross;
         real cosine = c.nx[k] * n.x + c.ny[k] * n.y;
@@ -107,7 +109,7 @@ CUTTING void cutCell(INOUT(Cell) c, vec2 n, real h, cell_int line) {
 #ifdef WEIGHTED
     c.last = gone ? c.last : line;
 #endif
-    for (int k = 0; k < EDGE_END; k++) {
+    UNROLL for (int k = 0; k < EDGE_END; k++) {
         cell_bool edge = isEdge(c, k);
         cell_bool put = waiting && !edge;
         c.nx[k] = put ? n.x : c.nx[k];
@@ -125,7 +127,7 @@ CUTTING void cutCell(INOUT(Cell) c, vec2 n, real h, cell_int line) {
 // Whether the line carries an edge. To cut by it again might give its edge to both, as rounding has it.
 cell_bool hasEdge(IN(Cell) c, cell_int line) {
     cell_bool found = cell_bool(false);
-    for (int k = 0; k < EDGE_END; k++) {
+    UNROLL for (int k = 0; k < EDGE_END; k++) {
         cell_bool same = isEdge(c, k) && c.line[k] == line;
         found = found || same;
     }
@@ -141,7 +143,7 @@ vec2 edgeStart(IN(Cell) c, int k) {
 // Of the farthest vertex from the origin; negative when no edge is left.
 real squaredRadius(IN(Cell) c) {
     real farthest = real(-1.0);
-    for (int k = 0; k < EDGE_END; k++) {
+    UNROLL for (int k = 0; k < EDGE_END; k++) {
         real end = max(c.lo[k] * c.lo[k], c.hi[k] * c.hi[k]) + c.h[k] * c.h[k];
         cell_bool edge = isEdge(c, k);
         farthest = edge && end > farthest ? end : farthest;
@@ -161,7 +163,7 @@ cell_bool isClosed(IN(Cell) c) {
     real x = real(0.0);
     real y = real(0.0);
     cell_int count = cell_int(0);
-    for (int k = 0; k < EDGE_END; k++) {
+    UNROLL for (int k = 0; k < EDGE_END; k++) {
         real length = isEdge(c, k) ? c.hi[k] - c.lo[k] : real(0.0);
         x -= length * c.ny[k];
         y += length * c.nx[k];
@@ -180,10 +182,10 @@ bool hasClosedShape(IN(Cell) c) {
     real allowed = slack * slack * squaredRadius(c);
     int count = 0;
     bool closed = true;
-    for (int k = 0; k < EDGE_END; k++) {
+    UNROLL for (int k = 0; k < EDGE_END; k++) {
         bool followed = false;
         vec2 end = vec2(c.nx[k] * c.h[k] - c.ny[k] * c.hi[k], c.ny[k] * c.h[k] + c.nx[k] * c.hi[k]);
-        for (int j = 0; j < EDGE_END; j++) {
+        UNROLL for (int j = 0; j < EDGE_END; j++) {
             real ahead = c.nx[k] * c.nx[j] + c.ny[k] * c.ny[j];
             real along = end.x * c.nx[j] + end.y * c.ny[j] - c.h[j];
             vec2 gap = edgeStart(c, j) - end;
@@ -223,7 +225,7 @@ void orderEdges(IN(Cell) c, INOUT(Order) order) {
     real x = real(0.0);
     real y = real(0.0);
     cell_int count = cell_int(0);
-    for (int k = 0; k < EDGE_END; k++) {
+    UNROLL for (int k = 0; k < EDGE_END; k++) {
         real middle = (c.lo[k] + c.hi[k]) * real(0.5);
         cell_bool edge = isEdge(c, k);
         x += edge ? c.nx[k] * c.h[k] - c.ny[k] * middle : real(0.0);
@@ -234,16 +236,16 @@ void orderEdges(IN(Cell) c, INOUT(Order) order) {
     x *= share;
     y *= share;
     EDGES(real, angle);
-    for (int k = 0; k < EDGE_END; k++) {
+    UNROLL for (int k = 0; k < EDGE_END; k++) {
         real middle = (c.lo[k] + c.hi[k]) * real(0.5);
         real seen = pseudoAngle(c.nx[k] * c.h[k] - c.ny[k] * middle - x,
                                 c.ny[k] * c.h[k] + c.nx[k] * middle - y);
         angle[k] = isEdge(c, k) ? seen : FAR;
     }
     // Two plain loops over all pairs: what compilers unroll, so that no index is left.
-    for (int k = 0; k < EDGE_END; k++) {
+    UNROLL for (int k = 0; k < EDGE_END; k++) {
         cell_int rank = cell_int(0);
-        for (int j = 0; j < EDGE_END; j++) {
+        UNROLL for (int j = 0; j < EDGE_END; j++) {
             cell_bool before = j < k ? angle[j] <= angle[k] : angle[j] < angle[k];
             rank += before ? cell_int(1) : cell_int(0);
         }
@@ -255,7 +257,7 @@ void orderEdges(IN(Cell) c, INOUT(Order) order) {
 // The beginning of the edge of a given rank.
 vec2 startOfRank(IN(Cell) c, IN(Order) order, int rank) {
     vec2 p = vec2(real(0.0), real(0.0));
-    for (int k = 0; k < EDGE_END; k++) {
+    UNROLL for (int k = 0; k < EDGE_END; k++) {
         if (order.rank[k] == rank) {
             p = edgeStart(c, k);
         }

@@ -1,5 +1,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 // Clips one entry and writes its neighbors down, counter-clockwise. The build gives MAX_EDGES,
 // SEARCH_GRID where an entry is a site of an upload instead of a list of lines, and WEIGHTED where sites have
 // weights: then an empty entry has the lines that leave nothing of it.
@@ -36,7 +37,7 @@ layout(std430, set = 0, binding = BINDING_EDGES) writeonly buffer Edges { ivec4 
 #ifdef WEIGHTED
 // Puts the lines of an empty cell in any order, the last one behind those of the slots.
 void allSlots(inout Order order) {
-    for (int k = 0; k < EDGE_END; k++) {
+    UNROLL for (int k = 0; k < EDGE_END; k++) {
         order.rank[k] = k;
     }
     order.count = MAX_EDGES + 1;
@@ -49,7 +50,7 @@ int neighborOfRank(in Cell cell, in Order order, int rank) {
 #else
     int line = 0;
 #endif
-    for (int k = 0; k < EDGE_END; k++) {
+    UNROLL for (int k = 0; k < EDGE_END; k++) {
         line = order.rank[k] == rank ? neighborOf(cell.line[k]) : line;
     }
     return line;
@@ -72,7 +73,7 @@ void main() {
     if (STATUS_IN_BUFFER) {
         status_of[entryIndex()] = uint(answer);
     }
-    for (int part = 0; part < ROW_PARTS; part++) {
+    UNROLL for (int part = 0; part < ROW_PARTS; part++) {
         ivec4 row = ivec4(0);
         if (part * 4 < order.count) {
             row = ivec4(neighborOfRank(cell, order, part * 4), neighborOfRank(cell, order, part * 4 + 1),

@@ -81,14 +81,14 @@ cell_bool cutBySite(INOUT(Cell) c, IN(Viewpoint) view, cell_int place) {
 Vertices verticesOf(IN(Cell) c) {
     vec2 inside = vec2(real(0.0), real(0.0));
 #ifdef WEIGHTED
-    for (int k = 0; k < EDGE_END; k++) {
+    UNROLL for (int k = 0; k < EDGE_END; k++) {
         vec2 start = edgeStart(c, k);
         inside.x = isEdge(c, k) ? start.x : inside.x;
         inside.y = isEdge(c, k) ? start.y : inside.y;
     }
 #endif
     Vertices v;
-    for (int k = 0; k < EDGE_END; k++) {
+    UNROLL for (int k = 0; k < EDGE_END; k++) {
         vec2 start = edgeStart(c, k);
         v.x[k] = isEdge(c, k) ? start.x : inside.x;
         v.y[k] = isEdge(c, k) ? start.y : inside.y;
@@ -100,7 +100,7 @@ Vertices verticesOf(IN(Cell) c) {
 cell_bool mayCut(IN(Vertices) v, IN(Viewpoint) view, cell_int place) {
     vec2 d = offsetTo(place);
     real farthest = -FAR;
-    for (int k = 0; k < EDGE_END; k++) {
+    UNROLL for (int k = 0; k < EDGE_END; k++) {
         real along = v.x[k] * d.x + v.y[k] * d.y;
         farthest = along > farthest ? along : farthest;
     }
@@ -120,7 +120,7 @@ cell_bool mayCut(IN(Vertices) v, IN(Viewpoint) view, cell_int place) {
 vec4 flowerBox(IN(Cell) c, IN(Viewpoint) view) {
     vec2 site = view.shift;
     vec4 box = vec4(site.x, site.y, site.x, site.y);
-    for (int k = 0; k < EDGE_END; k++) {
+    UNROLL for (int k = 0; k < EDGE_END; k++) {
         vec2 v = edgeStart(c, k);
         vec2 d = vec2(v.x - site.x, v.y - site.y);
         cell_bool edge = isEdge(c, k);
@@ -180,24 +180,26 @@ cell_bool cutByRuns(INOUT(Cell) c, IN(Viewpoint) view, IN(Runs) runs) {
     return certain;
 }
 
-// Cuts by all sites of the block. False if one of them is too near for that.
+// Cuts by all sites of the block but the cell's own. False if one of them is too near for that.
 cell_bool cutByBlock(INOUT(Cell) c, IN(Viewpoint) view, IN(Runs) runs, cell_bool worthwhile) {
     cell_bool certain = cell_bool(true);
+    cell_int own = indexInBlock(runs, view.self);
+    cell_int others = own < runs.count ? runs.count - 1 : runs.count;
     int i = 0;
-    cell_bool going = worthwhile;
-    Bisector next = bisectorWith(view, runs.count > 0 ? placeInBlock(runs, 0) : view.self);
+    cell_bool going = worthwhile && others > 0;
+    Bisector next = bisectorWith(view, going ? placeInBlock(runs, own > 0 ? cell_int(0) : cell_int(1)) : view.self);
     do {
         // The next one is made before this one cuts, so that its loads and roots are done meanwhile.
         Bisector b = next;
         i++;
-        going = going && i < runs.count;
+        going = going && i < others;
 #ifdef WEIGHTED
         going = going && !c.empty;
 #endif
-        next = bisectorWith(view, going ? placeInBlock(runs, i) : view.self);
+        next = bisectorWith(view, going ? placeInBlock(runs, own > i ? cell_int(i) : cell_int(i + 1)) : view.self);
         cutCell(c, b.n, b.h, b.place);
-        cell_bool own = b.place == view.self;
-        certain = certain && (b.apart || own);
+        cell_bool idle = b.place == view.self;
+        certain = certain && (b.apart || idle);
     } while (ANY(going));
     return certain;
 }
@@ -208,7 +210,7 @@ cell_bool cutByBlock(INOUT(Cell) c, IN(Viewpoint) view, IN(Runs) runs, cell_bool
 // bound its weight.
 vec4 boxLeft(IN(Cell) c, IN(Bins) bins, INOUT(Viewpoint) view, cell_bool left, int rounds) {
     vec4 box = flowerBox(c, view);
-    for (int round = 0; round < rounds; round++) {
+    UNROLL for (int round = 0; round < rounds; round++) {
         real lead = min(view.lead, leadIn(bins, binsOf(bins, box)));
         view.lead = left ? lead : view.lead;
         box = flowerBox(c, view);

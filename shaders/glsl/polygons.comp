@@ -1,5 +1,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_control_flow_attributes : require
 // Clips one entry and writes its polygon down, to be drawn. The build gives MAX_EDGES, and SEARCH_GRID
 // where an entry is a site of an upload instead of a list of lines.
 #define ENTRIES_IN_BUFFER
@@ -26,6 +27,10 @@ layout(std430, set = 0, binding = BINDING_COUNTS) writeonly buffer Counts { uint
 #endif
 #include "pixels.glsl"
 
+void putVertex(uint entry, int rank, vec2 at, uvec2 mark) {
+    vertices[entry * uint(MAX_EDGES) + uint(rank)] = uvec4(floatBitsToUint(at), mark);
+}
+
 void main() {
     uint entry = gl_GlobalInvocationID.x;
     if (entry >= slice.count) {
@@ -36,15 +41,20 @@ void main() {
     int status = statusOfShape(cell, clipEntry(cell, view.outset));
     status_of[entry] = uint(status);
     vec2 origin = entryOrigin();
-    bool drawn = status == CELL_CERTIFIED && mayCoverPixel(cell, origin);
+    Covered covered = coveredPixels(cell, origin);
+    int pixels = status == CELL_CERTIFIED ? covered.pixels : 0;
     Order order;
     orderEdges(cell, order);
-    triangles_of[entry] = drawn ? uint(max(order.count - 2, 0)) : 0u;
+    triangles_of[entry] = uint(pixels == SEVERAL ? max(order.count - 2, 0) : pixels);
     uvec2 mark = entryMark();
-    for (int k = 0; k < EDGE_END; k++) {
-        if (drawn && order.rank[k] >= 0) {
-            vec2 at = origin + edgeStart(cell, k) * view.scale;
-            vertices[entry * uint(MAX_EDGES) + uint(order.rank[k])] = uvec4(floatBitsToUint(at), mark);
+    if (pixels == 1) {
+        UNROLL for (int corner = 0; corner < 3; corner++) {
+            putVertex(entry, corner, cornerAround(covered.center, corner), mark);
+        }
+    }
+    UNROLL for (int k = 0; k < EDGE_END; k++) {
+        if (pixels == SEVERAL && order.rank[k] >= 0) {
+            putVertex(entry, order.rank[k], origin + edgeStart(cell, k) * view.scale, mark);
         }
     }
 }

@@ -58,7 +58,7 @@ int clipEntry(inout Cell cell, vec2 outset) {
     int status = clipSiteAt(cell, self, outset);
     vec2 far = abs(offsetToOrigin()) * (32.0 * ROUNDING);
 #ifdef WEIGHTED
-    for (int k = 0; k < EDGE_END; k++) {
+    UNROLL for (int k = 0; k < EDGE_END; k++) {
         bool neighbor = isEdge(cell, k) && cell.line[k] >= 0;
         far = max(far, abs(offsetTo(neighbor ? cell.line[k] : self)) * (8.0 * ROUNDING));
     }

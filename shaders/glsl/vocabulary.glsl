@@ -4,6 +4,11 @@
 #define cell_bool bool
 #define ANY(condition) (condition)
 #define CUTTING
+#ifdef ROLLED
+#define UNROLL
+#else
+#define UNROLL [[unroll]]
+#endif
 #define EDGES(T, name) T name[MAX_EDGES]
 #define IN(T) in T
 #define INOUT(T) inout T

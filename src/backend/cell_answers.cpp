@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
+#include <vector>
 
 #include "layout.glsl"
 #include "parallel.h"
@@ -27,28 +29,44 @@ CellStatus statusIn(std::uint32_t word) {
   return status <= CELL_OPEN ? static_cast<CellStatus>(status) : CellStatus::missing;
 }
 
+void reserve(std::size_t entries, std::size_t room, Neighborhoods& out) {
+  out.status.reserve(entries);
+  out.first.reserve(entries + 1);
+  out.neighbor.reserve(entries * room);
+}
+
 void append(const CellAnswers& answers, Neighborhoods& out) {
   if (out.first.empty()) out.first.push_back(0);
   const std::size_t before = out.status.size();
   out.status.resize(before + answers.count);
   out.first.resize(before + answers.count + 1);
-  for (std::size_t entry = 0; entry < answers.count; ++entry) {
-    const std::uint32_t word = wordAt(answers, entry);
-    const bool sane = word / status_values <= answers.room;
-    const CellStatus status = sane ? statusIn(word) : CellStatus::missing;
-    const bool listed = status == CellStatus::certified || status == CellStatus::empty;
-    const std::uint32_t edges = listed ? word / status_values : 0;
-    out.status[before + entry] = status;
-    out.first[before + entry + 1] = out.first[before + entry] + edges;
-  }
-  out.neighbor.resize(out.first.back());
+  // By block of entries: how many neighbors it has, then where they begin.
+  std::vector<std::uint64_t> place((answers.count + entries_at_once - 1) / entries_at_once);
   parallelFor(answers.count, entries_at_once, 0, [&](std::size_t begin, std::size_t end) {
+    std::uint64_t sum = 0;
     for (std::size_t entry = begin; entry < end; ++entry) {
-      const std::uint64_t first = out.first[before + entry];
-      const std::uint64_t edges = out.first[before + entry + 1] - first;
-      if (edges == 0) continue;
-      std::memcpy(&out.neighbor[first], answers.rows + entry * answers.row_stride,
-                  edges * sizeof(std::int32_t));
+      const std::uint32_t word = wordAt(answers, entry);
+      const bool sane = word / status_values <= answers.room;
+      const CellStatus status = sane ? statusIn(word) : CellStatus::missing;
+      const bool listed = status == CellStatus::certified || status == CellStatus::empty;
+      sum += listed ? word / status_values : 0;
+      out.status[before + entry] = status;
+      out.first[before + entry + 1] = sum;
+    }
+    place[begin / entries_at_once] = sum;
+  });
+  std::uint64_t end_of_all = out.first[before];
+  for (auto& sum : place) end_of_all += std::exchange(sum, end_of_all);
+  out.neighbor.resize(end_of_all);
+  parallelFor(answers.count, entries_at_once, 0, [&](std::size_t begin, std::size_t end) {
+    const std::uint64_t block = place[begin / entries_at_once];
+    std::uint64_t first = block;
+    for (std::size_t entry = begin; entry < end; ++entry) {
+      const std::uint64_t next = block + out.first[before + entry + 1];
+      std::memcpy(out.neighbor.data() + first, answers.rows + entry * answers.row_stride,
+                  (next - first) * sizeof(std::int32_t));
+      out.first[before + entry + 1] = next;
+      first = next;
     }
   });
 }

@@ -26,6 +26,10 @@ constexpr std::size_t answerRoom(std::size_t edges, bool weighted) { return edge
 /// The status in a word; `missing` if it makes no sense.
 CellStatus statusIn(std::uint32_t word);
 
+/// Makes room in an empty `out` for so many entries with rows of `room` numbers, so that none of it moves
+/// later.
+void reserve(std::size_t entries, std::size_t room, Neighborhoods& out);
+
 /// Appends the entries to out, on all threads. A word that makes no sense is an entry that is `missing`.
 void append(const CellAnswers& answers, Neighborhoods& out);
 

@@ -13,6 +13,7 @@
 #define cell_bool bool
 #define ANY(condition) (condition)
 #define CUTTING
+#define UNROLL
 #define EDGES(T, name) T name[static_cast<std::size_t>(MAX_EDGES)]
 #define EDGE_END edgeEnd()
 #define IN(T) const T&

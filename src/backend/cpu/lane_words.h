@@ -17,6 +17,7 @@
 #define ANY(condition) anyOf(condition)
 /// Not inline: its loops have the registers to themselves, which is worth 7 %.
 #define CUTTING [[gnu::noinline]]
+#define UNROLL
 #define EDGES(T, name) T name[static_cast<std::size_t>(MAX_EDGES)]
 #define EDGE_END MAX_EDGES
 #define IN(T) const T&

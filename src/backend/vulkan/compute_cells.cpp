@@ -18,6 +18,8 @@ namespace {
 // the host, enough to keep a device busy.
 constexpr std::size_t slice_entries = std::size_t{1} << 18;
 
+constexpr std::size_t word_bytes = sizeof(std::uint32_t);
+
 tl::unexpected<Error> outOfMemory(std::size_t cells) {
   return deviceError("not enough memory for " + std::to_string(cells) +
                      " cells: free some, or ask for fewer cells at a time");
@@ -68,22 +70,24 @@ Result<void> ComputeBackend::findCells(const Clipping& clipping, Neighborhoods& 
   VORPIPE_TRY(clear(out));
   // With weights, the lines that leave nothing of a cell are one more than it had edges.
   const std::size_t room = clipping.room + (clipping.weighted ? 1 : 0);
-  const std::size_t row_bytes = (room + 1) * sizeof(std::int32_t);
-  const std::size_t slice = std::min(clipping.count, sliceOf(slice_entries, row_bytes));
-  VORPIPE_TRY(answers_.reserve(device_, slice * row_bytes, storage_range_));
-  clipping.bindings.setStorage(device_, BINDING_STATUS, answers_.get(), slice * row_bytes);
+  const std::size_t row_bytes = room * sizeof(std::int32_t);
+  const std::size_t answer_bytes = word_bytes + row_bytes;
+  const std::size_t slice = std::min(clipping.count, sliceOf(slice_entries, answer_bytes));
+  VORPIPE_TRY(answers_.reserve(device_, slice * answer_bytes, storage_range_));
+  clipping.bindings.setStorage(device_, BINDING_STATUS, answers_.get(), slice * answer_bytes);
   bindPolygons(clipping.bindings);
   const Result<VkPipeline> kernel =
       kernels_.kernel(device_, clipping.bindings.layout(), clipping.code, placed_here_);
   if (!kernel) return tl::unexpected(kernel.error());
+  reserve(clipping.count, room, out);
   for (std::size_t first = 0; first < clipping.count; first += slice) {
     const std::size_t here = std::min(slice, clipping.count - first);
     VORPIPE_TRY(device_.run([&](VkCommandBuffer commands) {
-      clearBefore(device_, commands, answers_.get(), here * row_bytes);
+      clearBefore(device_, commands, answers_.get(), here * word_bytes);
       dispatch(device_, commands, *kernel, clipping.bindings,
                {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(here)}, here);
     }));
-    append({here, room, answers_.data(), row_bytes, answers_.data() + sizeof(std::int32_t), row_bytes}, out);
+    append({here, room, answers_.data(), word_bytes, answers_.data() + here * word_bytes, row_bytes}, out);
   }
   return {};
 }
