@@ -16,6 +16,13 @@ inline int threadCount(int threads) {
   return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
+/// The same for a loop of so many steps that take some nanoseconds each: a few thousand are done before
+/// another thread has begun.
+inline int threadsForSteps(std::size_t steps, int threads) {
+  constexpr std::size_t worth_a_thread = std::size_t{1} << 15;
+  return steps < worth_a_thread ? 1 : threads;
+}
+
 /// Calls body(begin, end) for ranges of at most `grain` that cover [0, count), on up to `threads`
 /// threads. The ranges do not depend on the number of threads. What body throws is thrown here, once
 /// all threads have stopped.

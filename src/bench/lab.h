@@ -53,6 +53,7 @@ struct Outcome {
   std::array<Samples, stage_count> stages{}, device{};  ///< seconds; device: empty without a clock of its own
   Work last{};                                          ///< the last run's, for bytes and calls
   Report report{};                                      ///< the last run's
+  double last_seconds = 0;                              ///< of any run, to warm up too
 
   [[nodiscard]] bool measured() const { return !seconds.empty(); }
   [[nodiscard]] const Samples& stage(Stage stage) const { return stages[static_cast<std::size_t>(stage)]; }

@@ -163,14 +163,15 @@ void makeArrays(std::size_t count, std::size_t edges, Detail detail, int threads
   make(diagram.area, count);
   make(diagram.cell_offsets, count + 1);
   make(diagram.status, count);
-  parallelFor(tasks.size(), 1, threads, [&](std::size_t task, std::size_t) { tasks[task](); });
+  parallelFor(tasks.size(), 1, threadsForSteps(count, threads),
+              [&](std::size_t task, std::size_t) { tasks[task](); });
 }
 
 /// areaGap of `count` cells.
 template <class AreaOf>
 double gapOf(std::size_t count, const AreaOf& areaOf, const Box& domain, int threads) {
   std::vector<Wide> parts((count + grain - 1) / grain);
-  parallelFor(count, grain, threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(count, grain, threadsForSteps(count, threads), [&](std::size_t begin, std::size_t end) {
     // One sum would wait for itself.
     std::array<Wide, 4> sums{};
     for (auto i = begin; i < end; ++i) sums[i % 4] = sums[i % 4] + Wide{areaOf(i), 0};
@@ -199,7 +200,8 @@ void takeRecords(std::span<const CellRecord> records, Detail detail, int threads
     std::uint64_t edges = 0, ok = 0, empty = 0;
   };
   std::vector<Sums> sums((records.size() + grain - 1) / grain);
-  parallelFor(records.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+  const int step_threads = threadsForSteps(records.size(), threads);
+  parallelFor(records.size(), grain, step_threads, [&](std::size_t begin, std::size_t end) {
     Sums sum;
     for (auto i = begin; i < end; ++i) {
       sum.edges += records[i].edges;
@@ -218,7 +220,7 @@ void takeRecords(std::span<const CellRecord> records, Detail detail, int threads
   report.duplicate = records.size() - report.ok - report.empty;
   makeArrays(records.size(), edges, detail, threads, diagram);
   diagram.cell_offsets.back() = edges;
-  parallelFor(records.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(records.size(), grain, step_threads, [&](std::size_t begin, std::size_t end) {
     auto offset = sums[begin / grain].edges;
     for (auto i = begin; i < end; ++i) {
       const auto& record = records[i];

@@ -29,7 +29,12 @@ class Ordering {
  public:
   Ordering(const Sites& sites, const PowerOfTwo& scale, int threads, SiteSet& set,
            std::vector<std::uint32_t>& owner)
-      : sites_(sites), scale_(scale), threads_(threads), set_(set), owner_(owner) {
+      : sites_(sites),
+        scale_(scale),
+        threads_(threads),
+        step_threads_(threadsForSteps(sites.size(), threads)),
+        set_(set),
+        owner_(owner) {
     const auto bins = std::size_t{set.grid.columns} * set.grid.rows;
     while ((bins >> bucket_bits_) >= most_buckets) ++bucket_bits_;
     buckets_ = ((bins - 1) >> bucket_bits_) + 1;
@@ -42,7 +47,7 @@ class Ordering {
     countBlocks();
     parallelFor(blocks_, 1, threads_, [&](std::size_t begin, std::size_t) { scatterBlock(begin); });
     removed_.resize(buckets_);
-    parallelFor(buckets_, 1, threads_, [&](std::size_t begin, std::size_t) { sortBucket(begin); });
+    parallelFor(buckets_, 1, step_threads_, [&](std::size_t begin, std::size_t) { sortBucket(begin); });
     closeGaps();
   }
 
@@ -51,7 +56,7 @@ class Ordering {
   void makeRoom() {
     const auto count = sites_.size();
     placed_.resize(count);
-    parallelFor(4, 1, threads_, [&](std::size_t task, std::size_t) {
+    parallelFor(4, 1, step_threads_, [&](std::size_t task, std::size_t) {
       if (task == 0) set_.x.resize(count);
       if (task == 1) set_.y.resize(count);
       if (task == 2) set_.id.resize(count);
@@ -216,7 +221,7 @@ class Ordering {
 
   const Sites& sites_;
   const PowerOfTwo& scale_;
-  int threads_;
+  int threads_, step_threads_;
   SiteSet& set_;
   std::vector<std::uint32_t>& owner_;
   int bucket_bits_ = least_bucket_bits;

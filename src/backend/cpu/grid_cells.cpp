@@ -78,7 +78,7 @@ void findOnGrid(const SiteSet& sites, std::span<const std::uint32_t> which, Effo
   for (std::size_t r = 1; r < offset.size(); ++r) offset[r] += offset[r - 1];
   out.first[count] = offset.back();
   out.neighbor.resize(offset.back());
-  parallelFor(count, grain, threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(count, grain, threadsForSteps(count, threads), [&](std::size_t begin, std::size_t end) {
     for (auto e = begin; e < end; ++e) {
       out.first[e] += offset[begin / grain];
       std::copy_n(neighbors.get() + e * room, counts[e], out.neighbor.data() + out.first[e]);
