@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -38,31 +40,41 @@ double squaredDistance(Point a, Point b) {
   return dx * dx + dy * dy;
 }
 
+/// 2^exponent times a number of twice the precision.
+class Scaling {
+ public:
+  explicit Scaling(int exponent) : exponent_(exponent), plain_(std::abs(exponent) < 1000) {
+    if (plain_) factor_ = std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
+  }
+  Wide operator()(Wide a) const {
+    return plain_ ? Wide{a.high * factor_, a.low * factor_}
+                  : Wide{std::ldexp(a.high, exponent_), std::ldexp(a.low, exponent_)};
+  }
+
+ private:
+  int exponent_;
+  bool plain_;
+  double factor_ = 1;
+};
+
 /// The center in twice the precision; the first point lies opposite the longest side.
 Place wideCircumcenter(const WeightedPoint& i, const WeightedPoint& j, const WeightedPoint& k) {
   const double longest = std::max({std::abs(j.x - i.x), std::abs(j.y - i.y), std::abs(k.x - i.x),
                                    std::abs(k.y - i.y), std::numeric_limits<double>::min()});
   int exponent = 0;
   std::frexp(longest, &exponent);
-  const auto difference = [exponent](double a, double b) {
-    const Wide d = Wide::sum(a, -b);
-    return Wide{std::ldexp(d.high, -exponent), std::ldexp(d.low, -exponent)};
-  };
+  const Scaling down(-exponent), twice_down(-2 * exponent), up(exponent);
+  const auto difference = [&](double a, double b) { return down(Wide::sum(a, -b)); };
   const Wide bx = difference(j.x, i.x), by = difference(j.y, i.y);
   const Wide cx = difference(k.x, i.x), cy = difference(k.y, i.y);
   const Wide area = bx * cy - by * cx;
   const Wide twice = area + area;
-  const auto lead = [exponent](double a, double b) {
-    const Wide d = Wide::sum(a, -b);
-    return Wide{std::ldexp(d.high, -2 * exponent), std::ldexp(d.low, -2 * exponent)};
-  };
+  const auto lead = [&](double a, double b) { return twice_down(Wide::sum(a, -b)); };
   const Wide bb = bx * bx + by * by + lead(i.weight, j.weight);
   const Wide cc = cx * cx + cy * cy + lead(i.weight, k.weight);
   const Wide rest_x = (cy * bb - by * cc) / twice;
   const Wide rest_y = (bx * cc - cx * bb) / twice;
-  const auto placed = [exponent](double from, Wide way) {
-    return Wide{from, 0} + Wide{std::ldexp(way.high, exponent), std::ldexp(way.low, exponent)};
-  };
+  const auto placed = [&](double from, Wide way) { return Wide{from, 0} + up(way); };
   const Wide x = placed(i.x, rest_x), y = placed(i.y, rest_y);
   return {{x.high, y.high}, {x.low, y.low}};
 }
