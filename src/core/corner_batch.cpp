@@ -3,15 +3,7 @@
 #include <algorithm>
 
 #include "core/circumcenter.h"
-
-// More versions of a loop, for processors that do four or eight doubles at once. The results are the same to
-// the bit, since no product and sum are ever fused. The thread sanitizer is not ready yet when such
-// versions are chosen.
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__SANITIZE_THREAD__)
-#define FOR_WIDE_TOO __attribute__((target_clones("arch=x86-64-v4", "avx2", "default")))
-#else
-#define FOR_WIDE_TOO
-#endif
+#include "core/processors.h"
 
 namespace vorpipe {
 

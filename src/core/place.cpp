@@ -11,6 +11,7 @@
 #include "core/circumcenter.h"
 #include "core/measure.h"
 #include "core/predicates.h"
+#include "core/processors.h"
 #include "core/wide.h"
 
 namespace vorpipe {
@@ -58,7 +59,7 @@ class Scaling {
 };
 
 /// The center in twice the precision; the first point lies opposite the longest side.
-Place wideCircumcenter(const WeightedPoint& i, const WeightedPoint& j, const WeightedPoint& k) {
+FOR_FUSED_TOO Place wideCircumcenter(const WeightedPoint& i, const WeightedPoint& j, const WeightedPoint& k) {
   const double longest = std::max({std::abs(j.x - i.x), std::abs(j.y - i.y), std::abs(k.x - i.x),
                                    std::abs(k.y - i.y), std::numeric_limits<double>::min()});
   int exponent = 0;
