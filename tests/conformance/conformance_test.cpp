@@ -85,6 +85,18 @@ TEST_P(Conformance, patternsDrawTheNearestEverywhere) {
   }
 }
 
+// From a fraction of a pixel to some pixels a cell: none, one or several centers are covered.
+TEST_P(Conformance, cellsSmallerThanPixelsDrawTheNearestEverywhere) {
+  for (const auto pattern : {Pattern::random, Pattern::square, Pattern::clusters}) {
+    for (const auto& [count, side] : {std::pair(20000, 60), {5000, 60}, {2500, 50}, {2500, 100}}) {
+      SCOPED_TRACE(testing::Message()
+                   << "pattern " << static_cast<int>(pattern) << ", " << count << " sites");
+      const auto sites = generate(pattern, static_cast<std::uint64_t>(count), 13);
+      EXPECT_EQ(expectRight(sites, unit, side, side + 7).report.ok, sites.size());
+    }
+  }
+}
+
 TEST_P(Conformance, collinearSitesGiveStrips) {
   Sites sites;
   for (int i = 0; i < 50; ++i) {
