@@ -13,8 +13,8 @@
 //   FAR                      farther than anything
 //   WEIGHTED                 defined or not: whether sites have weights
 //   CUTTING                  what the compiler is to know of the function that cuts
-//   UNROLL                   what it is to know of a loop over slots: done by the build, this takes a tenth of
-//                            the time that drivers need, who else do it whenever a program starts
+//   UNROLL                   what it is to know of a loop over slots: done by the build, this spares drivers most
+//                            of the time that they take to make a pipeline
 //   NOWHERE, SAME            parallel lines get this sine, and lines that are the same this much of a
 //                            distance, which rounding swallows for any others: so the former meet far
 //                            away, and the latter do too

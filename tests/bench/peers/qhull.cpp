@@ -17,7 +17,10 @@ namespace {
 
 struct Free {
   void operator()(qhT* run) const {
-    qh_freeqhull(run, qh_ALL);
+    // Large pieces first, then the buffers of all small ones.
+    qh_freeqhull(run, !qh_ALL);
+    int pieces = 0, bytes = 0;
+    qh_memfreeshort(run, &pieces, &bytes);
     std::unique_ptr<qhT>(run).reset();
   }
 };
