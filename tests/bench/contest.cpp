@@ -11,6 +11,7 @@
 namespace vorpipe::test {
 namespace {
 
+constexpr double short_run = 2;       // seconds
 constexpr double area_slack = 1e-12;  // of the domain, for the sum of all of vorpipe's cells
 
 tl::unexpected<Error> wrong(std::string what) {
@@ -25,7 +26,7 @@ Result<void> check(const Diagram& diagram, const Round& round) {
   return {};
 }
 
-Result<void> runSession(Session& session, Detail detail, Contest& contest, bool counts) {
+Result<void> runSession(Session& session, Detail detail, Contest& contest, Purpose purpose) {
   CellsOptions options{};
   options.domain = contest.round->input.set.domain;
   options.detail = detail;
@@ -33,32 +34,33 @@ Result<void> runSession(Session& session, Detail detail, Contest& contest, bool 
   const auto diagram = session.cells(contest.round->input.set.sites, options);
   const Taken taken = watch.taken();
   if (!diagram) return tl::unexpected(diagram.error());
-  if (counts) {
-    contest.add(taken);
-    return check(*diagram, *contest.round);
-  }
+  contest.add(taken, purpose);
+  if (purpose == Purpose::warm_up) return {};
+  if (purpose == Purpose::count) return check(*diagram, *contest.round);
   const auto diff = diffCells(contest.round->reference, *diagram);
   if (!diff) return tl::unexpected(diff.error());
   if (!diff->agree()) return wrong("wrong cells");
   return check(*diagram, *contest.round);
 }
 
-Result<void> runTriangulation(const Peer& peer, Contest& contest, bool counts) {
+Result<void> runTriangulation(const Peer& peer, Contest& contest, Purpose purpose) {
   const auto done = peer.triangulate(contest.round->input);
   if (!done) return tl::unexpected(done.error());
   const auto expected = contest.round->reference.triangles.size();
   if (done->triangles != expected)
     return wrong(fmt::format("{} triangles, not {}", done->triangles, expected));
-  if (counts) contest.add(done->taken);
+  contest.add(done->taken, purpose);
   return {};
 }
 
-Result<void> runPeer(const Peer& peer, Contest& contest, bool counts) {
+Result<void> runPeer(const Peer& peer, Contest& contest, Purpose purpose) {
   const auto done = peer.measure(contest.round->input);
   if (!done) return tl::unexpected(done.error());
-  auto differs = counts ? done->cells.areaDisagreement() : done->cells.disagreement(contest.round->reference);
+  contest.add(done->taken, purpose);
+  if (purpose == Purpose::warm_up) return {};
+  auto differs = purpose == Purpose::count ? done->cells.areaDisagreement()
+                                           : done->cells.disagreement(contest.round->reference);
   if (!differs.empty()) return wrong(std::move(differs));
-  if (counts) contest.add(done->taken);
   return {};
 }
 
@@ -88,15 +90,21 @@ std::vector<bench::Course> makeCourses(Contestants& contestants, const std::dequ
     const auto name =
         fmt::format("{}, {} of {}", contest.program, contest.job == Job::full ? "full job" : "triangulation",
                     contest.round->input.set.name);
-    courses.push_back({name, [&contest, run](bool counts) { return run(contest, counts); }});
+    courses.push_back({name, [&contest, run](bool counts) -> Result<void> {
+                         if (!counts) return run(contest, Purpose::check);
+                         if (contest.last_seconds < short_run) {
+                           if (auto warmed = run(contest, Purpose::warm_up); !warmed) return warmed;
+                         }
+                         return run(contest, Purpose::count);
+                       }});
   };
   for (const auto& round : rounds) {
     for (auto& opened : contestants.sessions) {
       const auto& device = opened.session.device();
       add({"vorpipe " + device.backend, fmt::format("{} on {}", version(), device.name),
            opened.threads == 0 ? "all" : std::to_string(opened.threads), Job::full, &round, false},
-          [&session = opened.session, detail = contestants.detail](Contest& contest, bool counts) {
-            return runSession(session, detail, contest, counts);
+          [&session = opened.session, detail = contestants.detail](Contest& contest, Purpose purpose) {
+            return runSession(session, detail, contest, purpose);
           });
     }
     const bool weighted = !round.input.sites.weight.empty();
@@ -104,10 +112,10 @@ std::vector<bench::Course> makeCourses(Contestants& contestants, const std::dequ
       if (weighted ? !peer.with_weights : !peer.without_weights) continue;
       const Contest contest{peer.what, peer.version, "1", Job::triangulation, &round, true};
       if (peer.triangulate)
-        add(contest, [&peer](Contest& c, bool counts) { return runTriangulation(peer, c, counts); });
+        add(contest, [&peer](Contest& c, Purpose purpose) { return runTriangulation(peer, c, purpose); });
       Contest full = contest;
       full.job = Job::full;
-      add(full, [&peer](Contest& c, bool counts) { return runPeer(peer, c, counts); });
+      add(full, [&peer](Contest& c, Purpose purpose) { return runPeer(peer, c, purpose); });
     }
   }
   for (std::size_t k = 0; k < courses.size(); ++k) contests[k].course = &courses[k];

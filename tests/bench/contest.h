@@ -33,6 +33,9 @@ struct Round {
   Diagram reference;  ///< with triangles
 };
 
+/// What a run is for: first the result is compared with what is right; then times count.
+enum class Purpose : std::uint8_t { check, warm_up, count };
+
 /// One line of a table.
 struct Contest {
   std::string program, version, threads;
@@ -41,8 +44,11 @@ struct Contest {
   bool is_peer;
   const bench::Course* course = nullptr;
   bench::Samples seconds{}, cpu_seconds{};
+  double last_seconds = 0;
 
-  void add(Taken taken) {
+  void add(Taken taken, Purpose purpose) {
+    last_seconds = taken.seconds;
+    if (purpose != Purpose::count) return;
     seconds.push_back(taken.seconds);
     cpu_seconds.push_back(taken.cpu_seconds);
   }
@@ -53,7 +59,8 @@ struct Contest {
 /// One course for each contestant that takes the sites of a round, and for each of its jobs; each contest's
 /// times arrive as its course runs. A course fails when its result differs from the reference: in the number
 /// of triangles; in a cell's status, neighbors or area; or if, in any repetition, the areas do not add up to
-/// the domain's.
+/// the domain's. What is short runs twice, and the second one counts: before it another program may have run
+/// for seconds, in all caches.
 std::vector<bench::Course> makeCourses(Contestants& contestants, const std::deque<Round>& rounds,
                                        std::deque<Contest>& contests);
 
