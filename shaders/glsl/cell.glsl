@@ -13,6 +13,8 @@
 //   FAR                      farther than anything
 //   WEIGHTED                 defined or not: whether sites have weights
 //   CUTTING                  what the compiler is to know of the function that cuts
+//   real lesserWhere(real sign, real a, real b), greaterWhere
+//                            a where sign is positive and a is less, or greater, than b; b elsewhere
 //   UNROLL                   what it is to know of a loop over slots: done by the build, this spares drivers most
 //                            of the time that they take to make a pipeline
 //   NOWHERE, SAME            parallel lines get this sine, and lines that are the same this much of a
@@ -79,47 +81,40 @@ void beginCell(INOUT(Cell) c, vec4 walls) {
 // Parallel lines meet far away, on the side that leaves of an edge all or nothing: of two that face one
 // way the outer is dropped, and the new one where they are the same.
 // The line of an edge that is gone is still a true bound of the cell, so free slots need no test.
-// Compare and select, not min and max: those take three instructions each where NaN must be heeded. And
-// || and && between variables and plain comparisons: anything more becomes a branch.
+// || and && stand between variables and plain comparisons: anything more becomes a branch.
 CUTTING void cutCell(INOUT(Cell) c, vec2 n, real h, cell_int line) {
     real lo = -FAR;
     real hi = FAR;
-    cell_bool some = cell_bool(false);
     UNROLL for (int k = 0; k < EDGE_END; k++) {
         real cross = c.nx[k] * n.y - c.ny[k] * n.x;
         real sine = abs(cross) < NOWHERE ? NOWHERE : cross;
         real cosine = c.nx[k] * n.x + c.ny[k] * n.y;
         real at_k = (h - c.h[k] * cosine + SAME) / sine;
         real at = at_k * cosine - c.h[k] * sine;
-        cell_bool forward = sine > real(0.0);
-        cell_bool backward = !forward;
-        real end = c.hi[k];
-        real begin = c.lo[k];
-        c.hi[k] = forward && at_k < end ? at_k : end;
-        c.lo[k] = backward && at_k > begin ? at_k : begin;
-        lo = forward && at > lo ? at : lo;
-        hi = backward && at < hi ? at : hi;
-        cell_bool edge = isEdge(c, k);
-        some = some || edge;
+        c.hi[k] = lesserWhere(sine, at_k, c.hi[k]);
+        c.lo[k] = greaterWhere(-sine, at_k, c.lo[k]);
+        lo = greaterWhere(sine, at, lo);
+        hi = lesserWhere(-sine, at, hi);
     }
     cell_bool gone = c.empty;
     cell_bool waiting = lo < hi && !gone;
-    some = some || waiting;
-    c.empty = gone || !some;
+    cell_bool some = waiting;
 #ifdef WEIGHTED
     c.last = gone ? c.last : line;
 #endif
     UNROLL for (int k = 0; k < EDGE_END; k++) {
         cell_bool edge = isEdge(c, k);
         cell_bool put = waiting && !edge;
+        some = some || edge;
         c.nx[k] = put ? n.x : c.nx[k];
         c.ny[k] = put ? n.y : c.ny[k];
         c.h[k] = put ? h : c.h[k];
         c.lo[k] = put ? lo : c.lo[k];
         c.hi[k] = put ? hi : c.hi[k];
         c.line[k] = put ? line : c.line[k];
-        waiting = waiting && !put;
+        waiting = waiting && edge;
     }
+    c.empty = gone || !some;
     c.overflow = waiting || c.overflow;
 }
 

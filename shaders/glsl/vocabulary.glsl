@@ -18,3 +18,7 @@
 #define SAME 1.0e-30
 
 #define EDGE_END MAX_EDGES
+
+// Not by min and max, which take three instructions where NaN must be heeded.
+real lesserWhere(real sign, real a, real b) { return sign > 0.0 && a < b ? a : b; }
+real greaterWhere(real sign, real a, real b) { return sign > 0.0 && a > b ? a : b; }

@@ -50,6 +50,15 @@ struct Number<double> {
   static constexpr double same() { return 1e-120; }
 };
 
+template <class Real>
+Real lesserWhere(const Real& sign, const Real& a, const Real& b) {
+  return sign > Real(0) && a < b ? a : b;
+}
+template <class Real>
+Real greaterWhere(const Real& sign, const Real& a, const Real& b) {
+  return sign > Real(0) && a > b ? a : b;
+}
+
 /// GLM's vectors hold plain numbers alone.
 template <class Real>
 struct Pair {

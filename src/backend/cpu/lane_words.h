@@ -48,11 +48,28 @@ inline Ints everyInt(const Reals& a) { return __builtin_convertvector(a, Ints); 
 inline Ints everyBool(bool a) { return everyInt(a ? -1 : 0); }
 inline Reals max(const Reals& a, const Reals& b) { return a < b ? b : a; }
 inline Reals min(const Reals& a, const Reals& b) { return b < a ? b : a; }
+#if VORPIPE_LANES == 16
+// One instruction: compilers take two, of which one waits for the other.
+inline __mmask16 isPositive(const Reals& a) { return _mm512_cmp_ps_mask(a, Reals{}, _CMP_GT_OQ); }
+inline Reals lesserWhere(const Reals& sign, const Reals& a, const Reals& b) {
+  return _mm512_mask_min_ps(b, isPositive(sign), a, b);
+}
+inline Reals greaterWhere(const Reals& sign, const Reals& a, const Reals& b) {
+  return _mm512_mask_max_ps(b, isPositive(sign), a, b);
+}
+#else
+inline Reals lesserWhere(const Reals& sign, const Reals& a, const Reals& b) {
+  return sign > 0 && a < b ? a : b;
+}
+inline Reals greaterWhere(const Reals& sign, const Reals& a, const Reals& b) {
+  return sign > 0 && a > b ? a : b;
+}
+#endif
 inline Ints max(const Ints& a, const Ints& b) { return a < b ? b : a; }
 inline Ints min(const Ints& a, const Ints& b) { return b < a ? b : a; }
 inline Doubles max(const Doubles& a, const Doubles& b) { return a < b ? b : a; }
 inline Doubles min(const Doubles& a, const Doubles& b) { return b < a ? b : a; }
-inline Reals abs(const Reals& a) { return a < 0 ? -a : a; }
+inline Reals abs(const Reals& a) { return reinterpret_cast<Reals>(reinterpret_cast<Ints>(a) & 0x7FFFFFFF); }
 inline Reals sqrt(const Reals& a) {
   Reals root;
   for (int lane = 0; lane < lane_count; ++lane) root[lane] = __builtin_sqrtf(a[lane]);
