@@ -27,8 +27,9 @@ Result<GridDrawing::Indices> GridDrawing::draw(std::span<const std::uint32_t> wh
   left_.clear();
   cells_ = which.size();
   done_ = 0;
-  auto unfit =
-      forTiles(sites_, backend_.info(), which, threads_, [&](const Tile& tile) { return drawTile(tile); });
+  auto unfit = forTiles(
+      sites_, backend_.info(), which, threads_, [&](const Tile& tile) { return drawTile(tile); },
+      [&] { return judge_.areMany(left_.size()); });
   if (!unfit) return unfit;
   left_.insert(left_.end(), unfit->begin(), unfit->end());
   return std::move(left_);

@@ -27,6 +27,11 @@ class Finding {
     return areMany(sample.expected(failed)) ? leave(tile, sample.rest) : findAll(tile, sample.rest);
   }
 
+  /// Whether the cells that are left, with some more and those never asked for, are worth the mesh of all.
+  [[nodiscard]] bool areMany(std::size_t more) const {
+    return input_.judge.areMany(left.size() + more + (input_.sites.size() - cells_));
+  }
+
   [[nodiscard]] double uploadSeconds() const { return upload_.seconds(); }
 
   Indices left;  ///< in the whole set; neither certified nor worth another try on the device
@@ -39,11 +44,6 @@ class Finding {
     if (auto found = find(tile, full, Effort::roomy, "large cells", full); !found) return found;
     done_ += which.size();
     return {};
-  }
-
-  /// Whether the cells that are left, with some more and those never asked for, are worth the mesh of all.
-  [[nodiscard]] bool areMany(std::size_t more) const {
-    return input_.judge.areMany(left.size() + more + (input_.sites.size() - cells_));
   }
 
   /// What the mesh finds on the way.
@@ -104,8 +104,9 @@ class Finding {
 Result<Indices> findByGrid(const TopologyInput& input, std::span<const std::uint32_t> which,
                            Gathering& gathering, Report& report) {
   Finding finding(input, which.size(), gathering, report);
-  auto unfit = forTiles(input.sites, input.backend.info(), which, input.threads,
-                        [&](const Tile& tile) { return finding.findTile(tile); });
+  auto unfit = forTiles(
+      input.sites, input.backend.info(), which, input.threads,
+      [&](const Tile& tile) { return finding.findTile(tile); }, [&] { return finding.areMany(0); });
   if (!unfit) return unfit;
   report.time_ms.upload = 1e3 * finding.uploadSeconds();
   finding.left.insert(finding.left.end(), unfit->begin(), unfit->end());

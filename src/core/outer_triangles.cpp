@@ -98,7 +98,7 @@ class OuterMesh {
  private:
   const SiteSet& sites_;
   std::vector<std::uint32_t> cells_;
-  std::vector<MeshTriangle> mesh_;
+  BigVector<MeshTriangle> mesh_;
 };
 
 /// The edges, sorted, of triangles between sites of the mesh.

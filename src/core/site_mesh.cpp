@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/curve_order.h"
+#include "parallel.h"
 
 namespace vorpipe {
 namespace {
@@ -38,23 +39,28 @@ bool areInRange(const std::vector<double>& weights) {
 
 /// The mesh with its points numbered by index in the set.
 Mesh triangulate(const SiteSet& sites, int threads) {
+  constexpr std::size_t grain = std::size_t{1} << 15;
   const auto order = orderAlongCurve(sites, threads);
   std::vector<Point> points(order.size());
-  for (std::size_t k = 0; k < points.size(); ++k) points[k] = {sites.x[order[k]], sites.y[order[k]]};
-  std::vector<double> weights;
-  if (!sites.weight.empty()) {
-    weights.resize(order.size());
-    std::transform(order.begin(), order.end(), weights.begin(), [&](auto i) { return sites.weight[i]; });
-  }
-  auto mesh = delaunay(std::move(points), std::move(weights));
+  std::vector<double> weights(sites.weight.empty() ? 0 : order.size());
+  parallelFor(order.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto k = begin; k < end; ++k) points[k] = {sites.x[order[k]], sites.y[order[k]]};
+    if (weights.empty()) return;
+    for (auto k = begin; k < end; ++k) weights[k] = sites.weight[order[k]];
+  });
+  auto mesh = delaunay(std::move(points), std::move(weights), threads);
   if (mesh.triangles.empty()) return mesh;
-  for (auto& triangle : mesh.triangles) {
-    for (auto& corner : triangle.corner) {
-      if (corner != beyond) corner = static_cast<std::int32_t>(order[static_cast<std::size_t>(corner)]);
+  parallelFor(mesh.triangles.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto t = begin; t < end; ++t) {
+      for (auto& corner : mesh.triangles[t].corner) {
+        if (corner != beyond) corner = static_cast<std::int32_t>(order[static_cast<std::size_t>(corner)]);
+      }
     }
-  }
+  });
   std::vector<std::int32_t> at(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k) at[order[k]] = mesh.at[k];
+  parallelFor(order.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto k = begin; k < end; ++k) at[order[k]] = mesh.at[k];
+  });
   mesh.at = std::move(at);
   return mesh;
 }

@@ -46,15 +46,16 @@ std::vector<std::uint32_t> ownCells(const Grid& grid, const BinBlock& tile,
 /// Calls work for a set, its tiles and its crowded regions, and theirs.
 class Parts {
  public:
-  Parts(const BackendInfo& info, int threads, const std::function<Result<void>(const Tile&)>& work)
-      : info_(info), threads_(threads), work_(work) {}
+  Parts(const BackendInfo& info, int threads, const std::function<Result<void>(const Tile&)>& work,
+        const std::function<bool()>& is_over)
+      : info_(info), threads_(threads), work_(work), is_over_(is_over) {}
 
   Result<void> work(const Tile& part, int depth) {
     auto crowding = sortByCrowding(part.sites.grid, part.own, threads_);
     leave(part, crowding.hopeless);
     if (auto worked = workOnTiles({part.sites, crowding.even, part.whole}); !worked) return worked;
     for (const auto& region : crowding.regions) {
-      if (depth == deepest) {
+      if (depth == deepest || is_over_()) {
         leave(part, region.own);
         continue;
       }
@@ -95,6 +96,7 @@ class Parts {
   const BackendInfo& info_;
   int threads_;
   const std::function<Result<void>(const Tile&)>& work_;
+  const std::function<bool()>& is_over_;
 };
 
 /// Gives a part, which has what is in a block of a set's bins, the set's weights and heavy sites: those that
@@ -184,10 +186,10 @@ bool fits(const SiteSet& sites, const BackendInfo& info) {
 
 Result<std::vector<std::uint32_t>> forTiles(const SiteSet& sites, const BackendInfo& info,
                                             std::span<const std::uint32_t> which, int threads,
-                                            const std::function<Result<void>(const Tile&)>& work) {
-  Parts parts(info, threads, work);
+                                            const std::function<Result<void>(const Tile&)>& work,
+                                            const std::function<bool()>& is_over) {
+  Parts parts(info, threads, work, is_over);
   if (auto worked = parts.work({sites, which, {}}, 0); !worked) return tl::unexpected(worked.error());
-  std::sort(parts.left.begin(), parts.left.end());
   return std::move(parts.left);
 }
 

@@ -1,8 +1,8 @@
 #include "core/topology.h"
 
-#include <algorithm>
 #include <numeric>
 
+#include "core/distinct.h"
 #include "core/gather.h"
 #include "core/grid_topology.h"
 #include "core/hidden.h"
@@ -41,7 +41,7 @@ Result<Topology> findTopology(const TopologyInput& input, Report& report) {
                       : findByLists(input, triage.inside, gathering, report);
   if (!left) return tl::unexpected(left.error());
   left->insert(left->end(), triage.outside.begin(), triage.outside.end());
-  std::sort(left->begin(), left->end());
+  sortDistinct(*left, static_cast<std::uint32_t>(input.sites.size()));
   report.in_double += left->size();
   auto found = input.judge.find(*left, Effort::in_double, input.threads, input.progress, report.exact);
   if (!found) return tl::unexpected(found.error());

@@ -143,6 +143,48 @@ TEST(Delaunay, byWeight) {
   EXPECT_EQ(broken(line, delaunay(line, heavy), heavy), "");
 }
 
+/// So that those near each other are near each other in the order.
+std::vector<Point> inRows(std::vector<Point> points) {
+  std::sort(points.begin(), points.end(), [](Point a, Point b) {
+    const double row_a = std::floor(50 * a.y), row_b = std::floor(50 * b.y);
+    return row_a != row_b ? row_a < row_b : a.x < b.x;
+  });
+  return points;
+}
+
+bool areSame(const Mesh& a, const Mesh& b) {
+  return a.at == b.at && std::equal(a.triangles.begin(), a.triangles.end(), b.triangles.begin(),
+                                    b.triangles.end(), [](const MeshTriangle& s, const MeshTriangle& t) {
+                                      return s.corner == t.corner && s.across == t.across;
+                                    });
+}
+
+TEST(Delaunay, ofManyPointsInParts) {
+  constexpr std::size_t count = 40000;
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::vector<Point> even(count), curves(count), shuffled(count);
+  for (auto& p : even) p = {unit(random), unit(random)};
+  for (std::size_t i = 0; i < count; ++i) {
+    const double t = unit(random);
+    curves[i] = i % 2 == 0 ? Point{t, 0.3 * t * t} : Point{t, 0.6 + 0.3 * std::sin(9 * t)};
+    shuffled[i] = even[i];
+  }
+  for (const auto& points : {inRows(even), inRows(curves), shuffled}) {
+    const auto mesh = delaunay(points, {}, 1);
+    EXPECT_EQ(broken(points, mesh), "");
+    EXPECT_TRUE(areSame(mesh, delaunay(points, {}, 3))) << "the mesh depends on the number of threads";
+    // Such as hide few sites, and most of them.
+    for (const double most : {1e-5, 1e-3}) {
+      std::vector<double> weights(count);
+      for (auto& weight : weights) weight = most * unit(random);
+      const auto by_weight = delaunay(points, weights, 1);
+      EXPECT_EQ(broken(points, by_weight, weights), "") << most;
+      EXPECT_TRUE(areSame(by_weight, delaunay(points, weights, 3))) << most;
+    }
+  }
+}
+
 /// Those whose cells would have no area, in whatever order points are inserted.
 TEST(Delaunay, hidesPointsOnTheVerge) {
   constexpr int side = 11;

@@ -73,7 +73,7 @@ void expectEverySiteInOneTile(const SiteSet& sites, std::uint64_t most_sites, st
   info.max_sites = most_sites;
   info.max_bins = most_bins;
   std::vector<int> times(sites.size());
-  const auto left = forTiles(sites, info, allOf(sites), 2, [&](const Tile& tile) -> Result<void> {
+  const auto work = [&](const Tile& tile) -> Result<void> {
     EXPECT_LE(tile.sites.size(), most_sites);
     EXPECT_LE(tile.sites.grid.first.size() - 1, most_bins);
     EXPECT_TRUE(std::is_sorted(tile.own.begin(), tile.own.end()));
@@ -82,7 +82,8 @@ void expectEverySiteInOneTile(const SiteSet& sites, std::uint64_t most_sites, st
       EXPECT_EQ(tile.sites.id[site], sites.id[tile.wholeIndex(site)]);
     }
     return {};
-  });
+  };
+  const auto left = forTiles(sites, info, allOf(sites), 2, work, [] { return false; });
   ASSERT_TRUE(left);
   for (const auto site : *left) ++times[site];
   for (std::size_t i = 0; i < times.size(); ++i) ASSERT_EQ(times[i], 1) << "site " << i;
@@ -103,12 +104,31 @@ TEST(Tiles, SitesThatNoTileHoldsAreLeft) {
   info.max_sites = 20;
   info.max_bins = 20;
   const auto sites = preparedSites(Pattern::random, 5000);
-  const auto left = forTiles(sites, info, allOf(sites), 2, [](const Tile&) -> Result<void> {
+  const auto work = [](const Tile&) -> Result<void> {
     ADD_FAILURE() << "a tile with a halo has more than 20 bins";
     return {};
-  });
+  };
+  auto left = forTiles(sites, info, allOf(sites), 2, work, [] { return false; });
   ASSERT_TRUE(left);
+  std::sort(left->begin(), left->end());
   EXPECT_EQ(*left, allOf(sites));
+}
+
+TEST(Tiles, CrowdedRegionsAreLeftOnceItIsOver) {
+  BackendInfo info;
+  info.max_sites = info.max_bins = 1 << 20;
+  const auto sites = preparedSites(Pattern::circle, 20000);
+  std::size_t tiles = 0, found = 0;
+  const auto work = [&](const Tile& tile) -> Result<void> {
+    ++tiles;
+    found += tile.own.size();
+    return {};
+  };
+  const auto left = forTiles(sites, info, allOf(sites), 2, work, [&] { return tiles >= 2; });
+  ASSERT_TRUE(left);
+  EXPECT_EQ(tiles, 2u);
+  EXPECT_FALSE(left->empty());
+  EXPECT_EQ(left->size() + found, sites.size());
 }
 
 TEST(Tiles, KnowTheirSites) {

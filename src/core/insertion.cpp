@@ -1,0 +1,199 @@
+#include "core/insertion.h"
+
+#include <algorithm>
+
+namespace vorpipe {
+namespace {
+
+constexpr auto none = GrowingMesh::none;
+
+std::size_t next(std::size_t k) { return k == 2 ? 0 : k + 1; }
+
+/// For p on the line through a and b.
+bool isBetween(Point a, Point b, Point p) {
+  return a.x != b.x ? (a.x < p.x) == (p.x < b.x) : (a.y < p.y) == (p.y < b.y);
+}
+
+}  // namespace
+
+Insertion::Insertion(GrowingMesh& mesh, Region region, std::int32_t first)
+    : mesh_(mesh), region_(region), first_(first), last_(none) {}
+
+Insertion::Insertion(GrowingMesh& mesh, std::int32_t start)
+    : mesh_(mesh), region_(anywhere), first_(0), last_(start) {}
+
+WeightedPoint Insertion::weighted(std::int32_t i) const {
+  return {at(i), mesh_.weights[static_cast<std::size_t>(i)]};
+}
+
+bool Insertion::mayChange(std::int32_t t) const {
+  return region_ == anywhere || mesh_.region[static_cast<std::size_t>(t)] == region_;
+}
+
+bool Insertion::mayLookAt(std::int32_t t) const {
+  return mayChange(t) || mesh_.region[static_cast<std::size_t>(t)] == of_several;
+}
+
+/// Whether point i is inside a triangle's circle. That of an edge of the hull and the point at infinity is
+/// the half-plane outside, and the edge itself, as far as it does not hide the point by weight.
+///
+/// By weight, ties are broken as if each square of a distance counted for (1 - e) of itself: what changes
+/// by that is the plain test with its sign turned. So a point whose cell has no area is hidden, and not a
+/// corner of triangles or not as the order of insertion has it.
+bool Insertion::conflicts(std::int32_t t, std::int32_t i) {
+  const auto& corner = triangle(t).corner;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (corner[k] != beyond) continue;
+    const auto a = corner[next(k)], b = corner[next(next(k))];
+    const int side = orientation(at(a), at(b), at(i));
+    return side > 0 || (side == 0 && conflictsOnLine(a, b, i));
+  }
+  const auto inPlain = [&] { return inCircle(at(corner[0]), at(corner[1]), at(corner[2]), at(i)); };
+  if (mesh_.weights.empty()) return inPlain() > 0;
+  const int inside = inCircle(weighted(corner[0]), weighted(corner[1]), weighted(corner[2]), weighted(i));
+  return inside != 0 ? inside > 0 : inPlain() < 0;
+}
+
+/// For point i on the line through a and b.
+bool Insertion::conflictsOnLine(std::int32_t a, std::int32_t b, std::int32_t i) {
+  const bool between = isBetween(at(a), at(b), at(i));
+  if (mesh_.weights.empty()) return between;
+  const int inside = inInterval(weighted(a), weighted(b), weighted(i));
+  return inside != 0 ? inside > 0 : !between;
+}
+
+/// A triangle at the point that was inserted and is next to i in the order of points, or near it there.
+std::int32_t Insertion::nearby(std::int32_t i) {
+  constexpr std::int32_t most_looked_at = 64;
+  const auto first = std::max(i >= first_ ? first_ : 0, i - most_looked_at);
+  while (--i >= first) {
+    if (spoke(i) != none) return spoke(i);
+  }
+  return last_;
+}
+
+std::int32_t Insertion::locate(std::int32_t i) {
+  const Point p = at(i);
+  auto t = nearby(i);
+  while (t != none && mayLookAt(t)) {
+    const auto& here = triangle(t);
+    const auto outside = std::find(here.corner.begin(), here.corner.end(), beyond);
+    if (outside != here.corner.end()) {
+      if (conflicts(t, i)) return t;
+      t = here.across[static_cast<std::size_t>(outside - here.corner.begin())];
+    } else if (containsOrLeave(t, p)) {
+      return t;
+    }
+  }
+  return none;
+}
+
+/// Whether p is in triangle t; else t becomes the one across an edge that has p on its other side.
+bool Insertion::containsOrLeave(std::int32_t& t, Point p) {
+  const auto& here = triangle(t);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (orientation(at(here.corner[next(k)]), at(here.corner[next(next(k))]), p) < 0) {
+      t = here.across[k];
+      return false;
+    }
+  }
+  return true;
+}
+
+bool Insertion::insert(std::int32_t point, std::int32_t room) {
+  leaveEmpty(room);
+  leaveEmpty(room + 1);
+  const auto first = locate(point);
+  if (first == none) return false;
+  if (!mesh_.weights.empty() && !conflicts(first, point)) {
+    hidden.push_back(point);
+    return true;
+  }
+  if (!findCavity(point, first)) {
+    for (const auto t : cavity_) isInCavity(t) = 0;
+    return false;
+  }
+  if (rim_.size() != cavity_.size() + 2) noteCorners();
+  fill(point, room);
+  hideCorners();
+  return true;
+}
+
+/// Finds the triangles that conflict with point i, and the edges around them. False if it comes upon a
+/// triangle that is not to be changed.
+bool Insertion::findCavity(std::int32_t i, std::int32_t first) {
+  cavity_.clear();
+  rim_.clear();
+  const auto take = [&](std::int32_t t) {
+    isInCavity(t) = 1;
+    cavity_.push_back(t);
+  };
+  if (!mayChange(first)) return false;
+  take(first);
+  for (std::size_t c = 0; c < cavity_.size(); ++c) {
+    const auto here = triangle(cavity_[c]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto other = here.across[k];
+      if (!mayChange(other)) return false;
+      if (isInCavity(other) != 0) continue;
+      if (conflicts(other, i)) {
+        take(other);
+      } else {
+        rim_.push_back({here.corner[next(k)], here.corner[next(next(k))], other});
+      }
+    }
+  }
+  return true;
+}
+
+/// Each corner that is hidden leaves two triangles fewer.
+void Insertion::noteCorners() {
+  for (const auto t : cavity_) {
+    for (const auto corner : triangle(t).corner) corners_.push_back(corner);
+  }
+}
+
+/// Hides those of the noted corners that no triangle is at any more.
+void Insertion::hideCorners() {
+  for (const auto corner : corners_) {
+    auto& at_corner = spoke(corner);
+    if (at_corner == none) continue;
+    const auto& left = triangle(at_corner).corner;
+    if (std::find(left.begin(), left.end(), corner) != left.end()) continue;
+    at_corner = none;
+    hidden.push_back(corner);
+  }
+  corners_.clear();
+}
+
+/// Makes a triangle of p and each edge of the cavity's rim. Every corner of a triangle that goes begins a rim
+/// edge of those that replace it, or is hidden.
+void Insertion::fill(std::int32_t p, std::int32_t room) {
+  const auto newTriangle = [&] {
+    mesh_.region[static_cast<std::size_t>(room)] = region_;
+    return room++;
+  };
+  for (std::size_t r = 0; r < rim_.size(); ++r) {
+    const auto [from, to, outer] = rim_[r];
+    const auto t = r < cavity_.size() ? cavity_[r] : newTriangle();
+    isInCavity(t) = 0;
+    triangle(t) = {{p, from, to}, {outer, beyond, beyond}};
+    auto& back = triangle(outer);
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (back.corner[next(k)] == to && back.corner[next(next(k))] == from) back.across[k] = t;
+    }
+    spoke(from) = t;
+    rim_[r].outer = t;
+  }
+  for (const auto& edge : rim_) {
+    // The triangle after this one around p begins where this one ends.
+    const auto after = spoke(edge.to);
+    triangle(edge.outer).across[1] = after;
+    triangle(after).across[2] = edge.outer;
+  }
+  last_ = rim_[0].outer;
+  spoke(p) = last_;
+  for (auto c = rim_.size(); c < cavity_.size(); ++c) leaveEmpty(cavity_[c]);
+}
+
+}  // namespace vorpipe

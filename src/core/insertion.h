@@ -1,0 +1,84 @@
+/// Points inserted into a triangulation, anywhere or in a region that one thread has to itself.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/delaunay.h"
+#include "core/predicates.h"
+
+namespace vorpipe {
+
+/// Regions are numbered from 0; a triangle is of that region which all of its corners but `beyond` are of.
+using Region = std::uint8_t;
+inline constexpr Region of_several = 254;  ///< of a triangle: of no one region
+inline constexpr Region anywhere = 255;    ///< of an Insertion: all triangles are its own
+
+/// A triangulation of those points that have been inserted.
+struct GrowingMesh {
+  const std::vector<Point>& points;
+  const std::vector<double>& weights;      ///< empty, or by point
+  BigVector<MeshTriangle> triangles;       ///< those that are none have `beyond` for all corners
+  BigVector<Region> region;                ///< by triangle; read only by insertions into regions
+  std::vector<std::uint8_t> is_in_cavity;  ///< by triangle
+  std::vector<std::int32_t> spoke;         ///< by point: a triangle there, or `none`
+
+  static constexpr std::int32_t none = -1;
+};
+
+/// Inserts points. Several may work on one mesh at a time, each in a region of its own: they change and look
+/// at triangles of their own, and look at those of several, which stay as they are meanwhile.
+class Insertion {
+ public:
+  /// Into a region whose points begin with `first`; after the last of all points may come the very first.
+  Insertion(GrowingMesh& mesh, Region region, std::int32_t first);
+
+  /// Anywhere; `start` is a triangle to set out from.
+  Insertion(GrowingMesh& mesh, std::int32_t start);
+
+  /// Inserts a point. Up to two new triangles take the places `room` and `room` + 1; what is not needed of
+  /// these becomes none. False, and the mesh is as it was, if that takes triangles beyond the region.
+  bool insert(std::int32_t point, std::int32_t room);
+
+  /// A triangle with point i in it; outside the hull, one that conflicts with it. `none` if the way there
+  /// leads beyond the region.
+  std::int32_t locate(std::int32_t i);
+
+  /// Points that were found hidden, or were hidden by others.
+  std::vector<std::int32_t> hidden;
+
+ private:
+  struct RimEdge {
+    std::int32_t from, to, outer;  ///< and the triangle behind it; in the end, the one before it
+  };
+  [[nodiscard]] Point at(std::int32_t i) const { return mesh_.points[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] WeightedPoint weighted(std::int32_t i) const;
+  [[nodiscard]] bool mayChange(std::int32_t t) const;
+  [[nodiscard]] bool mayLookAt(std::int32_t t) const;
+  MeshTriangle& triangle(std::int32_t t) { return mesh_.triangles[static_cast<std::size_t>(t)]; }
+  std::uint8_t& isInCavity(std::int32_t t) { return mesh_.is_in_cavity[static_cast<std::size_t>(t)]; }
+  std::int32_t& spoke(std::int32_t corner) {
+    return corner == beyond ? spoke_of_beyond_ : mesh_.spoke[static_cast<std::size_t>(corner)];
+  }
+  bool conflicts(std::int32_t t, std::int32_t i);
+  bool conflictsOnLine(std::int32_t a, std::int32_t b, std::int32_t i);
+  std::int32_t nearby(std::int32_t i);
+  bool containsOrLeave(std::int32_t& t, Point p);
+  bool findCavity(std::int32_t i, std::int32_t first);
+  void noteCorners();
+  void hideCorners();
+  void fill(std::int32_t p, std::int32_t room);
+  void leaveEmpty(std::int32_t t) { triangle(t).corner = {beyond, beyond, beyond}; }
+
+  GrowingMesh& mesh_;
+  Region region_;
+  std::int32_t first_;  ///< of the region's points
+  std::vector<std::int32_t> cavity_;
+  std::vector<RimEdge> rim_;
+  std::vector<std::int32_t> corners_;  ///< of the cavity, if some go with it
+  std::int32_t spoke_of_beyond_ = GrowingMesh::none;
+  std::int32_t last_;  ///< the triangle made last, or where to set out from; or none
+};
+
+}  // namespace vorpipe
