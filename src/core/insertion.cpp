@@ -1,6 +1,7 @@
 #include "core/insertion.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace vorpipe {
 namespace {
@@ -74,30 +75,29 @@ std::int32_t Insertion::nearby(std::int32_t i) {
 
 std::int32_t Insertion::locate(std::int32_t i) {
   const Point p = at(i);
-  auto t = nearby(i);
+  auto t = nearby(i), from = none;
   while (t != none && mayLookAt(t)) {
     const auto& here = triangle(t);
     const auto outside = std::find(here.corner.begin(), here.corner.end(), beyond);
-    if (outside != here.corner.end()) {
-      if (conflicts(t, i)) return t;
-      t = here.across[static_cast<std::size_t>(outside - here.corner.begin())];
-    } else if (containsOrLeave(t, p)) {
-      return t;
-    }
+    if (outside != here.corner.end() && conflicts(t, i)) return t;
+    const auto to = outside != here.corner.end()
+                        ? here.across[static_cast<std::size_t>(outside - here.corner.begin())]
+                        : acrossTowards(p, t, from);
+    if (to == t) return t;
+    from = std::exchange(t, to);
   }
   return none;
 }
 
-/// Whether p is in triangle t; else t becomes the one across an edge that has p on its other side.
-bool Insertion::containsOrLeave(std::int32_t& t, Point p) {
+/// The triangle across an edge of t that has p on its other side; t if there is none. The way here came from
+/// the triangle `from`, on whose side p is not.
+std::int32_t Insertion::acrossTowards(Point p, std::int32_t t, std::int32_t from) {
   const auto& here = triangle(t);
   for (std::size_t k = 0; k < 3; ++k) {
-    if (orientation(at(here.corner[next(k)]), at(here.corner[next(next(k))]), p) < 0) {
-      t = here.across[k];
-      return false;
-    }
+    if (here.across[k] == from) continue;
+    if (orientation(at(here.corner[next(k)]), at(here.corner[next(next(k))]), p) < 0) return here.across[k];
   }
-  return true;
+  return t;
 }
 
 bool Insertion::insert(std::int32_t point, std::int32_t room) {

@@ -64,7 +64,7 @@ class Insertion {
   bool conflicts(std::int32_t t, std::int32_t i);
   bool conflictsOnLine(std::int32_t a, std::int32_t b, std::int32_t i);
   std::int32_t nearby(std::int32_t i);
-  bool containsOrLeave(std::int32_t& t, Point p);
+  std::int32_t acrossTowards(Point p, std::int32_t t, std::int32_t from);
   bool findCavity(std::int32_t i, std::int32_t first);
   void noteCorners();
   void hideCorners();
