@@ -45,7 +45,9 @@ Result<void> GridDrawing::drawTile(const Tile& tile) {
   const auto before = left_.size();
   if (auto drawn = drawCells(tile, sample.cells); !drawn) return drawn;
   const auto failed = left_.size() - before;
-  if (!judge_.areMany(left_.size() + sample.expected(failed))) return drawCells(tile, sample.rest);
+  const bool left_to_judge =
+      sample.isHopeless(failed) || judge_.areMany(left_.size() + sample.expected(failed));
+  if (!left_to_judge) return drawCells(tile, sample.rest);
   leave(tile, sample.rest);
   return {};
 }

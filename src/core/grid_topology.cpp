@@ -24,7 +24,8 @@ class Finding {
     const auto before = left.size();
     if (auto found = findAll(tile, sample.cells); !found) return found;
     const auto failed = left.size() - before;
-    return areMany(sample.expected(failed)) ? leave(tile, sample.rest) : findAll(tile, sample.rest);
+    const bool left_to_judge = sample.isHopeless(failed) || areMany(sample.expected(failed));
+    return left_to_judge ? leave(tile, sample.rest) : findAll(tile, sample.rest);
   }
 
   /// Whether the cells that are left, with some more and those never asked for, are worth the mesh of all.

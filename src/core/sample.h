@@ -28,6 +28,9 @@ struct Sample {
   [[nodiscard]] std::size_t expected(std::size_t failed) const {
     return failed * rest.size() / cells.size() / 2;
   }
+
+  /// Whether so few of the rest will do that the judge finds all of them sooner than a device tries them.
+  [[nodiscard]] bool isHopeless(std::size_t failed) const { return 4 * failed > 3 * cells.size(); }
 };
 
 }  // namespace vorpipe
