@@ -179,6 +179,10 @@ Runs runsOfStep(IN(Bins) bins, IN(BinRange) range, int step, cell_int column, ce
     return runs;
 }
 
+cell_bool isBeyondBlock(IN(BinRange) range, cell_int column, cell_int row) {
+    return range.west < column - 1 || range.east > column + 1 || range.south < row - 1 || range.north > row + 1;
+}
+
 // Whether step `step` or a later one has bins of `range` to try; asked after step 0.
 cell_bool isLeft(IN(BinRange) range, int step, cell_int column, cell_int row) {
 #ifdef WEIGHTED

@@ -219,46 +219,85 @@ vec4 boxLeft(IN(Cell) c, IN(Bins) bins, INOUT(Viewpoint) view, cell_bool left, i
 }
 #endif
 
-// Clips the cell of the site at place `self`, which lies at `shift` from the origin of the cell, by
-// every site that can cut it. outset moves every line outward, by up to its two components along x and
-// y: nothing, to measure; half a step of the vertex grid, to draw.
-cell_int clipSite(INOUT(Cell) c, IN(Bins) bins, vec4 walls, vec2 outset, cell_int self, vec2 shift) {
-    beginCell(c, vec4(walls.x - outset.x, walls.y - outset.y, walls.z + outset.x, walls.w + outset.y));
+// How far the search for a cell is.
+struct Search {
     Viewpoint view;
-    view.self = self;
-    view.shift = shift;
-    view.outset = outset;
-    cell_int column = binAlong(-bins.low.x / bins.size, bins.columns);
-    cell_int row = binAlong(-bins.low.y / bins.size, bins.rows);
-    Runs runs = runsOfBlock(bins, column, row);
-    cell_int tried = runs.count;
-    cell_bool left = tried <= bins.most;
-    cell_bool certain = cutByBlock(c, view, runs, left);
+    cell_int column;  // of the bin around the origin
+    cell_int row;
+    cell_int tried;
+    cell_bool certain;
+    vec4 box;        // of the sites that can cut the cell
+    cell_bool left;  // whether some of them may not have been tried
+};
+
+Search searchFrom(IN(Bins) bins, vec2 outset, cell_int self, vec2 shift) {
+    Search s;
+    s.view.self = self;
+    s.view.shift = shift;
+    s.view.outset = outset;
+    s.column = binAlong(-bins.low.x / bins.size, bins.columns);
+    s.row = binAlong(-bins.low.y / bins.size, bins.rows);
+    return s;
+}
+
+// Begins the cell of the site at place `self`, which lies at `shift` from the origin of the cell, and cuts it by
+// every site of the block. outset moves every line outward, by up to its two components along x and y: nothing, to
+// measure; half a step of the vertex grid, to draw.
+Search searchBlock(INOUT(Cell) c, IN(Bins) bins, vec4 walls, vec2 outset, cell_int self, vec2 shift) {
+    beginCell(c, vec4(walls.x - outset.x, walls.y - outset.y, walls.z + outset.x, walls.w + outset.y));
+    Search s = searchFrom(bins, outset, self, shift);
+    Runs runs = runsOfBlock(bins, s.column, s.row);
+    s.tried = runs.count;
+    s.left = s.tried <= bins.most;
+    s.certain = cutByBlock(c, s.view, runs, s.left);
+#ifdef WEIGHTED
+    s.view.lead = leadOfAll(bins);
+    s.box = boxLeft(c, bins, s.view, s.left, 2);
+#else
+    s.box = flowerBox(c, s.view);
+    cell_bool beyond = isBeyondBlock(binsOf(bins, s.box), s.column, s.row);
+    s.left = s.left && beyond;
+#endif
+    s.left = s.left && !c.overflow && !c.empty;
+    return s;
+}
+
+// Cuts a cell by every site beyond the block that can cut it.
+void searchBeyond(INOUT(Cell) c, IN(Bins) bins, INOUT(Search) s) {
 #ifdef WEIGHTED
     int step = firstStep(bins);
-    view.lead = leadOfAll(bins);
-    vec4 box = boxLeft(c, bins, view, left, 2);
 #else
     int step = 0;
-    vec4 box = flowerBox(c, view);
 #endif
     do {
-        runs = runsOfStep(bins, binsOf(bins, box), step, column, row);
-        tried += left ? runs.count + MOST_RUNS : cell_int(0);
-        left = left && tried <= bins.most && !c.overflow && !c.empty;
-        runs.count = left ? runs.count : cell_int(0);
-        cell_bool apart = cutByRuns(c, view, runs);
-        certain = certain && apart;
+        Runs runs = runsOfStep(bins, binsOf(bins, s.box), step, s.column, s.row);
+        s.tried += s.left ? runs.count + MOST_RUNS : cell_int(0);
+        s.left = s.left && s.tried <= bins.most && !c.overflow && !c.empty;
+        runs.count = s.left ? runs.count : cell_int(0);
+        cell_bool apart = cutByRuns(c, s.view, runs);
+        s.certain = s.certain && apart;
 #ifdef WEIGHTED
-        box = boxLeft(c, bins, view, left, 1);
+        s.box = boxLeft(c, bins, s.view, s.left, 1);
 #else
-        box = flowerBox(c, view);
+        s.box = flowerBox(c, s.view);
 #endif
         step++;
-        cell_bool beyond = isLeft(binsOf(bins, box), step, column, row);
-        left = left && beyond;
-    } while (ANY(left));
-    cell_bool unknown = box.x < bins.known.x || box.y < bins.known.y || box.z > bins.known.z || box.w > bins.known.w;
-    cell_bool given_up = tried > bins.most;
-    return outcome(c, unknown || given_up || !certain);
+        cell_bool beyond = isLeft(binsOf(bins, s.box), step, s.column, s.row);
+        s.left = s.left && beyond;
+    } while (ANY(s.left));
+}
+
+// What became of a cell when the search is over.
+cell_int outcomeOf(IN(Cell) c, IN(Bins) bins, IN(Search) s) {
+    cell_bool unknown =
+        s.box.x < bins.known.x || s.box.y < bins.known.y || s.box.z > bins.known.z || s.box.w > bins.known.w;
+    cell_bool given_up = s.tried > bins.most;
+    return outcome(c, unknown || given_up || !s.certain);
+}
+
+// Clips the cell of a site by every site that can cut it; see searchBlock.
+cell_int clipSite(INOUT(Cell) c, IN(Bins) bins, vec4 walls, vec2 outset, cell_int self, vec2 shift) {
+    Search s = searchBlock(c, bins, walls, outset, self, shift);
+    searchBeyond(c, bins, s);
+    return outcomeOf(c, bins, s);
 }

@@ -8,10 +8,48 @@ namespace vorpipe::cpu {
 namespace {
 namespace lanes {
 
+/// Cells side by side, and how far the search for each is. Which cells: as index in the job.
 template <int Edges>
-class Group {
+struct Searched {
+  using Cells = Clip<Many, Edges>;
+
+  std::uint32_t which[width] = {};
+  std::size_t count = 0;
+  typename Cells::Cell cell{};
+  typename Cells::Search search{};
+
+  /// Takes over a cell from a lane of others.
+  void add(const Searched& from, std::size_t lane) {
+    which[count] = from.which[lane];
+    for (std::size_t k = 0; k < Edges; ++k) {
+      cell.nx[k][count] = from.cell.nx[k][lane];
+      cell.ny[k][count] = from.cell.ny[k][lane];
+      cell.h[k][count] = from.cell.h[k][lane];
+      cell.lo[k][count] = from.cell.lo[k][lane];
+      cell.hi[k][count] = from.cell.hi[k][lane];
+      cell.line[k][count] = from.cell.line[k][lane];
+    }
+    cell.empty[count] = from.cell.empty[lane];
+    cell.overflow[count] = from.cell.overflow[lane];
+    search.tried[count] = from.search.tried[lane];
+    search.certain[count] = from.search.certain[lane];
+    search.left[count] = from.search.left[lane];
+    search.box.x[count] = from.search.box.x[lane];
+    search.box.y[count] = from.search.box.y[lane];
+    search.box.z[count] = from.search.box.z[lane];
+    search.box.w[count] = from.search.box.w[lane];
+#ifdef WEIGHTED
+    cell.last[count] = from.cell.last[lane];
+    search.view.lead[count] = from.search.view.lead[lane];
+#endif
+    ++count;
+  }
+};
+
+template <int Edges>
+class Finding {
  public:
-  explicit Group(const LaneJob& job) : job_(job) {
+  explicit Finding(const LaneJob& job) : job_(job) {
     clip_.sites_x = job.x;
     clip_.sites_y = job.y;
     clip_.bin_starts = job.first;
@@ -22,34 +60,82 @@ class Group {
 #endif
   }
 
-  /// Finds cells of the job, at most as many as there are lanes.
+  /// Cuts cells of the job, at most as many as there are lanes, by the block around each. Those that have to
+  /// look beyond it wait until there is one for each lane.
   void find(const std::uint32_t* cells, std::size_t count) {
-    Ints self;
-    for (std::size_t l = 0; l < width; ++l) self[l] = static_cast<int>(job_.which[cells[l < count ? l : 0]]);
-    const Doubles site_x = clip_.site_x = gather(job_.x, self);
-    const Doubles site_y = clip_.site_y = gather(job_.y, self);
+    for (std::size_t l = 0; l < width; ++l) near_.which[l] = cells[l < count ? l : 0];
+    near_.count = count;
+    const auto place = placeOf(near_);
+    near_.search =
+        clip_.searchBlock(near_.cell, place.bins, place.walls, place.outset, place.self, place.shift);
+    write(near_, place, [this](std::size_t l) { return near_.search.left[l] == 0; });
+    for (std::size_t l = 0; l < count; ++l) {
+      if (near_.search.left[l] == 0) continue;
+      far_.add(near_, l);
+      if (far_.count == width) finish();
+    }
+  }
+
+  /// Ends the cells that wait.
+  void finish() {
+    if (far_.count == 0) return;
+    for (auto l = far_.count; l < width; ++l) {
+      far_.which[l] = far_.which[0];
+      far_.search.left[l] = 0;
+    }
+    const auto place = placeOf(far_);
+    auto search = clip_.searchFrom(place.bins, place.outset, place.self, place.shift);
+    search.tried = far_.search.tried;
+    search.certain = far_.search.certain;
+    search.left = far_.search.left;
+    search.box = far_.search.box;
 #ifdef WEIGHTED
-    clip_.weight = gather(job_.weight, self);
+    search.view.lead = far_.search.view.lead;
 #endif
-    const Doubles x = max(job_.domain[0] - Doubles{}, min(job_.domain[2] - Doubles{}, site_x));
-    const Doubles y = max(job_.domain[1] - Doubles{}, min(job_.domain[3] - Doubles{}, site_y));
-    const Ints status = clip_.clipSite(cell_, binsFrom(x, y), boxFrom(job_.domain, x, y),
-                                       {everyReal(job_.outset_x), everyReal(job_.outset_y)}, self,
-                                       {toReals(site_x - x), toReals(site_y - y)});
-    for (std::size_t l = 0; l < count; ++l) job_.status[cells[l]] = static_cast<std::uint8_t>(status[l]);
-    if (job_.neighbors != nullptr) write(status, cells, count);
+    clip_.searchBeyond(far_.cell, place.bins, search);
+    far_.search = search;
+    write(far_, place, [](std::size_t) { return true; });
+    far_.count = 0;
   }
 
  private:
   using Cells = Clip<Many, Edges>;
+  using vec2 = typename Cells::vec2;
+  using vec4 = typename Cells::vec4;
 #ifdef WEIGHTED
   static constexpr std::size_t room = Edges + 1;
 #else
   static constexpr std::size_t room = Edges;
 #endif
 
+  /// What cells are clipped in.
+  struct Place {
+    Ints self;
+    typename Cells::Bins bins;
+    vec4 walls;
+    vec2 outset, shift;
+  };
+
+  /// Turns to the sites of some cells.
+  Place placeOf(const Searched<Edges>& cells) {
+    Place place;
+    for (std::size_t l = 0; l < width; ++l) place.self[l] = static_cast<int>(job_.which[cells.which[l]]);
+    const Doubles site_x = clip_.site_x = gather(job_.x, place.self);
+    const Doubles site_y = clip_.site_y = gather(job_.y, place.self);
+#ifdef WEIGHTED
+    clip_.weight = gather(job_.weight, place.self);
+#endif
+    const Doubles x = max(job_.domain[0] - Doubles{}, min(job_.domain[2] - Doubles{}, site_x));
+    const Doubles y = max(job_.domain[1] - Doubles{}, min(job_.domain[3] - Doubles{}, site_y));
+    place.bins = binsFrom(x, y);
+    place.walls = boxFrom(job_.domain, x, y);
+    place.outset = {everyReal(job_.outset_x), everyReal(job_.outset_y)};
+    place.shift = {toReals(site_x - x), toReals(site_y - y)};
+    return place;
+  }
+
   /// A box as seen from the origins of the cells.
-  static typename Cells::vec4 boxFrom(const double (&box)[4], const Doubles& x, const Doubles& y) {
+  static vec4 boxFrom(const double (&box)[4], const Doubles& x, const Doubles& y) {
     return {toReals(box[0] - x), toReals(box[1] - y), toReals(box[2] - x), toReals(box[3] - y)};
   }
 
@@ -71,43 +157,57 @@ class Group {
     return bins;
   }
 
-  void write(const Ints& status, const std::uint32_t* cells, std::size_t used) {
-    typename Cells::Order order;
-    clip_.orderEdges(cell_, order);
-    for (std::size_t l = 0; l < used; ++l) {
-      const bool certified = status[l] == CELL_CERTIFIED;
-      auto& count = job_.neighbor_counts[cells[l]];
-      count = static_cast<std::uint8_t>(certified ? order.count[l] : 0);
-      auto* to = job_.neighbors + cells[l] * room;
-      for (std::size_t k = 0; k < Edges; ++k) {
-        if (certified && order.rank[k][l] >= 0) to[order.rank[k][l]] = cell_.line[k][l];
-      }
-#ifdef WEIGHTED
-      if (status[l] != CELL_EMPTY) continue;
-      count = room;
-      for (std::size_t k = 0; k < Edges; ++k) to[k] = cell_.line[k][l];
-      to[Edges] = cell_.last[l];
-#endif
+  /// Writes down what became of those cells whose search is over.
+  template <class IsOver>
+  void write(const Searched<Edges>& cells, const Place& place, const IsOver& isOver) {
+    const Ints status = clip_.outcomeOf(cells.cell, place.bins, cells.search);
+    for (std::size_t l = 0; l < cells.count; ++l) {
+      if (isOver(l)) job_.status[cells.which[l]] = static_cast<std::uint8_t>(status[l]);
     }
+    if (job_.neighbors == nullptr) return;
+    typename Cells::Order order;
+    clip_.orderEdges(cells.cell, order);
+    for (std::size_t l = 0; l < cells.count; ++l) {
+      if (isOver(l)) writeNeighbors(cells, order, l, status[l]);
+    }
+  }
+
+  void writeNeighbors(const Searched<Edges>& cells, const typename Cells::Order& order, std::size_t l,
+                      int status) {
+    const auto which = cells.which[l];
+    const bool certified = status == CELL_CERTIFIED;
+    auto& count = job_.neighbor_counts[which];
+    count = static_cast<std::uint8_t>(certified ? order.count[l] : 0);
+    auto* to = job_.neighbors + which * room;
+    for (std::size_t k = 0; k < Edges; ++k) {
+      if (certified && order.rank[k][l] >= 0) to[order.rank[k][l]] = cells.cell.line[k][l];
+    }
+#ifdef WEIGHTED
+    if (status != CELL_EMPTY) return;
+    count = room;
+    for (std::size_t k = 0; k < Edges; ++k) to[k] = cells.cell.line[k][l];
+    to[Edges] = cells.cell.last[l];
+#endif
   }
 
   const LaneJob& job_;
   Cells clip_;
-  typename Cells::Cell cell_;
+  Searched<Edges> near_, far_;
 };
 
 template <int Edges>
 void findAll(const LaneJob& job) {
-  Group<Edges> group(job);
+  Finding<Edges> finding(job);
   LaneOrder order;
   for (std::size_t begin = 0; begin < job.count; begin += LaneOrder::most) {
     const auto left = job.count - begin;
     const auto count = left < LaneOrder::most ? left : LaneOrder::most;
     order.sort(job, begin, count);
     for (std::size_t k = 0; k < count; k += width) {
-      group.find(order.cell + k, count - k < width ? count - k : width);
+      finding.find(order.cell + k, count - k < width ? count - k : width);
     }
   }
+  finding.finish();
 }
 
 }  // namespace lanes
