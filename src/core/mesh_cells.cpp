@@ -1,6 +1,7 @@
 #include "core/mesh_cells.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "backend/collect.h"
 #include "core/place.h"
@@ -22,9 +23,29 @@ std::size_t cornerOf(const MeshTriangle& triangle, std::int32_t site) {
 
 std::size_t next(std::size_t k) { return k == 2 ? 0 : k + 1; }
 
+/// By triangle of a mesh: the walls on or beyond which its center lies, found when it is first asked for. Any
+/// thread may ask.
+class WallsOfTriangles {
+ public:
+  explicit WallsOfTriangles(const Mesh& mesh) : walls_(mesh.triangles.size(), unknown) {}
+
+  template <class Find>
+  std::uint8_t of(std::int32_t triangle, const Find& find) {
+    const std::atomic_ref walls(walls_[static_cast<std::size_t>(triangle)]);
+    auto known = walls.load(std::memory_order_relaxed);
+    if (known == unknown) walls.store(known = find(), std::memory_order_relaxed);
+    return known;
+  }
+
+ private:
+  static constexpr std::uint8_t unknown = 255;
+  std::vector<std::uint8_t> walls_;
+};
+
 class Extracting {
  public:
-  Extracting(const SiteSet& sites, const Mesh& mesh) : sites_(sites), mesh_(mesh) {}
+  Extracting(const SiteSet& sites, const Mesh& mesh, WallsOfTriangles& walls)
+      : sites_(sites), mesh_(mesh), walls_(walls) {}
 
   CellStatus find(std::uint32_t which, std::vector<std::int32_t>& neighbors) {
     cell_ = static_cast<std::int32_t>(which);
@@ -79,7 +100,7 @@ class Extracting {
       if (before == beyond || after == beyond) {
         reached_ = all_walls;
       } else {
-        reached = wallsReached(sites_.domain, at(cell_), at(before), at(after));
+        reached = walls_.of(t, [&] { return wallsReached(sites_.domain, at(cell_), at(before), at(after)); });
         reached_ |= reached;
       }
       ring_.push_back({after == beyond ? infinity : after, reached});
@@ -163,6 +184,7 @@ class Extracting {
 
   const SiteSet& sites_;
   const Mesh& mesh_;
+  WallsOfTriangles& walls_;
   std::int32_t cell_ = 0;
   std::vector<Edge> ring_;
   std::vector<std::uint8_t> beyond_;  ///< by edge of the ring: whether it begins there
@@ -173,10 +195,11 @@ class Extracting {
 
 Neighborhoods meshCells(const SiteSet& sites, const Mesh& mesh, std::span<const std::uint32_t> which,
                         int threads) {
+  WallsOfTriangles walls(mesh);
   Neighborhoods cells;
   collect(which.size(), threads, cells, [&] {
-    return [&, extracting = Extracting(sites, mesh)](std::size_t e,
-                                                     std::vector<std::int32_t>& neighbors) mutable {
+    return [&, extracting = Extracting(sites, mesh, walls)](std::size_t e,
+                                                            std::vector<std::int32_t>& neighbors) mutable {
       return extracting.find(which[e], neighbors);
     };
   });
