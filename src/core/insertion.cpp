@@ -78,11 +78,11 @@ std::int32_t Insertion::locate(std::int32_t i) {
   auto t = nearby(i), from = none;
   while (t != none && mayLookAt(t)) {
     const auto& here = triangle(t);
-    const auto outside = std::find(here.corner.begin(), here.corner.end(), beyond);
-    if (outside != here.corner.end() && conflicts(t, i)) return t;
-    const auto to = outside != here.corner.end()
-                        ? here.across[static_cast<std::size_t>(outside - here.corner.begin())]
-                        : acrossTowards(p, t, from);
+    const auto k = static_cast<std::size_t>(std::find(here.corner.begin(), here.corner.end(), beyond) -
+                                            here.corner.begin());
+    const bool is_outside = k < here.corner.size();
+    if (is_outside && conflicts(t, i)) return t;
+    const auto to = is_outside ? here.across[k] : acrossTowards(p, t, from);
     if (to == t) return t;
     from = std::exchange(t, to);
   }
@@ -130,6 +130,7 @@ bool Insertion::findCavity(std::int32_t i, std::int32_t first) {
   };
   if (!mayChange(first)) return false;
   take(first);
+  // The cavity grows on the way. NOLINTNEXTLINE(modernize-loop-convert)
   for (std::size_t c = 0; c < cavity_.size(); ++c) {
     const auto here = triangle(cavity_[c]);
     for (std::size_t k = 0; k < 3; ++k) {

@@ -116,8 +116,10 @@ void takeWeights(const SiteSet& sites, const BinBlock& block, SiteSet& part,
   }
   for (const auto site : whole) part.weight.push_back(sites.weight[site]);
   for (auto row = block.south; row <= block.north; ++row) {
-    const auto first = sites.grid.heaviest.begin() + std::size_t{row} * sites.grid.columns;
-    part.grid.heaviest.insert(part.grid.heaviest.end(), first + block.west, first + block.east + 1);
+    const auto of_row = std::span(sites.grid.heaviest)
+                            .subspan(std::size_t{row} * sites.grid.columns + block.west,
+                                     block.east - block.west + std::size_t{1});
+    part.grid.heaviest.insert(part.grid.heaviest.end(), of_row.begin(), of_row.end());
   }
   countBeyond(sites, block, part);
   buildPyramid(part.grid);
