@@ -26,7 +26,7 @@
 struct Viewpoint {
     cell_int self;  // its place
     vec2 shift;     // the way from the origin of its cell to it
-    vec2 outset;    // that of clipSite
+    vec2 outset;    // that of searchBlock
 #ifdef WEIGHTED
     real lead;  // bounds by how much a site that is left to try is heavier than the cell's own
 #endif

@@ -50,7 +50,7 @@ vec2 offsetToOrigin() {
     return max(walls.xy, min(walls.zw, vec2(0.0)));
 }
 
-// Clips the cell of the site at `place`, which becomes `here`. outset is that of clipCell.
+// Clips the cell of the site at `place`, which becomes `here`. outset is that of searchBlock.
 int clipSiteAt(inout Cell cell, int place, vec2 outset) {
     here = siteAt(place);
 #ifdef WEIGHTED

@@ -68,7 +68,7 @@ class Finding {
     const auto place = placeOf(near_);
     near_.search =
         clip_.searchBlock(near_.cell, place.bins, place.walls, place.outset, place.self, place.shift);
-    write(near_, place, [this](std::size_t l) { return near_.search.left[l] == 0; });
+    write(near_, place);
     for (std::size_t l = 0; l < count; ++l) {
       if (near_.search.left[l] == 0) continue;
       far_.add(near_, l);
@@ -94,7 +94,7 @@ class Finding {
 #endif
     clip_.searchBeyond(far_.cell, place.bins, search);
     far_.search = search;
-    write(far_, place, [](std::size_t) { return true; });
+    write(far_, place);
     far_.count = 0;
   }
 
@@ -157,18 +157,17 @@ class Finding {
     return bins;
   }
 
-  /// Writes down what became of those cells whose search is over.
-  template <class IsOver>
-  void write(const Searched<Edges>& cells, const Place& place, const IsOver& isOver) {
+  /// Writes down what became of those cells that have nothing left to search.
+  void write(const Searched<Edges>& cells, const Place& place) {
     const Ints status = clip_.outcomeOf(cells.cell, place.bins, cells.search);
     for (std::size_t l = 0; l < cells.count; ++l) {
-      if (isOver(l)) job_.status[cells.which[l]] = static_cast<std::uint8_t>(status[l]);
+      if (cells.search.left[l] == 0) job_.status[cells.which[l]] = static_cast<std::uint8_t>(status[l]);
     }
     if (job_.neighbors == nullptr) return;
     typename Cells::Order order;
     clip_.orderEdges(cells.cell, order);
     for (std::size_t l = 0; l < cells.count; ++l) {
-      if (isOver(l)) writeNeighbors(cells, order, l, status[l]);
+      if (cells.search.left[l] == 0) writeNeighbors(cells, order, l, status[l]);
     }
   }
 
