@@ -249,6 +249,22 @@ void orderEdges(IN(Cell) c, INOUT(Order) order) {
     order.count = count;
 }
 
+// Turns the ranks so that the edge on the line of the smallest number comes first.
+void beginAtFirst(IN(Cell) c, INOUT(Order) order) {
+    cell_int least = cell_int(2147483647);
+    cell_int first = cell_int(0);
+    UNROLL for (int k = 0; k < EDGE_END; k++) {
+        cell_bool before = order.rank[k] >= 0 && c.line[k] < least;
+        least = before ? c.line[k] : least;
+        first = before ? order.rank[k] : first;
+    }
+    UNROLL for (int k = 0; k < EDGE_END; k++) {
+        cell_int rank = order.rank[k] - first;
+        rank = rank < 0 ? rank + order.count : rank;
+        order.rank[k] = order.rank[k] < 0 ? order.rank[k] : rank;
+    }
+}
+
 // The beginning of the edge of a given rank.
 vec2 startOfRank(IN(Cell) c, IN(Order) order, int rank) {
     vec2 p = vec2(real(0.0), real(0.0));

@@ -1,9 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
-// Clips one entry and writes its neighbors down, counter-clockwise. The build gives MAX_EDGES,
-// SEARCH_GRID where an entry is a site of an upload instead of a list of lines, and WEIGHTED where sites have
-// weights: then an empty entry has the lines that leave nothing of it.
+// Clips one entry and writes its neighbors down, as answer.glsl has them. The build gives MAX_EDGES, SEARCH_GRID
+// where an entry is a site of an upload instead of a list of lines, and WEIGHTED where sites have weights.
 #define ENTRIES_IN_BUFFER
 #include "layout.glsl"
 #include "vocabulary.glsl"
@@ -12,15 +11,8 @@
 
 layout(local_size_x = GROUP_SIZE) in;
 
-#ifdef WEIGHTED
-#define ROW_WORDS (MAX_EDGES + 1)
-#else
-#define ROW_WORDS MAX_EDGES
-#endif
-
-// The status of each entry, with the number of edges above the eight bits of that; then a row for each
-// with the neighbors.
-layout(std430, set = 0, binding = BINDING_STATUS) writeonly buffer Answers { int answers[]; };
+// The word of each entry, one after the other; then a row for each.
+layout(std430, set = 0, binding = BINDING_STATUS) writeonly buffer Answers { ivec4 answers[]; };
 
 #ifdef SEARCH_GRID
 #include "site_entry.glsl"
@@ -28,30 +20,18 @@ layout(std430, set = 0, binding = BINDING_STATUS) writeonly buffer Answers { int
 #include "list_entry.glsl"
 #endif
 
+#include "answer.glsl"
+
 void main() {
-    if (gl_GlobalInvocationID.x >= slice.count) {
+    uint entry = gl_GlobalInvocationID.x;
+    if (entry >= slice.count) {
         return;
     }
-    loadEntry(slice.first, gl_GlobalInvocationID.x);
-    Cell cell;
-    int status = clipEntry(cell, vec2(0.0));
-    Order order;
-    orderEdges(cell, order);
-    uint row = slice.count + gl_GlobalInvocationID.x * uint(ROW_WORDS);
-    bool certified = status == CELL_CERTIFIED;
-    answers[gl_GlobalInvocationID.x] = status + (certified ? order.count * 256 : 0);
-    UNROLL for (int k = 0; k < EDGE_END; k++) {
-        if (certified && order.rank[k] >= 0) {
-            answers[row + uint(order.rank[k])] = neighborOf(cell.line[k]);
-        }
+    loadEntry(slice.first, entry);
+    Answer answer = answerEntry();
+    answers[entry / 4u][entry % 4u] = answer.word;
+    uint row = (slice.count + 3u) / 4u + entry * uint(ROW_PARTS);
+    UNROLL for (int part = 0; part < ROW_PARTS; part++) {
+        answers[row + uint(part)] = answer.row[part];
     }
-#ifdef WEIGHTED
-    if (status == CELL_EMPTY) {
-        answers[gl_GlobalInvocationID.x] = status + (MAX_EDGES + 1) * 256;
-        UNROLL for (int k = 0; k < EDGE_END; k++) {
-            answers[row + uint(k)] = neighborOf(cell.line[k]);
-        }
-        answers[row + uint(MAX_EDGES)] = neighborOf(cell.last);
-    }
-#endif
 }

@@ -102,10 +102,11 @@ struct View {
   Palette palette;
 };
 
-/// The neighbors of cells, entry by entry and counter-clockwise: those of entry e stand at first[e] up
-/// to first[e + 1]. A neighbor is the index of a site in the SiteSet, or of a line in its entry of a
-/// batch, or one of the walls -1..-4. An entry that is not `certified` has none; but one that is `empty` in
-/// a set with weights has the sites and walls that leave nothing of it, in any order, some perhaps twice.
+/// The neighbors of cells, entry by entry, counter-clockwise from the smallest number: those of entry e stand
+/// at first[e] up to first[e + 1]. A neighbor is the index of a site in the SiteSet, or of a line in its
+/// entry of a batch, or one of the walls -1..-4. An entry that is not `certified` has none; but one that is
+/// `empty` in a set with weights has the sites and walls that leave nothing of it, in any order, some perhaps
+/// twice.
 struct Neighborhoods {
   std::vector<CellStatus> status;
   BigVector<std::uint64_t> first;  ///< size: entries + 1

@@ -1,6 +1,7 @@
 /// Neighborhoods found on all threads, put together in order.
 #pragma once
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -8,6 +9,22 @@
 #include "parallel.h"
 
 namespace vorpipe {
+
+/// Turns the neighbors of a cell so that the smallest number comes first.
+inline void beginAtFirst(std::span<std::int32_t> neighbors) {
+  std::rotate(neighbors.begin(), std::min_element(neighbors.begin(), neighbors.end()), neighbors.end());
+}
+
+/// Gives the sites or lines among the neighbors of entry e other numbers.
+template <class NumberOf>
+void renumber(Neighborhoods& cells, std::size_t e, const NumberOf& numberOf) {
+  const auto neighbors =
+      std::span(cells.neighbor).subspan(cells.first[e], cells.first[e + 1] - cells.first[e]);
+  for (auto& neighbor : neighbors) {
+    if (neighbor >= 0) neighbor = static_cast<std::int32_t>(numberOf(static_cast<std::uint32_t>(neighbor)));
+  }
+  beginAtFirst(neighbors);
+}
 
 constexpr std::size_t collect_grain = 1024;
 
@@ -26,6 +43,7 @@ void collect(std::size_t count, int threads, Neighborhoods& out, const Make& mak
     for (auto e = begin; e < end; ++e) {
       out.first[e] = neighbors.size();
       out.status[e] = find(e, neighbors);
+      beginAtFirst(std::span(neighbors).subspan(out.first[e]));
     }
     found[begin / collect_grain] = std::move(neighbors);
   });

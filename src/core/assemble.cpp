@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/corner_batch.h"
-#include "core/row_start.h"
 #include "core/size_order.h"
 #include "core/wide.h"
 #include "parallel.h"
@@ -54,9 +53,9 @@ class Writing {
   static constexpr std::size_t ahead = 32;
 
   void polygon(std::uint32_t cell) {
-    if (cells_.status[cell] == CellStatus::empty) return;
+    if (cells_.status(cell) == CellStatus::empty) return;
     if (tied_.has(cell)) return writeTied(cell);
-    const auto row = edgesOf(cells_, cell);
+    const auto row = cells_.edges(cell);
     auto added = batch_.add(cell, row);
     if (added == CornerBatch::Added::full) {
       writeBatch();
@@ -66,7 +65,7 @@ class Writing {
   }
 
   void writeNeighbors(std::size_t cell, std::uint64_t out) {
-    const auto row = edgesOf(cells_, cell);
+    const auto row = cells_.edges(cell);
     if (tied_.has(cell)) {
       keptEdges(proposed_, tied_, tied_.entry[cell], edges_);
       for (const auto e : edges_) diagram_.neighbors[out++] = outsideIndex(sites_, row[e]);
@@ -95,7 +94,7 @@ class Writing {
 
   void writeTied(std::size_t cell) {
     const auto k = tied_.entry[cell];
-    const auto row = edgesOf(cells_, cell);
+    const auto row = cells_.edges(cell);
     keptEdges(proposed_, tied_, k, edges_);
     places_.clear();
     kept_.clear();
@@ -135,7 +134,7 @@ class Writing {
 
   const ProposedCells& proposed_;
   const SiteSet& sites_;
-  const Neighborhoods& cells_;
+  const CellRows& cells_;
   const TiedCells& tied_;
   const Unscale& unscale_;
   Diagram& diagram_;

@@ -23,8 +23,8 @@ class Checking {
         batch_(proposed.sites) {}
 
   void check(std::uint32_t cell) {
-    const auto row = edgesOf(cells_, cell);
-    const bool certified = cells_.status[cell] == CellStatus::certified;
+    const auto row = cells_.edges(cell);
+    const bool certified = cells_.status(cell) == CellStatus::certified;
     auto added = certified ? batch_.add(cell, row) : CornerBatch::Added::other;
     if (added == CornerBatch::Added::full) {
       finish();
@@ -65,7 +65,7 @@ class Checking {
   bool beginsAlike(std::uint32_t cell, std::int32_t before, std::int32_t neighbor) const {
     if (neighbor < 0) return true;
     const auto other = static_cast<std::size_t>(neighbor);
-    const auto row = edgesOf(cells_, other);
+    const auto row = cells_.edges(other);
     const auto back = proposed_.index.find(row, other, static_cast<std::int32_t>(cell));
     return back != EdgeIndex::none && row[back + 1 < row.size() ? back + 1 : 0] == before;
   }
@@ -136,7 +136,7 @@ class Checking {
 
   const ProposedCells& proposed_;
   const SiteSet& sites_;
-  const Neighborhoods& cells_;
+  const CellRows& cells_;
   const Records& records_;
   std::span<std::uint8_t> rough_;
   CornerBatch batch_;
@@ -160,9 +160,9 @@ bool isInside(const Box& box, double x, double y) {
 
 }  // namespace
 
-bool isWellFormed(const SiteSet& sites, const Neighborhoods& cells, std::size_t cell) {
-  const auto row = edgesOf(cells, cell);
-  if (cells.status[cell] != CellStatus::certified || row.size() < 3) return false;
+bool isWellFormed(const SiteSet& sites, const CellRows& cells, std::size_t cell) {
+  const auto row = cells.edges(cell);
+  if (cells.status(cell) != CellStatus::certified || row.size() < 3) return false;
   for (const auto neighbor : row) {
     if (neighbor < wall_ymax) return false;
     if (neighbor >= 0 &&
@@ -173,9 +173,9 @@ bool isWellFormed(const SiteSet& sites, const Neighborhoods& cells, std::size_t 
   return true;
 }
 
-bool isRightlyEmpty(const SiteSet& sites, const Neighborhoods& cells, std::size_t cell) {
+bool isRightlyEmpty(const SiteSet& sites, const CellRows& cells, std::size_t cell) {
   const bool may_be = !sites.weight.empty() || !isInside(sites.domain, sites.x[cell], sites.y[cell]);
-  return cells.status[cell] == CellStatus::empty && cells.first[cell] == cells.first[cell + 1] && may_be;
+  return cells.status(cell) == CellStatus::empty && cells.edges(cell).empty() && may_be;
 }
 
 void checkCells(const ProposedCells& proposed, std::span<const std::uint32_t> which, const Records& records,

@@ -81,7 +81,7 @@ Result<void> CellDrawing::judge(Indices which) {
   if (!found) return tl::unexpected(found.error());
   judge_seconds_ += watch.seconds();
   in_double_ += which.size();
-  for (std::size_t e = 0; e < which.size(); ++e) status_[which[e]] = found->status[e];
+  for (std::size_t e = 0; e < which.size(); ++e) status_[which[e]] = found->status(e);
   std::erase_if(on_device_,
                 [&](std::uint32_t site) { return std::binary_search(which.begin(), which.end(), site); });
   judged_.push_back({std::move(which), std::move(*found)});
@@ -93,8 +93,8 @@ Result<void> CellDrawing::drawJudged(const View& view, const JudgedCells& cells)
   Indices whole;
   Indices in_pieces;
   for (std::uint32_t e = 0; e < cells.which.size(); ++e) {
-    if (cells.found.status[e] != CellStatus::certified) continue;
-    (cells.neighbors(e).size() + walls > room ? in_pieces : whole).push_back(e);
+    if (cells.found.status(e) != CellStatus::certified) continue;
+    (cells.found.edges(e).size() + walls > room ? in_pieces : whole).push_back(e);
   }
   const auto candidates = boundaries(input_.sites, cells, whole, input_.threads);
   const auto status = batches_.draw(view, candidates, Effort::roomy);
@@ -114,7 +114,7 @@ Result<void> CellDrawing::drawPieces(const View& view, const JudgedCells& cells,
       pixels_beyond * std::min((box.xmax - box.xmin) / view.width, (box.ymax - box.ymin) / view.height);
   Pieces pieces;
   for (const auto e : entries) {
-    const auto polygon = cellPolygon(input_.sites, cells.which[e], cells.neighbors(e));
+    const auto polygon = cellPolygon(input_.sites, cells.which[e], cells.found.edges(e));
     if (pieces.batch.lines.size() + 2 * polygon.size() > most_lines) {
       if (auto drawn = batches_.draw(view, pieces); !drawn) return drawn;
       pieces = {};

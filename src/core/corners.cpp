@@ -40,10 +40,10 @@ class Efforts {
 
 void addWithNeighbors(const Topology& topology, const std::vector<std::uint32_t>& which,
                       std::vector<std::uint32_t>& cells) {
-  const auto count = topology.status.size();
+  const auto count = topology.size();
   for (const auto cell : which) {
     cells.push_back(cell);
-    for (const auto neighbor : edgesOf(topology, cell)) {
+    for (const auto neighbor : topology.edges(cell)) {
       if (neighbor >= 0 && static_cast<std::size_t>(neighbor) < count) {
         cells.push_back(static_cast<std::uint32_t>(neighbor));
       }
@@ -62,8 +62,7 @@ std::vector<std::uint32_t> cellsWithoutArea(const SiteSet& sites, const Topology
   std::vector<std::uint32_t> cells;
   if (sites.weight.empty()) return cells;
   std::copy_if(disputed.begin(), disputed.end(), std::back_inserter(cells), [&](std::uint32_t cell) {
-    return topology.status[cell] == CellStatus::certified &&
-           leaveNothing(sites, cell, edgesOf(topology, cell));
+    return topology.status(cell) == CellStatus::certified && leaveNothing(sites, cell, topology.edges(cell));
   });
   return cells;
 }
@@ -76,14 +75,10 @@ std::vector<std::uint32_t> cellsOfTies(const ProposedCells& proposed, const Tied
   for (std::size_t k = 0; k < tied.cell.size(); ++k) {
     const auto begin = tied.tie.begin() + static_cast<std::ptrdiff_t>(tied.first[k]);
     const auto end = tied.tie.begin() + static_cast<std::ptrdiff_t>(tied.first[k + 1]);
-    const bool has_cell = proposed.cells.status[tied.cell[k]] == CellStatus::certified;
+    const bool has_cell = proposed.cells.status(tied.cell[k]) == CellStatus::certified;
     if (has_cell && std::find(begin, end, 0) == end) cells.push_back(tied.cell[k]);
   }
   return cells;
-}
-
-Neighborhoods emptyCells(std::size_t count) {
-  return {std::vector(count, CellStatus::empty), BigVector<std::uint64_t>(count + 1, 0), {}};
 }
 
 /// What to try for cells in dispute. Where they cannot be blamed, since all of them are exact, a cell beside
@@ -127,7 +122,7 @@ Result<TiedCells> agreeOnCells(const TopologyInput& input, Topology& topology, c
       changed.clear();
       addWithNeighbors(topology, vanished, changed);
       sortUnique(changed);
-      replaceCells(vanished, emptyCells(vanished.size()), input.threads, topology);
+      for (const auto cell : vanished) topology.drop(cell, CellStatus::empty);
       continue;
     }
     const auto [which, effort] = agreed ? efforts.next(doubtful) : nextAround(topology, doubtful, efforts);

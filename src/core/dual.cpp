@@ -35,7 +35,7 @@ std::vector<std::uint8_t> plainVertices(const ProposedCells& agreed, const TiedC
   std::vector<std::uint8_t> plain(tied.place.size(), 1);
   std::vector<Triple> seen(tied.place.size());
   for (std::size_t k = 0; k < tied.cell.size(); ++k) {
-    const auto row = edgesOf(agreed.cells, tied.cell[k]);
+    const auto row = agreed.cells.edges(tied.cell[k]);
     for (std::size_t e = 0; e < row.size(); ++e) {
       const auto vertex = tied.vertex[tied.first[k] + e];
       const auto here =
@@ -114,7 +114,7 @@ template <class Put>
 void forTriangles(const ProposedCells& agreed, const TiedCells& tied, const std::vector<std::uint8_t>& plain,
                   std::size_t cell, const Put& put) {
   const auto& id = agreed.sites.id;
-  const auto row = edgesOf(agreed.cells, cell);
+  const auto row = agreed.cells.edges(cell);
   const bool is_tied = tied.has(cell);
   const auto own = id[cell];
   for (std::size_t e = 0; e < row.size(); ++e) {

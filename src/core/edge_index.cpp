@@ -6,14 +6,11 @@
 
 namespace vorpipe {
 
-EdgeIndex::EdgeIndex(const Neighborhoods& cells, int threads)
-    : end_(cells.neighbor.data() + cells.neighbor.size()) {
-  for (std::size_t cell = 0; cell + 1 < cells.first.size(); ++cell) {
-    if (cells.first[cell + 1] - cells.first[cell] > most_scanned) large_.push_back({cell, {}});
-  }
+EdgeIndex::EdgeIndex(const CellRows& cells, int threads) {
+  for (const auto cell : cells.large()) large_.push_back({cell, {}});
   parallelFor(large_.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
     for (auto k = begin; k < end; ++k) {
-      const auto row = edgesOf(cells, large_[k].cell);
+      const auto row = cells.edges(large_[k].cell);
       auto& edges = large_[k].edges;
       edges.resize(row.size());
       for (std::size_t e = 0; e < row.size(); ++e) edges[e] = {row[e], static_cast<std::uint32_t>(e)};

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "backend/backend.h"
+#include "core/cell_rows.h"
 
 #if defined(__SSE2__)
 #include <emmintrin.h>
@@ -14,21 +14,10 @@
 
 namespace vorpipe {
 
-/// The edges of one cell, counter-clockwise.
-inline std::span<const std::int32_t> edgesOf(const Neighborhoods& cells, std::size_t cell) {
-  return std::span(cells.neighbor)
-      .subspan(static_cast<std::size_t>(cells.first[cell]),
-               static_cast<std::size_t>(cells.first[cell + 1] - cells.first[cell]));
-}
-
-inline std::span<std::int32_t> edgesOf(Neighborhoods& cells, std::size_t cell) {
-  return std::span(cells.neighbor).subspan(cells.first[cell], cells.first[cell + 1] - cells.first[cell]);
-}
-
 /// Looks neighbors up in cells of any number of edges. Cells outlive it unchanged.
 class EdgeIndex {
  public:
-  EdgeIndex(const Neighborhoods& cells, int threads);
+  EdgeIndex(const CellRows& cells, int threads);
 
   static constexpr std::size_t none = ~std::size_t{0};
 
@@ -37,7 +26,7 @@ class EdgeIndex {
                                  std::int32_t neighbor) const {
     if (row.size() > most_scanned) return findInLarge(cell, neighbor);
     const auto* edge = row.data();
-    if (row.size() <= at_once && edge + at_once <= end_) {
+    if (row.size() <= at_once) {
       const auto first = static_cast<std::size_t>(std::countr_zero(matches(edge, neighbor)));
       return first < row.size() ? first : none;
     }
@@ -50,8 +39,8 @@ class EdgeIndex {
  private:
   /// Beyond this many edges a sorted list is faster than a look at each, and keeps a cell with many
   /// neighbors, each of which asks for itself, from costing their number squared.
-  static constexpr std::size_t most_scanned = 64;
-  static constexpr std::size_t at_once = 8;
+  static constexpr std::size_t most_scanned = CellRows::usual_edges;
+  static constexpr std::size_t at_once = CellRows::readable;
 
   /// Bit e says whether edge[e] is `neighbor`. To look at a few edges too many is faster than to guess where
   /// to stop.
@@ -76,7 +65,6 @@ class EdgeIndex {
   };
   [[nodiscard]] std::size_t findInLarge(std::size_t cell, std::int32_t neighbor) const;
 
-  const std::int32_t* end_;   ///< of all edges
   std::vector<Large> large_;  ///< ascending
 };
 

@@ -1,5 +1,6 @@
 #include "core/grid_topology.h"
 
+#include "backend/collect.h"
 #include "core/pace.h"
 #include "core/sample.h"
 #include "core/upload.h"
@@ -14,8 +15,8 @@ using Indices = std::vector<std::uint32_t>;
 
 class Finding {
  public:
-  Finding(const TopologyInput& input, std::size_t cells, Gathering& gathering, Report& report)
-      : input_(input), cells_(cells), upload_(input.backend, {}), gathering_(gathering), report_(report) {}
+  Finding(const TopologyInput& input, std::size_t cells, Topology& topology, Report& report)
+      : input_(input), cells_(cells), upload_(input.backend, {}), topology_(topology), report_(report) {}
 
   Result<void> findTile(const Tile& tile) {
     if (areMany(0)) return leave(tile, tile.own);
@@ -78,33 +79,30 @@ class Finding {
   }
 
   void add(const Tile& tile, std::span<const std::uint32_t> part, Neighborhoods found) {
-    if (tile.whole.empty()) return gathering_.add(part, std::move(found));
+    if (tile.whole.empty()) return topology_.add(part, std::move(found));
     Indices whole;
     for (const auto site : part) whole.push_back(tile.whole[site]);
-    parallelFor(found.neighbor.size(), grain, input_.threads, [&](std::size_t begin, std::size_t end) {
-      for (auto k = begin; k < end; ++k) {
-        auto& neighbor = found.neighbor[k];
-        if (neighbor >= 0) {
-          neighbor = static_cast<std::int32_t>(tile.whole[static_cast<std::size_t>(neighbor)]);
-        }
+    parallelFor(part.size(), grain, input_.threads, [&](std::size_t begin, std::size_t end) {
+      for (auto e = begin; e < end; ++e) {
+        renumber(found, e, [&](std::uint32_t site) { return tile.whole[site]; });
       }
     });
-    gathering_.add(whole, std::move(found));
+    topology_.add(whole, std::move(found));
   }
 
   const TopologyInput& input_;
   std::size_t cells_;  ///< of all tiles
   std::size_t done_ = 0;
   Upload upload_;
-  Gathering& gathering_;
+  Topology& topology_;
   Report& report_;
 };
 
 }  // namespace
 
 Result<Indices> findByGrid(const TopologyInput& input, std::span<const std::uint32_t> which,
-                           Gathering& gathering, Report& report) {
-  Finding finding(input, which.size(), gathering, report);
+                           Topology& topology, Report& report) {
+  Finding finding(input, which.size(), topology, report);
   auto unfit = forTiles(
       input.sites, input.backend.info(), which, input.threads,
       [&](const Tile& tile) { return finding.findTile(tile); }, [&] { return finding.areMany(0); });

@@ -1,7 +1,6 @@
 /// Neighborhoods by the search over the grid on a device.
 #pragma once
 
-#include "core/gather.h"
 #include "core/topology.h"
 
 namespace vorpipe {
@@ -9,7 +8,7 @@ namespace vorpipe {
 /// Finds the cells of `which` (ascending) on the backend, fast, then with more room those that overflow,
 /// tile by tile where the sites do not fit. Adds what is certified; returns the other cells, ascending.
 Result<std::vector<std::uint32_t>> findByGrid(const TopologyInput& input,
-                                              std::span<const std::uint32_t> which, Gathering& gathering,
+                                              std::span<const std::uint32_t> which, Topology& topology,
                                               Report& report);
 
 }  // namespace vorpipe

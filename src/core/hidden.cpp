@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/edge_index.h"
 #include "core/expansion.h"
 #include "core/place.h"
 #include "parallel.h"
@@ -144,27 +143,17 @@ bool leaveNothing(const SiteSet& sites, std::uint32_t cell, std::span<const std:
   return Remainder(sites).isNothing(cell, lines);
 }
 
-void proveEmpty(const SiteSet& sites, std::span<const std::uint32_t> which, int threads,
-                Neighborhoods& cells) {
+void proveEmpty(const SiteSet& sites, std::span<const std::uint32_t> which, int threads, CellRows& cells) {
   if (sites.weight.empty()) return;
   parallelFor(which.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
     Remainder remainder(sites);
     for (auto e = begin; e < end; ++e) {
-      if (cells.status[e] != CellStatus::empty) continue;
-      if (!remainder.isNothing(which[e], edgesOf(cells, e))) cells.status[e] = CellStatus::open;
+      const auto cell = which[e];
+      if (cells.status(cell) != CellStatus::empty) continue;
+      const bool proved = remainder.isNothing(cell, cells.edges(cell));
+      cells.drop(cell, proved ? CellStatus::empty : CellStatus::open);
     }
   });
-  std::uint64_t kept = 0;
-  for (std::size_t e = 0; e < which.size(); ++e) {
-    const auto row = edgesOf(cells, e);
-    const bool keep = cells.status[e] == CellStatus::certified;
-    cells.first[e] = kept;
-    if (!keep) continue;
-    std::copy(row.begin(), row.end(), cells.neighbor.begin() + static_cast<std::ptrdiff_t>(kept));
-    kept += row.size();
-  }
-  cells.first[which.size()] = kept;
-  cells.neighbor.resize(kept);
 }
 
 }  // namespace vorpipe

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "backend/backend.h"
+#include "core/cell_rows.h"
 
 namespace vorpipe {
 
@@ -11,11 +11,10 @@ namespace vorpipe {
 /// Exact, but for coordinates of the range that predicates.h names; beyond it the answer is no.
 bool leaveNothing(const SiteSet& sites, std::uint32_t cell, std::span<const std::int32_t> lines);
 
-/// Takes the lines from the cells, entry e that of site which[e], that are empty in a set with weights; where
-/// those do not prove that, the cell becomes `open`.
+/// Takes the lines from those cells of `which` that are empty in a set with weights; where they do not prove
+/// that, the cell becomes `open`.
 ///
 /// A wrong cell disagrees with its neighbors, but if it is missing they agree as well.
-void proveEmpty(const SiteSet& sites, std::span<const std::uint32_t> which, int threads,
-                Neighborhoods& cells);
+void proveEmpty(const SiteSet& sites, std::span<const std::uint32_t> which, int threads, CellRows& cells);
 
 }  // namespace vorpipe

@@ -21,30 +21,31 @@ bool isOpen(CellStatus status) { return !isDone(status); }
 
 }  // namespace
 
-Result<Neighborhoods> Judge::find(std::span<const std::uint32_t> which, Effort effort, int threads,
-                                  const Progress& progress, std::uint64_t& exact) {
+Result<CellRows> Judge::find(std::span<const std::uint32_t> which, Effort effort, int threads,
+                             const Progress& progress, std::uint64_t& exact) {
+  CellRows cells(which.size(), threads);
+  Indices entries(which.size());
+  std::iota(entries.begin(), entries.end(), 0u);
   const bool pays = effort == Effort::exact
                         ? !mesh_.isMade() && which.size() > sites_.size() / sites_per_exact_cell
                         : mesh_.isMade() || areMany(which.size());
   if (const auto* mesh = pays ? mesh_.get() : nullptr; mesh != nullptr) {
-    return meshCells(sites_, *mesh, which, threads);
+    cells.add(entries, meshCells(sites_, *mesh, which, threads));
+    return cells;
   }
   if (!ready_ && !which.empty()) {
     if (auto uploaded = backend_.upload(sites_, {}); !uploaded) return tl::unexpected(uploaded.error());
     ready_ = true;
   }
-  Gathering gathering(which.size(), threads);
-  std::vector<std::uint32_t> entries(which.size());
-  std::iota(entries.begin(), entries.end(), 0u);
-  auto found = findSome(which, entries, effort, progress, gathering);
+  auto found = findSome(which, entries, effort, progress, cells);
   if (found && effort == Effort::in_double && !found->empty()) {
     Indices open;
     for (const auto e : *found) open.push_back(which[e]);
     auto exactly = find(open, Effort::exact, threads, progress, exact);
     if (!exactly) return exactly;
     exact += open.size();
-    gathering.add(*found, std::move(*exactly));
-    return gathering.finish();
+    cells.add(*found, std::move(*exactly));
+    return cells;
   }
   if (!found) return tl::unexpected(found.error());
   if (!found->empty()) {
@@ -52,7 +53,7 @@ Result<Neighborhoods> Judge::find(std::span<const std::uint32_t> which, Effort e
         ErrorCode::device, fmt::format("{} did not decide the cell of site {}",
                                        backend_.info().device.backend, sites_.id[which[found->front()]])});
   }
-  return gathering.finish();
+  return cells;
 }
 
 bool Judge::areMany(std::size_t cells) const {
@@ -62,7 +63,7 @@ bool Judge::areMany(std::size_t cells) const {
 
 Result<std::vector<std::uint32_t>> Judge::findSome(std::span<const std::uint32_t> which,
                                                    std::span<const std::uint32_t> entries, Effort effort,
-                                                   const Progress& progress, Gathering& gathering) {
+                                                   const Progress& progress, CellRows& cells) {
   std::vector<std::uint32_t> open;
   std::vector<std::uint32_t> some;
   const auto work = [&](std::size_t begin, std::size_t count) -> Result<void> {
@@ -73,7 +74,7 @@ Result<std::vector<std::uint32_t>> Judge::findSome(std::span<const std::uint32_t
     if (auto done = backend_.cells(some, effort, found); !done) return done;
     const auto left = withStatus(part, found.status, isOpen);
     open.insert(open.end(), left.begin(), left.end());
-    gathering.add(part, std::move(found));
+    cells.add(part, std::move(found));
     return {};
   };
   const auto* stage = effort == Effort::exact ? "exact cells" : "cells in double";

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "backend/backend.h"
-#include "core/gather.h"
+#include "core/cell_rows.h"
 #include "core/site_mesh.h"
 
 namespace vorpipe {
@@ -18,8 +18,8 @@ class Judge {
   /// may mean from the mesh: in double once it is made, and where the cells are too many for anything else;
   /// exactly for that reason alone, so that cells of the mesh are found in another way. `exact` is increased
   /// by the number of cells that double did not decide. Errors: those of the backend; progress said stop.
-  Result<Neighborhoods> find(std::span<const std::uint32_t> which, Effort effort, int threads,
-                             const Progress& progress, std::uint64_t& exact);
+  Result<CellRows> find(std::span<const std::uint32_t> which, Effort effort, int threads,
+                        const Progress& progress, std::uint64_t& exact);
 
   /// Whether so many cells are worth the mesh: more of them cost next to nothing then.
   [[nodiscard]] bool areMany(std::size_t cells) const;
@@ -28,7 +28,7 @@ class Judge {
   /// Adds the cells of which[e] for e in `entries`; returns the entries that are still open.
   Result<std::vector<std::uint32_t>> findSome(std::span<const std::uint32_t> which,
                                               std::span<const std::uint32_t> entries, Effort effort,
-                                              const Progress& progress, Gathering& gathering);
+                                              const Progress& progress, CellRows& cells);
 
   Backend& backend_;
   SiteMesh& mesh_;

@@ -1,19 +1,15 @@
 /// Cells that the judge found, as a device can draw them.
 #pragma once
 
-#include "backend/backend.h"
 #include "core/candidates.h"
+#include "core/cell_rows.h"
 
 namespace vorpipe {
 
 /// The cells of some sites; entry e of `found`, certified or empty, is the cell of which[e].
 struct JudgedCells {
   std::vector<std::uint32_t> which;
-  Neighborhoods found;
-
-  [[nodiscard]] std::span<const std::int32_t> neighbors(std::size_t e) const {
-    return std::span(found.neighbor).subspan(found.first[e], found.first[e + 1] - found.first[e]);
-  }
+  CellRows found;
 };
 
 /// The sites that bound the cells `entries`, and the box of each cell.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "backend/collect.h"
 #include "core/flann_search.h"
 #include "core/pace.h"
 #include "core/pack.h"
@@ -15,8 +16,8 @@ using Indices = std::vector<std::uint32_t>;
 
 class Finding {
  public:
-  Finding(const TopologyInput& input, Gathering& gathering, Report& report)
-      : input_(input), gathering_(gathering), report_(report), search_(input.sites, input.threads) {
+  Finding(const TopologyInput& input, Topology& topology, Report& report)
+      : input_(input), topology_(topology), report_(report), search_(input.sites, input.threads) {
     report_.time_ms.search = 1e3 * watch_.seconds();
   }
 
@@ -52,7 +53,7 @@ class Finding {
                        if (isDone(found.status[e])) continue;
                        (found.status[e] == CellStatus::unsecured ? unsecured : left).push_back(part[e]);
                      }
-                     gathering_.add(part, std::move(found));
+                     topology_.add(part, std::move(found));
                      return {};
                    });
   }
@@ -65,18 +66,13 @@ class Finding {
     report_.time_ms.search += 1e3 * watch.seconds();
     if (auto clipped = input_.backend.cells(batch_, found); !clipped) return clipped;
     for (std::size_t e = 0; e < which.size(); ++e) {
-      for (auto n = found.first[e]; n < found.first[e + 1]; ++n) {
-        auto& neighbor = found.neighbor[n];
-        if (neighbor < 0) continue;
-        const auto line = candidates.first[e] + static_cast<std::uint32_t>(neighbor);
-        neighbor = static_cast<std::int32_t>(candidates.index[line]);
-      }
+      renumber(found, e, [&](std::uint32_t line) { return candidates.index[candidates.first[e] + line]; });
     }
     return {};
   }
 
   const TopologyInput& input_;
-  Gathering& gathering_;
+  Topology& topology_;
   Report& report_;
   Stopwatch watch_;
   FlannSearch search_;
@@ -86,9 +82,9 @@ class Finding {
 }  // namespace
 
 Result<Indices> findByLists(const TopologyInput& input, std::span<const std::uint32_t> which,
-                            Gathering& gathering, Report& report) {
+                            Topology& topology, Report& report) {
   if (which.empty()) return Indices{};
-  return Finding(input, gathering, report).find({which.begin(), which.end()});
+  return Finding(input, topology, report).find({which.begin(), which.end()});
 }
 
 }  // namespace vorpipe

@@ -1,7 +1,6 @@
 /// Neighborhoods from lists of nearest neighbors, as in the thesis.
 #pragma once
 
-#include "core/gather.h"
 #include "core/topology.h"
 
 namespace vorpipe {
@@ -11,7 +10,7 @@ namespace vorpipe {
 /// or the lists are short. Adds what is
 /// certified; returns the other cells, ascending.
 Result<std::vector<std::uint32_t>> findByLists(const TopologyInput& input,
-                                               std::span<const std::uint32_t> which, Gathering& gathering,
+                                               std::span<const std::uint32_t> which, Topology& topology,
                                                Report& report);
 
 }  // namespace vorpipe

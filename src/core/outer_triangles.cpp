@@ -28,7 +28,7 @@ using Edge = std::pair<std::int32_t, std::int32_t>;
 /// Whether a cell does not lie inside the domain with all of its vertices. A triangle whose center is
 /// not inside the domain has three such sites: their cells, were they not clipped, would reach that center.
 bool isOpen(const ProposedCells& agreed, const TiedCells& tied, std::size_t cell) {
-  const auto row = edgesOf(agreed.cells, cell);
+  const auto row = agreed.cells.edges(cell);
   if (row.empty() || std::any_of(row.begin(), row.end(), [](auto n) { return n < 0; })) return true;
   if (!tied.has(cell)) return false;
   const auto k = tied.entry[cell];
@@ -126,7 +126,7 @@ std::size_t cornersOf(const ProposedCells& agreed, const Triangles& triangles) {
     for (const auto id : triangle) is_corner[id] = 1;
   }
   for (std::size_t cell = 0; cell < sites.size(); ++cell) {
-    if (agreed.cells.status[cell] == CellStatus::certified && is_corner[sites.id[cell]] == 0) return 0;
+    if (agreed.cells.status(cell) == CellStatus::certified && is_corner[sites.id[cell]] == 0) return 0;
   }
   return static_cast<std::size_t>(std::count(is_corner.begin(), is_corner.end(), 1));
 }

@@ -28,6 +28,11 @@ class Unscale {
   double factor_[5] = {1, 1, 1, 1, 1};
 };
 
+/// A neighbor as a Diagram has it: a wall, or an index in the input.
+inline std::int64_t outsideIndex(const SiteSet& sites, std::int32_t neighbor) {
+  return neighbor < 0 ? std::int64_t{neighbor} : std::int64_t{sites.id[static_cast<std::size_t>(neighbor)]};
+}
+
 /// Where coordinates of a cell begin: its site, or the domain's point nearest to it.
 inline Point originOf(const SiteSet& sites, std::size_t cell) {
   return {std::clamp(sites.x[cell], sites.domain.xmin, sites.domain.xmax),

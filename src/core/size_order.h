@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "backend/backend.h"
+#include "core/cell_rows.h"
 
 namespace vorpipe {
 
@@ -14,11 +14,11 @@ namespace vorpipe {
 /// processor foresees where the loops over edges end, and cells of one number of edges can be worked on side
 /// by side.
 template <class CellAt, class Each>
-void forCellsBySize(const Neighborhoods& cells, std::size_t begin, std::size_t end, const CellAt& cellAt,
+void forCellsBySize(const CellRows& cells, std::size_t begin, std::size_t end, const CellAt& cellAt,
                     const Each& each) {
   constexpr std::size_t most = 64;
   const auto sizeOf = [&](std::uint32_t cell) {
-    return std::min<std::size_t>(cells.first[cell + std::size_t{1}] - cells.first[cell], most);
+    return std::min<std::size_t>(cells.edges(cell).size(), most);
   };
   std::array<std::uint32_t, most + 2> next{};
   for (auto k = begin; k < end; ++k) ++next[sizeOf(cellAt(k)) + 1];

@@ -39,7 +39,7 @@ class Making {
   }
 
   [[nodiscard]] std::span<const std::int32_t> rowOf(std::size_t k) const {
-    return edgesOf(proposed_.cells, tied_.cell[k]);
+    return proposed_.cells.edges(tied_.cell[k]);
   }
 
   [[nodiscard]] Place cornerOf(std::size_t k, std::span<const std::int32_t> row, std::size_t e) const {

@@ -9,7 +9,6 @@
 
 #include "core/disjoint_sets.h"
 #include "core/hidden.h"
-#include "core/row_start.h"
 #include "core/tied_vertices.h"
 #include "parallel.h"
 
@@ -92,7 +91,7 @@ class Untying {
   void join(std::size_t k, std::vector<Place>& corners) {
     const auto cell = tied_.cell[k];
     if (isRightlyEmpty(sites_, cells_, cell)) return;
-    const auto row = edgesOf(cells_, cell);
+    const auto row = cells_.edges(cell);
     const bool nothing = !sites_.weight.empty() && leaveNothing(sites_, cell, row);
     if (nothing || !isWellFormed(sites_, cells_, cell)) return dispute(static_cast<std::int32_t>(cell));
     placeCorners(sites_, cell, row, corners);
@@ -111,7 +110,7 @@ class Untying {
   void findCollapsed(std::size_t k) {
     const auto cell = tied_.cell[k];
     if (isRightlyEmpty(sites_, cells_, cell)) return;
-    const auto row = edgesOf(cells_, cell);
+    const auto row = cells_.edges(cell);
     for (std::size_t e = 0; e < row.size(); ++e) {
       const auto begin = tied_.first[k] + e, end = tied_.first[k] + after(row, e);
       if (tied_.tie[begin] != 0 || tied_.vertex[begin] != tied_.vertex[end]) continue;
@@ -137,7 +136,7 @@ class Untying {
   void joinAcross(std::size_t k, std::span<const std::int32_t> row, std::size_t e, const Seen& here) {
     const auto cell = tied_.cell[k];
     const auto other = static_cast<std::size_t>(row[e]);
-    const auto other_row = edgesOf(cells_, other);
+    const auto other_row = cells_.edges(other);
     const auto back = proposed_.index.find(other_row, other, static_cast<std::int32_t>(cell));
     if (back == EdgeIndex::none) {
       if (!here.span.isTie()) disputeBoth(cell, row[e]);
@@ -189,7 +188,7 @@ class Untying {
 
   const ProposedCells& proposed_;
   const SiteSet& sites_;
-  const Neighborhoods& cells_;
+  const CellRows& cells_;
   TiedCells& tied_;
   DisjointSets sets_;
   std::vector<std::uint8_t> disputed_;
@@ -199,7 +198,7 @@ class Untying {
 /// without weights that has no area, but for rounding, only touches the domain, and is empty.
 void recordUnedged(const ProposedCells& proposed, std::uint32_t cell, const Records& records) {
   const auto& sites = proposed.sites;
-  const auto row = edgesOf(proposed.cells, cell);
+  const auto row = proposed.cells.edges(cell);
   std::vector<Place> corners;
   placeCorners(sites, cell, row, corners);
   const auto origin = measuringOrigin(sites, cell, corners.front());
@@ -223,7 +222,7 @@ Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std:
     }
     tied.entry[cell] = static_cast<std::uint32_t>(tied.cell.size());
     tied.cell.push_back(static_cast<std::uint32_t>(cell));
-    tied.first.push_back(tied.first.back() + edgesOf(proposed.cells, cell).size());
+    tied.first.push_back(tied.first.back() + proposed.cells.edges(cell).size());
   }
   if (tied.first.back() >= std::numeric_limits<std::uint32_t>::max()) {
     return tl::unexpected(
@@ -236,13 +235,12 @@ Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std:
 void keptEdges(const ProposedCells& proposed, const TiedCells& tied, std::size_t k,
                std::vector<std::uint32_t>& edges) {
   edges.clear();
-  const auto row = edgesOf(proposed.cells, tied.cell[k]);
+  const auto row = proposed.cells.edges(tied.cell[k]);
   for (std::uint32_t e = 0; e < row.size(); ++e) {
     if (tied.tie[tied.first[k] + e] == 0) edges.push_back(e);
   }
-  const auto lowest = std::min_element(edges.begin(), edges.end(), [&](auto a, auto b) {
-    return outsideIndex(proposed.sites, row[a]) < outsideIndex(proposed.sites, row[b]);
-  });
+  const auto lowest =
+      std::min_element(edges.begin(), edges.end(), [&](auto a, auto b) { return row[a] < row[b]; });
   std::rotate(edges.begin(), lowest, edges.end());
 }
 
@@ -252,7 +250,7 @@ void recordTiedCells(const ProposedCells& proposed, const TiedCells& tied, const
     std::vector<Place> corners;
     for (auto k = begin; k < end; ++k) {
       const auto cell = tied.cell[k];
-      if (proposed.cells.status[cell] == CellStatus::empty) {
+      if (proposed.cells.status(cell) == CellStatus::empty) {
         records.empty(cell);
         continue;
       }
@@ -261,7 +259,7 @@ void recordTiedCells(const ProposedCells& proposed, const TiedCells& tied, const
         recordUnedged(proposed, cell, records);
         continue;
       }
-      placeCorners(proposed.sites, cell, edgesOf(proposed.cells, cell), corners);
+      placeCorners(proposed.sites, cell, proposed.cells.edges(cell), corners);
       const auto origin = measuringOrigin(proposed.sites, cell, corners.front());
       const auto m = measureCell(origin, corners);
       records.cell(cell, edges.size(), m.area, origin, m.centroid);

@@ -50,8 +50,8 @@ Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std:
 /// thin cell.
 void recordTiedCells(const ProposedCells& proposed, const TiedCells& tied, const Records& records);
 
-/// What is left of tied cell k without its ties: the numbers of its edges, from that of the first
-/// neighbor as beginAtFirst has it. A corner after which only ties follow is left out, so that each vertex
+/// What is left of tied cell k without its ties: the numbers of its edges, from that of the smallest
+/// neighbor. A corner after which only ties follow is left out, so that each vertex
 /// stands once and begins the edge that it stands with.
 void keptEdges(const ProposedCells& proposed, const TiedCells& tied, std::size_t k,
                std::vector<std::uint32_t>& edges);

@@ -6,9 +6,9 @@
 
 namespace vorpipe {
 
-/// The neighborhoods of all cells of a SiteSet, each certified or empty, turned as beginAtFirst has them.
-/// With weights, those that were empty without proof are open.
-using Topology = Neighborhoods;
+/// The rows of all cells of a SiteSet, each certified or empty. With weights, those that were empty without
+/// proof are open.
+using Topology = CellRows;
 
 /// What finding a topology works with; all of it outlives the call.
 struct TopologyInput {
@@ -24,9 +24,6 @@ struct TopologyInput {
 /// the rest. In `report`: retried, in_double, exact, and the times of upload and search.
 /// Errors: those of the backends; progress said stop.
 Result<Topology> findTopology(const TopologyInput& input, Report& report);
-
-/// Replaces the cells of `which` by the entries of `found`.
-void replaceCells(std::span<const std::uint32_t> which, Neighborhoods found, int threads, Topology& topology);
 
 /// Has the judge find the cells of `which` (ascending) again, beginning with `effort`, in_double or exact,
 /// and replaces them.

@@ -1,6 +1,7 @@
 // What the device backends answer when they are asked for cells as data. Compiled into the tests of each.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <set>
 
@@ -40,6 +41,14 @@ std::span<const std::int32_t> neighborsOf(const Neighborhoods& cells, std::size_
   return std::span(cells.neighbor).subspan(cells.first[entry], cells.first[entry + 1] - cells.first[entry]);
 }
 
+// Expects each row to begin at its smallest number.
+void expectRowsFromSmallest(const Neighborhoods& cells) {
+  for (std::size_t entry = 0; entry < cells.status.size(); entry++) {
+    const auto row = neighborsOf(cells, entry);
+    ASSERT_TRUE(row.empty() || row.front() == *std::min_element(row.begin(), row.end())) << "entry " << entry;
+  }
+}
+
 Line<double> wallOf(const CellBatch<double>::Entry& entry, std::int32_t wall) {
   const Line<double> walls[] = {
       {-1, 0, -entry.west, 0}, {1, 0, entry.east, 0}, {0, -1, -entry.south, 0}, {0, 1, entry.north, 0}};
@@ -53,6 +62,7 @@ void expectListsToTile(Backend& backend, const Scene& scene) {
   ASSERT_TRUE(done.has_value()) << done.error().message;
   ASSERT_EQ(cells.status, std::vector(scene.set.size(), CellStatus::certified));
   ASSERT_EQ(cells.first.size(), scene.set.size() + 1);
+  expectRowsFromSmallest(cells);
   double area = 0;
   for (std::size_t cell = 0; cell < cells.status.size(); cell++) {
     const auto& entry = scene.batch.entries[cell];
@@ -95,6 +105,7 @@ void expectSitesToTile(Backend& backend, const Scene& scene) {
     const Neighborhoods cells = cellsInCalls(backend, wanted, effort);
     ASSERT_EQ(cells.status.size(), wanted.size());
     ASSERT_EQ(cells.first.size(), wanted.size() + 1);
+    expectRowsFromSmallest(cells);
     for (std::size_t k = 0; k < wanted.size(); k++) {
       const std::size_t site = wanted[k];
       for (const std::int32_t other : neighborsOf(cells, k)) edges.insert({site, other});

@@ -101,6 +101,7 @@ struct OneByOne {
         clip.clipSite(cell, bins, seenFrom(set.domain, x, y), outset, static_cast<int>(site), shift));
     typename Clip::Order order;
     clip.orderEdges(cell, order);
+    clip.beginAtFirst(cell, order);
     neighbors.assign(static_cast<std::size_t>(order.count), 0);
     for (std::size_t k = 0; k < Edges; ++k) {
       if (order.rank[k] >= 0) neighbors[static_cast<std::size_t>(order.rank[k])] = cell.line[k];

@@ -1,6 +1,7 @@
 /// Proofs that cells are empty, and corners of cells with weights, against rational numbers.
 #include "core/hidden.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <array>
@@ -92,16 +93,20 @@ TEST(LeaveNothing, ofAnyRange) {
 TEST(ProveEmpty, takesTheProofAndOpensWhatHasNone) {
   SiteSet set = sitesAt({0.5, 0.4, 0.6, 0.5}, {0.5, 0.4, 0.4, 0.7});
   set.weight = {0, 1, 1, 1};
-  Neighborhoods cells;
-  cells.status = {CellStatus::empty, CellStatus::certified, CellStatus::empty, CellStatus::empty};
-  cells.first = {0, 3, 6, 8, 8};
-  cells.neighbor = {1, 2, 3, 2, 3, wall_xmin, 3, 1};
+  Neighborhoods found;
+  found.status = {CellStatus::empty, CellStatus::certified, CellStatus::empty, CellStatus::empty};
+  found.first = {0, 3, 6, 8, 8};
+  found.neighbor = {1, 2, 3, wall_xmin, 2, 3, 1, 3};
   const std::array<std::uint32_t, 4> which{0, 1, 2, 3};
+  CellRows cells(4, 2);
+  cells.add(which, std::move(found));
   proveEmpty(set, which, 2, cells);
-  EXPECT_EQ(cells.status,
-            (std::vector{CellStatus::empty, CellStatus::certified, CellStatus::open, CellStatus::open}));
-  EXPECT_EQ(cells.first, (BigVector<std::uint64_t>{0, 0, 3, 3, 3}));
-  EXPECT_EQ(cells.neighbor, (BigVector<std::int32_t>{2, 3, wall_xmin}));
+  EXPECT_EQ(cells.status(0), CellStatus::empty);
+  EXPECT_EQ(cells.status(1), CellStatus::certified);
+  EXPECT_EQ(cells.status(2), CellStatus::open);
+  EXPECT_EQ(cells.status(3), CellStatus::open);
+  for (const auto cell : {0u, 2u, 3u}) EXPECT_TRUE(cells.edges(cell).empty());
+  EXPECT_THAT(cells.edges(1), testing::ElementsAre(wall_xmin, 2, 3));
 }
 
 /// The point whose powers to three sites are equal, in units of double.

@@ -111,8 +111,7 @@ Asked askedFor(Pattern pattern) {
   Report report;
   const auto topology = findTopology({device, judge, sites, search, 2, progress}, report);
   EXPECT_TRUE(topology);
-  EXPECT_TRUE(std::none_of(topology->status.begin(), topology->status.end(),
-                           [](auto status) { return status == CellStatus::missing; }));
+  for (std::size_t i = 0; i < sites.size(); ++i) EXPECT_NE(topology->status(i), CellStatus::missing);
   return {device.asked, judge_backend.asked};
 }
 

@@ -8,9 +8,9 @@
 #include <random>
 #include <vector>
 
+#include "backend/collect.h"
 #include "core/assemble.h"
 #include "core/dual.h"
-#include "core/row_start.h"
 
 namespace vorpipe::test {
 
@@ -126,6 +126,7 @@ inline Neighborhoods cellsOf(const Rows& rows) {
     cells.status.push_back(row.empty() ? CellStatus::empty : CellStatus::certified);
     cells.neighbor.insert(cells.neighbor.end(), row.begin(), row.end());
     cells.first.push_back(cells.neighbor.size());
+    beginAtFirst(std::span(cells.neighbor).last(row.size()));
   }
   return cells;
 }
@@ -138,12 +139,13 @@ struct Assembled {
   std::vector<std::uint32_t> disputed;
 };
 
-inline Assembled assemble(const SiteSet& set, Neighborhoods cells, int threads = 1,
+inline Assembled assemble(const SiteSet& set, Neighborhoods found, int threads = 1,
                           Detail detail = Detail::everything) {
   Assembled result;
-  for (std::size_t i = 0; i < set.size(); ++i) {
-    beginAtFirst(set, std::span(cells.neighbor).subspan(cells.first[i], cells.first[i + 1] - cells.first[i]));
-  }
+  std::vector<std::uint32_t> all(set.size());
+  std::iota(all.begin(), all.end(), 0u);
+  CellRows cells(set.size(), threads);
+  cells.add(all, std::move(found));
   Prepared prepared;
   prepared.set = set;
   prepared.owner.resize(set.size());

@@ -155,14 +155,11 @@ TEST(Tiles, KnowTheirSites) {
   }
 }
 
-/// Cell by cell, each beginning with its least neighbor.
-std::vector<std::vector<std::int32_t>> rotated(const Topology& topology) {
+std::vector<std::vector<std::int32_t>> rowsIn(const Topology& topology) {
   std::vector<std::vector<std::int32_t>> cells;
-  for (std::size_t i = 0; i < topology.status.size(); ++i) {
-    const auto* neighbors = topology.neighbor.data();
-    std::vector<std::int32_t> cell(neighbors + topology.first[i], neighbors + topology.first[i + 1]);
-    std::rotate(cell.begin(), std::min_element(cell.begin(), cell.end()), cell.end());
-    cells.push_back(std::move(cell));
+  for (std::size_t i = 0; i < topology.size(); ++i) {
+    const auto row = topology.edges(i);
+    cells.emplace_back(row.begin(), row.end());
   }
   return cells;
 }
@@ -183,7 +180,7 @@ Found cellsInTiles(const SiteSet& sites, std::uint64_t most_sites, std::uint64_t
   Report report;
   const auto topology = findTopology({backend, judge, sites, search, 2, progress}, report);
   EXPECT_TRUE(topology) << topology.error().message;
-  return {rotated(*topology), report, backend.uploads};
+  return {rowsIn(*topology), report, backend.uploads};
 }
 
 TEST(Tiles, FindCrowdedCellsInFinerGrids) {
@@ -198,7 +195,7 @@ TEST(Tiles, FindCrowdedCellsInFinerGrids) {
   std::uint64_t exact = 0;
   const auto judged = judge.find(allOf(sites), Effort::in_double, 2, {}, exact);
   ASSERT_TRUE(judged);
-  EXPECT_EQ(found.cells, rotated(*judged));
+  EXPECT_EQ(found.cells, rowsIn(*judged));
 }
 
 TEST(Tiles, GiveTheSameCells) {

@@ -166,6 +166,7 @@ class Finding {
     if (job_.neighbors == nullptr) return;
     typename Cells::Order order;
     clip_.orderEdges(cells.cell, order);
+    clip_.beginAtFirst(cells.cell, order);
     for (std::size_t l = 0; l < cells.count; ++l) {
       if (cells.search.left[l] == 0) writeNeighbors(cells, order, l, status[l]);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "backend/collect.h"
 #include "parallel.h"
 
 namespace vorpipe::cpu {
@@ -90,10 +91,8 @@ CellStatus findWithin(std::int64_t reach, const SiteSet& sites, std::uint32_t si
   if (self == near.size()) return CellStatus::unsecured;  // or it lies outside the domain, far from its cell
   Neighborhoods found;
   find(near, SiteTree(near, 1), {&self, 1}, 1, found);
-  for (const auto neighbor : found.neighbor) {
-    neighbors.push_back(
-        neighbor < 0 ? neighbor : static_cast<std::int32_t>(near.id[static_cast<std::size_t>(neighbor)]));
-  }
+  renumber(found, 0, [&](std::uint32_t place) { return near.id[place]; });
+  neighbors.assign(found.neighbor.begin(), found.neighbor.end());
   return found.status[0];
 }
 

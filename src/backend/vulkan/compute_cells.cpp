@@ -20,6 +20,9 @@ constexpr std::size_t slice_entries = std::size_t{1} << 18;
 
 constexpr std::size_t word_bytes = sizeof(std::uint32_t);
 
+// The words of so many entries, in fours, as rows are.
+constexpr std::size_t wordsBytes(std::size_t entries) { return (entries + 3) / 4 * 4 * word_bytes; }
+
 tl::unexpected<Error> outOfMemory(std::size_t cells) {
   return deviceError("not enough memory for " + std::to_string(cells) +
                      " cells: free some, or ask for fewer cells at a time");
@@ -68,13 +71,12 @@ Result<void> ComputeBackend::cells(const CellBatch<double>& batch, Neighborhoods
 // Clips the entries that were sent, slice by slice.
 Result<void> ComputeBackend::findCells(const Clipping& clipping, Neighborhoods& out) {
   VORPIPE_TRY(clear(out));
-  // With weights, the lines that leave nothing of a cell are one more than it had edges.
-  const std::size_t room = clipping.room + (clipping.weighted ? 1 : 0);
+  const std::size_t room = answerRoom(clipping.room, clipping.weighted);
   const std::size_t row_bytes = room * sizeof(std::int32_t);
-  const std::size_t answer_bytes = word_bytes + row_bytes;
-  const std::size_t slice = std::min(clipping.count, sliceOf(slice_entries, answer_bytes));
-  VORPIPE_TRY(answers_.reserve(device_, slice * answer_bytes, storage_range_));
-  clipping.bindings.setStorage(device_, BINDING_STATUS, answers_.get(), slice * answer_bytes);
+  const std::size_t slice = std::min(clipping.count, sliceOf(slice_entries, row_bytes + 4 * word_bytes));
+  const std::size_t answer_bytes = wordsBytes(slice) + slice * row_bytes;
+  VORPIPE_TRY(answers_.reserve(device_, answer_bytes, storage_range_));
+  clipping.bindings.setStorage(device_, BINDING_STATUS, answers_.get(), answer_bytes);
   bindPolygons(clipping.bindings);
   const Result<VkPipeline> kernel =
       kernels_.kernel(device_, clipping.bindings.layout(), clipping.code, placed_here_);
@@ -83,11 +85,11 @@ Result<void> ComputeBackend::findCells(const Clipping& clipping, Neighborhoods& 
   for (std::size_t first = 0; first < clipping.count; first += slice) {
     const std::size_t here = std::min(slice, clipping.count - first);
     VORPIPE_TRY(device_.run([&](VkCommandBuffer commands) {
-      clearBefore(device_, commands, answers_.get(), here * word_bytes);
+      clearBefore(device_, commands, answers_.get(), wordsBytes(here));
       dispatch(device_, commands, *kernel, clipping.bindings,
                {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(here)}, here);
     }));
-    append({here, room, answers_.data(), word_bytes, answers_.data() + here * word_bytes, row_bytes}, out);
+    append({here, room, answers_.data(), word_bytes, answers_.data() + wordsBytes(here), row_bytes}, out);
   }
   return {};
 }

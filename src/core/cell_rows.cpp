@@ -1,0 +1,70 @@
+#include "core/cell_rows.h"
+
+#include <algorithm>
+#include <iterator>
+#include <mutex>
+
+#include "parallel.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr std::size_t grain = std::size_t{1} << 15;
+
+}  // namespace
+
+CellRows::CellRows(std::size_t cells, int threads)
+    : rows_(cells, Row{nothing.data(), 0, CellStatus::missing}), threads_(threads) {}
+
+void CellRows::add(std::span<const std::uint32_t> which, Neighborhoods found) {
+  auto& numbers = found.neighbor;
+  std::mutex mutex;
+  parallelFor(which.size(), grain, threads_, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint32_t> large;
+    for (auto e = begin; e < end; ++e) {
+      const auto count = static_cast<std::uint32_t>(found.first[e + 1] - found.first[e]);
+      const auto* const edges = numbers.data() + found.first[e];
+      rows_[which[e]] = {count > 0 ? edges : nothing.data(), count, found.status[e]};
+      if (count > usual_edges) large.push_back(which[e]);
+    }
+    if (large.empty()) return;
+    const std::lock_guard lock(mutex);
+    large_.insert(large_.end(), large.begin(), large.end());
+  });
+  makeReadable(which, found, numbers);
+  parts_.push_back(std::move(numbers));
+}
+
+/// Moves the rows at the end of a part to where enough numbers follow.
+void CellRows::makeReadable(std::span<const std::uint32_t> which, const Neighborhoods& found,
+                            const BigVector<std::int32_t>& numbers) {
+  auto e = which.size();
+  while (e > 0 && found.first[e - 1] + readable > numbers.size()) --e;
+  if (e == which.size()) return;
+  const auto begin = found.first[e];
+  BigVector<std::int32_t> last(numbers.begin() + static_cast<std::ptrdiff_t>(begin), numbers.end());
+  last.resize(last.size() + readable);
+  for (; e < which.size(); ++e) {
+    auto& row = rows_[which[e]];
+    if (row.count > 0) row.edges = last.data() + (found.first[e] - begin);
+  }
+  parts_.push_back(std::move(last));
+}
+
+void CellRows::add(std::span<const std::uint32_t> which, CellRows found) {
+  parallelFor(which.size(), grain, threads_, [&](std::size_t begin, std::size_t end) {
+    for (auto e = begin; e < end; ++e) rows_[which[e]] = found.rows_[e];
+  });
+  std::move(found.parts_.begin(), found.parts_.end(), std::back_inserter(parts_));
+  for (const auto e : found.large_) large_.push_back(which[e]);
+}
+
+std::vector<std::uint32_t> CellRows::large() const {
+  auto cells = large_;
+  std::erase_if(cells, [&](std::uint32_t cell) { return rows_[cell].count <= usual_edges; });
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return cells;
+}
+
+}  // namespace vorpipe

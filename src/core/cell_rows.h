@@ -1,0 +1,71 @@
+/// The neighbors of cells, cell by cell, wherever they were found.
+#pragma once
+
+#include <array>
+
+#include "backend/backend.h"
+
+namespace vorpipe {
+
+inline bool isDone(CellStatus status) {
+  return status == CellStatus::certified || status == CellStatus::empty;
+}
+
+/// The rows of cells 0 to size() - 1, added in any order and in parts of any size: the edges of a cell,
+/// counter-clockwise, each by the neighbor on its other side. Rows stay where their part has them; only the
+/// last answer for a cell can be seen.
+class CellRows {
+ public:
+  /// What was never added is `missing` and has no edges.
+  explicit CellRows(std::size_t cells, int threads);
+
+  [[nodiscard]] std::size_t size() const { return rows_.size(); }
+  [[nodiscard]] CellStatus status(std::size_t cell) const { return rows_[cell].status; }
+
+  /// As many numbers can be read from where a row begins, even if it is shorter.
+  static constexpr std::size_t readable = 8;
+  [[nodiscard]] std::span<const std::int32_t> edges(std::size_t cell) const {
+    return {rows_[cell].edges, rows_[cell].count};
+  }
+
+  /// Entry e of `found` becomes cell which[e].
+  void add(std::span<const std::uint32_t> which, Neighborhoods found);
+  void add(std::span<const std::uint32_t> which, CellRows found);
+
+  /// Takes its edges from a cell; different cells may lose theirs at the same time.
+  void drop(std::size_t cell, CellStatus status) { rows_[cell] = {nothing.data(), 0, status}; }
+
+  /// Cells with more edges than these are few, and remembered.
+  static constexpr std::size_t usual_edges = 64;
+  /// Those, ascending.
+  [[nodiscard]] std::vector<std::uint32_t> large() const;
+
+ private:
+  struct Row {
+    const std::int32_t* edges;
+    std::uint32_t count;
+    CellStatus status;
+  };
+  static constexpr std::array<std::int32_t, readable> nothing{};
+
+  void makeReadable(std::span<const std::uint32_t> which, const Neighborhoods& found,
+                    const BigVector<std::int32_t>& numbers);
+
+  BigVector<Row> rows_;
+  std::vector<BigVector<std::int32_t>> parts_;
+  std::vector<std::uint32_t> large_;  ///< with some that were
+  int threads_;
+};
+
+/// The sites among `which` whose entries in `status` have one of the wanted statuses.
+template <class Wanted>
+std::vector<std::uint32_t> withStatus(std::span<const std::uint32_t> which,
+                                      const std::vector<CellStatus>& status, const Wanted& wanted) {
+  std::vector<std::uint32_t> found;
+  for (std::size_t e = 0; e < which.size(); ++e) {
+    if (wanted(status[e])) found.push_back(which[e]);
+  }
+  return found;
+}
+
+}  // namespace vorpipe
