@@ -143,11 +143,28 @@ class Checking {
   std::vector<Place> places_;
 };
 
+/// Says that the cells a row of bins beyond a cell will be read soon: cells come row by row, so that they
+/// meet those for the first time, a few here and a few there. (Not inlined, it would have no effect that GCC
+/// sees, and not be called.)
+[[gnu::always_inline]] inline void announceBeyond(const ProposedCells& proposed, std::size_t cell) {
+#if defined(__GNUC__)
+  const auto& sites = proposed.sites;
+  const auto beyond = cell + 2 * sites.size() / sites.grid.rows;
+  if (beyond >= sites.size()) return;
+  __builtin_prefetch(proposed.cells.edges(beyond).data());
+  __builtin_prefetch(&sites.x[beyond]);
+  __builtin_prefetch(&sites.y[beyond]);
+#else
+  (void)proposed, (void)cell;
+#endif
+}
+
 /// Checks the cells cellAt(0) to cellAt(count - 1).
 template <class CellAt>
 void checkSome(const ProposedCells& proposed, std::size_t count, const CellAt& cellAt, const Records& records,
                std::span<std::uint8_t> rough) {
   parallelFor(count, grain, proposed.threads, [&](std::size_t begin, std::size_t end) {
+    for (auto k = begin; k < end; ++k) announceBeyond(proposed, cellAt(k));
     Checking checking(proposed, records, rough);
     forCellsBySize(proposed.cells, begin, end, cellAt, [&](std::uint32_t cell) { checking.check(cell); });
     checking.finish();

@@ -13,8 +13,11 @@ constexpr std::size_t grain = std::size_t{1} << 15;
 
 }  // namespace
 
-CellRows::CellRows(std::size_t cells, int threads)
-    : rows_(cells, Row{nothing.data(), 0, CellStatus::missing}), threads_(threads) {}
+CellRows::CellRows(std::size_t cells, int threads) : rows_(cells), threads_(threads) {
+  parallelFor(cells, grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end; ++i) drop(i, CellStatus::missing);
+  });
+}
 
 void CellRows::add(std::span<const std::uint32_t> which, Neighborhoods found) {
   auto& numbers = found.neighbor;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "core/disjoint_sets.h"
@@ -209,13 +210,19 @@ void recordUnedged(const ProposedCells& proposed, std::uint32_t cell, const Reco
   records.cell(cell, 0, std::max(m.area, 0.0), origin, m.centroid);
 }
 
+/// The first cell from `begin` on that is marked with 1; as many as there are if none is.
+std::size_t nextMarked(std::span<const std::uint8_t> rough, std::size_t begin) {
+  const auto* found = begin < rough.size() ? std::memchr(&rough[begin], 1, rough.size() - begin) : nullptr;
+  return found == nullptr ? rough.size()
+                          : static_cast<std::size_t>(static_cast<const std::uint8_t*>(found) - rough.data());
+}
+
 }  // namespace
 
 Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std::uint8_t> rough) {
   TiedCells tied;
   tied.first.push_back(0);
-  for (std::size_t cell = 0; cell < rough.size(); ++cell) {
-    if (rough[cell] == 0) continue;
+  for (std::size_t cell = nextMarked(rough, 0); cell < rough.size(); cell = nextMarked(rough, cell + 1)) {
     if (tied.cell.empty()) {
       tied.entry.reserve(rough.size());
       tied.entry.assign(rough.size(), TiedCells::not_tied);
