@@ -18,8 +18,8 @@
 //   UNROLL                   what it is to know of a loop over slots: done by the build, this spares drivers most
 //                            of the time that they take to make a pipeline
 //   NOWHERE, SAME            parallel lines get this sine, and lines that are the same this much of a
-//                            distance, which rounding swallows for any others: so the former meet far
-//                            away, and the latter do too
+//                            distance, by adding what rounding swallows for any others: so the former
+//                            meet far away, and the latter do too
 // docs/shaders.md has the dialect: what GLSL 4.10, GLSL 4.50 and C++ with GLM all accept.
 //
 // A cell is an unordered set of edges in slots. Slot k holds the line {p : p . n = h} with the unit
@@ -86,8 +86,7 @@ CUTTING void cutCell(INOUT(Cell) c, vec2 n, real h, cell_int line) {
     real lo = -FAR;
     real hi = FAR;
     UNROLL for (int k = 0; k < EDGE_END; k++) {
-        real cross = c.nx[k] * n.y - c.ny[k] * n.x;
-        real sine = abs(cross) < NOWHERE ? NOWHERE : cross;
+        real sine = c.nx[k] * n.y - c.ny[k] * n.x + NOWHERE;
         real cosine = c.nx[k] * n.x + c.ny[k] * n.y;
         real at_k = (h - c.h[k] * cosine + SAME) / sine;
         real at = at_k * cosine - c.h[k] * sine;
