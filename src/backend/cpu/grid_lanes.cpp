@@ -61,7 +61,7 @@ class Finding {
   }
 
   /// Cuts cells of the job, at most as many as there are lanes, by the block around each. Those that have to
-  /// look beyond it wait until there is one for each lane.
+  /// look beyond it, on as many sides, wait until there is one for each lane.
   void find(const std::uint32_t* cells, std::size_t count) {
     for (std::size_t l = 0; l < width; ++l) near_.which[l] = cells[l < count ? l : 0];
     near_.count = count;
@@ -69,37 +69,54 @@ class Finding {
     near_.search =
         clip_.searchBlock(near_.cell, place.bins, place.walls, place.outset, place.self, place.shift);
     write(near_, place);
+    const Ints sides = sidesBeyond(place.bins, near_.search);
     for (std::size_t l = 0; l < count; ++l) {
       if (near_.search.left[l] == 0) continue;
-      far_.add(near_, l);
-      if (far_.count == width) finish();
+      auto& far = far_[max(1, min(sides[l], most_sides)) - 1];
+      far.add(near_, l);
+      if (far.count == width) finish(far);
     }
   }
 
   /// Ends the cells that wait.
   void finish() {
-    if (far_.count == 0) return;
-    for (auto l = far_.count; l < width; ++l) {
-      far_.which[l] = far_.which[0];
-      far_.search.left[l] = 0;
+    for (auto& far : far_) {
+      if (far.count > 0) finish(far);
     }
-    const auto place = placeOf(far_);
-    auto search = clip_.searchFrom(place.bins, place.outset, place.self, place.shift);
-    search.tried = far_.search.tried;
-    search.certain = far_.search.certain;
-    search.left = far_.search.left;
-    search.box = far_.search.box;
-#ifdef WEIGHTED
-    search.view.lead = far_.search.view.lead;
-#endif
-    clip_.searchBeyond(far_.cell, place.bins, search);
-    far_.search = search;
-    write(far_, place);
-    far_.count = 0;
   }
 
  private:
   using Cells = Clip<Many, Edges>;
+  /// Few cells look beyond more sides.
+  static constexpr int most_sides = 3;
+
+  void finish(Searched<Edges>& far) {
+    for (auto l = far.count; l < width; ++l) {
+      far.which[l] = far.which[0];
+      far.search.left[l] = 0;
+    }
+    const auto place = placeOf(far);
+    auto search = clip_.searchFrom(place.bins, place.outset, place.self, place.shift);
+    search.tried = far.search.tried;
+    search.certain = far.search.certain;
+    search.left = far.search.left;
+    search.box = far.search.box;
+#ifdef WEIGHTED
+    search.view.lead = far.search.view.lead;
+#endif
+    clip_.searchBeyond(far.cell, place.bins, search);
+    far.search = search;
+    write(far, place);
+    far.count = 0;
+  }
+
+  /// On how many sides of the block there are sites that can cut a cell.
+  Ints sidesBeyond(const typename Cells::Bins& bins, const typename Cells::Search& search) {
+    const auto range = clip_.binsOf(bins, search.box);
+    return -((range.west < search.column - 1) + (range.east > search.column + 1) +
+             (range.south < search.row - 1) + (range.north > search.row + 1));
+  }
+
   using vec2 = typename Cells::vec2;
   using vec4 = typename Cells::vec4;
 #ifdef WEIGHTED
@@ -192,7 +209,8 @@ class Finding {
 
   const LaneJob& job_;
   Cells clip_;
-  Searched<Edges> near_, far_;
+  Searched<Edges> near_;
+  Searched<Edges> far_[most_sides];  ///< by on how many sides they look beyond
 };
 
 template <int Edges>
