@@ -3,11 +3,11 @@
 
 namespace vorpipe::vulkan {
 
-/// As long as this lives, Mesa's software driver opens devices with so many threads; with 0, with as many as
-/// it likes. It sets a variable of the environment, the driver's only way to be told, unless the user has.
+/// As long as this lives, Mesa's software driver opens devices that keep so many processors busy; with 0, all
+/// of them. It sets a variable of the environment, the driver's only way to be told, unless the user has.
 class DriverThreads {
  public:
-  explicit DriverThreads(int threads);
+  explicit DriverThreads(int processors);
   ~DriverThreads();
   DriverThreads(const DriverThreads&) = delete;
   DriverThreads& operator=(const DriverThreads&) = delete;
