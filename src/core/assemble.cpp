@@ -234,7 +234,8 @@ void takeRecords(std::span<const CellRecord> records, Detail detail, int threads
 
 void writeEdges(const ProposedCells& proposed, const TiedCells& tied, Detail detail, const Unscale& unscale,
                 Diagram& diagram) {
-  parallelFor(proposed.sites.size(), grain, proposed.threads, [&](std::size_t begin, std::size_t end) {
+  const auto count = proposed.sites.size();
+  parallelFor(count, grainFor(count, grain), proposed.threads, [&](std::size_t begin, std::size_t end) {
     Writing writing(proposed, tied, unscale, diagram);
     if (detail == Detail::measures) {
       writing.neighbors(begin, end);

@@ -10,7 +10,7 @@
 namespace vorpipe {
 namespace {
 
-constexpr std::size_t grain = 4096;
+constexpr std::size_t most_at_once = 4096;
 
 class Checking {
  public:
@@ -163,12 +163,13 @@ class Checking {
 template <class CellAt>
 void checkSome(const ProposedCells& proposed, std::size_t count, const CellAt& cellAt, const Records& records,
                std::span<std::uint8_t> rough) {
-  parallelFor(count, grain, proposed.threads, [&](std::size_t begin, std::size_t end) {
-    for (auto k = begin; k < end; ++k) announceBeyond(proposed, cellAt(k));
-    Checking checking(proposed, records, rough);
-    forCellsBySize(proposed.cells, begin, end, cellAt, [&](std::uint32_t cell) { checking.check(cell); });
-    checking.finish();
-  });
+  parallelFor(
+      count, grainFor(count, most_at_once), proposed.threads, [&](std::size_t begin, std::size_t end) {
+        for (auto k = begin; k < end; ++k) announceBeyond(proposed, cellAt(k));
+        Checking checking(proposed, records, rough);
+        forCellsBySize(proposed.cells, begin, end, cellAt, [&](std::uint32_t cell) { checking.check(cell); });
+        checking.finish();
+      });
 }
 
 bool isInside(const Box& box, double x, double y) {

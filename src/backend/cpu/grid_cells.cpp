@@ -14,7 +14,7 @@ namespace {
 /// Sites to try before the search gives up: where a cell needs more, the tree finds them faster.
 constexpr int most_tried_fast = 256;
 constexpr int most_tried_roomy = 1024;
-constexpr std::size_t grain = 2048;
+constexpr std::size_t most_at_once = 2048;
 
 /// The job of finding the cells from `begin` up to `end`, without a place for neighbors.
 LaneJob jobOf(const SiteSet& sites, std::span<const std::uint32_t> which, Effort effort, std::size_t begin,
@@ -62,6 +62,7 @@ void findOnGrid(const SiteSet& sites, std::span<const std::uint32_t> which, Effo
   const auto counts = std::make_unique_for_overwrite<std::uint8_t[]>(count);
   out.status.resize(count);
   out.first.resize(count + 1);
+  const auto grain = grainFor(count, most_at_once);
   std::vector<std::uint64_t> offset((count + grain - 1) / grain + 1, 0);
   parallelFor(count, grain, threads, [&](std::size_t begin, std::size_t end) {
     auto job = jobOf(sites, which, effort, begin, end, out.status);
@@ -89,12 +90,13 @@ void findOnGrid(const SiteSet& sites, std::span<const std::uint32_t> which, Effo
 void statusesOnGrid(const SiteSet& sites, std::span<const std::uint32_t> which, Effort effort, float outset_x,
                     float outset_y, int threads, std::span<CellStatus> status) {
   const auto find = findInLanes(!sites.weight.empty());
-  parallelFor(which.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
-    auto job = jobOf(sites, which, effort, begin, end, status);
-    job.outset_x = outset_x;
-    job.outset_y = outset_y;
-    find(job, effort == Effort::roomy);
-  });
+  parallelFor(which.size(), grainFor(which.size(), most_at_once), threads,
+              [&](std::size_t begin, std::size_t end) {
+                auto job = jobOf(sites, which, effort, begin, end, status);
+                job.outset_x = outset_x;
+                job.outset_y = outset_y;
+                find(job, effort == Effort::roomy);
+              });
 }
 
 }  // namespace vorpipe::cpu
