@@ -131,7 +131,7 @@ class Triangulation {
   /// Does the insertions begin to end - 1. Where many reach beyond their part, as across the wide gaps
   /// between curves, the next round has fewer parts.
   void insertRound(std::size_t begin, std::size_t end) {
-    constexpr std::size_t worth_sharing = 8192;
+    constexpr std::size_t worth_sharing = 1024;
     std::vector<std::size_t> left(end - begin);
     std::iota(left.begin(), left.end(), begin);
     if (left.size() >= worth_sharing) {
