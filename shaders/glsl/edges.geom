@@ -1,9 +1,8 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
-// Clips one entry and writes its neighbors down, counter-clockwise from the smallest. The build gives MAX_EDGES,
-// SEARCH_GRID where an entry is a site of an upload instead of a list of lines, and WEIGHTED where sites have
-// weights: then an empty entry has the lines that leave nothing of it.
+// Clips one entry and writes its neighbors down, as answer.glsl has them. The build gives MAX_EDGES, SEARCH_GRID
+// where an entry is a site of an upload instead of a list of lines, and WEIGHTED where sites have weights.
 #include "layout.glsl"
 #include "vocabulary.glsl"
 #include "view.glsl"
