@@ -23,7 +23,8 @@ inline int threadsForSteps(std::size_t steps, int threads) {
   return steps < worth_a_thread ? 1 : threads;
 }
 
-/// How many of so many steps go into one range: `most`, but less where threads would then wait for one another.
+/// How many of so many steps go into one range: `most`, but less where threads would then wait for one
+/// another.
 inline std::size_t grainFor(std::size_t steps, std::size_t most) {
   constexpr std::size_t enough_ranges = 8, least = 1024;
   return std::clamp(steps / enough_ranges, std::min(least, most), most);
