@@ -63,7 +63,8 @@ class Sorting {
   bool findDensities() {
     density_.resize(std::size_t{grid_.columns} * grid_.rows);
     std::atomic<bool> any{false};
-    parallelFor(grid_.rows, rows_at_once, threads_, [&](std::size_t begin, std::size_t end) {
+    const int threads = threadsForSteps(density_.size(), threads_);
+    parallelFor(grid_.rows, rows_at_once, threads, [&](std::size_t begin, std::size_t end) {
       bool some = false;
       for (auto row = static_cast<std::uint32_t>(begin); row < end; ++row) {
         for (std::uint32_t column = 0; column < grid_.columns; ++column) {
