@@ -20,13 +20,12 @@ CellRows::CellRows(std::size_t cells, int threads) : rows_(cells), threads_(thre
 }
 
 void CellRows::add(std::span<const std::uint32_t> which, Neighborhoods found) {
-  auto& numbers = found.neighbor;
   std::mutex mutex;
   parallelFor(which.size(), grain, threads_, [&](std::size_t begin, std::size_t end) {
     std::vector<std::uint32_t> large;
     for (auto e = begin; e < end; ++e) {
       const auto count = static_cast<std::uint32_t>(found.first[e + 1] - found.first[e]);
-      const auto* const edges = numbers.data() + found.first[e];
+      const auto* const edges = found.neighbor.data() + found.first[e];
       rows_[which[e]] = {count > 0 ? edges : nothing.data(), count, found.status[e]};
       if (count > usual_edges) large.push_back(which[e]);
     }
@@ -34,13 +33,13 @@ void CellRows::add(std::span<const std::uint32_t> which, Neighborhoods found) {
     const std::lock_guard lock(mutex);
     large_.insert(large_.end(), large.begin(), large.end());
   });
-  makeReadable(which, found, numbers);
-  parts_.push_back(std::move(numbers));
+  makeReadable(which, found);
+  parts_.push_back(std::move(found.neighbor));
 }
 
 /// Moves the rows at the end of a part to where enough numbers follow.
-void CellRows::makeReadable(std::span<const std::uint32_t> which, const Neighborhoods& found,
-                            const BigVector<std::int32_t>& numbers) {
+void CellRows::makeReadable(std::span<const std::uint32_t> which, const Neighborhoods& found) {
+  const auto& numbers = found.neighbor;
   auto e = which.size();
   while (e > 0 && found.first[e - 1] + readable > numbers.size()) --e;
   if (e == which.size()) return;

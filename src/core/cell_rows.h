@@ -18,6 +18,12 @@ class CellRows {
  public:
   /// What was never added is `missing` and has no edges.
   explicit CellRows(std::size_t cells, int threads);
+  // The rows of a copy would be in the memory of another.
+  CellRows(const CellRows&) = delete;
+  CellRows(CellRows&&) = default;
+  CellRows& operator=(const CellRows&) = delete;
+  CellRows& operator=(CellRows&&) = default;
+  ~CellRows() = default;
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
   [[nodiscard]] CellStatus status(std::size_t cell) const { return rows_[cell].status; }
@@ -48,8 +54,7 @@ class CellRows {
   };
   static constexpr std::array<std::int32_t, readable> nothing{};
 
-  void makeReadable(std::span<const std::uint32_t> which, const Neighborhoods& found,
-                    const BigVector<std::int32_t>& numbers);
+  void makeReadable(std::span<const std::uint32_t> which, const Neighborhoods& found);
 
   BigVector<Row> rows_;
   std::vector<BigVector<std::int32_t>> parts_;
