@@ -2,12 +2,9 @@
 #pragma once
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
-#include <exception>
-#include <mutex>
+#include <functional>
 #include <thread>
-#include <vector>
 
 namespace vorpipe {
 
@@ -33,29 +30,7 @@ inline std::size_t grainFor(std::size_t steps, std::size_t most) {
 /// Calls body(begin, end) for ranges of at most `grain` that cover [0, count), on up to `threads`
 /// threads. The ranges do not depend on the number of threads. What body throws is thrown here, once
 /// all threads have stopped.
-template <class Body>
-void parallelFor(std::size_t count, std::size_t grain, int threads, const Body& body) {
-  std::atomic<std::size_t> next{0};
-  std::exception_ptr thrown;
-  std::once_flag once;
-  auto work = [&] {
-    try {
-      for (std::size_t begin; (begin = next.fetch_add(grain)) < count;) {
-        body(begin, std::min(count, begin + grain));
-      }
-    } catch (...) {
-      next = count;
-      std::call_once(once, [&] { thrown = std::current_exception(); });
-    }
-  };
-  const auto ranges = (count + grain - 1) / grain;
-  const auto helpers = std::min<std::size_t>(static_cast<std::size_t>(threadCount(threads)), ranges);
-  {
-    std::vector<std::jthread> running;
-    for (std::size_t t = 1; t < helpers; ++t) running.emplace_back(work);
-    work();
-  }
-  if (thrown) std::rethrow_exception(thrown);
-}
+void parallelFor(std::size_t count, std::size_t grain, int threads,
+                 const std::function<void(std::size_t begin, std::size_t end)>& body);
 
 }  // namespace vorpipe

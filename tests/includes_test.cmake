@@ -7,6 +7,7 @@ cmake_minimum_required(VERSION 3.25)
 set(kinds
     "^vorpipe(\\.h$|/)"
     "^(parallel|big_vector)\\.h$"
+    "^parallel\\.cpp$"
     "^geos\\.h$"
     "^core/"
     "^backend/registry\\."
@@ -21,6 +22,7 @@ set(kinds
 set(may_include
     "^vorpipe/"
     "^$"
+    "^parallel\\.h$"
     "^vorpipe\\.h$"
     "^(vorpipe\\.h|(parallel|big_vector)\\.h|geos\\.h|core/.*|backend/(backend|collect|registry)\\.h)$"
     "^(vorpipe\\.h|backend/[^/]*\\.h|backend/cpu/cpu\\.h|backend/vulkan/vulkan_backend\\.h|backend/opengl/opengl_backend\\.h)$"
@@ -45,7 +47,8 @@ set(guarded_headers
     "^geos_c\\.h$"
     "^geos\\.h$"
     "^boost/geometry/"
-    "^CLI/")
+    "^CLI/"
+    "^(tbb|oneapi)/")
 set(users
     "^(core/|bench/|backend/registry\\.)"
     "^backend/vulkan/"
@@ -57,7 +60,8 @@ set(users
     "^geos\\.h$"
     "^(core/outline_check|io/hole_triangles)\\."
     "^core/outline_"
-    "^cli/")
+    "^cli/"
+    "^parallel\\.cpp$")
 
 # Sets allowed to whether file (relative to src) may include header, quoted or in angle brackets.
 function(vorpipe_may_include file header quoted allowed)
@@ -95,6 +99,8 @@ vorpipe_expect(TRUE cli/render.cpp io/png.h TRUE)
 vorpipe_expect(FALSE core/diagram.cpp backend/cpu/cpu.h TRUE)
 vorpipe_expect(FALSE bench/lab.cpp core/judge.h TRUE)
 vorpipe_expect(FALSE core/diagram.cpp flann/flann.hpp FALSE)
+vorpipe_expect(TRUE parallel.cpp tbb/parallel_for.h FALSE)
+vorpipe_expect(FALSE core/diagram.cpp tbb/parallel_for.h FALSE)
 vorpipe_expect(FALSE core/diagram.cpp ../backend/cpu/cpu.h TRUE)
 vorpipe_expect(FALSE backend/opengl/draw.cpp backend/vulkan/device.h TRUE)
 vorpipe_expect(FALSE backend/opengl/draw.cpp backend/registry.h TRUE)

@@ -1,0 +1,5 @@
+find_package(TBB CONFIG QUIET)
+if(TARGET TBB::tbb)
+  add_library(dep::tbb INTERFACE IMPORTED)
+  target_link_libraries(dep::tbb INTERFACE TBB::tbb)
+endif()
