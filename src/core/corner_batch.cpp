@@ -84,16 +84,26 @@ void CornerBatch::placeWhereUnsure() {
   for (std::size_t k = 0; k < cells_; ++k) {
     if (all_sure_[k] != 0) continue;
     for (std::size_t e = 0; e < edges_; ++e) {
-      const auto c = at(k, e);
-      if (sure_[c] != 0) continue;
-      const Place place =
-          cornerPlace(sites_, static_cast<std::int32_t>(cell_[k]), row_[k][before(e)], row_[k][e]);
-      base_x_[c] = place.base.x;
-      base_y_[c] = place.base.y;
-      rest_x_[c] = place.rest.x;
-      rest_y_[c] = place.rest.y;
+      if (sure_[at(k, e)] != 0) continue;
+      unsure_.add(at(k, e),
+                  tripleOf(sites_, static_cast<std::int32_t>(cell_[k]), row_[k][before(e)], row_[k][e]));
+      if (unsure_.isFull()) placeUnsure();
     }
   }
+  placeUnsure();
+}
+
+void CornerBatch::placeUnsure() {
+  unsure_.place();
+  for (std::size_t n = 0; n < unsure_.size(); ++n) {
+    const auto c = unsure_.corner(n);
+    const Place center = unsure_.center(n);
+    base_x_[c] = center.base.x;
+    base_y_[c] = center.base.y;
+    rest_x_[c] = center.rest.x;
+    rest_y_[c] = center.rest.y;
+  }
+  unsure_.clear();
 }
 
 void CornerBatch::takeOrigins() {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "core/center_batch.h"
 #include "core/place.h"
 
 namespace vorpipe {
@@ -61,6 +62,7 @@ class CornerBatch {
   template <bool weighted>
   void placeAll();
   void placeWhereUnsure();
+  void placeUnsure();
   void takeOrigins();
   void measureAbout(const ByCell& x, const ByCell& y);
 
@@ -73,6 +75,7 @@ class CornerBatch {
   ByCorner other_x_, other_y_, other_w_;                   ///< of the neighbor across each edge
   ByCorner base_x_, base_y_, rest_x_, rest_y_, sure_, excess_;
   ByCell all_sure_, twice_area_, moment_x_, moment_y_;
+  CenterBatch unsure_;
 };
 
 }  // namespace vorpipe

@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <utility>
 
 #include "core/circumcenter.h"
 #include "core/measure.h"
-#include "core/predicates.h"
 #include "core/processors.h"
 #include "core/wide.h"
+#include "core/wide_center.h"
 
 namespace vorpipe {
 namespace {
@@ -41,71 +39,7 @@ double squaredDistance(Point a, Point b) {
   return dx * dx + dy * dy;
 }
 
-/// 2^exponent times a number of twice the precision.
-class Scaling {
- public:
-  explicit Scaling(int exponent) : exponent_(exponent), plain_(std::abs(exponent) < 1000) {
-    if (plain_) factor_ = std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
-  }
-  Wide operator()(Wide a) const {
-    return plain_ ? Wide{a.high * factor_, a.low * factor_}
-                  : Wide{std::ldexp(a.high, exponent_), std::ldexp(a.low, exponent_)};
-  }
-
- private:
-  int exponent_;
-  bool plain_;
-  double factor_ = 1;
-};
-
-/// The center in twice the precision; the first point lies opposite the longest side.
-FOR_FUSED_TOO Place wideCircumcenter(const WeightedPoint& i, const WeightedPoint& j, const WeightedPoint& k) {
-  const double longest = std::max({std::abs(j.x - i.x), std::abs(j.y - i.y), std::abs(k.x - i.x),
-                                   std::abs(k.y - i.y), std::numeric_limits<double>::min()});
-  int exponent = 0;
-  std::frexp(longest, &exponent);
-  const Scaling down(-exponent), twice_down(-2 * exponent), up(exponent);
-  const auto difference = [&](double a, double b) { return down(Wide::sum(a, -b)); };
-  const Wide bx = difference(j.x, i.x), by = difference(j.y, i.y);
-  const Wide cx = difference(k.x, i.x), cy = difference(k.y, i.y);
-  const Wide area = bx * cy - by * cx;
-  const Wide twice = area + area;
-  const auto lead = [&](double a, double b) { return twice_down(Wide::sum(a, -b)); };
-  const Wide bb = bx * bx + by * by + lead(i.weight, j.weight);
-  const Wide cc = cx * cx + cy * cy + lead(i.weight, k.weight);
-  const Wide rest_x = (cy * bb - by * cc) / twice;
-  const Wide rest_y = (bx * cc - cx * bb) / twice;
-  const auto placed = [&](double from, Wide way) { return Wide{from, 0} + up(way); };
-  const Wide x = placed(i.x, rest_x), y = placed(i.y, rest_y);
-  return {{x.high, y.high}, {x.low, y.low}};
-}
-
-/// Three sites in the order of their input indices.
-Place amongSites(const SiteSet& s, std::int32_t a, std::int32_t b, std::int32_t c) {
-  WeightedPoint i = weightedSite(s, a);
-  WeightedPoint j = weightedSite(s, b);
-  WeightedPoint k = weightedSite(s, c);
-  const double ij = squaredDistance(i, j);
-  const double jk = squaredDistance(j, k);
-  const double ik = squaredDistance(i, k);
-  if (ik > jk && ik >= ij) {
-    std::swap(i, j);
-  } else if (ij > jk) {
-    std::swap(i, k);
-  }
-  if (!s.weight.empty()) return wideCircumcenter(i, j, k);
-  const double bx = j.x - i.x, by = j.y - i.y;
-  const double cx = k.x - i.x, cy = k.y - i.y;
-  const double bb = bx * bx + by * by;
-  const double cc = cx * cx + cy * cy;
-  const double left = bx * cy, right = by * cx;
-  const double half = 0.5 / (left - right);
-  const Place place{i, {(cy * bb - by * cc) * half, (bx * cc - cx * bb) * half}};
-  const double twice_area = std::abs(left - right);
-  const bool exact = 8 * twice_area > std::abs(left) + std::abs(right) && twice_area > 1e-140;
-  const bool near = place.rest.x * place.rest.x + place.rest.y * place.rest.y < 64;
-  return exact && near ? place : wideCircumcenter(i, j, k);
-}
+FOR_FUSED_TOO Place wideCenterOf(const Triple& t) { return wideCenterOf(t.i, t.j, t.k); }
 
 /// How far along a wall, seen from site `i`, its bisector with j meets that, in twice the precision. Here and
 /// below `x` is across the wall, which is at `at`.
@@ -165,10 +99,23 @@ Place cornerPlace(const SiteSet& sites, std::int32_t cell, std::int32_t before, 
                           ? circumcenterOf<false>(i.x, i.y, 0, p.x, p.y, 0, j.x, j.y, 0)
                           : circumcenterOf<true>(i.x, i.y, i.weight, p.x, p.y, p.weight, j.x, j.y, j.weight);
   if (center.sure != 0) return {{center.base_x, center.base_y}, {center.rest_x, center.rest_y}};
-  std::array<std::int32_t, 3> sorted{cell, before, after};
+  return wideCenterOf(tripleOf(sites, cell, before, after));
+}
+
+Triple tripleOf(const SiteSet& sites, std::int32_t a, std::int32_t b, std::int32_t c) {
+  std::array<std::int32_t, 3> sorted{a, b, c};
   std::sort(sorted.begin(), sorted.end(),
-            [&](std::int32_t a, std::int32_t b) { return idOf(sites, a) < idOf(sites, b); });
-  return amongSites(sites, sorted[0], sorted[1], sorted[2]);
+            [&](std::int32_t m, std::int32_t n) { return idOf(sites, m) < idOf(sites, n); });
+  Triple t{weightedSite(sites, sorted[0]), weightedSite(sites, sorted[1]), weightedSite(sites, sorted[2])};
+  const double ij = squaredDistance(t.i, t.j);
+  const double jk = squaredDistance(t.j, t.k);
+  const double ik = squaredDistance(t.i, t.k);
+  if (ik > jk && ik >= ij) {
+    std::swap(t.i, t.j);
+  } else if (ij > jk) {
+    std::swap(t.i, t.k);
+  }
+  return t;
 }
 
 void placeCorners(const SiteSet& sites, std::size_t cell, std::span<const std::int32_t> row,

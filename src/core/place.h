@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "backend/backend.h"
+#include "core/predicates.h"
 
 namespace vorpipe {
 
@@ -36,6 +37,13 @@ double wallCoordinate(const Box& domain, std::int32_t wall);
 /// them; of sites that could stand for each other the lower input index goes first. Not a number where
 /// the three do not meet.
 Place cornerPlace(const SiteSet& sites, std::int32_t cell, std::int32_t before, std::int32_t after);
+
+/// Three sites, the first opposite the longest side. The order does not depend on how they are named: of
+/// sites that could stand for each other the lower input index goes first.
+struct Triple {
+  WeightedPoint i, j, k;
+};
+Triple tripleOf(const SiteSet& sites, std::int32_t a, std::int32_t b, std::int32_t c);
 
 /// The corners where the edges of `cell` to the neighbors `row` begin, ties among them or not.
 void placeCorners(const SiteSet& sites, std::size_t cell, std::span<const std::int32_t> row,

@@ -1,0 +1,26 @@
+#include "core/center_batch.h"
+
+#include "core/processors.h"
+#include "core/wide_center.h"
+
+namespace vorpipe {
+
+void CenterBatch::add(std::size_t corner, const Triple& triple) {
+  corner_[size_] = corner;
+  i_.set(size_, triple.i);
+  j_.set(size_, triple.j);
+  k_.set(size_, triple.k);
+  ++size_;
+}
+
+FOR_WIDE_TOO void CenterBatch::place() {
+  for (std::size_t n = 0; n < size_; ++n) {
+    const Place center = wideCenterOf(i_.at(n), j_.at(n), k_.at(n));
+    base_x_[n] = center.base.x;
+    base_y_[n] = center.base.y;
+    rest_x_[n] = center.rest.x;
+    rest_y_[n] = center.rest.y;
+  }
+}
+
+}  // namespace vorpipe
