@@ -58,6 +58,7 @@ void append(const CellAnswers& answers, Neighborhoods& out) {
   std::uint64_t end_of_all = out.first[before];
   for (auto& sum : place) end_of_all += std::exchange(sum, end_of_all);
   out.neighbor.resize(end_of_all);
+  if (out.neighbor.empty()) return;
   parallelFor(answers.count, entries_at_once, 0, [&](std::size_t begin, std::size_t end) {
     const std::uint64_t block = place[begin / entries_at_once];
     std::uint64_t first = block;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cstring>
+#include <span>
 #include <utility>
 
 #include "backend/site_texels.h"
@@ -173,7 +174,7 @@ Result<void> ComputeBackend::sendBatch(const CellBatch<float>& batch) {
   VORPIPE_TRY(entries_.reserve(device_, bytes, info_.max_entries * sizeof(Entry)));
   VORPIPE_TRY(lines_.reserve(device_, batch.lines.size() * line_bytes, info_.max_lines * line_bytes));
   std::memcpy(entries_.data(), batch.entries.data(), bytes);
-  std::memcpy(lines_.data(), batch.lines.data(), batch.lines.size() * line_bytes);
+  std::ranges::copy(std::as_bytes(std::span(batch.lines)), lines_.data());
   lists_bindings_.setStorage(device_, BINDING_ENTRIES, entries_.get(), bytes);
   lists_bindings_.setTexels(device_, BINDING_LINES, lines_.texels());
   return {};

@@ -1,6 +1,8 @@
 // The part of the backend "vulkan-geometry" that draws.
+#include <algorithm>
 #include <cassert>
 #include <cstring>
+#include <span>
 #include <utility>
 
 #include "backend/cell_answers.h"
@@ -25,7 +27,7 @@ Result<void> GeometryBackend::sendBatch(const CellBatch<float>& batch, std::span
   VORPIPE_TRY(lines_.reserve(device_, batch.lines.size() * line_bytes, info_.max_lines * line_bytes));
   std::memcpy(entries_.data(), batch.entries.data(), batch.entries.size() * sizeof(Entry));
   std::memcpy(marks_.data(), marks.data(), marks.size_bytes());
-  std::memcpy(lines_.data(), batch.lines.data(), batch.lines.size() * line_bytes);
+  std::ranges::copy(std::as_bytes(std::span(batch.lines)), lines_.data());
   bindings_.setTexels(device_, BINDING_LINES, lines_.texels());
   return {};
 }
