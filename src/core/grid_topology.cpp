@@ -1,5 +1,7 @@
 #include "core/grid_topology.h"
 
+#include <utility>
+
 #include "backend/collect.h"
 #include "core/pace.h"
 #include "core/sample.h"
@@ -19,14 +21,27 @@ class Finding {
       : input_(input), cells_(cells), upload_(input.backend, {}), topology_(topology), report_(report) {}
 
   Result<void> findTile(const Tile& tile) {
-    if (areMany(0)) return leave(tile, tile.own);
+    if (areMany(0)) {
+      leave(tile, tile.own);
+      return {};
+    }
     if (auto given = upload_.give(tile); !given) return given;
     const Sample sample(tile.own);
     const auto before = left.size();
-    if (auto found = findAll(tile, sample.cells); !found) return found;
+    Indices large;
+    if (auto found = findFast(tile, sample.cells, large); !found) return found;
+    // A few that need more room do not change what the sample tells.
+    if (4 * large.size() > sample.cells.size()) {
+      if (auto found = findLarge(tile, large); !found) return found;
+    }
     const auto failed = left.size() - before;
-    const bool left_to_judge = sample.isHopeless(failed) || areMany(sample.expected(failed));
-    return left_to_judge ? leave(tile, sample.rest) : findAll(tile, sample.rest);
+    if (sample.isHopeless(failed) || areMany(sample.expected(failed))) {
+      leave(tile, large);
+      leave(tile, sample.rest);
+      return {};
+    }
+    if (auto found = findFast(tile, sample.rest, large); !found) return found;
+    return findLarge(tile, large);
   }
 
   /// Whether the cells that are left, with some more and those never asked for, are worth the mesh of all.
@@ -39,26 +54,26 @@ class Finding {
   Indices left;  ///< in the whole set; neither certified nor worth another try on the device
 
  private:
-  Result<void> findAll(const Tile& tile, std::span<const std::uint32_t> which) {
-    Indices full;
-    if (auto found = find(tile, which, Effort::fast, "cells", full); !found) return found;
-    report_.retried += full.size();
-    if (auto found = find(tile, full, Effort::roomy, "large cells", full); !found) return found;
-    done_ += which.size();
-    return {};
+  Result<void> findFast(const Tile& tile, std::span<const std::uint32_t> which, Indices& large) {
+    return find(tile, which, Effort::fast, "cells", large);
+  }
+
+  Result<void> findLarge(const Tile& tile, Indices& large) {
+    const Indices which = std::exchange(large, {});
+    report_.retried += which.size();
+    return find(tile, which, Effort::roomy, "large cells", large);
   }
 
   /// What the mesh finds on the way.
-  Result<void> leave(const Tile& tile, std::span<const std::uint32_t> which) {
+  void leave(const Tile& tile, std::span<const std::uint32_t> which) {
     for (const auto site : which) left.push_back(tile.wholeIndex(site));
     done_ += which.size();
-    return {};
   }
 
-  /// Replaces `full` by the cells that need more room than a fast try has.
+  /// A fast try adds to `large` the cells that need more room.
   Result<void> find(const Tile& tile, std::span<const std::uint32_t> which, Effort effort, const char* stage,
-                    Indices& full) {
-    Indices overflown;
+                    Indices& large) {
+    const auto before = large.size();
     const auto work = [&](std::size_t begin, std::size_t count) -> Result<void> {
       const auto part = which.subspan(begin, count);
       Neighborhoods found;
@@ -66,7 +81,7 @@ class Finding {
       for (std::size_t e = 0; e < count; ++e) {
         if (isDone(found.status[e])) continue;
         const bool again = effort == Effort::fast && found.status[e] == CellStatus::overflow;
-        (again ? overflown : left).push_back(again ? part[e] : tile.wholeIndex(part[e]));
+        (again ? large : left).push_back(again ? part[e] : tile.wholeIndex(part[e]));
       }
       add(tile, part, std::move(found));
       return {};
@@ -74,7 +89,7 @@ class Finding {
     const auto most = input_.backend.info().max_entries;
     const Stretch stretch{which.size(), done_, cells_};
     if (auto done = inSteps(input_.progress, stage, stretch, most, work); !done) return done;
-    full = std::move(overflown);
+    done_ += which.size() - (large.size() - before);
     return {};
   }
 
