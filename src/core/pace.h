@@ -26,7 +26,7 @@ template <class Work>
 Result<void> inSteps(const Progress& progress, const char* stage, const Stretch& stretch, std::size_t most,
                      const Work& work) {
   constexpr std::size_t first_step = std::size_t{1} << 15;
-  constexpr double seconds_between = 0.1;
+  constexpr double seconds_between = 0.2;
   auto step = std::min(first_step, most);
   for (std::size_t begin = 0; begin < stretch.count;) {
     if (auto go_on = goOn(progress, stage, stretch.done + begin, stretch.of); !go_on) return go_on;
@@ -34,7 +34,7 @@ Result<void> inSteps(const Progress& progress, const char* stage, const Stretch&
     const Stopwatch watch;
     if (auto worked = work(begin, count); !worked) return worked;
     begin += count;
-    if (watch.seconds() < seconds_between / 2) step = std::min(2 * step, most);
+    if (watch.seconds() < seconds_between / 4) step = std::min(4 * step, most);
     if (watch.seconds() > seconds_between) step = std::max<std::size_t>(step / 2, 1);
   }
   return {};
