@@ -1,7 +1,6 @@
 /// Where three cells meet, in twice the precision.
 #pragma once
 
-#include <algorithm>
 #include <bit>
 #include <cstdint>
 

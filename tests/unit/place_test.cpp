@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <vector>
 
+#include "core/corner_batch.h"
 #include "unit/proposed_cells.h"
 
 namespace vorpipe::test {
@@ -45,6 +47,41 @@ TEST(CornerPlace, ofEqualSidesFollowsFromTheInputOrderAlone) {
   auto turned = sitesAt({set.x[2], set.x[0], set.x[1]}, {set.y[2], set.y[0], set.y[1]});
   turned.id = {2, 0, 1};
   EXPECT_TRUE(same(cornerPlace(set, 0, 1, 2), cornerPlace(turned, 0, 1, 2)));
+}
+
+TEST(CornerBatch, placesCornersWhereCornerPlaceDoes) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::vector<double> x(400), y(400);
+  // Corners of every second site, nearly on a line, are ones that double leaves unsure.
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    x[i] = unit(random);
+    y[i] = i % 2 == 0 ? 0.5 + 1e-9 * unit(random) : unit(random);
+  }
+  auto set = sitesAt(x, y);
+  std::shuffle(set.id.begin(), set.id.end(), random);
+  for (const bool weighted : {false, true}) {
+    if (weighted) {
+      set.weight.resize(x.size());
+      for (auto& weight : set.weight) weight = 1e-3 * unit(random);
+    }
+    for (const auto edges : {std::size_t{3}, std::size_t{7}}) {
+      std::vector<std::vector<std::int32_t>> rows(CornerBatch::most_corners / edges / 8 * 8);
+      CornerBatch batch(set);
+      for (std::size_t k = 0; k < std::min(rows.size(), CornerBatch::most_cells); ++k) {
+        for (std::size_t e = 0; e < edges; ++e) rows[k].push_back(static_cast<std::int32_t>(2 * (k + e + 1)));
+        ASSERT_EQ(batch.add(static_cast<std::uint32_t>(2 * k), rows[k]), CornerBatch::Added::yes);
+      }
+      batch.place();
+      for (std::size_t k = 0; k < batch.size(); ++k) {
+        for (std::size_t e = 0; e < edges; ++e) {
+          const auto before = rows[k][(e + edges - 1) % edges];
+          const auto alone = cornerPlace(set, static_cast<std::int32_t>(2 * k), before, rows[k][e]);
+          EXPECT_TRUE(same(batch.placeOf(k, e), alone)) << edges << " edges, cell " << k << ", " << e;
+        }
+      }
+    }
+  }
 }
 
 /// The center lies at x = 0.5; its y follows from 0.25 + y^2 = (y - h)^2 with h = 2^-30, a power of two.
