@@ -25,6 +25,7 @@ struct Capabilities {
   std::uint64_t max_image_dimension_2d = 0;
   std::uint64_t max_framebuffer_width = 0;
   std::uint64_t max_framebuffer_height = 0;
+  std::uint64_t sub_pixel_precision_bits = 0;
 };
 
 struct NamedFeature {
@@ -43,7 +44,7 @@ inline constexpr std::array<NamedFeature, 3> known_features = {{
     {"shaderFloat64", &Capabilities::shader_float64},
 }};
 
-inline constexpr std::array<NamedLimit, 7> known_limits = {{
+inline constexpr std::array<NamedLimit, 8> known_limits = {{
     {"maxTexelBufferElements", &Capabilities::max_texel_buffer_elements},
     {"maxStorageBufferRange", &Capabilities::max_storage_buffer_range},
     {"maxGeometryOutputVertices", &Capabilities::max_geometry_output_vertices},
@@ -51,7 +52,11 @@ inline constexpr std::array<NamedLimit, 7> known_limits = {{
     {"maxImageDimension2D", &Capabilities::max_image_dimension_2d},
     {"maxFramebufferWidth", &Capabilities::max_framebuffer_width},
     {"maxFramebufferHeight", &Capabilities::max_framebuffer_height},
+    {"subPixelPrecisionBits", &Capabilities::sub_pixel_precision_bits},
 }};
+
+/// Vulkan and OpenGL guarantee as many bits of a vertex's place inside a pixel.
+inline constexpr std::uint64_t least_subpixel_bits = 4;
 
 /// Takes away the features and lowers the limits that mask names; a limit above the device's own
 /// changes nothing. Error (input): a name that is not known; the message lists those that are.

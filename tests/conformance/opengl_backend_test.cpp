@@ -75,6 +75,9 @@ TEST(OpenGlBackend, TakesAMaskForTheDevice) {
   const auto lowered = openBackend({{}, {{"maxTexelBufferElements", 65536}}});
   ASSERT_TRUE(lowered);
   EXPECT_EQ(lowered->info().max_lines, 65536U);
+  const auto coarse = openBackend({{}, {{"subPixelPrecisionBits", 4}}});
+  ASSERT_TRUE(coarse);
+  EXPECT_EQ(coarse->info().subpixel_bits, 4);
   BackendOptions options;
   options.mask.disabled = {"geometryShader"};
   const auto without = makeOpenGlBackend(options);

@@ -1,6 +1,8 @@
 // Which device is taken, what a mask does to it, and what is said when none fits.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "backend/capabilities.h"
 #include "backend/vulkan/physical.h"
 #include "backend/vulkan/vulkan_backend.h"
@@ -90,6 +92,25 @@ TEST(VulkanMask, OnlyLowersLimits) {
   ASSERT_TRUE(applyMask(capabilities, mask).has_value());
   EXPECT_EQ(capabilities.max_texel_buffer_elements, 1000U);
   EXPECT_EQ(capabilities.max_storage_buffer_range, 65536U);
+}
+
+TEST(VulkanMask, LowersTheBitsThatCellsAreWidenedBy) {
+  using Make = Result<std::unique_ptr<Backend>> (*)(const BackendOptions&);
+  for (const Make make : {Make{makeVulkanGeometryBackend}, Make{makeVulkanComputeBackend}}) {
+    BackendOptions options;
+    options.mask.limits = {{"subPixelPrecisionBits", 4}};
+    const Result<std::unique_ptr<Backend>> backend = make(options);
+    ASSERT_TRUE(backend.has_value()) << backend.error().message;
+    EXPECT_EQ((*backend)->info().subpixel_bits, 4);
+    const auto& limits = (*backend)->info().device.limits;
+    EXPECT_NE(std::ranges::find(limits, std::pair<std::string, std::uint64_t>("subPixelPrecisionBits", 4)),
+              limits.end());
+    options.mask.limits = {{"subPixelPrecisionBits", 3}};
+    const Result<std::unique_ptr<Backend>> refused = make(options);
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_NE(refused.error().message.find("subPixelPrecisionBits is 3, needed is 4"), std::string::npos)
+        << refused.error().message;
+  }
 }
 
 TEST(VulkanList, NamesEveryDeviceWithItsLimitsForEachBackend) {

@@ -63,6 +63,7 @@ Capabilities capabilitiesOfCurrent() {
   c.max_image_dimension_2d = limit(GL_MAX_RENDERBUFFER_SIZE);
   c.max_framebuffer_width = static_cast<std::uint64_t>(std::max(viewport[0], 0));
   c.max_framebuffer_height = static_cast<std::uint64_t>(std::max(viewport[1], 0));
+  c.sub_pixel_precision_bits = limit(GL_SUBPIXEL_BITS);
   return c;
 }
 
@@ -82,6 +83,9 @@ std::string shortcoming(const Capabilities& c) {
   }
   if (c.max_texel_buffer_elements < palette_size) {
     return too_small("maxTexelBufferElements", c.max_texel_buffer_elements, palette_size);
+  }
+  if (c.sub_pixel_precision_bits < least_subpixel_bits) {
+    return too_small("subPixelPrecisionBits", c.sub_pixel_precision_bits, least_subpixel_bits);
   }
   return {};
 }
@@ -104,7 +108,6 @@ Device describe(Result<Context> context, const Mask& mask) {
   device.info.name = text(GL_RENDERER);
   device.info.driver = fmt::format("{}, OpenGL {}", text(GL_VENDOR), text(GL_VERSION));
   device.info.type = typeOf(device.info.name, text(GL_VENDOR));
-  device.subpixel_bits = integer(GL_SUBPIXEL_BITS);
   device.capabilities = capabilitiesOfCurrent();
   const auto masked = applyMask(device.capabilities, mask);
   device.info.features = listFeatures(device.capabilities);
@@ -187,7 +190,7 @@ BackendInfo backendInfo(const Device& device) {
   info.max_lines = info.max_sites;
   info.max_entries = most_entries;
   info.most_edges = EDGES_MOST;
-  info.subpixel_bits = device.subpixel_bits;
+  info.subpixel_bits = static_cast<int>(c.sub_pixel_precision_bits);
   return info;
 }
 

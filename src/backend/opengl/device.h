@@ -15,7 +15,6 @@ namespace vorpipe::opengl {
 struct Device {
   DeviceInfo info;
   Capabilities capabilities;  ///< masked
-  int subpixel_bits = 0;
   std::optional<Context> context;
 };
 

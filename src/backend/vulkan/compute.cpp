@@ -62,7 +62,7 @@ BackendInfo describe(const Physical& physical, Placing placing) {
   info.max_entries = static_cast<std::uint32_t>(
       std::min({most_entries, can.max_storage_buffer_range / sizeof(Entry), can.max_texel_buffer_elements}));
   info.most_edges = EDGES_MOST;
-  info.subpixel_bits = physical.subpixel_bits;
+  info.subpixel_bits = static_cast<int>(can.sub_pixel_precision_bits);
   return info;
 }
 

@@ -85,6 +85,7 @@ Capabilities capabilitiesOf(VkPhysicalDevice device, const VkPhysicalDeviceLimit
   capabilities.max_image_dimension_2d = limits.maxImageDimension2D;
   capabilities.max_framebuffer_width = limits.maxFramebufferWidth;
   capabilities.max_framebuffer_height = limits.maxFramebufferHeight;
+  capabilities.sub_pixel_precision_bits = limits.subPixelPrecisionBits;
   return capabilities;
 }
 
@@ -115,7 +116,8 @@ std::string whyNoGeometry(const Capabilities& capabilities) {
                      {"maxGeometryTotalOutputComponents", std::uint64_t{EDGES_MOST} * components_per_vertex},
                      {"maxImageDimension2D", 1},
                      {"maxFramebufferWidth", 1},
-                     {"maxFramebufferHeight", 1}});
+                     {"maxFramebufferHeight", 1},
+                     {"subPixelPrecisionBits", least_subpixel_bits}});
 }
 
 std::string whyNoCompute(const Capabilities& capabilities) {
@@ -123,7 +125,8 @@ std::string whyNoCompute(const Capabilities& capabilities) {
                                      {"maxStorageBufferRange", std::uint64_t{EDGES_MOST} * vertex_bytes},
                                      {"maxImageDimension2D", 1},
                                      {"maxFramebufferWidth", 1},
-                                     {"maxFramebufferHeight", 1}});
+                                     {"maxFramebufferHeight", 1},
+                                     {"subPixelPrecisionBits", least_subpixel_bits}});
 }
 
 // Why a pipeline cannot run, and what would help; empty when it can.
@@ -162,7 +165,6 @@ Result<Physical> describe(VkPhysicalDevice handle, const Mask& mask, Pipeline pi
   device.handle = handle;
   device.capabilities = capabilitiesOf(handle, properties.limits);
   VORPIPE_TRY(applyMask(device.capabilities, mask));
-  device.subpixel_bits = static_cast<int>(properties.limits.subPixelPrecisionBits);
   device.portability_subset = contains(*extensions, "VK_KHR_portability_subset");
   const bool current = properties.apiVersion >= VK_API_VERSION_1_1;
   const bool has_driver_name = current && contains(*extensions, VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME);

@@ -20,7 +20,6 @@ struct Physical {
   DeviceInfo info;
   Capabilities capabilities;  ///< masked
   std::uint32_t queue_family = 0;
-  int subpixel_bits = 8;
   bool portability_subset = false;
 };
 
