@@ -112,6 +112,13 @@ vorpipe_expect(FALSE vorpipe.h glm/vec2.hpp FALSE)
 vorpipe_expect(FALSE elsewhere/file.cpp vorpipe.h TRUE)
 
 file(GLOB_RECURSE files RELATIVE ${root}/src ${root}/src/*.h ${root}/src/*.cpp)
+# The environment belongs to the whole process: a library that writes it races with other threads that read it.
+foreach(file IN LISTS files)
+  file(STRINGS ${root}/src/${file} lines REGEX "[^A-Za-z_](setenv|unsetenv|putenv|clearenv) *\\(")
+  if(lines AND NOT file STREQUAL "bench/driver_threads.cpp")
+    message(SEND_ERROR "src/${file} must not change the environment")
+  endif()
+endforeach()
 list(LENGTH files count)
 if(count EQUAL 0)
   message(FATAL_ERROR "No sources in ${root}/src.")

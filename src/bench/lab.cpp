@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "backend/registry.h"
+#include "bench/driver_threads.h"
 #include "core/diagram.h"
 #include "core/render.h"
 #include "core/stopwatch.h"
@@ -180,6 +181,7 @@ Result<Lab::Opened*> Lab::open(const Job& job) {
   if (job.threads > 0) options.threads = job.threads;
   auto& known = opened_[fmt::format("{} {}", options.name, options.threads)];
   if (!known) {
+    setDriverThreads(options.threads);
     auto opened = openBackend(options);
     if (!opened) return tl::unexpected(std::move(opened.error()));
     known = std::make_unique<Opened>(Opened{std::move(*opened), openJudge(options.threads), options.threads});

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/conditions.h"
+#include "bench/driver_threads.h"
 #include "bench/tables.h"
 #include "cli/command.h"
 #include "cli/forecast.h"
@@ -159,6 +160,7 @@ Result<void> writeFiles(std::span<const Output> outputs, std::span<OutputFile> f
 }
 
 Result<ExitCode> bench(const BenchCommand& command) {
+  setDriverThreads(command.backend.threads);
   const auto wanted = wantedTables(command);
   if (!command.plot.empty() && std::ranges::none_of(wanted, &NamedTable::has_curves)) {
     return inputError("--plot: the tables that were named have no curves; scaling, memory and thesis have");

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "bench/contest.h"
+#include "bench/driver_threads.h"
 #include "bench/machine.h"
 #include "cli/kept_memory.h"
 
@@ -101,6 +102,7 @@ Result<void> openSessions(const Wanted& wanted, Contestants& contestants) {
       BackendOptions options;
       options.name = name;
       options.threads = threads;
+      setDriverThreads(threads);
       auto session = Session::open(options);
       if (!session) return tl::unexpected(session.error());
       contestants.sessions.push_back({std::move(*session), threads});

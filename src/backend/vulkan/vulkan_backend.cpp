@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "backend/vulkan/compute.h"
-#include "backend/vulkan/driver_threads.h"
 #include "backend/vulkan/geometry.h"
 #include "backend/vulkan/instance.h"
 #include "backend/vulkan/lanes.h"
@@ -59,7 +58,6 @@ Result<std::unique_ptr<Backend>> makeVulkanGeometryBackend(const BackendOptions&
 }
 
 Result<std::unique_ptr<Backend>> makeVulkanComputeBackend(const BackendOptions& options) {
-  const vulkan::DriverThreads threads(options.threads);
   return openDevice(options, Pipeline::compute);
 }
 

@@ -1,11 +1,11 @@
-#include "backend/vulkan/driver_threads.h"
+#include "bench/driver_threads.h"
 
 #include <cstdlib>
 #include <string>
 
 #include "parallel.h"
 
-namespace vorpipe::vulkan {
+namespace vorpipe {
 namespace {
 
 constexpr const char* variable = "LP_NUM_THREADS";
@@ -20,13 +20,10 @@ int threadsFor(int processors) {
 
 }  // namespace
 
-DriverThreads::DriverThreads(int processors) {
-  const auto threads = std::to_string(threadsFor(processors));
-  set_ = std::getenv(variable) == nullptr && setenv(variable, threads.c_str(), 0) == 0;
+void setDriverThreads(int processors) {
+  static const bool is_users = std::getenv(variable) != nullptr;
+  constexpr int replace = 1;
+  if (!is_users) setenv(variable, std::to_string(threadsFor(processors)).c_str(), replace);
 }
 
-DriverThreads::~DriverThreads() {
-  if (set_) unsetenv(variable);
-}
-
-}  // namespace vorpipe::vulkan
+}  // namespace vorpipe
