@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/answers.h"
 #include "core/pack.h"
 #include "core/stopwatch.h"
 #include "parallel.h"
@@ -66,7 +67,7 @@ Result<void> BatchDrawing::drawBatch(const View& view, const CellBatch<float>& b
     }
   });
   const Stopwatch watch;
-  if (auto drawn = canvas_.backend.draw(batch, marks_, effort, status); !drawn) return drawn;
+  if (auto drawn = askToDraw(canvas_.backend, batch, marks_, effort, status); !drawn) return drawn;
   seconds_ += watch.seconds();
   return {};
 }

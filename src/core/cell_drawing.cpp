@@ -21,7 +21,8 @@ CellDrawing::CellDrawing(const DrawingInput& input)
     : input_(input),
       upload_(input.backend, input.shade),
       batches_({input.backend, input.sites, input.shade, input.threads}),
-      status_(input.sites.size(), CellStatus::certified) {}
+      status_(input.sites.size(), CellStatus::certified),
+      pixels_(input.sites, input.shade, input.threads) {}
 
 Result<void> CellDrawing::draw(const View& view) {
   if (!lists_ && !grid_) {
@@ -36,6 +37,13 @@ Result<void> CellDrawing::draw(const View& view) {
     if (auto drawn = drawJudged(view, cells); !drawn) return drawn;
   }
   return giveAll();
+}
+
+Result<void> CellDrawing::read(const View& view, std::span<std::uint32_t> rgba,
+                               std::span<std::uint32_t> ids) {
+  if (auto read = input_.backend.read(rgba, ids); !read) return read;
+  pixels_.apply(status_, view.palette, rgba, ids);
+  return {};
 }
 
 /// Whatever the search, a backend may look at all sites when it begins or finishes a picture.

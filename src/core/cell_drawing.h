@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "core/answers.h"
 #include "core/grid_drawing.h"
 #include "core/judge.h"
 #include "core/judged_cells.h"
@@ -32,6 +33,10 @@ class CellDrawing {
   /// Begins a picture on the backend and draws all cells into it.
   Result<void> draw(const View& view);
 
+  /// Reads the picture of the view that was drawn last. A pixel that no cell covers, or that a device says is
+  /// of a site without one, has no_site and color 0.
+  Result<void> read(const View& view, std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids);
+
   /// certified or empty, by index in the set.
   [[nodiscard]] const std::vector<CellStatus>& status() const { return status_; }
 
@@ -56,6 +61,7 @@ class CellDrawing {
   Indices on_device_;                ///< what the device finds, ascending
   std::vector<JudgedCells> judged_;  ///< what it does not
   std::vector<CellStatus> status_;
+  PixelCheck pixels_;
   std::uint64_t in_double_ = 0;
   std::uint64_t exact_ = 0;
   double tree_seconds_ = 0;

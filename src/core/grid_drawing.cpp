@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/answers.h"
 #include "core/pace.h"
 #include "core/sample.h"
 
@@ -80,7 +81,7 @@ Result<GridDrawing::Indices> GridDrawing::drawSites(const Indices& which, Effort
     const auto part = std::span(which).subspan(begin, count);
     status.assign(count, CellStatus::missing);
     const Stopwatch watch;
-    if (auto drawn = backend_.draw(part, effort, status); !drawn) return drawn;
+    if (auto drawn = askToDraw(backend_, part, effort, status); !drawn) return drawn;
     seconds_ += watch.seconds();
     for (std::size_t e = 0; e < count; ++e) {
       if (status[e] != CellStatus::certified) undrawn.push_back(part[e]);

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "backend/collect.h"
+#include "core/answers.h"
 #include "core/pace.h"
 #include "core/sample.h"
 #include "core/upload.h"
@@ -77,7 +78,10 @@ class Finding {
     const auto work = [&](std::size_t begin, std::size_t count) -> Result<void> {
       const auto part = which.subspan(begin, count);
       Neighborhoods found;
-      if (auto done = input_.backend.cells(part, effort, found); !done) return done;
+      if (auto done = askCells(input_.backend, tile.sites.size(), part, effort, input_.threads, found);
+          !done) {
+        return done;
+      }
       for (std::size_t e = 0; e < count; ++e) {
         if (isDone(found.status[e])) continue;
         const bool again = effort == Effort::fast && found.status[e] == CellStatus::overflow;

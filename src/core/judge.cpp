@@ -4,6 +4,7 @@
 
 #include <numeric>
 
+#include "core/answers.h"
 #include "core/mesh_cells.h"
 #include "core/pace.h"
 
@@ -37,7 +38,7 @@ Result<CellRows> Judge::find(std::span<const std::uint32_t> which, Effort effort
     if (auto uploaded = backend_.upload(sites_, {}); !uploaded) return tl::unexpected(uploaded.error());
     ready_ = true;
   }
-  auto found = findSome(which, entries, effort, progress, cells);
+  auto found = findSome(which, entries, effort, threads, progress, cells);
   if (found && effort == Effort::in_double && !found->empty()) {
     Indices open;
     for (const auto e : *found) open.push_back(which[e]);
@@ -63,7 +64,7 @@ bool Judge::areMany(std::size_t cells) const {
 
 Result<std::vector<std::uint32_t>> Judge::findSome(std::span<const std::uint32_t> which,
                                                    std::span<const std::uint32_t> entries, Effort effort,
-                                                   const Progress& progress, CellRows& cells) {
+                                                   int threads, const Progress& progress, CellRows& cells) {
   std::vector<std::uint32_t> open;
   std::vector<std::uint32_t> some;
   const auto work = [&](std::size_t begin, std::size_t count) -> Result<void> {
@@ -71,7 +72,7 @@ Result<std::vector<std::uint32_t>> Judge::findSome(std::span<const std::uint32_t
     some.clear();
     for (const auto e : part) some.push_back(which[e]);
     Neighborhoods found;
-    if (auto done = backend_.cells(some, effort, found); !done) return done;
+    if (auto done = askCells(backend_, sites_.size(), some, effort, threads, found); !done) return done;
     const auto left = withStatus(part, found.status, isOpen);
     open.insert(open.end(), left.begin(), left.end());
     cells.add(part, std::move(found));

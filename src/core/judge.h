@@ -28,7 +28,7 @@ class Judge {
   /// Adds the cells of which[e] for e in `entries`; returns the entries that are still open.
   Result<std::vector<std::uint32_t>> findSome(std::span<const std::uint32_t> which,
                                               std::span<const std::uint32_t> entries, Effort effort,
-                                              const Progress& progress, CellRows& cells);
+                                              int threads, const Progress& progress, CellRows& cells);
 
   Backend& backend_;
   SiteMesh& mesh_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "backend/collect.h"
+#include "core/answers.h"
 #include "core/flann_search.h"
 #include "core/pace.h"
 #include "core/pack.h"
@@ -64,7 +65,7 @@ class Finding {
     const auto candidates = search_.neighbors(which, k);
     packBatch(input_.sites, candidates, 0, which.size(), input_.threads, batch_);
     report_.time_ms.search += 1e3 * watch.seconds();
-    if (auto clipped = input_.backend.cells(batch_, found); !clipped) return clipped;
+    if (auto clipped = askCells(input_.backend, batch_, input_.threads, found); !clipped) return clipped;
     for (std::size_t e = 0; e < which.size(); ++e) {
       renumber(found, e, [&](std::uint32_t line) { return candidates.index[candidates.first[e] + line]; });
     }

@@ -117,7 +117,7 @@ Result<Image> drawParts(Backend& backend, CellDrawing& drawing, const Box& box, 
     rgba.resize(static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height));
     ids.resize(rgba.size());
     Stopwatch watch;
-    if (auto read = backend.read(rgba, ids); !read) return tl::unexpected(read.error());
+    if (auto read = drawing.read(view, rgba, ids); !read) return tl::unexpected(read.error());
     place(part, rgba, image, image.rgba);
     place(part, ids, image, image.ids);
     download_seconds += watch.seconds();

@@ -114,7 +114,7 @@ class Lanes final : public Backend {
       VORPIPE_TRY(lanes_[lane]->read(lane_rgba, lane_ids));
       parallelFor(ids.size(), pixels_at_once, 0, [&](std::size_t begin, std::size_t end) {
         for (auto i = begin; i < end; ++i) {
-          if (lane_ids[i] == no_site || (ids[i] != no_site && drawn_[ids[i]] > drawn_[lane_ids[i]])) continue;
+          if (lane_ids[i] == no_site || drawnAt(ids[i]) > drawnAt(lane_ids[i])) continue;
           ids[i] = lane_ids[i];
           rgba[i] = lane_rgba[i];
         }
@@ -183,8 +183,7 @@ class Lanes final : public Backend {
       for (std::size_t part = 1; part < found.size(); ++part) append(found[part], out);
       return {};
     } catch (const std::bad_alloc&) {
-      return deviceError("not enough memory for " + std::to_string(count) +
-                         " cells: free some, or ask for fewer cells at a time");
+      return outOfMemory(count);
     }
   }
 
@@ -216,6 +215,9 @@ class Lanes final : public Backend {
       if (status[entry] == CellStatus::certified) drawn_[id] = drawings_;
     }
   }
+
+  /// When the cell of an id was drawn last. A pixel that says nonsense was never drawn; it is core's to find.
+  [[nodiscard]] std::uint64_t drawnAt(std::uint32_t id) const { return id < drawn_.size() ? drawn_[id] : 0; }
 
   OpenLane open_;
   std::size_t most_lanes_;

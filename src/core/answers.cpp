@@ -1,0 +1,159 @@
+#include "core/answers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <limits>
+
+#include "core/cell_rows.h"
+#include "core/walls.h"
+#include "parallel.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr std::size_t grain = std::size_t{1} << 15;
+constexpr std::size_t pixels_at_once = std::size_t{1} << 16;
+
+/// A polygon of a box has as many edges at least.
+constexpr std::size_t least_edges = 3;
+
+/// No neighbor's number.
+constexpr std::int64_t nobody = std::numeric_limits<std::int64_t>::min();
+
+Error nonsense(const Backend& backend, std::string_view what) {
+  const auto& device = backend.info().device;
+  return {ErrorCode::device, fmt::format("{} on {}: its answer makes no sense, {}: update the driver, or use "
+                                         "another --device or --backend cpu",
+                                         device.backend, device.name, what)};
+}
+
+/// Why an answer about `count` cells is none at all; empty if it is one.
+std::string_view whatIsWrong(const Neighborhoods& cells, std::size_t count) {
+  if (cells.status.size() != count) return "it is of another number of cells";
+  if (cells.first.size() != count + 1 || cells.first.front() != 0 ||
+      cells.first.back() != cells.neighbor.size() ||
+      !std::is_sorted(cells.first.begin(), cells.first.end())) {
+    return "the places of its neighbors are no places";
+  }
+  return {};
+}
+
+/// Whether the neighbors of a cell could be those of one: those of a certified cell begin with the smallest
+/// number, and all are walls or among the `count` sites or lines that there are, and not the cell itself.
+bool couldBe(CellStatus status, std::span<const std::int32_t> neighbors, std::int64_t self,
+             std::int64_t count) {
+  if (!isDone(status)) return neighbors.empty();
+  const bool in_range = std::all_of(neighbors.begin(), neighbors.end(), [&](std::int32_t neighbor) {
+    return neighbor >= wall_ymax && neighbor < count && neighbor != self;
+  });
+  if (!in_range || status == CellStatus::empty) return in_range;
+  return neighbors.size() >= least_edges &&
+         *std::min_element(neighbors.begin(), neighbors.end()) == neighbors.front();
+}
+
+/// Takes the neighbors of all entries that are not done from an answer, in order.
+void dropOthers(Neighborhoods& cells) {
+  std::uint64_t end = 0;
+  std::uint64_t begin = cells.first[0];
+  for (std::size_t e = 0; e < cells.status.size(); ++e) {
+    const auto next = cells.first[e + 1];
+    if (isDone(cells.status[e])) {
+      for (auto k = begin; k < next; ++k) cells.neighbor[end++] = cells.neighbor[k];
+    }
+    cells.first[e + 1] = end;
+    begin = next;
+  }
+  cells.neighbor.resize(end);
+}
+
+/// Makes an answer one that can be relied on; limitsOf(e) is the number of entry e's own site and how
+/// many sites or lines there are for it.
+template <class LimitsOf>
+Result<void> secure(const Backend& backend, std::size_t count, int threads, Neighborhoods& cells,
+                    const LimitsOf& limitsOf) {
+  if (const auto wrong = whatIsWrong(cells, count); !wrong.empty()) {
+    return tl::unexpected(nonsense(backend, wrong));
+  }
+  std::atomic<bool> any = false;
+  parallelFor(count, grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto e = begin; e < end; ++e) {
+      const auto [self, most] = limitsOf(e);
+      const auto neighbors =
+          std::span(cells.neighbor).subspan(cells.first[e], cells.first[e + 1] - cells.first[e]);
+      const bool known = cells.status[e] <= CellStatus::open;
+      if (known && couldBe(cells.status[e], neighbors, self, most)) continue;
+      cells.status[e] = CellStatus::missing;
+      any.store(true, std::memory_order_relaxed);
+    }
+  });
+  if (any) dropOthers(cells);
+  return {};
+}
+
+void secure(std::span<CellStatus> status) {
+  for (auto& each : status) {
+    if (each > CellStatus::open) each = CellStatus::missing;
+  }
+}
+
+struct Limits {
+  std::int64_t self, count;
+};
+
+}  // namespace
+
+Result<void> askCells(Backend& backend, std::size_t sites, std::span<const std::uint32_t> which,
+                      Effort effort, int threads, Neighborhoods& out) {
+  if (auto done = backend.cells(which, effort, out); !done) return done;
+  const auto count = static_cast<std::int64_t>(sites);
+  return secure(backend, which.size(), threads, out, [&](std::size_t e) { return Limits{which[e], count}; });
+}
+
+Result<void> askCells(Backend& backend, const CellBatch<double>& batch, int threads, Neighborhoods& out) {
+  if (auto done = backend.cells(batch, out); !done) return done;
+  return secure(backend, batch.entries.size(), threads, out, [&](std::size_t e) {
+    return Limits{nobody, batch.entries[e].count};
+  });
+}
+
+Result<void> askToDraw(Backend& backend, std::span<const std::uint32_t> which, Effort effort,
+                       std::span<CellStatus> status) {
+  if (auto drawn = backend.draw(which, effort, status); !drawn) return drawn;
+  secure(status);
+  return {};
+}
+
+Result<void> askToDraw(Backend& backend, const CellBatch<float>& batch, std::span<const DrawMark> marks,
+                       Effort effort, std::span<CellStatus> status) {
+  if (auto drawn = backend.draw(batch, marks, effort, status); !drawn) return drawn;
+  secure(status);
+  return {};
+}
+
+PixelCheck::PixelCheck(const SiteSet& sites, std::span<const std::uint8_t> shade, int threads)
+    : sites_(sites), shade_(shade), threads_(threads) {}
+
+void PixelCheck::apply(std::span<const CellStatus> status, const Palette& palette,
+                       std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) {
+  if (shown_.empty()) {
+    const auto greatest = std::max_element(sites_.id.begin(), sites_.id.end());
+    shown_.resize(greatest == sites_.id.end() ? 0 : std::size_t{*greatest} + 1);
+  }
+  parallelFor(sites_.size(), grain, threads_, [&](std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end; ++i) {
+      const bool has_cell = status[i] == CellStatus::certified;
+      shown_[sites_.id[i]] = has_cell ? static_cast<std::uint16_t>(shade_[i] + 1) : std::uint16_t{0};
+    }
+  });
+  parallelFor(ids.size(), pixels_at_once, threads_, [&](std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end; ++i) {
+      const auto shown = ids[i] < shown_.size() ? shown_[ids[i]] : std::uint16_t{0};
+      rgba[i] = shown > 0 ? palette[shown - std::size_t{1}] : 0;
+      if (shown == 0) ids[i] = no_site;
+    }
+  });
+}
+
+}  // namespace vorpipe

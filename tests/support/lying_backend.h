@@ -1,0 +1,163 @@
+/// A backend whose answers are nonsense.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <random>
+
+#include "backend/backend.h"
+
+namespace vorpipe::test {
+
+/// What is wrong with an answer.
+enum class Lie : std::uint8_t {
+  statuses,   ///< any byte
+  neighbors,  ///< numbers of no site, of no wall, of the cell itself, of other sites
+  turned,     ///< rows that begin anywhere, go the other way, or belong to another cell
+  counts,     ///< rows that are shorter or longer
+  offsets,    ///< rows that begin anywhere
+  lengths,    ///< arrays that are too short or too long
+  pixels,     ///< ids of no site, any colors
+};
+inline constexpr std::array lies{Lie::statuses, Lie::neighbors, Lie::turned, Lie::counts,
+                                 Lie::offsets,  Lie::lengths,   Lie::pixels};
+
+/// Passes every call on to a backend and spoils about one cell or pixel in `one_in` of what it answers.
+class LyingBackend final : public Backend {
+ public:
+  LyingBackend(Backend& honest, Lie lie, std::uint32_t one_in, std::uint64_t seed)
+      : honest_(honest), lie_(lie), one_in_(one_in), random_(seed) {}
+
+  const BackendInfo& info() const override { return honest_.info(); }
+  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override {
+    return honest_.upload(sites, shade);
+  }
+  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) override {
+    auto done = honest_.cells(which, effort, out);
+    if (done) spoil(out);
+    return done;
+  }
+  Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) override {
+    auto done = honest_.cells(batch, out);
+    if (done) spoil(out);
+    return done;
+  }
+  Result<void> begin(const View& view) override { return honest_.begin(view); }
+  Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
+                    std::span<CellStatus> status) override {
+    auto done = honest_.draw(which, effort, status);
+    if (lie_ == Lie::statuses) spoil(status);
+    return done;
+  }
+  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
+                    std::span<CellStatus> status) override {
+    auto done = honest_.draw(batch, marks, effort, status);
+    if (lie_ == Lie::statuses) spoil(status);
+    return done;
+  }
+  Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override {
+    auto done = honest_.read(rgba, ids);
+    if (lie_ != Lie::pixels) return done;
+    constexpr std::uint32_t many = std::uint32_t{1} << 31;
+    for (auto& id : ids) {
+      if (now()) id = many + number();
+    }
+    for (auto& color : rgba) {
+      if (now()) color = number();
+    }
+    return done;
+  }
+  std::vector<std::string> validationMessages() override { return honest_.validationMessages(); }
+
+  [[nodiscard]] std::uint64_t told() const { return told_; }
+
+ private:
+  bool now() {
+    if (random_() % one_in_ != 0) return false;
+    ++told_;
+    return true;
+  }
+
+  std::uint32_t number() { return static_cast<std::uint32_t>(random_()); }
+
+  /// What a memory that nobody wrote, or a float in the wrong place, may hold; else a number near those that
+  /// mean something.
+  std::int32_t neighbor() {
+    constexpr std::int32_t least = std::numeric_limits<std::int32_t>::min();
+    constexpr std::array<std::int32_t, 8> odd = {
+        -5,         -128,  0x7FC00000, 0x7F800000,
+        0x3F800000, least, least + 1,  std::numeric_limits<std::int32_t>::max()};
+    if (random_() % 2 == 0) return odd[random_() % odd.size()];
+    return static_cast<std::int32_t>(random_() % 5000) - 8;
+  }
+
+  void spoil(std::span<CellStatus> status) {
+    for (auto& each : status) {
+      if (now()) each = static_cast<CellStatus>(random_() % (random_() % 2 == 0 ? 6 : 256));
+    }
+  }
+
+  void spoil(Neighborhoods& cells) {
+    switch (lie_) {
+      case Lie::statuses:
+        return spoil(std::span(cells.status));
+      case Lie::neighbors:
+        for (auto& each : cells.neighbor) {
+          if (now()) each = neighbor();
+        }
+        return;
+      case Lie::turned:
+        return turn(cells);
+      case Lie::counts:
+        for (std::size_t e = 1; e + 1 < cells.first.size(); ++e) {
+          if (now()) cells.first[e] = std::max(cells.first[e - 1], cells.first[e] - random_() % 3);
+        }
+        return;
+      case Lie::offsets:
+        for (auto& first : cells.first) {
+          if (now()) first = random_() >> (random_() % 64);
+        }
+        return;
+      case Lie::lengths:
+        return cutOrGrow(cells);
+      case Lie::pixels:
+        return;
+    }
+  }
+
+  void turn(Neighborhoods& cells) {
+    for (std::size_t e = 0; e < cells.status.size(); ++e) {
+      const auto row = std::span(cells.neighbor).subspan(cells.first[e], cells.first[e + 1] - cells.first[e]);
+      if (row.empty() || !now()) continue;
+      const auto which = random_() % 3;
+      if (which == 0) std::rotate(row.begin(), row.begin() + 1, row.end());
+      if (which == 1) std::reverse(row.begin() + 1, row.end());
+      if (which == 2) {
+        const auto from = random_() % (cells.neighbor.size() - row.size() + 1);
+        std::copy_n(cells.neighbor.begin() + static_cast<std::ptrdiff_t>(from), row.size(), row.begin());
+      }
+    }
+  }
+
+  void cutOrGrow(Neighborhoods& cells) {
+    if (!now()) return;
+    const auto change = [&](auto& array) {
+      array.resize(random_() % 2 == 0 ? array.size() / (2 + random_() % 3)
+                                      : array.size() + 1 + random_() % 100);
+    };
+    const auto which = random_() % 4;
+    if (which == 0) change(cells.status);
+    if (which == 1) change(cells.first);
+    if (which == 2) change(cells.neighbor);
+    if (which == 3) cells = {};
+  }
+
+  Backend& honest_;
+  Lie lie_;
+  std::uint32_t one_in_;
+  std::mt19937_64 random_;
+  std::uint64_t told_ = 0;
+};
+
+}  // namespace vorpipe::test
