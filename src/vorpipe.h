@@ -17,6 +17,10 @@
 namespace vorpipe {
 
 /// One backend, ready to work. Not thread-safe.
+///
+/// Where its device refuses memory it is given less at a time, which changes no cell. Where it fails, and the
+/// name it was opened by was `auto` or `vulkan`, the next backend takes over, for this run and later ones;
+/// Report::notes says so.
 class Session {
  public:
   /// Opens the backend that options name; an error says which is missing and what would help.
@@ -34,7 +38,7 @@ class Session {
 
   /// backend, device and driver in use; usable is true.
   [[nodiscard]] const DeviceInfo& device() const;
-  /// Why `auto` or `vulkan` took this backend; empty where the caller named it.
+  /// Why `auto` or `vulkan` took this backend, or why it took over; empty where the caller named it.
   [[nodiscard]] const std::string& choice() const;
 
  private:

@@ -26,6 +26,8 @@ struct Capabilities {
   std::uint64_t max_framebuffer_width = 0;
   std::uint64_t max_framebuffer_height = 0;
   std::uint64_t sub_pixel_precision_bits = 0;
+  std::uint64_t max_memory_allocation_size = 0;
+  std::uint64_t heap_budget = 0;  ///< of the largest heap of the device's own memory
 };
 
 struct NamedFeature {
@@ -44,7 +46,7 @@ inline constexpr std::array<NamedFeature, 3> known_features = {{
     {"shaderFloat64", &Capabilities::shader_float64},
 }};
 
-inline constexpr std::array<NamedLimit, 8> known_limits = {{
+inline constexpr std::array<NamedLimit, 10> known_limits = {{
     {"maxTexelBufferElements", &Capabilities::max_texel_buffer_elements},
     {"maxStorageBufferRange", &Capabilities::max_storage_buffer_range},
     {"maxGeometryOutputVertices", &Capabilities::max_geometry_output_vertices},
@@ -53,6 +55,8 @@ inline constexpr std::array<NamedLimit, 8> known_limits = {{
     {"maxFramebufferWidth", &Capabilities::max_framebuffer_width},
     {"maxFramebufferHeight", &Capabilities::max_framebuffer_height},
     {"subPixelPrecisionBits", &Capabilities::sub_pixel_precision_bits},
+    {"maxMemoryAllocationSize", &Capabilities::max_memory_allocation_size},
+    {"heapBudget", &Capabilities::heap_budget},
 }};
 
 /// Vulkan and OpenGL guarantee as many bits of a vertex's place inside a pixel.

@@ -33,6 +33,21 @@ Result<OpenedBackend> openVulkan(const BackendOptions& options) {
                                                  compute.error().message));
 }
 
+// What takes over from a backend that fails at work: the others, in the order of the choice. Those that could
+// not be opened before will not open then either. A caller who names a device does not mean the host's
+// processors.
+std::vector<std::string> othersAfter(const BackendOptions& options, std::string_view taken) {
+  std::vector<std::string> order = {"vulkan-compute", "vulkan-geometry"};
+  if (options.name == "auto") {
+    order.emplace_back("opengl");
+    if (options.device.empty()) order.emplace_back("cpu");
+  } else if (options.name != "vulkan") {
+    return {};
+  }
+  std::erase(order, taken);
+  return order;
+}
+
 Result<OpenedBackend> openAuto(const BackendOptions& options) {
   auto vulkan = openVulkan(options);
   const auto took = [&](std::string_view why) -> Result<OpenedBackend> {
@@ -62,8 +77,11 @@ Result<OpenedBackend> openBackend(const BackendOptions& options) {
   Capabilities any;
   if (auto known = applyMask(any, options.mask); !known) return tl::unexpected(known.error());
   const auto& name = options.name;
-  if (name == "auto") return openAuto(options);
-  if (name == "vulkan") return openVulkan(options);
+  if (name == "auto" || name == "vulkan") {
+    auto chosen = name == "auto" ? openAuto(options) : openVulkan(options);
+    if (chosen) chosen->others = othersAfter(options, chosen->backend->info().device.backend);
+    return chosen;
+  }
   if (name == "vulkan-geometry") return opened(makeVulkanGeometryBackend(options));
   if (name == "vulkan-compute") return opened(makeVulkanComputeBackend(options));
   if (name == "opengl") return opened(makeOpenGlBackend(options));

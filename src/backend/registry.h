@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "backend/backend.h"
 
@@ -10,6 +12,8 @@ namespace vorpipe {
 struct OpenedBackend {
   std::unique_ptr<Backend> backend;
   std::string choice;  ///< why this one, where the name left a choice
+  /// The backends that the same name would take next, by their own names, if this one fails at work.
+  std::vector<std::string> others{};
 };
 
 /// Opens `options.name`: a registry name (vulkan-geometry, vulkan-compute, opengl, cpu), "vulkan"

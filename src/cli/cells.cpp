@@ -4,6 +4,7 @@
 #include <memory>
 #include <numeric>
 
+#include "bench/driver_threads.h"
 #include "cli/command.h"
 #include "cli/forecast.h"
 #include "cli/input.h"
@@ -101,6 +102,7 @@ Result<CellsOptions> cellsOptions(const CellsCommand& command, const Input& inpu
 }
 
 Result<ExitCode> cells(const CellsCommand& command) {
+  setDriverThreads(command.backend.threads);
   const Stopwatch total;
   const std::vector<std::string> paths = outputPaths(command);
   if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("cells.csv"));
@@ -125,6 +127,7 @@ Result<ExitCode> cells(const CellsCommand& command) {
   const auto diagram = session->cells(input->sites, *options);
   bar.clear();
   if (!diagram) return asOption(diagram.error(), command.input);
+  printNotes(command.talk, diagram->report);
   if (!validationIsSilent(diagram->report)) return exit_device;
   if (command.check) {
     const auto passed = passesCheck(check(input->sites, *options, *diagram, threads));

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "bench/driver_threads.h"
 #include "cli/command.h"
 #include "cli/comparison.h"
 #include "cli/forecast.h"
@@ -83,6 +84,8 @@ Result<BackendRun> runBackend(const CompareCommand& command, const std::string& 
   auto cells = session->cells(input.sites, cellsOptions(picture));
   if (!cells) return asOption(std::move(cells.error()), command.input);
   bar.clear();
+  printNotes(command.talk, rendering->report, name);
+  printNotes(command.talk, cells->report, name);
   BackendRun run{name, std::move(*rendering), std::move(*cells), render_ms, cells_watch.milliseconds(), {}};
   if (auto checked = checkRun(command, input, picture, run); !checked) {
     return tl::unexpected(std::move(checked.error()));
@@ -148,6 +151,7 @@ Result<RenderOptions> checkedOptions(const CompareCommand& command, const Input&
 }
 
 Result<ExitCode> compare(const CompareCommand& command) {
+  setDriverThreads(command.backend.threads);
   const Stopwatch total;
   const auto input = loadInput(command.input, workOf(command));
   if (!input) return tl::unexpected(input.error());

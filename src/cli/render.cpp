@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "bench/driver_threads.h"
 #include "cli/command.h"
 #include "cli/forecast.h"
 #include "cli/input.h"
@@ -83,6 +84,7 @@ Result<void> writeFiles(const RenderCommand& command, const Input& input, const 
 }
 
 Result<ExitCode> render(const RenderCommand& command) {
+  setDriverThreads(command.backend.threads);
   const Stopwatch total;
   const std::vector<std::string> paths = outputPaths(command);
   if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("picture.png"));
@@ -107,6 +109,7 @@ Result<ExitCode> render(const RenderCommand& command) {
   const auto rendering = session->render(input->sites, *options);
   bar.clear();
   if (!rendering) return asOption(rendering.error(), command.input);
+  printNotes(command.talk, rendering->report);
   if (!validationIsSilent(rendering->report)) return exit_device;
   if (command.check) {
     const auto passed = passesCheck(check(input->sites, *options, *rendering, threads));

@@ -35,6 +35,13 @@ bool validationIsSilent(const Report& report, std::string_view name) {
   return false;
 }
 
+void printNotes(const TalkOptions& talk, const Report& report, std::string_view name) {
+  if (talk.quiet) return;
+  for (const std::string& note : report.notes) {
+    printError(fmt::format("note: {}{}{}", name, name.empty() ? "" : ": ", note));
+  }
+}
+
 Result<bool> passesCheck(const Result<std::vector<std::string>>& broken) {
   if (!broken) return tl::unexpected(broken.error());
   if (!broken->empty()) printError(fmt::format("--check: {}", fmt::join(*broken, "; ")));

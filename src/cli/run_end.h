@@ -20,6 +20,10 @@ Error nothingToDo(std::string_view example);
 /// Prints what the validation layers said, in one line, after `name`; whether they said nothing.
 bool validationIsSilent(const Report& report, std::string_view name = {});
 
+/// Prints what did not go as it began, in a line each on standard error, unless the run is quiet: another
+/// backend than the one that was taken first may have done it. `name` as above.
+void printNotes(const TalkOptions& talk, const Report& report, std::string_view name = {});
+
 /// Prints what check() found, in one line; whether all promises hold. Error: check()'s.
 Result<bool> passesCheck(const Result<std::vector<std::string>>& broken);
 

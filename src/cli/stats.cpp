@@ -70,6 +70,7 @@ std::string statsJson(const Stats& stats) {
   json["backend"] = report.backend;
   json["device"] = report.device;
   json["driver"] = report.driver;
+  json["notes"] = report.notes;
   json["sites"] = stats.input.sites.size();
   json["seed"] = stats.input.seed ? Json(*stats.input.seed) : Json(nullptr);
   json["domain"] = {domain.xmin, domain.ymin, domain.xmax, domain.ymax};

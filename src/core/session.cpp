@@ -3,6 +3,7 @@
 
 #include "backend/registry.h"
 #include "core/density.h"
+#include "core/device_in_use.h"
 #include "core/diagram.h"
 #include "core/input.h"
 #include "core/render.h"
@@ -33,7 +34,7 @@ Result<Diagram> cellsAndMass(Backend& backend, Backend& judge, int threads, cons
 }  // namespace
 
 struct Session::State {
-  OpenedBackend opened;
+  DeviceInUse device;
   std::unique_ptr<Backend> judge;
   int threads;
 };
@@ -44,11 +45,11 @@ Session& Session::operator=(Session&&) noexcept = default;
 Session::~Session() = default;
 
 Result<Session> Session::open(const BackendOptions& options) {
-  auto opened = openBackend(options);
-  if (!opened) return tl::unexpected(opened.error());
+  auto device = DeviceInUse::open(options);
+  if (!device) return tl::unexpected(device.error());
   Session session;
   session.state_ =
-      std::make_unique<State>(State{std::move(*opened), openJudge(options.threads), options.threads});
+      std::make_unique<State>(State{std::move(*device), openJudge(options.threads), options.threads});
   return session;
 }
 
@@ -57,7 +58,8 @@ Result<Rendering> Session::render(const Sites& sites, const RenderOptions& optio
     if (auto checked = checkOptions(sites, cellsOptions(options)); !checked) {
       return tl::unexpected(checked.error());
     }
-    return renderOn(*state_->opened.backend, *state_->judge, state_->threads, sites, options);
+    return state_->device.run<Rendering>(
+        [&](Backend& backend) { return renderOn(backend, *state_->judge, state_->threads, sites, options); });
   } catch (const std::bad_alloc&) {
     return tl::unexpected(outOfMemory());
   }
@@ -65,13 +67,15 @@ Result<Rendering> Session::render(const Sites& sites, const RenderOptions& optio
 
 Result<Diagram> Session::cells(const Sites& sites, const CellsOptions& options) {
   try {
-    return cellsAndMass(*state_->opened.backend, *state_->judge, state_->threads, sites, options);
+    return state_->device.run<Diagram>([&](Backend& backend) {
+      return cellsAndMass(backend, *state_->judge, state_->threads, sites, options);
+    });
   } catch (const std::bad_alloc&) {
     return tl::unexpected(outOfMemory());
   }
 }
 
-const DeviceInfo& Session::device() const { return state_->opened.backend->info().device; }
-const std::string& Session::choice() const { return state_->opened.choice; }
+const DeviceInfo& Session::device() const { return state_->device.info(); }
+const std::string& Session::choice() const { return state_->device.choice(); }
 
 }  // namespace vorpipe

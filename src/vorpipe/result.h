@@ -22,6 +22,7 @@ enum class ErrorCode : std::uint8_t {
 struct Error {
   ErrorCode code;
   std::string message;
+  bool out_of_memory{};  ///< of a device: it has no memory for so much at a time
 };
 
 template <class T>

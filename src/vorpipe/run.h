@@ -48,6 +48,9 @@ struct Report {
   /// cells of their own.
   std::uint64_t retried = 0, in_double = 0, exact = 0;
   Times time_ms;
+  /// What did not go as it began, a line each: a device refused memory and got less at a time, or failed, and
+  /// the next one took over. `backend` and `device` are those that the result is from.
+  std::vector<std::string> notes;
   std::vector<std::string> validation_messages;  ///< empty unless validation was on and spoke
 };
 

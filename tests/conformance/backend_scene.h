@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <string_view>
 #include <vector>
 
 #include "backend/backend.h"
@@ -23,6 +24,10 @@ inline constexpr Box unit_square{0, 0, 1, 1};
 
 /// Defined by the tests of each device backend: opens it, or fails the test and returns null.
 std::unique_ptr<Backend> openBackend(const Mask& mask = {}, int threads = 0);
+
+/// Defined by the tests of each Vulkan backend: its name; and opens it with the validation layers.
+std::string_view backendName();
+Result<std::unique_ptr<Backend>> tryBackend();
 
 /// Sites in the unit square, as a set with its grid, and packed as lists in which every site is a
 /// candidate of every other. Entry k of the lists is site k of the set.

@@ -23,6 +23,14 @@ std::unique_ptr<Backend> openBackend(const Mask& mask, int threads) {
   return std::move(*backend);
 }
 
+std::string_view backendName() { return "vulkan-compute"; }
+
+Result<std::unique_ptr<Backend>> tryBackend() {
+  BackendOptions options;
+  options.validation = true;
+  return makeVulkanComputeBackend(options);
+}
+
 namespace {
 
 using vulkan::ComputeBackend;

@@ -2,9 +2,11 @@
 #include "backend/opengl/opengl_backend.h"
 
 #include <epoxy/egl.h>
+#include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <utility>
 
 #include "backend_scene.h"
 
@@ -87,6 +89,64 @@ TEST(OpenGlBackend, TakesAMaskForTheDevice) {
   EXPECT_FALSE(listOpenGlDevices(options.mask).at(0).usable);
   options.mask.disabled = {"flux"};
   EXPECT_EQ(makeOpenGlBackend(options).error().code, ErrorCode::input);
+}
+
+// Between the program and the driver: refuses lists of more bytes.
+struct Refusing {
+  static inline GLsizeiptr most = 0;
+  static inline int refused = 0;
+  static inline bool is_error = false;
+  static inline decltype(epoxy_glBufferData) buffer_data = nullptr;
+  static inline decltype(epoxy_glGetError) get_error = nullptr;
+
+  explicit Refusing(GLsizeiptr most_bytes) {
+    most = most_bytes;
+    buffer_data = epoxy_glBufferData;
+    get_error = epoxy_glGetError;
+    epoxy_glBufferData = [](GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
+      if (target != GL_TEXTURE_BUFFER || size <= most) return buffer_data(target, size, data, usage);
+      refused++;
+      is_error = true;
+    };
+    epoxy_glGetError = [] { return std::exchange(is_error, false) ? GLenum{GL_OUT_OF_MEMORY} : get_error(); };
+  }
+  Refusing(const Refusing&) = delete;
+  Refusing& operator=(const Refusing&) = delete;
+  ~Refusing() {
+    epoxy_glBufferData = buffer_data;
+    epoxy_glGetError = get_error;
+  }
+};
+
+TEST(OpenGlBackend, IsGivenLessAtATimeWhereItRefusesMemory) {
+  const Sites sites = generate(Pattern::random, 40000, 3);
+  CellsOptions wanted{};
+  wanted.domain = unit_square;
+  wanted.detail = Detail::everything;
+  BackendOptions options;
+  options.name = "opengl";
+  auto session = Session::open(options);
+  ASSERT_TRUE(session.has_value()) << session.error().message;
+  const auto whole = session->cells(sites, wanted);
+  ASSERT_TRUE(whole.has_value()) << whole.error().message;
+  EXPECT_EQ(whole->report.notes, std::vector<std::string>());
+  for (const GLsizeiptr most : {1 << 18, 1 << 16}) {
+    const Refusing refusing(most);
+    auto fresh = Session::open(options);
+    ASSERT_TRUE(fresh.has_value()) << fresh.error().message;
+    const auto in_parts = fresh->cells(sites, wanted);
+    EXPECT_GT(Refusing::refused, 0);
+    if (most == 1 << 18) {
+      ASSERT_TRUE(in_parts.has_value()) << in_parts.error().message;
+      EXPECT_EQ(in_parts->report.notes.size(), 1U);
+      EXPECT_EQ(in_parts->neighbors, whole->neighbors);
+      EXPECT_EQ(in_parts->area, whole->area);
+    } else {
+      ASSERT_FALSE(in_parts.has_value());
+      EXPECT_EQ(in_parts.error().code, ErrorCode::device);
+      EXPECT_TRUE(in_parts.error().out_of_memory);
+    }
+  }
 }
 
 TEST(OpenGlBackend, TakesTheDeviceThatIsNamed) {

@@ -20,6 +20,14 @@ std::unique_ptr<Backend> openBackend(const Mask& mask, int threads) {
   return std::move(*backend);
 }
 
+std::string_view backendName() { return "vulkan-geometry"; }
+
+Result<std::unique_ptr<Backend>> tryBackend() {
+  BackendOptions options;
+  options.validation = true;
+  return makeVulkanGeometryBackend(options);
+}
+
 namespace {
 
 TEST(VulkanBackend, TakesItsEntriesFromTheStorageRange) {

@@ -7,7 +7,7 @@
 namespace vorpipe::opengl {
 namespace {
 
-constexpr std::size_t capacity_bytes = std::size_t{64} * 1024 * 1024;
+constexpr std::size_t capacity_bytes = std::size_t{32} * 1024 * 1024;
 
 GLuint resultOf(GLuint query) {
   GLuint result = 0;
@@ -15,7 +15,9 @@ GLuint resultOf(GLuint query) {
   return result;
 }
 
+// OpenGL's own reason, if it has one.
 tl::unexpected<Error> broken(std::string_view what) {
+  if (auto taken = takeErrors("reading what the shaders say"); !taken) return tl::unexpected(taken.error());
   return tl::unexpected(Error{
       ErrorCode::device, fmt::format("opengl: transform feedback {}; try another device or backend", what)});
 }

@@ -19,15 +19,20 @@ std::string_view nameOf(GLenum error) {
 }  // namespace
 
 Result<void> takeErrors(std::string_view doing) {
-  const GLenum first = glGetError();
-  if (first == GL_NO_ERROR) return {};
-  // A lost context may report without end; there are as many flags as kinds of error.
+  GLenum error = glGetError();
+  if (error == GL_NO_ERROR) return {};
+  // A lost context may report without end; there are as many flags as kinds of error. Calls that follow one
+  // without memory are refused, and the flags come in any order.
   constexpr int most_flags = 16;
-  for (int i = 0; i < most_flags && glGetError() != GL_NO_ERROR; ++i) {
+  for (int i = 0; i < most_flags; ++i) {
+    const GLenum other = glGetError();
+    if (other == GL_NO_ERROR) break;
+    if (other == GL_OUT_OF_MEMORY) error = other;
   }
-  return tl::unexpected(
-      Error{ErrorCode::device, fmt::format("opengl: {}: {} (GL error {:#x}); try another device or backend",
-                                           doing, nameOf(first), first)});
+  return tl::unexpected(Error{ErrorCode::device,
+                              fmt::format("opengl: {}: {} (GL error {:#x}); try another device or backend",
+                                          doing, nameOf(error), error),
+                              error == GL_OUT_OF_MEMORY});
 }
 
 GLint integer(GLenum name) {

@@ -118,7 +118,7 @@ class OpenGlBackend final : public Backend {
     } catch (const std::bad_alloc&) {
       return tl::unexpected(
           Error{ErrorCode::device,
-                fmt::format("opengl: not enough memory for {} cells; ask for fewer at a time", count)});
+                fmt::format("opengl: not enough memory for {} cells; ask for fewer at a time", count), true});
     }
   }
 

@@ -14,14 +14,25 @@ Result<void> Buffer::reserve(const Device& device, std::size_t bytes, std::size_
   assert(bytes <= limit);
   if (bytes <= size_ && size_ > 0) return {};
   const std::size_t grown = std::min(limit, std::max<std::size_t>({bytes, size_ + size_ / 2, 4096}));
+  drop();
+  Result<void> allocated = allocateBytes(device, grown);
+  if (!allocated && allocated.error().out_of_memory && grown > bytes && bytes > 0) {
+    // Room to grow is a wish.
+    drop();
+    allocated = allocateBytes(device, bytes);
+    if (allocated) size_ = bytes;
+    return allocated;
+  }
+  if (allocated) size_ = grown;
+  return allocated;
+}
+
+void Buffer::drop() {
   size_ = 0;
   data_ = nullptr;
   texels_ = {};
   buffer_ = {};
   memory_ = {};
-  VORPIPE_TRY(allocateBytes(device, grown));
-  size_ = grown;
-  return {};
 }
 
 Result<void> Buffer::allocateBytes(const Device& device, std::size_t bytes) {

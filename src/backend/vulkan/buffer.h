@@ -33,6 +33,7 @@ class Buffer {
   [[nodiscard]] std::byte* data() const { return data_; }
 
  private:
+  void drop();
   Result<void> allocateBytes(const Device& device, std::size_t bytes);
 
   Kind kind_;

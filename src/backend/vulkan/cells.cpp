@@ -18,11 +18,6 @@ namespace {
 // Entries whose neighbors are on the device at one time: some 3 MiB of them.
 constexpr std::size_t slice_entries = 65536;
 
-tl::unexpected<Error> outOfMemory(std::size_t cells) {
-  return deviceError("not enough memory for " + std::to_string(cells) +
-                     " cells: free some, or ask for fewer cells at a time");
-}
-
 }  // namespace
 
 Result<void> GeometryBackend::cells(const CellBatch<double>& batch, Neighborhoods& out) {
@@ -57,7 +52,8 @@ Result<void> GeometryBackend::findCells(const CellWork& work, Neighborhoods& out
   const bool weighted = work.entries == Entries::weighted_sites;
   const std::size_t room = answerRoom(fast ? EDGES_FAST : EDGES_MOST, weighted);
   const std::size_t row_bytes = room * sizeof(std::int32_t);
-  const std::size_t range = info_.max_entries * sizeof(std::uint32_t);
+  const std::size_t range =
+      std::min<std::size_t>(info_.max_entries * sizeof(std::uint32_t), device_.largestAllocation());
   const std::size_t slice = std::min({work.count, slice_entries, range / row_bytes});
   VORPIPE_TRY(reserveStatus(slice));
   VORPIPE_TRY(edges_.reserve(device_, slice * row_bytes,

@@ -19,7 +19,12 @@ namespace {
 constexpr std::uint64_t most_sites = std::uint64_t{1} << 26;
 constexpr std::uint64_t most_lines = std::uint64_t{1} << 24;
 constexpr std::uint64_t most_entries = std::uint64_t{1} << 22;
-constexpr std::uint64_t largest_view = 4096;
+// A site that the host placed, with its weight, its mark and its part of the bins, which are about half as
+// many as sites; one that the device placed, with what that takes.
+constexpr std::uint64_t bytes_of_site = 48;
+constexpr std::uint64_t bytes_of_placed_site = 80;
+// With its mark.
+constexpr std::uint64_t bytes_of_entry = 48;
 
 using Entry = CellBatch<float>::Entry;
 static_assert(sizeof(Entry) == 8 * sizeof(float));
@@ -50,17 +55,21 @@ BackendInfo describe(const Physical& physical, Placing placing) {
   const Capabilities& can = physical.capabilities;
   BackendInfo info;
   info.device = physical.info;
-  info.max_view = static_cast<int>(std::min(
-      {largest_view, can.max_framebuffer_width, can.max_framebuffer_height, can.max_image_dimension_2d}));
-  info.max_sites = std::min(most_sites, can.max_texel_buffer_elements);
-  info.max_bins = std::min(most_sites, can.max_texel_buffer_elements - 1);
-  if (placing == Placing::by_device) {
+  info.max_view = static_cast<int>(largestView(can));
+  const bool by_device = placing == Placing::by_device;
+  info.max_sites =
+      std::min({most_sites, can.max_texel_buffer_elements,
+                mostOf(can, sizeof(SiteTexel), by_device ? bytes_of_placed_site : bytes_of_site)});
+  // Each has a number, those with weights a texel more, and levels above them.
+  info.max_bins = std::min(info.max_sites, can.max_texel_buffer_elements - 1);
+  if (by_device) {
     info.max_sites = std::min(info.max_sites, can.max_storage_buffer_range / sizeof(SiteTexel));
     info.max_bins = std::min(info.max_bins, can.max_storage_buffer_range / sizeof(std::uint32_t) - 1);
   }
-  info.max_lines = std::min(most_lines, can.max_texel_buffer_elements);
+  info.max_lines = std::min({most_lines, can.max_texel_buffer_elements, mostOf(can, line_bytes, line_bytes)});
   info.max_entries = static_cast<std::uint32_t>(
-      std::min({most_entries, can.max_storage_buffer_range / sizeof(Entry), can.max_texel_buffer_elements}));
+      std::min({most_entries, can.max_storage_buffer_range / sizeof(Entry), can.max_texel_buffer_elements,
+                mostOf(can, sizeof(Entry), bytes_of_entry)}));
   info.most_edges = EDGES_MOST;
   info.subpixel_bits = static_cast<int>(can.sub_pixel_precision_bits);
   return info;
@@ -91,7 +100,9 @@ Result<std::unique_ptr<Backend>> ComputeBackend::open(Instance instance, const P
   std::unique_ptr<ComputeBackend> backend(
       new ComputeBackend({std::move(instance), std::move(*device), std::move(*sites), std::move(*lists),
                           std::move(placed), std::move(*kernels), std::move(*triangles), std::move(*painter)},
-                         describe(physical, placing), physical.capabilities.max_storage_buffer_range));
+                         describe(physical, placing),
+                         std::min(physical.capabilities.max_storage_buffer_range,
+                                  physical.capabilities.max_memory_allocation_size)));
   return backend;
 }
 

@@ -86,7 +86,7 @@ class ComputeBackend final : public Backend {
   TriangleList triangles_;
   Painter painter_;
   BackendInfo info_;
-  std::uint64_t storage_range_;
+  std::uint64_t storage_range_;  ///< of an allocation
   Target target_;
   UploadedSites sites_;
   std::optional<PlacedSites> placed_;

@@ -23,11 +23,6 @@ constexpr std::size_t word_bytes = sizeof(std::uint32_t);
 // The words of so many entries, in fours, as rows are.
 constexpr std::size_t wordsBytes(std::size_t entries) { return (entries + 3) / 4 * 4 * word_bytes; }
 
-tl::unexpected<Error> outOfMemory(std::size_t cells) {
-  return deviceError("not enough memory for " + std::to_string(cells) +
-                     " cells: free some, or ask for fewer cells at a time");
-}
-
 ComputeKernels::Code searchCode(bool fast, bool weighted) {
   if (weighted) {
     return fast ? shaders::neighbors_grid_fast_weighted() : shaders::neighbors_grid_roomy_weighted();

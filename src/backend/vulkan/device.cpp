@@ -32,6 +32,7 @@ Result<Device> Device::open(const Physical& physical) {
                     "vkCreateDevice of '" + physical.info.name + "'"));
   volkLoadDeviceTable(device.api_.get(), device.device_);
   vkGetPhysicalDeviceMemoryProperties(physical.handle, &device.memory_);
+  device.largest_allocation_ = physical.capabilities.max_memory_allocation_size;
   VORPIPE_TRY(device.prepare(physical.queue_family));
   // A software device's timestamps come from its rasterizer, which other work does not pass through; the host
   // waits for such a device while it works, and knows how long that took.
@@ -47,6 +48,7 @@ Device::Device(Device&& other) noexcept
     : device_(std::exchange(other.device_, VK_NULL_HANDLE)),
       api_(std::move(other.api_)),
       memory_(other.memory_),
+      largest_allocation_(other.largest_allocation_),
       queue_(other.queue_),
       pool_(std::move(other.pool_)),
       done_(std::move(other.done_)),
@@ -103,9 +105,11 @@ Result<void> Device::run(const std::function<void(VkCommandBuffer)>& record) {
   const VkFence fence = done_.get();
   VORPIPE_TRY(check(api_->vkResetFences(device_, 1, &fence), "vkResetFences"));
   VORPIPE_TRY(check(api_->vkQueueSubmit(queue_, 1, &submit, fence), "vkQueueSubmit"));
-  VORPIPE_TRY(
-      check(api_->vkWaitForFences(device_, 1, &fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max()),
-            "vkWaitForFences"));
+  const VkResult waited =
+      api_->vkWaitForFences(device_, 1, &fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
+  // What the commands use is about to go: whoever failed, the device must be done with it.
+  if (waited != VK_SUCCESS) api_->vkDeviceWaitIdle(device_);
+  VORPIPE_TRY(check(waited, "vkWaitForFences"));
   return clock_.take(device_, *api_);
 }
 

@@ -27,6 +27,8 @@ class Device {
   [[nodiscard]] VkDevice handle() const { return device_; }
   [[nodiscard]] const VolkDeviceTable& api() const { return *api_; }
   [[nodiscard]] const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
+  /// In bytes; what is more need not be asked for.
+  [[nodiscard]] std::uint64_t largestAllocation() const { return largest_allocation_; }
 
   /// Runs what record writes into a command buffer, and waits until it is done and the host sees
   /// what it wrote.
@@ -42,6 +44,7 @@ class Device {
   VkDevice device_ = VK_NULL_HANDLE;
   std::unique_ptr<VolkDeviceTable> api_ = std::make_unique<VolkDeviceTable>();
   VkPhysicalDeviceMemoryProperties memory_{};
+  std::uint64_t largest_allocation_ = 0;
   VkQueue queue_ = VK_NULL_HANDLE;
   Handle<VkCommandPool> pool_;
   Handle<VkFence> done_;

@@ -5,12 +5,14 @@
 namespace vorpipe::vulkan {
 namespace {
 
+bool saysMemoryIsShort(VkResult result) {
+  return result == VK_ERROR_OUT_OF_HOST_MEMORY || result == VK_ERROR_OUT_OF_DEVICE_MEMORY ||
+         result == VK_ERROR_MEMORY_MAP_FAILED || result == VK_ERROR_TOO_MANY_OBJECTS;
+}
+
 std::string_view remedy(VkResult result) {
+  if (saysMemoryIsShort(result)) return "lower --limit maxTexelBufferElements or use --backend cpu";
   switch (result) {
-    case VK_ERROR_OUT_OF_HOST_MEMORY:
-    case VK_ERROR_OUT_OF_DEVICE_MEMORY:
-    case VK_ERROR_TOO_MANY_OBJECTS:
-      return "lower --limit maxTexelBufferElements or use --backend cpu";
     case VK_ERROR_DEVICE_LOST:
       return "the driver was reset; run again, with smaller batches (--limit maxTexelBufferElements=1000000) "
              "if it recurs";
@@ -60,6 +62,13 @@ std::string resultName(VkResult result) {
   }
 }
 
+tl::unexpected<Error> outOfMemory(std::size_t cells) {
+  return tl::unexpected(Error{ErrorCode::device,
+                              "not enough memory for " + std::to_string(cells) +
+                                  " cells: free some, or ask for fewer cells at a time",
+                              true});
+}
+
 tl::unexpected<Error> deviceError(std::string message) {
   return tl::unexpected(Error{ErrorCode::device, std::move(message)});
 }
@@ -68,7 +77,7 @@ Result<void> check(VkResult result, std::string_view call) {
   if (result == VK_SUCCESS) return {};
   std::string message(call);
   message.append(" failed with ").append(resultName(result)).append(": ").append(remedy(result));
-  return deviceError(std::move(message));
+  return tl::unexpected(Error{ErrorCode::device, std::move(message), saysMemoryIsShort(result)});
 }
 
 }  // namespace vorpipe::vulkan

@@ -3,6 +3,7 @@
 
 #include <volk.h>
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,9 @@ std::string resultName(VkResult result);
 
 /// An ErrorCode::device, ready to return.
 tl::unexpected<Error> deviceError(std::string message);
+
+/// The host's memory does not do for the answers of so many cells.
+tl::unexpected<Error> outOfMemory(std::size_t cells);
 
 /// Nothing for VK_SUCCESS, else an error that names the call, the result and what may help.
 Result<void> check(VkResult result, std::string_view call);

@@ -17,21 +17,25 @@ namespace {
 // lines, 16 MiB of statuses.
 constexpr std::uint64_t most_texels = std::uint64_t{1} << 24;
 constexpr std::uint64_t most_entries = std::uint64_t{1} << 22;
-constexpr std::uint64_t largest_view = 4096;
-
 constexpr std::size_t status_bytes = sizeof(std::uint32_t);
+
+// With its weight, its mark and its part of the bins, which are about half as many as sites.
+constexpr std::uint64_t bytes_of_site = 48;
+// With its mark and its status, there and on the host.
+constexpr std::uint64_t bytes_of_entry = 64;
 
 BackendInfo describe(const Physical& physical) {
   const Capabilities& can = physical.capabilities;
   BackendInfo info;
   info.device = physical.info;
-  info.max_view = static_cast<int>(std::min(
-      {largest_view, can.max_framebuffer_width, can.max_framebuffer_height, can.max_image_dimension_2d}));
-  info.max_sites = std::min(most_texels, can.max_texel_buffer_elements);
+  info.max_view = static_cast<int>(largestView(can));
+  info.max_sites =
+      std::min({most_texels, can.max_texel_buffer_elements, mostOf(can, sizeof(SiteTexel), bytes_of_site)});
   info.max_bins = info.max_sites - 1;
   info.max_lines = info.max_sites;
   info.max_entries =
-      static_cast<std::uint32_t>(std::min(most_entries, can.max_storage_buffer_range / status_bytes));
+      static_cast<std::uint32_t>(std::min({most_entries, can.max_storage_buffer_range / status_bytes,
+                                           mostOf(can, sizeof(CellBatch<float>::Entry), bytes_of_entry)}));
   info.most_edges = EDGES_MOST;
   info.subpixel_bits = static_cast<int>(can.sub_pixel_precision_bits);
   return info;

@@ -30,7 +30,7 @@ Result<Handle<VkDeviceMemory>> allocate(const Device& device, const VkMemoryRequ
                                         Placement placement, std::string_view what) {
   const VkPhysicalDeviceMemoryProperties& memory = device.memory();
   VkResult failure = VK_ERROR_OUT_OF_DEVICE_MEMORY;
-  std::uint32_t left = needed.memoryTypeBits;
+  std::uint32_t left = needed.size <= device.largestAllocation() ? needed.memoryTypeBits : 0;
   for (const VkMemoryPropertyFlags wish : wishes(placement)) {
     for (std::uint32_t type = 0; type < memory.memoryTypeCount; type++) {
       const std::uint32_t bit = 1U << type;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <optional>
@@ -21,6 +22,13 @@ namespace {
 constexpr std::uint64_t components_per_vertex = 8;
 // Of polygons.comp.
 constexpr std::uint64_t vertex_bytes = 16;
+
+// Of a picture: colors, ids, and one of them on its way to the host.
+constexpr std::uint64_t pixel_bytes = 4;
+constexpr std::uint64_t planes = 3;
+
+// For what every run needs, whatever its size.
+constexpr std::uint64_t least_memory = std::uint64_t{1} << 16;
 
 std::string_view typeName(VkPhysicalDeviceType type) {
   switch (type) {
@@ -89,6 +97,30 @@ Capabilities capabilitiesOf(VkPhysicalDevice device, const VkPhysicalDeviceLimit
   return capabilities;
 }
 
+// What the largest allocation may have, and what is left of the largest heap of the device's own memory: what
+// the driver says is left, or, where it cannot, the whole heap. The device is of Vulkan 1.1.
+void askForMemory(VkPhysicalDevice device, bool has_budget, Capabilities& capabilities) {
+  auto maintenance = structure<VkPhysicalDeviceMaintenance3Properties>(
+      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MAINTENANCE_3_PROPERTIES);
+  auto properties = structure<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2);
+  properties.pNext = &maintenance;
+  vkGetPhysicalDeviceProperties2(device, &properties);
+  capabilities.max_memory_allocation_size = maintenance.maxMemoryAllocationSize;
+  auto budget = structure<VkPhysicalDeviceMemoryBudgetPropertiesEXT>(
+      VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_BUDGET_PROPERTIES_EXT);
+  auto memory =
+      structure<VkPhysicalDeviceMemoryProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_PROPERTIES_2);
+  if (has_budget) memory.pNext = &budget;
+  vkGetPhysicalDeviceMemoryProperties2(device, &memory);
+  const VkPhysicalDeviceMemoryProperties& all = memory.memoryProperties;
+  for (std::uint32_t heap = 0; heap < all.memoryHeapCount; heap++) {
+    if ((all.memoryHeaps[heap].flags & VK_MEMORY_HEAP_DEVICE_LOCAL_BIT) == 0) continue;
+    const std::uint64_t size = all.memoryHeaps[heap].size;
+    const std::uint64_t left = has_budget ? std::min(size, budget.heapBudget[heap]) : size;
+    capabilities.heap_budget = std::max(capabilities.heap_budget, left);
+  }
+}
+
 using Needs = std::vector<std::pair<std::string_view, std::uint64_t>>;
 
 // Which of the limits is too low; empty when none is.
@@ -117,7 +149,9 @@ std::string whyNoGeometry(const Capabilities& capabilities) {
                      {"maxImageDimension2D", 1},
                      {"maxFramebufferWidth", 1},
                      {"maxFramebufferHeight", 1},
-                     {"subPixelPrecisionBits", least_subpixel_bits}});
+                     {"subPixelPrecisionBits", least_subpixel_bits},
+                     {"maxMemoryAllocationSize", least_memory},
+                     {"heapBudget", least_memory}});
 }
 
 std::string whyNoCompute(const Capabilities& capabilities) {
@@ -126,7 +160,9 @@ std::string whyNoCompute(const Capabilities& capabilities) {
                                      {"maxImageDimension2D", 1},
                                      {"maxFramebufferWidth", 1},
                                      {"maxFramebufferHeight", 1},
-                                     {"subPixelPrecisionBits", least_subpixel_bits}});
+                                     {"subPixelPrecisionBits", least_subpixel_bits},
+                                     {"maxMemoryAllocationSize", least_memory},
+                                     {"heapBudget", least_memory}});
 }
 
 // Why a pipeline cannot run, and what would help; empty when it can.
@@ -164,9 +200,12 @@ Result<Physical> describe(VkPhysicalDevice handle, const Mask& mask, Pipeline pi
   Physical device;
   device.handle = handle;
   device.capabilities = capabilitiesOf(handle, properties.limits);
+  const bool current = properties.apiVersion >= VK_API_VERSION_1_1;
+  if (current) {
+    askForMemory(handle, contains(*extensions, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME), device.capabilities);
+  }
   VORPIPE_TRY(applyMask(device.capabilities, mask));
   device.portability_subset = contains(*extensions, "VK_KHR_portability_subset");
-  const bool current = properties.apiVersion >= VK_API_VERSION_1_1;
   const bool has_driver_name = current && contains(*extensions, VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME);
   device.info.backend = nameOf(pipeline);
   device.info.name = properties.deviceName;
@@ -216,6 +255,21 @@ std::string listed(std::span<const Physical> devices) {
 }
 
 }  // namespace
+
+std::uint64_t mostOf(const Capabilities& capabilities, std::uint64_t bytes, std::uint64_t bytes_in_all) {
+  return std::min(capabilities.max_memory_allocation_size / bytes,
+                  capabilities.heap_budget / 2 / bytes_in_all);
+}
+
+std::uint64_t largestView(const Capabilities& capabilities) {
+  constexpr std::uint64_t most = 4096;
+  // Drivers round the sides of images up to less than that.
+  constexpr std::uint64_t step = 64;
+  const double pixels = static_cast<double>(mostOf(capabilities, pixel_bytes, planes * pixel_bytes));
+  const auto side = static_cast<std::uint64_t>(std::sqrt(pixels));
+  return std::min({most, capabilities.max_framebuffer_width, capabilities.max_framebuffer_height,
+                   capabilities.max_image_dimension_2d, side > step ? side / step * step : side});
+}
 
 std::string_view nameOf(Pipeline pipeline) {
   return pipeline == Pipeline::geometry ? "vulkan-geometry" : "vulkan-compute";

@@ -23,6 +23,13 @@ struct Physical {
   bool portability_subset = false;
 };
 
+/// How many things of `bytes` a device has room for: one allocation holds all of them, and half of its memory
+/// holds them with all that comes along, `bytes_in_all` for each. The rest is for pictures and answers.
+std::uint64_t mostOf(const Capabilities& capabilities, std::uint64_t bytes, std::uint64_t bytes_in_all);
+
+/// The largest side of a picture whose planes, with four bytes to a pixel, are an allocation each.
+std::uint64_t largestView(const Capabilities& capabilities);
+
 /// What a device is to run; the backends "vulkan-geometry" and "vulkan-compute".
 enum class Pipeline : std::uint8_t { geometry, compute };
 

@@ -29,9 +29,10 @@ constexpr Use copied{VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_PIPELINE_STAGE_TRA
                      VK_ACCESS_TRANSFER_READ_BIT};
 constexpr Use forgotten{VK_IMAGE_LAYOUT_UNDEFINED, drawn.stage, drawn.access};
 
-void change(const VolkDeviceTable& api, VkCommandBuffer commands, std::array<VkImage, 2> images,
+template <std::size_t count>
+void change(const VolkDeviceTable& api, VkCommandBuffer commands, const std::array<VkImage, count>& images,
             const Use& from, const Use& to) {
-  std::array<VkImageMemoryBarrier, 2> barriers{};
+  std::array<VkImageMemoryBarrier, count> barriers{};
   for (std::size_t k = 0; k < images.size(); k++) {
     barriers[k].sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
     barriers[k].srcAccessMask = from.access;
@@ -147,7 +148,7 @@ Result<void> Target::resize(const Device& device, VkRenderPass pass, std::uint32
     if (!created) return tl::unexpected(std::move(created).error());
     *plane = std::move(*created);
   }
-  VORPIPE_TRY(host_.reserve(device, 2 * planeBytes(), 2 * planeBytes()));
+  VORPIPE_TRY(host_.reserve(device, planeBytes(), planeBytes()));
   const std::array views = {color_.view.get(), id_.view.get()};
   auto info = structure<VkFramebufferCreateInfo>(VK_STRUCTURE_TYPE_FRAMEBUFFER_CREATE_INFO);
   info.renderPass = pass;
@@ -179,20 +180,23 @@ Result<void> Target::clear(Device& device) const {
 
 Result<void> Target::read(Device& device, std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) {
   assert(rgba.size_bytes() == planeBytes() && ids.size_bytes() == planeBytes());
+  VORPIPE_TRY(readPlane(device, color_, rgba));
+  return readPlane(device, id_, ids);
+}
+
+// One after the other by the same way, which so takes no more memory than an image.
+Result<void> Target::readPlane(Device& device, const Plane& plane, std::span<std::uint32_t> to) {
   const VolkDeviceTable& api = device.api();
-  const std::array images = {color_.image.get(), id_.image.get()};
+  const std::array images = {plane.image.get()};
   VORPIPE_TRY(device.run([&](VkCommandBuffer commands) {
     change(api, commands, images, drawn, copied);
     VkBufferImageCopy copy{};
     copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
     copy.imageExtent = {extent_.width, extent_.height, 1};
     api.vkCmdCopyImageToBuffer(commands, images[0], copied.layout, host_.get(), 1, &copy);
-    copy.bufferOffset = planeBytes();
-    api.vkCmdCopyImageToBuffer(commands, images[1], copied.layout, host_.get(), 1, &copy);
     change(api, commands, images, copied, drawn);
   }));
-  std::memcpy(rgba.data(), host_.data(), planeBytes());
-  std::memcpy(ids.data(), host_.data() + planeBytes(), planeBytes());
+  std::memcpy(to.data(), host_.data(), planeBytes());
   return {};
 }
 

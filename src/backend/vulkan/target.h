@@ -39,12 +39,13 @@ class Target {
   };
 
   static Result<Plane> createPlane(const Device& device, VkFormat format, VkExtent2D extent);
+  Result<void> readPlane(Device& device, const Plane& plane, std::span<std::uint32_t> to);
   [[nodiscard]] std::size_t planeBytes() const;
 
   VkExtent2D extent_{0, 0};
   Plane color_, id_;
   Handle<VkFramebuffer> framebuffer_;
-  Buffer host_{{"the picture", VK_BUFFER_USAGE_TRANSFER_DST_BIT, Placement::download}};
+  Buffer host_{{"the picture", VK_BUFFER_USAGE_TRANSFER_DST_BIT, Placement::download}};  ///< a plane
 };
 
 }  // namespace vorpipe::vulkan
