@@ -70,12 +70,31 @@ FOR_WIDE_TOO void CornerBatch::place() {
     placeAll<true>();
   }
   placeWhereUnsure();
+  double farthest = 0;
   for (std::size_t e = 0; e < edges_; ++e) {
     const auto p = e * width_, q = after(e) * width_;
     for (std::size_t k = 0; k < cells_; ++k) {
       const double ex = (base_x_[q + k] - base_x_[p + k]) + (rest_x_[q + k] - rest_x_[p + k]);
       const double ey = (base_y_[q + k] - base_y_[p + k]) + (rest_y_[q + k] - rest_y_[p + k]);
-      excess_[p + k] = excessLength(other_x_[p + k] - site_x_[k], other_y_[p + k] - site_y_[k], ex, ey);
+      const double dx = other_x_[p + k] - site_x_[k], dy = other_y_[p + k] - site_y_[k];
+      excess_[p + k] = excessLength(dx, dy, ex, ey);
+      const double squared = dx * dx + dy * dy;
+      farthest = farthest > squared ? farthest : squared;
+    }
+  }
+  const double longer_side = longerSide(sites_.domain);
+  if (farthest > longer_side * longer_side) measureFarEdges(longer_side);
+}
+
+/// The excess length of every edge, whose sites may be farther apart than the domain's longer side: so few
+/// are that a root for each would be too much.
+void CornerBatch::measureFarEdges(double longer_side) {
+  for (std::size_t e = 0; e < edges_; ++e) {
+    for (std::size_t k = 0; k < cells_; ++k) {
+      const Point way = wayBetween(placeOf(k, e), placeOf(k, after(e)));
+      const auto c = at(k, e);
+      excess_[c] =
+          excessLength(other_x_[c] - site_x_[k], other_y_[c] - site_y_[k], way.x, way.y, longer_side);
     }
   }
 }

@@ -98,52 +98,119 @@ std::pair<std::vector<std::uint32_t>, Effort> nextAround(const Topology& topolog
   return next;
 }
 
+/// Checks cells, and has those in dispute found again, until there are none.
+class Agreeing {
+ public:
+  Agreeing(const TopologyInput& input, Topology& topology, const Records& records, Report& report)
+      : input_(input),
+        sites_(input.sites),
+        topology_(topology),
+        records_(records),
+        report_(report),
+        efforts_(input.sites.size()),
+        rough_(input.sites.size()) {}
+
+  Result<TiedCells> run() {
+    for (;;) {
+      const EdgeIndex index(topology_, input_.threads);
+      const ProposedCells proposed{sites_, topology_, index, input_.threads};
+      if (all_changed_) {
+        checkCells(proposed, records_, rough_);
+      } else {
+        checkCells(proposed, changed_, records_, rough_);
+      }
+      all_changed_ = false;
+      changed_.clear();
+      const auto disputes = resort_ == Resort::ties ? Disputes::are_ties : Disputes::are_listed;
+      auto tied = untieCells(proposed, rough_, disputes);
+      if (!tied) return tied;
+      const auto done = mend(proposed, *tied);
+      if (!done) return tl::unexpected(done.error());
+      if (*done) {
+        recordTiedCells(proposed, *tied, records_);
+        return tied;
+      }
+    }
+  }
+
+ private:
+  /// What to do where no cell in dispute is left to be found in another way: take all from the mesh, whose
+  /// cells agree; then, if ties about which all are right join more than they should, take for ties what is
+  /// in dispute.
+  enum class Resort : std::uint8_t { judge, mesh, ties };
+
+  /// Changes cells that are in dispute or not sure enough; true if there are none.
+  Result<bool> mend(const ProposedCells& proposed, const TiedCells& tied) {
+    for (const auto cell : tied.enclosed) rough_[cell] = 1;
+    if (!tied.enclosed.empty()) return false;
+    const bool agreed = tied.disputed.empty();
+    const auto doubtful = agreed ? cellsOfTies(proposed, tied) : tied.disputed;
+    if (resort_ != Resort::ties && dropVanished(doubtful)) return false;
+    if (resort_ == Resort::judge) {
+      const auto [which, effort] =
+          agreed ? efforts_.next(doubtful) : nextAround(topology_, doubtful, efforts_);
+      if (!which.empty()) return find(which, effort);
+    }
+    if (agreed) return true;
+    return takeResort(doubtful);
+  }
+
+  /// Drops those cells that have no area after all.
+  bool dropVanished(const std::vector<std::uint32_t>& doubtful) {
+    const auto vanished = cellsWithoutArea(sites_, topology_, doubtful);
+    addWithNeighbors(topology_, vanished, changed_);
+    sortUnique(changed_);
+    for (const auto cell : vanished) topology_.drop(cell, CellStatus::empty);
+    return !vanished.empty();
+  }
+
+  /// Whoever is or was a neighbor of a changed cell may have to be judged anew.
+  Result<bool> find(const std::vector<std::uint32_t>& which, Effort effort) {
+    addWithNeighbors(topology_, which, changed_);
+    if (auto found = findAgain(input_, which, effort, topology_); !found) {
+      return tl::unexpected(found.error());
+    }
+    (effort == Effort::exact ? report_.exact : report_.in_double) += which.size();
+    addWithNeighbors(topology_, which, changed_);
+    sortUnique(changed_);
+    return false;
+  }
+
+  Result<bool> takeResort(const std::vector<std::uint32_t>& doubtful) {
+    if (resort_ == Resort::ties) {
+      return tl::unexpected(
+          Error{ErrorCode::input,
+                fmt::format("the cells of {} sites around site {} disagree beyond exact arithmetic",
+                            doubtful.size(), sites_.id[doubtful[0]])});
+    }
+    if (resort_ == Resort::judge && findAllInMesh(input_, topology_)) {
+      report_.exact += sites_.size();
+      resort_ = Resort::mesh;
+      rough_.assign(rough_.size(), 0);
+      all_changed_ = true;
+    } else {
+      resort_ = Resort::ties;
+    }
+    return false;
+  }
+
+  const TopologyInput& input_;
+  const SiteSet& sites_;
+  Topology& topology_;
+  const Records& records_;
+  Report& report_;
+  Efforts efforts_;
+  std::vector<std::uint8_t> rough_;
+  std::vector<std::uint32_t> changed_;
+  bool all_changed_ = true;
+  Resort resort_ = Resort::judge;
+};
+
 }  // namespace
 
 Result<TiedCells> agreeOnCells(const TopologyInput& input, Topology& topology, const Records& records,
                                Report& report) {
-  std::vector<std::uint8_t> rough(input.sites.size());
-  Efforts efforts(input.sites.size());
-  std::vector<std::uint32_t> changed;
-  for (bool all = true;; all = false) {
-    const EdgeIndex index(topology, input.threads);
-    const ProposedCells proposed{input.sites, topology, index, input.threads};
-    if (all) {
-      checkCells(proposed, records, rough);
-    } else {
-      checkCells(proposed, changed, records, rough);
-    }
-    auto tied = untieCells(proposed, rough);
-    if (!tied) return tied;
-    const bool agreed = tied->disputed.empty();
-    const auto doubtful = agreed ? cellsOfTies(proposed, *tied) : std::move(tied->disputed);
-    const auto vanished = cellsWithoutArea(input.sites, topology, doubtful);
-    if (!vanished.empty()) {
-      changed.clear();
-      addWithNeighbors(topology, vanished, changed);
-      sortUnique(changed);
-      for (const auto cell : vanished) topology.drop(cell, CellStatus::empty);
-      continue;
-    }
-    const auto [which, effort] = agreed ? efforts.next(doubtful) : nextAround(topology, doubtful, efforts);
-    if (agreed && which.empty()) {
-      recordTiedCells(proposed, *tied, records);
-      return tied;
-    }
-    if (which.empty()) {
-      return tl::unexpected(
-          Error{ErrorCode::input,
-                fmt::format("the cells of {} sites around site {} disagree beyond exact arithmetic",
-                            doubtful.size(), input.sites.id[doubtful[0]])});
-    }
-    // Whoever is or was a neighbor of a changed cell may have to be judged anew.
-    changed.clear();
-    addWithNeighbors(topology, which, changed);
-    if (auto found = findAgain(input, which, effort, topology); !found) return tl::unexpected(found.error());
-    (effort == Effort::exact ? report.exact : report.in_double) += which.size();
-    addWithNeighbors(topology, which, changed);
-    sortUnique(changed);
-  }
+  return Agreeing(input, topology, records, report).run();
 }
 
 }  // namespace vorpipe

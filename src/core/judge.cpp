@@ -57,6 +57,16 @@ Result<CellRows> Judge::find(std::span<const std::uint32_t> which, Effort effort
   return cells;
 }
 
+std::optional<CellRows> Judge::findInMesh(std::span<const std::uint32_t> which, int threads) {
+  const auto* mesh = mesh_.isPossible() ? mesh_.get() : nullptr;
+  if (mesh == nullptr) return {};
+  CellRows cells(which.size(), threads);
+  Indices entries(which.size());
+  std::iota(entries.begin(), entries.end(), 0u);
+  cells.add(entries, meshCells(sites_, *mesh, which, threads));
+  return cells;
+}
+
 bool Judge::areMany(std::size_t cells) const {
   const auto sites = sites_.weight.empty() ? sites_per_cell : sites_per_weighted_cell;
   return cells > sites_.size() / sites && mesh_.isPossible();

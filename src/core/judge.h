@@ -2,6 +2,8 @@
 /// the backend that finds them in double, then exactly.
 #pragma once
 
+#include <optional>
+
 #include "backend/backend.h"
 #include "core/cell_rows.h"
 #include "core/site_mesh.h"
@@ -20,6 +22,9 @@ class Judge {
   /// by the number of cells that double did not decide. Errors: those of the backend; progress said stop.
   Result<CellRows> find(std::span<const std::uint32_t> which, Effort effort, int threads,
                         const Progress& progress, std::uint64_t& exact);
+
+  /// The cells of `which` from the mesh, or nothing where there is none. All of them agree, in every tie.
+  std::optional<CellRows> findInMesh(std::span<const std::uint32_t> which, int threads);
 
   /// Whether so many cells are worth the mesh: more of them cost next to nothing then.
   [[nodiscard]] bool areMany(std::size_t cells) const;

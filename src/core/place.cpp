@@ -20,6 +20,9 @@ constexpr Place nowhere{{not_a_number, not_a_number}, {0, 0}};
 /// What a corner may be off, as a part of its distance from the sites, and with weights of theirs from each
 /// other: circumcenterOf loses no more than three bits to cancellation.
 constexpr double relative_rounding = 0x1p-46;
+/// What is farther from a corner, in scaled units, does not make it less precise: then it is found in twice
+/// the precision.
+constexpr double far = 8, farthest_rounded = 8 * far;
 
 double weightOf(const SiteSet& s, std::int32_t i) {
   return s.weight.empty() ? 0 : s.weight[static_cast<std::size_t>(i)];
@@ -41,24 +44,26 @@ double squaredDistance(Point a, Point b) {
 
 FOR_FUSED_TOO Place wideCenterOf(const Triple& t) { return wideCenterOf(t.i, t.j, t.k); }
 
-/// How far along a wall, seen from site `i`, its bisector with j meets that, in twice the precision. Here and
-/// below `x` is across the wall, which is at `at`.
-double wideCrossing(const WeightedPoint& i, const WeightedPoint& j, double at) {
+/// Where on a wall its bisector with the sites i and j meets that, in twice the precision. Here and below `x`
+/// is across the wall, which is at `at`.
+Wide wideCrossing(const WeightedPoint& i, const WeightedPoint& j, double at) {
   const auto halved = [](Wide a) { return Wide{a.high / 2, a.low / 2}; };
   const Wide dx = Wide::sum(j.x, -i.x), dy = Wide::sum(j.y, -i.y);
   const Wide half = halved(dx * dx + dy * dy + Wide::sum(i.weight, -j.weight));
-  return ((half - Wide::sum(at, -i.x) * dx) / dy).high;
+  return Wide{i.y, 0} + (half - Wide::sum(at, -i.x) * dx) / dy;
 }
 
-double crossing(const WeightedPoint& i, const WeightedPoint& j, double at, bool weighted) {
+/// The same as the sum of two numbers, the first of which is i.y if the other is small.
+Wide crossing(const WeightedPoint& i, const WeightedPoint& j, double at, bool weighted) {
   const double dx = j.x - i.x, dy = j.y - i.y;
   const double way = (at - i.x) * dx;
-  if (!weighted) return (0.5 * (dx * dx + dy * dy) - way) / dy;
-  const double half = 0.5 * (dx * dx + dy * dy), lead = 0.5 * (i.weight - j.weight);
-  const double along = (half + lead - way) / dy;
-  const double terms = (half + std::abs(lead) + std::abs(way)) / std::abs(dy);
+  const double half = 0.5 * (dx * dx + dy * dy), lead = weighted ? 0.5 * (i.weight - j.weight) : 0;
+  const double along = weighted ? (half + lead - way) / dy : (half - way) / dy;
   const double length = std::abs(dx) + std::abs(dy) + std::abs(at - i.x) + std::abs(along);
-  return terms < most_terms * length ? along : wideCrossing(i, j, at);
+  const double terms = weighted ? (half + std::abs(lead) + std::abs(way)) / std::abs(dy) : 0;
+  if (terms < most_terms * length && length < far) return {i.y, along};
+  const Wide wide = wideCrossing(i, j, at);
+  return std::isfinite(wide.high) ? wide : Wide{i.y, along};
 }
 
 /// Where the bisector of two sites meets a wall.
@@ -66,9 +71,13 @@ Place atWall(const SiteSet& s, std::int32_t a, std::int32_t b, std::int32_t wall
   const auto i = weightedSite(s, a), j = weightedSite(s, b);
   const double at = wallCoordinate(s.domain, wall);
   const bool weighted = !s.weight.empty();
-  if (isVerticalWall(wall)) return {{at, i.y}, {0, crossing(i, j, at, weighted)}};
   const auto swapped = [](const WeightedPoint& p) { return WeightedPoint{{p.y, p.x}, p.weight}; };
-  return {{i.x, at}, {crossing(swapped(i), swapped(j), at, weighted), 0}};
+  if (isVerticalWall(wall)) {
+    const Wide y = crossing(i, j, at, weighted);
+    return {{at, y.high}, {0, y.low}};
+  }
+  const Wide x = crossing(swapped(i), swapped(j), at, weighted);
+  return {{x.high, at}, {x.low, 0}};
 }
 
 }  // namespace
@@ -142,21 +151,19 @@ EdgeSpan edgeSpan(const SiteSet& sites, std::int32_t cell, std::int32_t before, 
       reach += std::abs(p.x - site.x) + std::abs(p.y - site.y);
     }
   }
-  const double rounding = relative_rounding * reach;
+  const double rounding = relative_rounding * std::min(reach, farthest_rounded);
   if (neighbor < 0) {
     const double outward = neighbor == wall_xmax || neighbor == wall_ymax ? 1 : -1;
     const double along = outward * (isVerticalWall(neighbor) ? way.y : -way.x);
-    // A corner of the domain is no site; the cell's own stands in for it.
-    const Point p = before < 0 ? site : siteAt(sites, before);
-    const Point q = after < 0 ? site : siteAt(sites, after);
-    const double shortest = shortest_edge * lengthOf({q.x - p.x, q.y - p.y});
-    return {along - shortest, shortest + rounding, shortest + rounding};
+    return {along - rounding, 2 * rounding, 2 * rounding};
   }
   const Point other = siteAt(sites, neighbor);
   const double dx = other.x - site.x, dy = other.y - site.y;
   const double distance = lengthOf({dx, dy});
-  const double shortest = shortest_edge * distance;
-  return {excessLength(dx, dy, way.x, way.y), (shortest + rounding) * distance, shortest + rounding};
+  const double longer_side = longerSide(sites.domain);
+  const double shortest = shortest_edge * tieScale(distance, longer_side);
+  return {excessLength(dx, dy, way.x, way.y, longer_side), (shortest + rounding) * distance,
+          shortest + rounding};
 }
 
 }  // namespace vorpipe

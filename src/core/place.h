@@ -1,11 +1,13 @@
 /// Where cells meet: the position of a corner from the sites and walls around it.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "backend/backend.h"
+#include "backend/tie.h"
 #include "core/predicates.h"
 
 namespace vorpipe {
@@ -49,19 +51,22 @@ Triple tripleOf(const SiteSet& sites, std::int32_t a, std::int32_t b, std::int32
 void placeCorners(const SiteSet& sites, std::size_t cell, std::span<const std::int32_t> row,
                   std::vector<Place>& corners);
 
-/// An edge shorter than this part of the distance between its two sites is a tie.
-inline constexpr double shortest_edge = 1e-6;
-
-/// How much longer than a tie an edge is, times the distance between its sites: (dx, dy) is the way from
-/// the cell's site to its neighbor's, (ex, ey) that from the edge's beginning to its end. Turned
-/// around, for the neighbor, it is the same to the bit.
+/// How much longer than a tie an edge is, times the distance between its sites, where that is no longer than
+/// the domain's longer side: (dx, dy) is the way from the cell's site to its neighbor's, (ex, ey) that from
+/// the edge's beginning to its end. Turned around, for the neighbor, it is the same to the bit.
 inline double excessLength(double dx, double dy, double ex, double ey) {
   return (dx * ey - dy * ex) - shortest_edge * (dx * dx + dy * dy);
 }
 
-/// One edge of a cell. A tie at a wall is shorter than that part of the distance of the sites at its ends:
-/// so is the edge between their cells which ends just before the wall, where the sites lie a little
-/// differently.
+/// The same for sites at any distance.
+inline double excessLength(double dx, double dy, double ex, double ey, double longer_side) {
+  const double squared = dx * dx + dy * dy;
+  if (!(squared > longer_side * longer_side)) return excessLength(dx, dy, ex, ey);
+  return (dx * ey - dy * ex) - shortest_edge * longer_side * std::sqrt(squared);
+}
+
+/// One edge of a cell. A wall's edge counts unless rounding might have made it: were it a tie as those
+/// between sites are, it could join the ends of an edge between two sites that are near to each other.
 struct EdgeSpan {
   double excess;     ///< as excessLength, or a length along a wall; a tie where it is not positive
   double tolerance;  ///< below minus this, or not a number, the edge is turned around: no tie, but wrong

@@ -68,7 +68,7 @@ class Making {
       }
     });
     tied_.place.resize(roots.back());
-    tied_.walls.resize(roots.back());
+    tied_.walls.assign(roots.back(), 0);
   }
 
   bool isRoot(std::uint64_t corner) { return sets_.root(static_cast<std::uint32_t>(corner)) == corner; }
@@ -77,7 +77,7 @@ class Making {
   void gather() {
     const auto vertices = tied_.place.size();
     auto& first = tied_.around_first;
-    first.resize(vertices + 1);
+    first.assign(vertices + 1, 0);
     forEntries([&](std::size_t k) {
       for (auto c = tied_.first[k]; c < tied_.first[k + 1]; ++c) {
         std::atomic_ref(first[tied_.vertex[c] + std::size_t{1}]).fetch_add(1, std::memory_order_relaxed);

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <limits>
 
+#include "core/collapsed_edges.h"
 #include "core/disjoint_sets.h"
 #include "core/hidden.h"
 #include "core/tied_vertices.h"
@@ -22,10 +23,11 @@ constexpr double collapsed_ties = 1024;
 
 class Untying {
  public:
-  Untying(const ProposedCells& proposed, TiedCells& tied)
+  Untying(const ProposedCells& proposed, Disputes disputes, TiedCells& tied)
       : proposed_(proposed),
         sites_(proposed.sites),
         cells_(proposed.cells),
+        disputes_(disputes),
         tied_(tied),
         sets_(tied.first.back()),
         disputed_(tied.cell.size()) {
@@ -41,8 +43,12 @@ class Untying {
     listDisputed();
     if (!tied_.disputed.empty()) return;
     makeVertices(proposed_, sets_, tied_);
-    forEntries([&](std::size_t k) { findCollapsed(k); });
-    listDisputed();
+    if (disputes_ == Disputes::are_listed) {
+      forEntries([&](std::size_t k) { findCollapsed(k); });
+      listDisputed();
+      if (!tied_.disputed.empty()) return;
+    }
+    dropCollapsed(proposed_, sets_, tied_);
   }
 
  private:
@@ -93,12 +99,13 @@ class Untying {
     const auto cell = tied_.cell[k];
     if (isRightlyEmpty(sites_, cells_, cell)) return;
     const auto row = cells_.edges(cell);
-    const bool nothing = !sites_.weight.empty() && leaveNothing(sites_, cell, row);
+    const bool may_be_none = !sites_.weight.empty() && disputes_ == Disputes::are_listed;
+    const bool nothing = may_be_none && leaveNothing(sites_, cell, row);
     if (nothing || !isWellFormed(sites_, cells_, cell)) return dispute(static_cast<std::int32_t>(cell));
     placeCorners(sites_, cell, row, corners);
     for (std::size_t e = 0; e < row.size(); ++e) {
       const auto here = see(cell, row, e, corners[e], corners[after(row, e)]);
-      if (here.span.isTurned()) disputeAround(cell, row, e);
+      if (here.span.isTurned() && disputes_ == Disputes::are_listed) disputeAround(cell, row, e);
       if (row[e] < 0) {
         settle(k, row, e, here.span.isTie());
       } else {
@@ -141,7 +148,7 @@ class Untying {
     const auto back = proposed_.index.find(other_row, other, static_cast<std::int32_t>(cell));
     if (back == EdgeIndex::none) {
       if (!here.span.isTie()) disputeBoth(cell, row[e]);
-      return settle(k, row, e, here.span.isTie());
+      return settle(k, row, e, true);
     }
     const auto back_end = after(other_row, back);
     const bool alike = other_row[back_end] == row[before(row, e)] &&
@@ -166,7 +173,9 @@ class Untying {
     if (tie) sets_.join(corner, cornerNumber(k, after(row, e)));
   }
 
+  /// Of an edge that they do not agree about.
   void disputeBoth(std::size_t cell, std::int32_t neighbor) {
+    if (disputes_ == Disputes::are_ties) return;
     dispute(static_cast<std::int32_t>(cell));
     dispute(neighbor);
   }
@@ -181,15 +190,15 @@ class Untying {
       return lengthOf(way);
     };
     const double slack = here.span.slack;
-    if (!(apart(here.begin, there.end) <= slack) || !(apart(here.end, there.begin) <= slack)) {
-      disputeBoth(cell, neighbor);
-    }
+    const bool alike = apart(here.begin, there.end) <= slack && apart(here.end, there.begin) <= slack;
+    if (!alike) disputeBoth(cell, neighbor);
     return false;
   }
 
   const ProposedCells& proposed_;
   const SiteSet& sites_;
   const CellRows& cells_;
+  Disputes disputes_;
   TiedCells& tied_;
   DisjointSets sets_;
   std::vector<std::uint8_t> disputed_;
@@ -219,7 +228,8 @@ std::size_t nextMarked(std::span<const std::uint8_t> rough, std::size_t begin) {
 
 }  // namespace
 
-Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std::uint8_t> rough) {
+Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std::uint8_t> rough,
+                             Disputes disputes) {
   TiedCells tied;
   tied.first.push_back(0);
   for (std::size_t cell = nextMarked(rough, 0); cell < rough.size(); cell = nextMarked(rough, cell + 1)) {
@@ -235,7 +245,7 @@ Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std:
     return tl::unexpected(
         Error{ErrorCode::input, fmt::format("{} tied corners are more than 4294967294", tied.first.back())});
   }
-  if (!tied.cell.empty()) Untying(proposed, tied).run();
+  if (!tied.cell.empty()) Untying(proposed, disputes, tied).run();
   return tied;
 }
 

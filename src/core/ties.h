@@ -23,6 +23,7 @@ struct TiedCells {
   std::vector<std::uint32_t> around_first,
       around;                           ///< the tied cells of each vertex, as often as they meet it
   std::vector<std::uint32_t> disputed;  ///< cells that no tie excuses, ascending; else all of this is right
+  std::vector<std::uint32_t> enclosed;  ///< cells to be tied as well, since ties enclose them, ascending
 
   static constexpr std::uint32_t not_tied = ~std::uint32_t{0};
 
@@ -31,19 +32,28 @@ struct TiedCells {
   }
 };
 
+/// What becomes of edges that their cells see differently.
+enum class Disputes : std::uint8_t { are_listed, are_ties };
+
 /// Joins the corners of the cells marked in `rough`. Two corners are one vertex when a tie lies between
 /// them, or when they are ends of the same edge in its two cells. The vertex is a corner of the domain
 /// if walls of both directions meet in it, else where its lowest corner on a wall is, so that ties do not
 /// pull the domain's border inward; else the center of the circle through three sites far apart that meet
 /// there: it follows from the cells, not from the ties between them that were proposed.
 ///
+/// An edge whose two ends ties join is a tie as well, and so are all edges of cells that ties enclose; see
+/// collapsed_edges.h.
+///
 /// Error (input): more than 2^32 - 2 corners.
 ///
 /// Disputed are: cells that are not well-formed, empty ones of sites in the domain that no weights hide, and
 /// those that weights leave no area; both cells of an
 /// edge that is longer than a tie, yet the other cell does not have it, or has it elsewhere; and
-/// all cells around an edge that is turned around.
-Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std::uint8_t> rough);
+/// all cells around an edge that is turned around, or is far longer than the ties that join its ends. With
+/// Disputes::are_ties, for cells that are exact already, only the first are: every other edge in dispute is a
+/// tie, in both of its cells.
+Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std::uint8_t> rough,
+                             Disputes disputes);
 
 /// Writes the records of the tied cells, which are not disputed. They are measured as they are before ties
 /// join their corners: that moves a vertex by a part of the distance of its sites, which may be much of a

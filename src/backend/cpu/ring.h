@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "backend/cpu/glsl.h"
+#include "backend/tie.h"
 
 namespace vorpipe::cpu {
 
@@ -32,11 +33,10 @@ struct Offset {
   Real lead;  ///< the weight of the cell's own site minus the other's
 };
 
-/// An edge shorter than this part of the distance between its sites is a tie, in neither cell.
-constexpr double shortest_edge = 1e-6;
-/// A site that was left out has none for sure if its edge were no longer than this part.
+/// In parts of tieScale, as shortest_edge. A site that was left out has no edge for sure if that were no
+/// longer than this.
 constexpr double no_edge = 5e-7;
-/// Up to this part, a length may be unsure and yet tell an edge from a tie.
+/// Up to this, a length may be unsure and yet tell an edge from a tie.
 constexpr double unsure_edge = 5e-8;
 
 /// By how much rounding may have moved the point where two lines meet, the sine of whose angle is `turn`.
@@ -57,11 +57,6 @@ void sortRing(std::vector<RingEdge<Real>>& ring) {
   std::sort(ring.begin(), ring.end(), [](const auto& a, const auto& b) {
     return a.angle != b.angle ? a.angle < b.angle : a.line < b.line;
   });
-}
-
-template <class Real>
-bool isTie(const RingEdge<Real>& edge) {
-  return edge.hi - edge.lo < Real(shortest_edge) * edge.apart;
 }
 
 /// Where an edge ends.
@@ -95,9 +90,10 @@ bool mayBeEmpty(const std::vector<RingEdge<Real>>& ring, const Shift<Real>& shif
 }
 
 /// Whether the edges, sorted, go once around and every length is known well enough to tell an edge from a
-/// tie. blur bounds what else may have shortened an edge.
+/// tie. blur bounds what else may have shortened an edge; longer_side is the domain's.
 template <class Real>
-bool isSure(const std::vector<RingEdge<Real>>& ring, const Shift<Real>& shift, Real blur) {
+bool isSure(const std::vector<RingEdge<Real>>& ring, const Shift<Real>& shift, Real blur,
+            double longer_side) {
   const auto count = ring.size();
   const auto cornerAfter = [&](std::size_t k) {
     const auto& a = ring[k];
@@ -112,12 +108,12 @@ bool isSure(const std::vector<RingEdge<Real>>& ring, const Shift<Real>& shift, R
   for (std::size_t k = 0; k < count; ++k) {
     const auto& edge = ring[k];
     const auto [after, closed] = cornerAfter(k);
-    const Real distance = edge.apart;
+    const Real scale = tieScale(edge.apart, longer_side);
     const Real unsure = before + after + blur;
     const Real length = edge.hi - edge.lo;
-    const bool is_edge = length - unsure > Real(shortest_edge) * distance;
-    const bool is_tie = length + unsure < Real(shortest_edge) * distance;
-    if (!closed || (!is_edge && !is_tie && unsure >= Real(unsure_edge) * distance)) return false;
+    const bool is_edge = length - unsure > Real(shortest_edge) * scale;
+    const bool is_tie = length + unsure < Real(shortest_edge) * scale;
+    if (!closed || (!is_edge && !is_tie && unsure >= Real(unsure_edge) * scale)) return false;
     before = after;
   }
   return count >= 3;

@@ -11,7 +11,7 @@
 /// Every corner is known up to its `noise`, a bound of the rounding errors, which grows as its two lines
 /// get parallel. Sites that cut no corner by more than its noise are left out; what that may have changed
 /// is bounded, and where the bound matters, the cell is `open`. It matters by the rule that an edge
-/// shorter than a millionth of the distance between its sites is none.
+/// shorter than a tie is none; see backend/tie.h.
 #pragma once
 
 #include <algorithm>
@@ -55,7 +55,8 @@ struct Found {
 template <class Real, std::size_t Room>
 class TreeWalk {
  public:
-  TreeWalk(const SiteSet& sites, const SiteTree& tree) : sites_(sites), tree_(tree) {
+  TreeWalk(const SiteSet& sites, const SiteTree& tree)
+      : sites_(sites), tree_(tree), longer_side_(longerSide(sites.domain)) {
     if (!sites.grid.heaviest.empty()) heaviest_anywhere_ = sites.grid.heaviest.back();
   }
 
@@ -136,6 +137,7 @@ class TreeWalk {
 
   const SiteSet& sites_;
   const SiteTree& tree_;
+  double longer_side_;  ///< of the domain
   Clip clip_;
   typename Clip::Cell cell_;
   std::uint32_t site_ = 0;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 
 #include "core/check/checks.h"
@@ -107,7 +108,7 @@ double copySlack(const CheckedCells& run, std::size_t i, std::size_t vertex) {
   constexpr double part = 1e-12;  // of its distance from the site
   if (!run.repeats()) return 0;
   const double slack = run.rounding(i) + part * length(run.vertex(vertex) - run.site(i));
-  const double ties = run.mayBeNarrow() ? tie_slack * run.reach(i) : 0;
+  const double ties = run.mayBeNarrow() ? run.ties(run.reach(i)) : 0;
   return ties < run.shortest_period ? slack : slack + ties;
 }
 
@@ -171,8 +172,8 @@ bool checkSymmetry(const CheckedCells& run, const Twins& twins, Broken& broken) 
                        [&](std::size_t i) { return wrongTwin(run, twins, i); });
 }
 
-/// Whether ties go all across the domain beside cell i: two of its edges in a row are opposite walls, or its
-/// own opposite images.
+/// Whether ties go all across a domain that repeats itself, beside cell i: two of its edges in a row are
+/// opposite walls, or its own opposite images.
 bool isPinched(const CheckedCells& run, std::size_t i) {
   for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
     const std::int64_t a = run.diagram.neighbors[e], b = run.diagram.neighbors[run.next(i, e)];
@@ -186,15 +187,37 @@ bool isPinched(const CheckedCells& run, std::size_t i) {
   return false;
 }
 
-void checkPartition(const CheckedCells& run, const Twins& twins, Broken& broken) {
-  // What such ties leave hangs together in points, or not at all.
+/// How many parts the cells with edges hang together in. Several are joined in points, at walls, where ties
+/// are all that lies between them.
+std::size_t countParts(const CheckedCells& run) {
+  std::vector<std::size_t> above(run.size());
+  std::iota(above.begin(), above.end(), std::size_t{0});
+  const auto top = [&above](std::size_t i) {
+    while (above[i] != i) i = above[i] = above[above[i]];
+    return i;
+  };
+  std::size_t parts = 0;
   for (std::size_t i = 0; i < run.size(); ++i) {
+    if (run.edges(i) > 0) ++parts;
+    for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
+      if (run.diagram.neighbors[e] < 0) continue;
+      const std::size_t a = top(i), b = top(static_cast<std::size_t>(run.diagram.neighbors[e]));
+      if (a == b) continue;
+      above[std::max(a, b)] = std::min(a, b);
+      --parts;
+    }
+  }
+  return parts;
+}
+
+void checkPartition(const CheckedCells& run, const Twins& twins, Broken& broken) {
+  for (std::size_t i = 0; run.repeats() && i < run.size(); ++i) {
     if (isPinched(run, i)) return;
   }
   const Counts counts = countAll({run, twins});
-  // A band and a torus have no outside to be a face, and a hole.
-  const std::size_t outside = run.repeats() ? 0 : 1;
-  if (counts.vertices + counts.faces + outside != counts.edges + 2 * outside) {
+  // A band and a torus have no outside to be a face, and a hole. A part of a box is a disk.
+  const std::size_t outside = run.repeats() ? 0 : 1, parts = run.repeats() ? 0 : countParts(run);
+  if (counts.vertices + counts.faces != counts.edges + parts) {
     broken.add("Euler",
                fmt::format("{} vertices, {} edges and {} faces{} are no partition", counts.vertices,
                            counts.edges, counts.faces + outside, outside > 0 ? " with the outside" : ""));

@@ -13,7 +13,7 @@ constexpr double mass_slack = 1e-9;
 
 /// What the area of the vertices of cell i, from which its mass is, may differ by from that of its record.
 double areaSlack(const CheckedCells& run, std::size_t i) {
-  const double off = tie_slack * run.reach(i) + run.rounding(i);
+  const double off = run.ties(run.reach(i)) + run.rounding(i);
   return (off * run.diagram.perimeter[i] * run.scale + off * off) / run.scale / run.scale;
 }
 
@@ -39,7 +39,7 @@ std::string wrongCenter(const CheckedCells& run, std::size_t i) {
   const std::span vertices(run.diagram.vertices);
   const Box box = boxOf(vertices.subspan(run.begin(i), run.edges(i)));
   const Point center = run.diagram.mass_centroid[i];
-  const double slack = (tie_slack * run.reach(i) + run.rounding(i)) / run.scale;
+  const double slack = (run.ties(run.reach(i)) + run.rounding(i)) / run.scale;
   if (center.x >= box.xmin - slack && center.x <= box.xmax + slack && center.y >= box.ymin - slack &&
       center.y <= box.ymax + slack) {
     return {};

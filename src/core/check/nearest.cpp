@@ -37,7 +37,7 @@ std::string wrongPlace(const CheckedCells& run, const NearestSite& nearest, std:
   const Point own = run.site(i);
   if (near == own || (run.diagram.owner[other] == i && length(near - own) <= run.rounding(i))) return {};
   const double reach = run.weighted ? std::max(run.reach(i), length(near - own)) : length(p - own);
-  const double slack = tie_slack * reach + run.rounding(i);
+  const double slack = run.ties(reach) + run.rounding(i);
   if (beyondBisector(own, near, run.lead(i, other), p) <= slack) return {};
   return fmt::format("({}, {}) in the cell of site {} is nearer to site {}", p.x / run.scale, p.y / run.scale,
                      i, other);
@@ -79,7 +79,7 @@ bool inCell(const CheckedCells& run, std::size_t i, Point p) {
     inside = inside != crossesRay(p, a, b);
     nearest = std::min(nearest, distance(p, a, b));
   }
-  return inside || nearest <= tie_slack * run.reach(i) + run.rounding(i);
+  return inside || nearest <= run.ties(run.reach(i)) + run.rounding(i);
 }
 
 }  // namespace

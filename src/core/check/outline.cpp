@@ -114,7 +114,7 @@ bool isOnWall(const CheckedCells& run, std::int64_t wall, Point p) {
 }
 
 std::string wrongEdges(const CheckedCells& run, const CheckedOutline& outline, std::size_t i) {
-  const double slack = tie_slack * run.reach(i) + run.rounding(i);
+  const double slack = run.ties(run.reach(i)) + run.rounding(i);
   std::string wrong;
   CellRings(run, i).eachEdge([&](std::size_t e, Point a, Point b) {
     const std::int64_t neighbor = run.diagram.neighbors[e];
@@ -167,7 +167,7 @@ std::string wrongPlace(const CheckedCells& run, const CheckedOutline& outline, c
     inside = inside != crossesRay(p, a, b);
     away = std::min(away, distance(p, a, b));
   });
-  const double slack = tie_slack * run.reach(owner) + run.rounding(owner);
+  const double slack = run.ties(run.reach(owner)) + run.rounding(owner);
   const auto side = outline.at(p, slack);
   if (away <= slack || side == CheckedOutline::Side::edge) return {};
   if (inside == (side == CheckedOutline::Side::inside)) return {};

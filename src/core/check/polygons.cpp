@@ -15,10 +15,14 @@ constexpr double sum_slack = 1e-9;
 struct Slack {
   double reach = 0;     ///< as CheckedCells has it
   double rounding = 0;  ///< of a coordinate
-  [[nodiscard]] double position() const { return tie_slack * reach + rounding; }
+  double ties = 0;      ///< how far they may move a vertex
+  [[nodiscard]] double position() const { return ties + rounding; }
 };
 
-Slack slackOf(const CheckedCells& run, std::size_t i) { return {run.reach(i), run.rounding(i)}; }
+Slack slackOf(const CheckedCells& run, std::size_t i) {
+  const double reach = run.reach(i);
+  return {reach, run.rounding(i), run.ties(reach)};
+}
 
 /// The outward unit normal of edge e of cell i, from its neighbor alone.
 Point normalOf(const CheckedCells& run, std::size_t i, std::size_t e) {
@@ -75,21 +79,23 @@ std::string wrongEdge(const CheckedCells& run, std::size_t i, std::size_t e, con
 struct Sums {
   Point gap{0, 0};
   double perimeter = 0, area = 0;
-  Point first{0, 0};  ///< moments about the site
+  Point origin{0, 0};  ///< the first vertex: a site may be so far away that differences are lost
+  Point first{0, 0};   ///< moments about the origin
   std::array<double, 3> second{};
 };
 
-/// Over the triangles of the site and each edge. Edge lengths along the normals that the neighbors give
+/// Over the triangles of the origin and each edge. Edge lengths along the normals that the neighbors give
 /// add up to nothing in a closed polygon.
 Sums sumsOf(const CheckedCells& run, std::size_t i) {
   const Diagram& d = run.diagram;
   Sums sums;
+  sums.origin = run.vertex(run.begin(i));
   for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
     const double edge = d.edge_lengths[e] * run.scale;
     const Point normal = normalOf(run, i, e);
     sums.gap = {sums.gap.x + edge * normal.x, sums.gap.y + edge * normal.y};
     sums.perimeter += edge;
-    const Point a = run.vertex(e) - run.site(i), b = run.vertex(run.next(i, e)) - run.site(i);
+    const Point a = run.vertex(e) - sums.origin, b = run.vertex(run.next(i, e)) - sums.origin;
     const double area = cross(a, b) / 2;
     sums.area += area;
     sums.first = {sums.first.x + area * (a.x + b.x) / 3, sums.first.y + area * (a.y + b.y) / 3};
@@ -104,7 +110,7 @@ Sums sumsOf(const CheckedCells& run, std::size_t i) {
 std::string wrongMoments(const CheckedCells& run, std::size_t i, const Sums& sums, const Slack& slack,
                          double rounding) {
   const Diagram& d = run.diagram;
-  const Point said = Point{d.centroid[i].x * run.scale, d.centroid[i].y * run.scale} - run.site(i);
+  const Point said = Point{d.centroid[i].x * run.scale, d.centroid[i].y * run.scale} - sums.origin;
   const Point off = {said.x * sums.area - sums.first.x, said.y * sums.area - sums.first.y};
   const double allowed = (sum_slack * sums.area + rounding) * slack.reach + slack.rounding * sums.area;
   if (!(length(off) <= allowed)) {
@@ -127,18 +133,18 @@ std::string wrongMoments(const CheckedCells& run, std::size_t i, const Sums& sum
   return {};
 }
 
-/// How far the vertices that the area is measured from may be from those that are there: it is that of the
-/// cell before ties joined vertices, which then do not lie on the lines of its edges; but with weights, they
-/// may even so.
+/// By how much the area of a cell before ties join vertices, which is what is written, may differ from what
+/// the vertices enclose. Each edge in truth lies in its line, which its vertices may be off; and around each
+/// vertex a place as wide as ties may belong to any of the cells that meet there.
 double movedByTies(const CheckedCells& run, std::size_t i, const Slack& slack) {
-  double off = 0;
+  double moved = static_cast<double>(run.edges(i)) * 4 * slack.position() * slack.position();
   for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
-    for (const std::size_t end : {e, run.next(i, e)}) {
-      off = std::max(off, std::abs(beyondEdge(run, i, e, run.vertex(end))));
-    }
+    const std::size_t end = run.next(i, e);
+    const Point a = run.vertex(e), b = run.vertex(end);
+    const double off = std::max(std::abs(beyondEdge(run, i, e, a)), std::abs(beyondEdge(run, i, e, b)));
+    moved += off * length(b - a);
   }
-  const bool tied = run.weighted || off > 4 * slack.rounding;
-  return tied ? static_cast<double>(run.edges(i)) * slack.position() : 0;
+  return moved;
 }
 
 /// Of a cell all of whose edges are ties. How small that makes it depends on how far its neighbors are.
@@ -164,7 +170,7 @@ std::string wrongCell(const CheckedCells& run, std::size_t i, const Slack& slack
     return fmt::format("has perimeter {}, its edges add up to {}", d.perimeter[i],
                        sums.perimeter / run.scale);
   }
-  const double rounding = (edges * epsilon * slack.reach + slack.rounding + moved) * sums.perimeter;
+  const double rounding = (edges * epsilon * slack.reach + slack.rounding) * sums.perimeter + moved;
   if (!(std::abs(sums.area - area) <= sum_slack * sums.area + rounding)) {
     return fmt::format("has area {}, its vertices enclose {}", d.area[i],
                        sums.area / (run.scale * run.scale));
