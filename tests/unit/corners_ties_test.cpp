@@ -83,8 +83,8 @@ TEST(Cells, ofManyNeighborsAreCheckedAsOthers) {
 }
 
 TEST(Cells, whereATieTouchesAWallStayOnTheWall) {
-  // The center of the circle through the first three lies on the lower wall, up to rounding.
-  for (const double below : {0.0, 1e-9, -1e-9}) {
+  // The center of the circle through the first three lies on the lower wall, but for rounding or a little.
+  for (const double below : {0.0, 1e-9, 1e-16, -1e-16}) {
     const auto set = sitesAt({0.2, 0.5, 0.8}, {0.4, 0.5 + below, 0.4});
     const auto result = assemble(set, cellsOf(rowsOf(set)));
     ASSERT_TRUE(result.disputed.empty()) << below;
@@ -94,6 +94,15 @@ TEST(Cells, whereATieTouchesAWallStayOnTheWall) {
       EXPECT_TRUE(v.y == 0 || v.y > 0.1);
     }
   }
+}
+
+TEST(Cells, haveShortEdgesAtWalls) {
+  // The same center, so far beyond the wall that the cell of the second reaches it.
+  const auto set = sitesAt({0.2, 0.5, 0.8}, {0.4, 0.5 - 1e-9, 0.4});
+  const auto result = assemble(set, cellsOf(rowsOf(set)));
+  ASSERT_TRUE(result.disputed.empty());
+  EXPECT_EQ(broken(result.diagram), "");
+  EXPECT_EQ(neighborsOf(result.diagram, 1).size(), 4u);
 }
 
 TEST(Cells, thatTouchTheDomainOnlyAreEmpty) {
