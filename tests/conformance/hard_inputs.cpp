@@ -29,7 +29,7 @@ struct Wanted {
   std::optional<std::uint64_t> only;
   std::vector<std::string> backends{"all"};
   std::string folder;
-  std::uint64_t shown = 10;
+  std::uint64_t shown = 10, shrunk = 1;
   double shrink_seconds = 10;
   bool no_cells = false, no_pictures = false, list = false;
 };
@@ -42,8 +42,8 @@ void addOptions(CLI::App& app, Wanted& wanted) {
   app.add_option("--case", wanted.only, "this one alone");
   app.add_option("--backends", wanted.backends, "names, or all that can be used")->delimiter(',');
   app.add_option("--write", wanted.folder, "where inputs that fail are written, made smaller");
-  app.add_option("--shown", wanted.shown, "of each kind of fault so many are told, and one made smaller")
-      ->capture_default_str();
+  app.add_option("--shown", wanted.shown, "of each kind of fault so many are told")->capture_default_str();
+  app.add_option("--shrunk", wanted.shrunk, "and so many made smaller")->capture_default_str();
   app.add_option("--shrink", wanted.shrink_seconds, "seconds that making one smaller may take")
       ->capture_default_str();
   app.add_flag("--no-cells", wanted.no_cells, "only pictures");
@@ -127,7 +127,7 @@ class Findings {
     const auto times = ++kinds_[fault.kind()];
     if (times > wanted_.shown) return;
     fmt::print("FAULT {}\n  {} {}: {}\n", describe(input), fault.backend, fault.run, fault.message);
-    if (times == 1) shrink(input, fault);
+    if (times <= wanted_.shrunk) shrink(input, fault);
     std::fflush(stdout);
   }
 
