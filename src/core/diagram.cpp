@@ -14,6 +14,7 @@
 #include "core/prepare.h"
 #include "core/stopwatch.h"
 #include "core/topology.h"
+#include "parallel.h"
 
 namespace vorpipe {
 namespace {
@@ -39,6 +40,17 @@ Result<TiedCells> agree(const TopologyInput& input, Topology& topology, const Re
       Error{ErrorCode::input,
             fmt::format("the areas of all cells add up to {} of the domain's, beyond what rounding explains",
                         1 + gap)});
+}
+
+/// The centroid of a site without a cell is the site, as the caller has it to the last bit: scaled ones may
+/// be rounded.
+void keepSitesWithoutCells(const Sites& sites, int threads, Diagram& diagram) {
+  constexpr std::size_t grain = 1 << 14;
+  parallelFor(sites.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end; ++i) {
+      if (diagram.status[i] == Status::empty) diagram.centroid[i] = {sites.x[i], sites.y[i]};
+    }
+  });
 }
 
 }  // namespace
@@ -77,6 +89,7 @@ Result<Diagram> cellsOn(Backend& backend, Backend& judge_backend, int threads, c
   if (!tied) return tl::unexpected(tied.error());
   takeRecords(by_input, detail, threads, diagram);
   by_input = {};
+  if (diagram.report.empty > 0) keepSitesWithoutCells(sites, threads, diagram);
   if (!prepared->set.weight.empty()) diagram.report.hidden = diagram.report.empty;
   {
     const EdgeIndex index(*topology, threads);

@@ -47,7 +47,7 @@ class Placing {
  private:
   bool put(std::size_t i, std::size_t a, double from, double& to, std::uint8_t& outside) const {
     const PeriodicAxis& axis = out_.axis[a];
-    const double scaled = scale_(from);
+    const double scaled = scale_.coordinate(from);
     const bool inside = axis.contains(scaled);
     if (!axis.periodic) {
       to = scaled;
@@ -113,7 +113,8 @@ PeriodicAxis::PeriodicAxis(double low_end, double high_end, bool repeats)
   // Places count from the middle of the domain, where doubles are finest.
   offset_ = rounded(low_ + 0.5 * length, quantum_);
   low = rounded(low_, quantum_) - offset_;
-  length = rounded(length, quantum_);
+  // Not the rounded length: sites at both ends are to be one.
+  length = rounded(high_, quantum_) - rounded(low_, quantum_);
   high = low + length;
 }
 

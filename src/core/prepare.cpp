@@ -62,7 +62,7 @@ Extent extentOf(const Sites& sites, const PowerOfTwo& scale, const Box& near, in
   std::vector<Extent> extents((sites.size() + grain - 1) / grain);
   parallelFor(sites.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
     Extent extent;
-    for (auto i = begin; i < end; ++i) extent.add(scale(sites.x[i]), scale(sites.y[i]), near);
+    for (auto i = begin; i < end; ++i) extent.add(scale.coordinate(sites.x[i]), scale.coordinate(sites.y[i]), near);
     extents[begin / grain] = extent;
   });
   Extent all;

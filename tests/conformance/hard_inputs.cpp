@@ -1,11 +1,13 @@
 /// Runs random hard inputs on every backend, for as long as wanted, and tells the promises that are broken.
 /// Exits with 1 when there is one.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -88,6 +90,16 @@ Result<std::vector<Session>> openAll(const std::vector<std::string>& named) {
   return sessions;
 }
 
+/// The input that is being run, for sayUnderWay().
+std::string under_way;
+
+/// Names the input that a failed assertion or a wrong address ends the process at.
+extern "C" void sayUnderWay(int signal) {
+  [[maybe_unused]] const auto written = write(STDOUT_FILENO, under_way.data(), under_way.size());
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
 /// What has been run, and what failed.
 class Findings {
  public:
@@ -98,8 +110,10 @@ class Findings {
   void run(const HardInput& input) {
     ++inputs_;
     sites_ += input.sites.size();
-    if (wanted_.list) fmt::print("{}\n", describe(input));
+    const auto description = describe(input);
+    if (wanted_.list) fmt::print("{}\n", description);
     std::fflush(stdout);
+    under_way.assign(description).append(" ends the process\n");
     const auto result = runHardInput(
         input, sessions_, {!wanted_.no_cells, !wanted_.no_pictures, input.sites.size() < 500 ? 1 : 0});
     if (result.refused) {
@@ -169,6 +183,7 @@ int run(int argc, char** argv) {
   }
   if (!wanted.folder.empty()) std::filesystem::create_directories(wanted.folder);
   fmt::print("seed {}\n", seed);
+  for (const int fatal : {SIGABRT, SIGSEGV, SIGFPE}) std::signal(fatal, sayUnderWay);
   Findings findings(wanted, *sessions);
   if (wanted.only) {
     findings.run(makeHardInput(seed, *wanted.only));
