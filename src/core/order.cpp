@@ -72,8 +72,8 @@ class Ordering {
   void forBlock(std::size_t block, const Each& each) const {
     const auto end = std::min(sites_.size(), (block + 1) * block_);
     for (auto i = block * block_; i < end; ++i) {
-      const double x = scale_.coordinate(sites_.x[i]);
-      const double y = scale_.coordinate(sites_.y[i]);
+      const double x = scale_(sites_.x[i]);
+      const double y = scale_(sites_.y[i]);
       each(Placed{x, y, static_cast<std::uint32_t>(i), binOf(set_.grid, x, y)});
     }
   }

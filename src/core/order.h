@@ -1,26 +1,15 @@
 /// From sites in the caller's order to unique sites in the order of their bins.
 #pragma once
 
-#include <cmath>
-
 #include "backend/backend.h"
 
 namespace vorpipe {
-
-/// Scaled coordinates nearer to 0 are 0: exact decisions multiply four differences, of which a double could
-/// not hold enough.
-inline constexpr double least_coordinate = 0x1p-200;
 
 /// A factor that is a power of two, as two factors: one alone may not be a double.
 class PowerOfTwo {
  public:
   explicit PowerOfTwo(int exponent);
   double operator()(double value) const { return value * first_ * second_; }
-  /// The same of a site's coordinate.
-  [[nodiscard]] double coordinate(double value) const {
-    const double scaled = (*this)(value);
-    return std::abs(scaled) < least_coordinate ? 0 : scaled;
-  }
 
  private:
   double first_, second_;

@@ -47,7 +47,7 @@ class Placing {
  private:
   bool put(std::size_t i, std::size_t a, double from, double& to, std::uint8_t& outside) const {
     const PeriodicAxis& axis = out_.axis[a];
-    const double scaled = scale_.coordinate(from);
+    const double number = scale_(from), scaled = std::abs(number) < least_coordinate ? 0 : number;
     const bool inside = axis.contains(scaled);
     if (!axis.periodic) {
       to = scaled;

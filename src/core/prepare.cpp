@@ -62,7 +62,7 @@ Extent extentOf(const Sites& sites, const PowerOfTwo& scale, const Box& near, in
   std::vector<Extent> extents((sites.size() + grain - 1) / grain);
   parallelFor(sites.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
     Extent extent;
-    for (auto i = begin; i < end; ++i) extent.add(scale.coordinate(sites.x[i]), scale.coordinate(sites.y[i]), near);
+    for (auto i = begin; i < end; ++i) extent.add(scale(sites.x[i]), scale(sites.y[i]), near);
     extents[begin / grain] = extent;
   });
   Extent all;
@@ -103,6 +103,14 @@ Result<void> checkNumber(const Sites& sites) {
   if (sites.size() > most_sites)
     return refuse(fmt::format("{} sites are more than {}", sites.size(), most_sites));
   return {};
+}
+
+void dropTiny(std::vector<double>& coordinates, int threads) {
+  parallelFor(coordinates.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end; ++i) {
+      if (std::abs(coordinates[i]) < least_coordinate) coordinates[i] = 0;
+    }
+  });
 }
 
 /// The domain and as much again on every side: farther sites bound few cells, and would make the bins
@@ -169,6 +177,8 @@ Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads, con
                               ? nearSites(sites, a, b)
                               : nearSites(callers->sites, callers->siteOf(a), callers->siteOf(b)));
   }
+  dropTiny(set.x, threads);
+  dropTiny(set.y, threads);
   return prepared;
 }
 

@@ -14,6 +14,10 @@ struct Prepared {
   std::vector<std::uint32_t> owner;
 };
 
+/// Scaled coordinates nearer to 0 are 0: exact decisions multiply four differences, of which a double could
+/// not hold enough. Sites that are one by that would be too near to each other.
+inline constexpr double least_coordinate = 0x1p-200;
+
 /// The power of two that brings the domain's longer side into [1, 2).
 int scaleExponent(const Box& domain);
 

@@ -50,6 +50,19 @@ TEST_F(CheckPeriodicCells, AllowsTiesAsLongAsThePeriod) {
   }
 }
 
+/// Sides that are few steps of a coordinate long are rounded by a part of themselves that shows.
+TEST_F(CheckPeriodicCells, AllowsAPeriodToBeRounded) {
+  for (const auto periodic : {Periodic::x, Periodic::y, Periodic::xy}) {
+    auto wanted = periodicCells(periodic);
+    wanted.domain = {0.9999999999989332, 0.5000000166933728, 1.000000000001067, 0.5000000166938298};
+    sites = {{0.9999999999999}, {0.5}, {}};
+    cells = cellsOf(sites, wanted);
+    EXPECT_THAT(promisesOf(check(sites, wanted, cells)), IsEmpty());
+    cells.area[0] *= 1.01;
+    EXPECT_THAT(promisesOf(check(sites, wanted, cells)), Contains("areas"));
+  }
+}
+
 TEST_F(CheckPeriodicCells, FindsOrdinaryOnes) {
   cells = cellsOf(sites, unit_cells);
   EXPECT_THAT(broken(), Contains("arrays"));

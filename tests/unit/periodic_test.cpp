@@ -53,6 +53,17 @@ TEST(PeriodicAxis, PutsTheSamePlaceOfEveryPeriodIntoTheDomain) {
   EXPECT_GT(std::abs(axis.put(1e300).periods), 0x1p50) << "too far to tell";
 }
 
+/// Whatever the rounding of its ends: the one below is not the other one, but a period from it.
+TEST(PeriodicAxis, HasOnePlaceForBothEnds) {
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> end(-1, 1);
+  for (int k = 0; k < 1000; ++k) {
+    const auto [low, high] = std::minmax({end(random), end(random)});
+    const PeriodicAxis axis(low, high, true);
+    EXPECT_EQ(axis.put(low).place, axis.put(high).place) << low << " to " << high;
+  }
+}
+
 TEST(Wrapped, LeavesSitesInTheDomainWhereTheyAre) {
   const Sites sites{{0, 1, 0.375, 1.25, -7.5}, {0, 0.5, 1, 3, 0.25}, {1, 2, 3, 4, 5}};
   const auto both = *wrapped(sites, unit, Periodic::xy);
