@@ -1,0 +1,333 @@
+/// What must become of the cells and the picture when the input is changed in a way whose effect is known:
+/// the diagram of turned, mirrored, scaled, shifted or renumbered sites is that of the sites, turned,
+/// mirrored and so on. No oracle is asked.
+#include <cmath>
+#include <iostream>
+#include <map>
+#include <numeric>
+#include <random>
+
+#include "conformance/cells_fixture.h"
+#include "support/data_sets.h"
+#include "support/hard_random.h"
+#include "support/moves.h"
+
+namespace vorpipe::test {
+namespace {
+
+constexpr std::uint64_t hard_count = 8;
+constexpr int side = 48;
+
+/// New in every run.
+std::uint64_t seedOfRun() {
+  static const std::uint64_t seed = [] {
+    const std::uint64_t drawn = std::random_device()();
+    std::cout << "[   SEED   ] " << drawn << std::endl;
+    return drawn;
+  }();
+  return seed;
+}
+
+HardInput inputOf(std::string name, Sites sites, const Box& domain = unit) {
+  HardInput input;
+  input.kinds = std::move(name);
+  input.sites = std::move(sites);
+  input.domain = domain;
+  input.width = side + 16;
+  input.height = side;
+  return input;
+}
+
+HardInput outlined(HardInput input) {
+  input.kinds += " in an outline";
+  input.outline = {
+      {{0.1, 0.1}, {0.9, 0.05}, {0.7, 0.5}, {0.95, 0.9}, {0.2, 0.8}, {0.4, 0.3}, {0.6, 0.3}, {0.5, 0.6}},
+      {0, 5, 8},
+      {0, 2}};
+  input.domain = boxOf(input.outline.points);
+  return input;
+}
+
+HardInput repeated(HardInput input, Periodic periodic) {
+  input.kinds += " in a periodic domain";
+  input.periodic = periodic;
+  return input;
+}
+
+/// As a periodic domain takes them, so that nothing is wrapped again elsewhere; and not too many.
+HardInput hardInput(std::uint64_t number) {
+  auto input = makeHardInput(seedOfRun(), number);
+  constexpr std::size_t most = 150;
+  if (input.sites.size() > most) {
+    std::vector<std::uint32_t> first(most);
+    std::iota(first.begin(), first.end(), 0u);
+    input = chosen(input, first);
+  }
+  if (auto inside = wrapped(input.sites, input.domain, input.periodic)) input.sites = std::move(*inside);
+  input.width = std::min(input.width, side);
+  input.height = std::min(input.height, side);
+  return input;
+}
+
+std::vector<HardInput> inputs() {
+  const auto seed = seedOfRun();
+  std::vector<HardInput> all;
+  all.push_back(inputOf("random", generate(Pattern::random, 150, seed)));
+  all.push_back(inputOf("clusters", generate(Pattern::clusters, 150, seed)));
+  all.push_back(inputOf("square lattice", generate(Pattern::square, 100, seed)));
+  all.push_back(inputOf("hexagonal lattice", generate(Pattern::hex, 90, seed), {0.1, 0.2, 0.9, 0.7}));
+  for (const char* name : {"weights-1", "weights-100", "chessboard-verge"}) {
+    auto set = makeDataSet(name, 120, seed);
+    all.push_back(inputOf(name, std::move(set.sites), set.domain));
+  }
+  all.push_back(repeated(inputOf("random", generate(Pattern::random, 60, seed)), Periodic::xy));
+  all.push_back(repeated(all[4], Periodic::x));
+  all.push_back(outlined(inputOf("random", generate(Pattern::random, 100, seed))));
+  for (std::uint64_t number = 0; number < hard_count; ++number) all.push_back(hardInput(number));
+  return all;
+}
+
+class Metamorphic : public Cells {
+ protected:
+  /// Calls test(input) for all inputs that are not refused, without their duplicates.
+  template <class Test>
+  static void forInputs(const Test& test) {
+    for (auto input : inputs()) {
+      if (!checkInput(input.sites, cellsOptions(input))) continue;
+      SCOPED_TRACE(testing::Message() << describe(input) << ", seed of the run " << seedOfRun());
+      test(withoutDuplicates(input));
+    }
+  }
+
+  static HardInput withoutDuplicates(const HardInput& input) {
+    const auto diagram = cellsOf(input);
+    std::vector<std::uint32_t> kept;
+    for (std::uint32_t i = 0; i < input.sites.size(); ++i) {
+      if (diagram.status[i] != Status::duplicate) kept.push_back(i);
+    }
+    return kept.size() == input.sites.size() ? input : chosen(input, kept);
+  }
+
+  static Diagram cellsOf(const HardInput& input) { return cells(input.sites, cellsOptions(input)); }
+
+  static Image pictureOf(const HardInput& input) {
+    auto rendering = sharedSession(GetParam()).render(input.sites, pictureOptions(input));
+    if (!rendering) throw std::runtime_error(rendering.error().message);
+    EXPECT_EQ(rendering->report.validation_messages, std::vector<std::string>{});
+    return std::move(rendering->image);
+  }
+
+  static void expectSameIds(const HardInput& input, const Image& image, std::span<const std::uint32_t> ids) {
+    const auto diff =
+        diffIds(image.ids, ids, input.width, input.height, input.sites, input.domain, input.periodic);
+    ASSERT_TRUE(diff);
+    EXPECT_TRUE(diff->agree()) << diff->wrong << " pixels are wrong and " << diff->ties << " ties, "
+                               << diff->ties_allowed << " allowed";
+  }
+
+  /// That a changed input has the same cells, and the same picture but for ties.
+  static void expectMoved(const HardInput& input, const Move& move) {
+    SCOPED_TRACE(move.name);
+    const auto other = moved(input, move);
+    expectSameCells(input, cellsOf(input), movedBack(cellsOf(other), move));
+    expectSameIds(input, pictureOf(input), movedBack(pictureOf(other), move));
+  }
+
+  using ImageOf = std::pair<std::int64_t, std::array<std::int32_t, 2>>;
+
+  /// The longest edge with each neighbor.
+  static std::map<ImageOf, double> edgesOf(const Diagram& d, std::size_t i) {
+    std::map<ImageOf, double> edges;
+    for (auto e = d.cell_offsets[i]; e < d.cell_offsets[i + 1]; ++e) {
+      const auto shift = d.neighbor_shifts.empty() ? std::array<std::int32_t, 2>{} : d.neighbor_shifts[e];
+      auto& longest = edges[{d.neighbors[e], shift}];
+      longest = std::max(longest, d.edge_lengths[e]);
+    }
+    return edges;
+  }
+
+  /// Where a cell has an edge that the other one lacks it is hardly longer than a tie. Ties at its ends may
+  /// have taken one of the two, so that all distances at the cell count.
+  static bool areTies(const HardInput& input, const Diagram& a, const Diagram& b, std::size_t i) {
+    const Box& box = input.domain;
+    const auto edges_a = edgesOf(a, i), edges_b = edgesOf(b, i);
+    double reach = 0, longest_missing = 0;
+    const auto look = [&](const auto& here, const auto& there) {
+      for (const auto& [neighbor, length] : here) {
+        const auto& [j, shift] = neighbor;
+        if (!there.contains(neighbor)) longest_missing = std::max(longest_missing, length);
+        if (j < 0) continue;
+        const auto site = static_cast<std::size_t>(j);
+        reach = std::max(
+            reach, std::hypot(input.sites.x[site] + shift[0] * (box.xmax - box.xmin) - input.sites.x[i],
+                              input.sites.y[site] + shift[1] * (box.ymax - box.ymin) - input.sites.y[i]));
+      }
+    };
+    look(edges_a, edges_b);
+    look(edges_b, edges_a);
+    return longest_missing <= 1.1e-6 * reach;
+  }
+
+  static void expectSameCells(const HardInput& input, const Diagram& a, const Diagram& b) {
+    const auto diff = diffCells(a, b);
+    ASSERT_TRUE(diff);
+    EXPECT_EQ(diff->statuses, 0u);
+    EXPECT_EQ(diff->areas, 0u) << "site " << diff->worst_site << " by " << diff->worst_area;
+    if (diff->neighbors == 0) return;
+    for (std::size_t i = 0; i < input.sites.size(); ++i) EXPECT_TRUE(areTies(input, a, b, i)) << "site " << i;
+  }
+};
+
+TEST_P(Metamorphic, MirroredSitesHaveMirroredCells) {
+  forInputs([](const HardInput& input) {
+    expectMoved(input, {"mirrored in x", -1, 0, 0, 1});
+    expectMoved(input, {"mirrored in y", 1, 0, 0, -1});
+  });
+}
+
+TEST_P(Metamorphic, TurnedSitesHaveTurnedCells) {
+  forInputs([](const HardInput& input) {
+    expectMoved(input, {"turned by a right angle", 0, -1, 1, 0});
+    expectMoved(input, {"mirrored at the diagonal", 0, 1, 1, 0});
+  });
+}
+
+template <class T>
+std::vector<T> times(std::vector<T> values, double factor) {
+  for (T& value : values) value *= factor;
+  return values;
+}
+
+std::vector<double> coordinates(const std::vector<Point>& points) {
+  std::vector<double> numbers;
+  for (const Point p : points) numbers.insert(numbers.end(), {p.x, p.y});
+  return numbers;
+}
+
+/// To the bit: a power of two rounds nothing.
+TEST_P(Metamorphic, SitesScaledByAPowerOfTwoHaveTheSameBits) {
+  forInputs([](const HardInput& input) {
+    const auto plain = cellsOf(input);
+    const auto image = pictureOf(input);
+    for (const int exponent : {-40, 1, 33}) {
+      SCOPED_TRACE(exponent);
+      const double s = std::ldexp(1.0, exponent);
+      const auto other = moved(input, {"scaled", 1, 0, 0, 1, s});
+      const auto scaled = cellsOf(other);
+      EXPECT_EQ(scaled.status, plain.status);
+      EXPECT_EQ(scaled.neighbors, plain.neighbors);
+      EXPECT_EQ(scaled.cell_offsets, plain.cell_offsets);
+      EXPECT_EQ(scaled.triangles, plain.triangles);
+      EXPECT_EQ(scaled.area, times(plain.area, s * s));
+      EXPECT_EQ(scaled.edge_lengths, times(plain.edge_lengths, s));
+      EXPECT_EQ(coordinates(scaled.vertices), times(coordinates(plain.vertices), s));
+      EXPECT_EQ(coordinates(scaled.centroid), times(coordinates(plain.centroid), s));
+      const auto picture = pictureOf(other);
+      EXPECT_EQ(picture.ids, image.ids);
+      EXPECT_EQ(picture.rgba, image.rgba);
+    }
+  });
+}
+
+/// By a power of two so small beside the last places of all coordinates that no sum is rounded: to be so, the
+/// sites are put on a grid first.
+TEST_P(Metamorphic, ShiftedSitesHaveShiftedCells) {
+  forInputs([](HardInput input) {
+    const Box& box = input.domain;
+    double largest =
+        std::max({std::abs(box.xmin), std::abs(box.xmax), std::abs(box.ymin), std::abs(box.ymax)});
+    for (std::size_t i = 0; i < input.sites.size(); ++i)
+      largest = std::max({largest, std::abs(input.sites.x[i]), std::abs(input.sites.y[i])});
+    const double by = std::exp2(std::ceil(std::log2(largest))), quantum = by * 0x1p-50;
+    const auto put = [quantum](double& value) { value = std::round(value / quantum) * quantum; };
+    for (std::size_t i = 0; i < input.sites.size(); ++i) {
+      put(input.sites.x[i]);
+      put(input.sites.y[i]);
+    }
+    for (Point& p : input.outline.points) {
+      put(p.x);
+      put(p.y);
+    }
+    for (double* wall : {&input.domain.xmin, &input.domain.ymin, &input.domain.xmax, &input.domain.ymax})
+      put(*wall);
+    if (!checkInput(input.sites, cellsOptions(input))) return;
+    expectMoved(withoutDuplicates(input), {"shifted", 1, 0, 0, 1, 1, {by, -by}});
+  });
+}
+
+TEST_P(Metamorphic, TheOrderOfSitesIsOfNoMatter) {
+  forInputs([](const HardInput& input) {
+    std::vector<std::uint32_t> order(input.sites.size());
+    std::iota(order.begin(), order.end(), 0u);
+    std::mt19937_64 random(seedOfRun());
+    std::ranges::shuffle(order, random);
+    const auto other = chosen(input, order);
+    expectSameCells(input, cellsOf(input), renumbered(cellsOf(other), order, order.size()));
+    auto ids = pictureOf(other).ids;
+    for (auto& id : ids) id = id == no_site ? no_site : order[id];
+    expectSameIds(input, pictureOf(input), ids);
+  });
+}
+
+TEST_P(Metamorphic, ASiteWithoutACellIsOfNoMatter) {
+  forInputs([](const HardInput& input) {
+    const auto whole = cellsOf(input);
+    std::vector<std::uint32_t> kept;
+    for (std::uint32_t i = 0; i < input.sites.size(); ++i) {
+      if (whole.status[i] != Status::empty) kept.push_back(i);
+    }
+    if (kept.empty() || kept.size() == input.sites.size()) return;
+    const auto other = chosen(input, kept);
+    expectSameCells(input, whole, renumbered(cellsOf(other), kept, input.sites.size()));
+    auto ids = pictureOf(other).ids;
+    for (auto& id : ids) id = id == no_site ? no_site : kept[id];
+    expectSameIds(input, pictureOf(input), ids);
+  });
+}
+
+TEST_P(Metamorphic, EqualWeightsAreNone) {
+  forInputs([](HardInput input) {
+    input.sites.weight.clear();
+    const auto plain = cellsOf(input);
+    const auto image = pictureOf(input);
+    for (const double weight : {0.0, -3.5, 1e-30, 1e9}) {
+      SCOPED_TRACE(weight);
+      input.sites.weight.assign(input.sites.size(), weight);
+      const auto weighted = cellsOf(input);
+      EXPECT_EQ(weighted.status, plain.status);
+      EXPECT_EQ(weighted.area, plain.area);
+      EXPECT_EQ(weighted.neighbors, plain.neighbors);
+      EXPECT_EQ(weighted.triangles, plain.triangles);
+      EXPECT_EQ(pictureOf(input).ids, image.ids);
+    }
+  });
+}
+
+TEST_P(Metamorphic, DuplicatesChangeNothingButTheirOwnRecords) {
+  forInputs([](const HardInput& input) {
+    const auto count = static_cast<std::uint32_t>(input.sites.size());
+    std::vector<std::uint32_t> with(count);
+    std::iota(with.begin(), with.end(), 0u);
+    Random random(seedOfRun());
+    for (int k = 0; k < 5; ++k) with.push_back(static_cast<std::uint32_t>(random.below(count)));
+    const auto other = chosen(input, with);
+    const auto doubled = cellsOf(other);
+    for (std::size_t k = count; k < with.size(); ++k) {
+      EXPECT_EQ(doubled.status[k], Status::duplicate);
+      EXPECT_EQ(doubled.owner[k], with[k]);
+      EXPECT_EQ(doubled.area[k], 0);
+    }
+    auto first = doubled;
+    first.status.resize(count);
+    first.owner.resize(count);
+    first.area.resize(count);
+    expectSameCells(input, cellsOf(input), first);
+    expectSameIds(input, pictureOf(input), pictureOf(other).ids);
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, Metamorphic, testing::ValuesIn(backend_names),
+                         [](const auto& instance) { return testName(instance.param); });
+
+}  // namespace
+}  // namespace vorpipe::test
