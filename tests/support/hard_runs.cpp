@@ -11,13 +11,6 @@
 namespace vorpipe::test {
 namespace {
 
-/// Whether a run refused what is looked at only when sites are sorted.
-bool isRefusal(const Error& error) {
-  const auto says = [&](std::string_view text) { return error.message.find(text) != std::string::npos; };
-  return error.code == ErrorCode::input &&
-         (says("but nearer to each other than") || says("is nearer to its own image than"));
-}
-
 /// Adds the faults of one run after another.
 class Running {
  public:
@@ -115,6 +108,12 @@ Sites without(const Sites& sites, std::size_t begin, std::size_t end) {
 }
 
 }  // namespace
+
+bool isRefusal(const Error& error) {
+  const auto says = [&](std::string_view text) { return error.message.find(text) != std::string::npos; };
+  return error.code == ErrorCode::input &&
+         (says("but nearer to each other than") || says("is nearer to its own image than"));
+}
 
 std::string HardFault::kind() const {
   static const std::regex number(R"(-?\b(\d+(\.\d+)?(e[-+]?\d+)?|inf|nan)\b)");

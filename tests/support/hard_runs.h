@@ -9,6 +9,10 @@
 
 namespace vorpipe::test {
 
+/// Whether an error is the refusal of sites that are too near to each other, which is found when they have
+/// been sorted; what else is refused checkInput() says.
+bool isRefusal(const Error& error);
+
 /// A promise that was broken.
 struct HardFault {
   std::string backend;

@@ -152,7 +152,9 @@ Sites atWalls(std::uint64_t n, Random& random) {
     const double exact = oneOf(random, {0.0, 1.0, 0.25, 0.5, 0.75});
     switch (random.below(4)) {
       case 0:
-        return byUlps(exact, oneOf<std::int64_t>(random, {-1, 1}));
+        // The least double beside 0 now and then: two of these are too near to each other.
+        return exact == 0 && !onceIn(random, 20) ? noise(random, 0x1p-53)
+                                                 : byUlps(exact, oneOf<std::int64_t>(random, {-1, 1}));
       case 1:
         return exact + oneOf(random, {-1.0, 1.0}) * tenTo(random, -15, -3);
       default:
