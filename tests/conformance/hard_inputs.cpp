@@ -30,7 +30,7 @@ struct Wanted {
   std::uint64_t first = 0;
   std::optional<std::uint64_t> only;
   std::vector<std::string> backends{"all"};
-  std::string folder;
+  std::string folder, like;
   std::uint64_t shown = 10, shrunk = 1;
   double shrink_seconds = 10;
   bool no_cells = false, no_pictures = false, list = false;
@@ -42,6 +42,8 @@ void addOptions(CLI::App& app, Wanted& wanted) {
       ->capture_default_str();
   app.add_option("--first", wanted.first, "number of the first input")->capture_default_str();
   app.add_option("--case", wanted.only, "this one alone");
+  app.add_option("--like", wanted.like,
+                 "only inputs whose description has this in it, as in 'lifted weights'");
   app.add_option("--backends", wanted.backends, "names, or all that can be used")->delimiter(',');
   app.add_option("--write", wanted.folder, "where inputs that fail are written, made smaller");
   app.add_option("--shown", wanted.shown, "of each kind of fault so many are told")->capture_default_str();
@@ -188,8 +190,10 @@ int run(int argc, char** argv) {
   if (wanted.only) {
     findings.run(makeHardInput(seed, *wanted.only));
   } else {
-    for (auto number = wanted.first; secondsSince(begin) < wanted.seconds; ++number)
-      findings.run(makeHardInput(seed, number));
+    for (auto number = wanted.first; secondsSince(begin) < wanted.seconds; ++number) {
+      const auto input = makeHardInput(seed, number);
+      if (describe(input).find(wanted.like) != std::string::npos) findings.run(input);
+    }
   }
   return findings.report() ? 0 : 1;
 }

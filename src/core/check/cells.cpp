@@ -63,6 +63,12 @@ double sumSlack(const CheckedCells& run) {
   return slack;
 }
 
+/// Of the area inside: where cells end on the outline, their corners are rounded like coordinates.
+double outlineRounding(const CheckedCells& run, const CheckedOutline& outline) {
+  constexpr double steps = 4;
+  return steps * epsilon * run.largest * outline.length() / run.scale / run.scale;
+}
+
 std::vector<std::string> brokenBy(const CheckedCells& run) {
   // The tree is built beside the other checks, which need one thread as well.
   auto building = std::async(run.threads > 1 ? std::launch::async : std::launch::deferred,
@@ -74,7 +80,8 @@ std::vector<std::string> brokenBy(const CheckedCells& run) {
   checkMass(run, broken);
   if (run.outline != nullptr) {
     const CheckedOutline outline(run);
-    checkMeasures(run, outline.area(), clipped_sum_slack, broken);
+    const double area = outline.area();
+    checkMeasures(run, area, clipped_sum_slack + outlineRounding(run, outline) / area, broken);
     if (run.detail == Detail::everything) checkTriangles(run, broken);
     checkClipped(run, outline, building.get(), broken);
     return broken.take();

@@ -158,9 +158,9 @@ std::string oneSided(const CheckedCells& run, std::size_t i) {
   return {};
 }
 
-std::string wrongPlace(const CheckedCells& run, const CheckedOutline& outline, const NearestSite& nearest,
-                       Point p) {
-  const std::uint32_t owner = run.diagram.owner[nearest.at(p)];
+/// What is wrong if p belongs to the cell of `owner`.
+std::string wrongInCell(const CheckedCells& run, const CheckedOutline& outline, std::uint32_t owner,
+                        Point p) {
   bool inside = false;
   double away = std::numeric_limits<double>::infinity();
   CellRings(run, owner).eachEdge([&](std::size_t, Point a, Point b) {
@@ -174,6 +174,17 @@ std::string wrongPlace(const CheckedCells& run, const CheckedOutline& outline, c
   return fmt::format("({}, {}) lies {} the outline, but {} in the cell of its nearest site {}",
                      p.x / run.scale, p.y / run.scale, inside ? "outside" : "inside", inside ? "" : "not ",
                      owner);
+}
+
+std::string wrongPlace(const CheckedCells& run, const CheckedOutline& outline, const NearestSite& nearest,
+                       Point p) {
+  std::string wrong;
+  // Of those that double does not tell apart, any may have it.
+  for (const auto site : nearest.allAt(p)) {
+    wrong = wrongInCell(run, outline, run.diagram.owner[site], p);
+    if (wrong.empty()) break;
+  }
+  return wrong;
 }
 
 }  // namespace
@@ -212,13 +223,14 @@ std::size_t CheckedOutline::bandOf(double y) const {
 }
 
 CheckedOutline::Side CheckedOutline::at(Point p, double slack) const {
-  bool inside = false;
-  const double reach = std::min(slack, per_band_);
-  for (const auto e : bands_[bandOf(p.y)]) {
-    const auto& [a, b] = edges_[e];
-    inside = inside != crossesRay(p, a, b);
-    if (distance(p, a, b) <= reach) return Side::edge;
+  const std::size_t last = bandOf(p.y + slack);
+  for (std::size_t band = bandOf(p.y - slack); band <= last; ++band) {
+    for (const auto e : bands_[band]) {
+      if (distance(p, edges_[e].a, edges_[e].b) <= slack) return Side::edge;
+    }
   }
+  bool inside = false;
+  for (const auto e : bands_[bandOf(p.y)]) inside = inside != crossesRay(p, edges_[e].a, edges_[e].b);
   return inside ? Side::inside : Side::outside;
 }
 
@@ -239,6 +251,12 @@ double CheckedOutline::area() const {
     sum = next;
   }
   return (sum + lost) / run_.scale / run_.scale;
+}
+
+double CheckedOutline::length() const {
+  double sum = 0;
+  for (const auto& [a, b] : edges_) sum += checks::length(b - a);
+  return sum;
 }
 
 void checkClipped(const CheckedCells& run, const CheckedOutline& outline, const NearestSite& nearest,

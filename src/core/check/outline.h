@@ -18,6 +18,8 @@ class CheckedOutline {
 
   /// The area inside both the outline and the domain, in the caller's units.
   [[nodiscard]] double area() const;
+  /// Of all edges, scaled.
+  [[nodiscard]] double length() const;
 
  private:
   struct Edge {
