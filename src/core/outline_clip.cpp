@@ -49,14 +49,26 @@ void dropPoints(Ring& ring) {
   ring.neighbors.resize(kept);
 }
 
+double outlineLength(const Ring& ring) {
+  double sum = 0;
+  for (std::size_t k = 0; k < ring.points.size(); ++k) {
+    if (ring.neighbors[k] != wall_outline) continue;
+    const Point a = ring.points[k], b = ring.points[k + 1 < ring.points.size() ? k + 1 : 0];
+    sum += std::hypot(b.x - a.x, b.y - a.y);
+  }
+  return sum;
+}
+
 /// Whether a ring, part of the outline's and part of a cell's, is no more than what rounding left between an
-/// edge of the outline and one of the cell that are one.
+/// edge of the outline and one of the cell that are one: the outline has one half of it then. A narrow cell
+/// that the outline crosses has hardly any of that.
 bool isSliver(const Ring& ring) {
-  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
+  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon(), share = 0.25;
   if (ring.points.empty()) return true;
-  if (std::ranges::find(ring.neighbors, wall_outline) == ring.neighbors.end()) return false;
+  const double along = outlineLength(ring);
+  if (along == 0) return false;
   const Extent extent = extentOf(ring.points);
-  return extent.area <= rounding * extent.largest * extent.perimeter;
+  return extent.area <= rounding * extent.largest * extent.perimeter && along >= share * extent.perimeter;
 }
 
 bool contains(std::span<const Point> ring, Point p) {

@@ -225,6 +225,41 @@ TEST(OutlineCells, cellsNearTheSizeOfRoundingAreClippedToo) {
   }
 }
 
+/// Cells as narrow as rounding is at the outline's coordinates are no slivers that rounding left.
+TEST(OutlineCells, narrowCellsAreNoSlivers) {
+  const auto outline = outlineOf({{{{-1e5, 1}, {3e4, -2e5}, {1e5, 7}, {1e4, 1.3e5}}}});
+  const Sites sites{{0, 2e-10, 6e-10, 3e-9}, {1, 1, 1, 1}, {}};
+  const auto options = inside(outline, boxOf(outline.points));
+  const auto cells = cellsOf(sites, options);
+  EXPECT_THAT(promisesOf(check(sites, options, cells)), testing::IsEmpty());
+  EXPECT_EQ(cells.report.ok, 4u);
+}
+
+Outline movedTo(Outline outline, double size, Point to) {
+  for (Point& p : outline.points) p = {to.x + size * p.x, to.y + size * p.y};
+  return outline;
+}
+
+/// The check allows what doubles leave open: which of two sites is nearer, where coordinates have few steps
+/// to the outline, or the outline is far larger than the ways between its edges and places beside it.
+TEST(OutlineCells, passTheCheckWhereDoublesAreCoarse) {
+  const Outline star = outlineOf({{coast({0.5, 0.5}, 0.4, 12, 0.3, 3)}});
+  struct Coarse {
+    double size;
+    Point at;
+  };
+  for (const auto& [size, at] :
+       {Coarse{1, {0, 0}}, {4e-13, {0.85, 0.7}}, {0.2, {1e11, -3e8}}, {7, {2e9, 0}}}) {
+    SCOPED_TRACE(testing::Message() << size << " at " << at.x << ", " << at.y);
+    const auto outline = movedTo(star, size, at);
+    const auto options = inside(outline, boxOf(outline.points));
+    Sites sites{{at.x + 0.5 * size, at.x + 0.3 * size}, {at.y + 0.5 * size, at.y + 0.45 * size}, {}};
+    sites.x.push_back(std::nextafter(sites.x[0], 1e300));
+    sites.y.push_back(sites.y[0]);
+    EXPECT_THAT(promisesOf(check(sites, options, cellsOf(sites, options))), testing::IsEmpty());
+  }
+}
+
 TEST(OutlineCells, manyLakesAndIslandsInFewCells) {
   // A lake in each square, and an island in each lake.
   std::vector<std::vector<RingPoints>> polygons{{rectangle(0, 0, 1, 1)}};
