@@ -87,8 +87,17 @@ Result<void> checkRing(const Outline& outline, std::size_t ring) {
 Result<void> checkSize(const Outline& outline) {
   const Box box = boxOf(outline.points);
   const double width = box.xmax - box.xmin, height = box.ymax - box.ymin;
-  if (std::isnormal(width * height)) return {};
-  return refuse(fmt::format("its box of {} x {} has no area that a double can hold", width, height));
+  if (!std::isnormal(width * height))
+    return refuse(fmt::format("its box of {} x {} has no area that a double can hold", width, height));
+  // Where it crosses cells the corners are rounded; of fewer steps of a coordinate nothing would be left.
+  constexpr double least = 256 * std::numeric_limits<double>::epsilon();
+  const double x = std::max(std::abs(box.xmin), std::abs(box.xmax));
+  const double y = std::max(std::abs(box.ymin), std::abs(box.ymax));
+  if (width >= least * x && height >= least * y) return {};
+  return refuse(
+      fmt::format("its box of {} x {} is too small beside its coordinates, {} and {}: it must be {:.0e} "
+                  "of them; move it nearer to the origin",
+                  width, height, x, y, least));
 }
 
 }  // namespace

@@ -21,19 +21,22 @@ struct Ring {
 };
 
 struct Extent {
-  double area = 0, perimeter = 0, largest = 0;  ///< `largest` is that of the coordinates
+  double area = 0, perimeter = 0;
+  double across = 0;  ///< by how much the area changes if every coordinate does by this part of itself
 };
 
 Extent extentOf(std::span<const Point> ring) {
   Extent extent;
   const Point origin = ring.front();
-  Point a = ring.back();
+  Point a = ring.back(), largest{0, 0}, way{0, 0};
   for (const Point b : ring) {
     extent.area += ((a.x - origin.x) * (b.y - origin.y) - (a.y - origin.y) * (b.x - origin.x)) / 2;
     extent.perimeter += std::hypot(b.x - a.x, b.y - a.y);
-    extent.largest = std::max({extent.largest, std::abs(b.x), std::abs(b.y)});
+    largest = {std::max(largest.x, std::abs(b.x)), std::max(largest.y, std::abs(b.y))};
+    way = {way.x + std::abs(b.x - a.x), way.y + std::abs(b.y - a.y)};
     a = b;
   }
+  extent.across = largest.x * way.y + largest.y * way.x;
   return extent;
 }
 
@@ -68,7 +71,7 @@ bool isSliver(const Ring& ring) {
   const double along = outlineLength(ring);
   if (along == 0) return false;
   const Extent extent = extentOf(ring.points);
-  return extent.area <= rounding * extent.largest * extent.perimeter && along >= share * extent.perimeter;
+  return extent.area <= rounding * extent.across && along >= share * extent.perimeter;
 }
 
 bool contains(std::span<const Point> ring, Point p) {

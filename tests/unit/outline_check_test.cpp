@@ -63,6 +63,28 @@ std::string refusalOf(const Outline& outline, Periodic periodic = Periodic::none
   return cells.error().message;
 }
 
+TEST(OutlineCheck, outlinesOfAFewStepsOfACoordinateAreRefused) {
+  for (const auto& [x, y] : {std::pair{1e9, 0.0}, {0.0, -1e9}, {1e9, 1e9}}) {
+    const auto box = [x = x, y = y](double size) {
+      return outlineOf({{rectangle(x - size, y - size, x + size, y + size)}});
+    };
+    EXPECT_THAT(refusalOf(box(2e-5)), testing::HasSubstr("is too small beside its coordinates"));
+    const auto options = inside(box(4e-5), boxOf(box(4e-5).points));
+    const Sites sites{{x, x + 3e-5}, {y, y}, {}};
+    const auto cells = cellsOf(sites, options);
+    EXPECT_EQ(cells.report.ok, 2u);
+    EXPECT_THAT(promisesOf(check(sites, options, cells)), testing::IsEmpty());
+  }
+}
+
+/// What rounding may have left of a flat outline follows from the coordinates that its width is seen in.
+TEST(OutlineCheck, aFlatOutlineIsNoSliver) {
+  const auto outline =
+      outlineOf({{rectangle(14584461286.9, 23478324.999997146, 14584461289.1, 23478325.000002854)}});
+  const auto options = inside(outline, boxOf(outline.points));
+  EXPECT_EQ(cellsOf({{14584461289}, {23478326}, {}}, options).report.ok, 1u);
+}
+
 TEST(OutlineCheck, outlinesThatAreNoPolygonsAreRefusedWithThePlace) {
   const auto has = [](const std::string& text) { return testing::HasSubstr(text); };
   EXPECT_THAT(refusalOf(outlineOf({{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}}})), has("at (0.5, 0.5)"));
