@@ -95,7 +95,32 @@ class ClippedWriting {
                                            : label(i, neighbor, cells_.vertex(old + k),
                                                    cells_.vertex(k + 1 < count ? old + k + 1 : old));
     }
-    if (count > 0) to_.ring_starts[first_ring] = out;
+    if (count == 0) return;
+    to_.ring_starts[first_ring] = out;
+    measureKept(i, old, count);
+  }
+
+  /// Ties move vertices; the area of a plain diagram is that from before. But cells that are cut are measured
+  /// as they are drawn, and all are to add up to what is inside.
+  void measureKept(std::size_t i, std::size_t begin, std::size_t count) {
+    constexpr double rounding = 1e-12;
+    const Point origin = cells_.vertex(begin);
+    relative_.clear();
+    for (std::size_t k = 0; k < count; ++k) {
+      const Point p = cells_.vertex(begin + k);
+      relative_.push_back({p.x - origin.x, p.y - origin.y});
+    }
+    const Measures m = measurePolygon(relative_);
+    const double area = cells_.scaled(diagram_.area[i], 2);
+    if (std::abs(m.area - area) > rounding * area) writeMeasures(i, origin, m);
+  }
+
+  void writeMeasures(std::size_t i, Point origin, const Measures& m) {
+    diagram_.area[i] = cells_.unscaled(m.area, 2);
+    diagram_.perimeter[i] = cells_.unscaled(m.perimeter);
+    diagram_.centroid[i] = cells_.unscaled(Point{origin.x + m.centroid.x, origin.y + m.centroid.y});
+    for (std::size_t k = 0; k < 3; ++k)
+      diagram_.second_moments[i][k] = cells_.unscaled(m.second_moments[k], 4);
   }
 
   void replace(std::size_t i, const ClippedCell& cell, std::size_t first_ring) {
@@ -116,12 +141,7 @@ class ClippedWriting {
       to_.ring_starts[first_ring + r] = out + cell.first[r];
       measures.add(relative_, cell.hole[r]);
     }
-    const Measures m = measures.total();
-    diagram_.area[i] = cells_.unscaled(m.area, 2);
-    diagram_.perimeter[i] = cells_.unscaled(m.perimeter);
-    diagram_.centroid[i] = cells_.unscaled(Point{origin.x + m.centroid.x, origin.y + m.centroid.y});
-    for (std::size_t k = 0; k < 3; ++k)
-      diagram_.second_moments[i][k] = cells_.unscaled(m.second_moments[k], 4);
+    writeMeasures(i, origin, measures.total());
   }
 
   /// The neighbor of cell i across the edge from a to b, which was `neighbor` when it was clipped.

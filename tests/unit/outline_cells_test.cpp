@@ -260,6 +260,23 @@ TEST(OutlineCells, passTheCheckWhereDoublesAreCoarse) {
   }
 }
 
+/// Crosses of four sites whose middle edges are ties: the vertices of whole cells are moved by that, as those
+/// of cut ones are.
+TEST(OutlineCells, tiesMoveWholeCellsAsTheyDoCutOnes) {
+  Sites sites;
+  for (int k = 0; k < 64; ++k) {
+    const Point middle{0.0625 + 0.125 * (k % 8), 0.0625 + 0.125 * std::floor(k / 8.0)};
+    for (const auto& [x, y] : {Point{0.02, 0}, {0, 0.02 * (1 + 9e-7)}, {-0.02, 0}, {0, -0.02 * (1 + 9e-7)}}) {
+      sites.x.push_back(middle.x + x);
+      sites.y.push_back(middle.y + y);
+    }
+  }
+  const auto options = inside(outlineOf({{coast({0.5, 0.5}, 0.4, 12, 0.3, 3)}}));
+  const auto cells = cellsOf(sites, options);
+  EXPECT_THAT(promisesOf(check(sites, options, cells)), testing::IsEmpty());
+  expectWhole(cells);
+}
+
 TEST(OutlineCells, manyLakesAndIslandsInFewCells) {
   // A lake in each square, and an island in each lake.
   std::vector<std::vector<RingPoints>> polygons{{rectangle(0, 0, 1, 1)}};
