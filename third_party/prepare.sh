@@ -40,6 +40,7 @@ installPackages() {
     as_root=(sudo)
   fi
   note "vorpipe: installing ${missing[*]}"
+  packages_changed=1
   local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q)
   "${apt[@]}" update >"$root/build/packages.log" 2>&1
   if ! "${apt[@]}" install -y --no-install-recommends "${missing[@]}" >>"$root/build/packages.log" 2>&1; then
@@ -68,8 +69,8 @@ requireTools() {
   done
 }
 
-# buildPreset preset target...: configures when needed, and builds. Its output goes to
-# build/<preset>.log, and to standard error when something failed.
+# buildPreset preset target...: configures when needed, which it is as well where packages came just now, and
+# builds. Its output goes to build/<preset>.log, and to standard error when something failed.
 buildPreset() {
   local preset=$1 dir=$root/build/$1 log=$root/build/$1.log
   shift
@@ -77,6 +78,8 @@ buildPreset() {
   if [[ ! -f $dir/build.ninja ]] || ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$dir/CMakeCache.txt"; then
     note "vorpipe: building in build/$preset; the first time this takes a few minutes"
     cmake -S "$root" --preset "$preset" --fresh >"$log" 2>&1 || { cat "$log" >&2; return 1; }
+  elif [[ -n ${packages_changed-} ]]; then
+    cmake -S "$root" --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; return 1; }
   fi
   ninja -C "$dir" "$@" >"$log" 2>&1 || { cat "$log" >&2; return 1; }
 }
