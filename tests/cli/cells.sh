@@ -43,10 +43,10 @@ for sites in square:400 hex:400 circle:700 circle:300 random:1 random:2; do
   succeeds "cells of $sites" cells --backend cpu --sites $sites --check --stats out/cells.json
 done
 
-if $numpy_python -c 'import numpy' 2>/dev/null; then
+if has_numpy; then
   name="NumPy reads the cells"
   cases=$((cases + 1))
-  $numpy_python - out/cells1.npz >log/out 2>log/err <<'PYTHON' || fail "NumPy does not"
+  "$python" - out/cells1.npz >log/out 2>log/err <<'PYTHON' || fail "NumPy does not"
 import sys
 import numpy
 cells = numpy.load(sys.argv[1])
@@ -62,7 +62,7 @@ for begin, end, area in zip(offsets[:-1], offsets[1:], cells["areas"]):
     assert abs((x * numpy.roll(y, -1) - y * numpy.roll(x, -1)).sum() / 2 - area) < 1e-12
 PYTHON
 else
-  echo "SKIPPED: NumPy reads the cells: $numpy_python has no numpy" >&2
+  skipped "NumPy reads the cells" "there is no python3 with NumPy"
 fi
 
 printf 'x,y,weight\n1,0,5\n2,3,6\n1,0,7\n' >in/cells.csv
@@ -85,6 +85,8 @@ fails 2 "cells on an unknown backend" "--backend" cells --backend nope --sites r
 fails 3 "cells, geometry shader masked" "geometryShader" cells --backend vulkan-geometry --disable geometryShader --sites random:9 -o out/old.csv
 if [ -w /dev/full ]; then
   fails 3 "cells, a full disk" "/dev/full" cells --backend cpu --sites random:9 -o out/old.csv --stats /dev/full
+else
+  skipped "a full disk" "there is no /dev/full"
 fi
 
 finish

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Files of cells, read by programs that are not ours and compared with the .npz.
 
-Usage: cells_readers.py VORPIPE. A missing reader is said to be SKIPPED; exits with 77 without NumPy.
+Usage: cells_readers.py VORPIPE. A missing reader is said to be SKIPPED, in the file that VORPIPE_SKIPPED names as
+well; exits with 77 without NumPy.
 """
 
 import csv
@@ -13,10 +14,19 @@ import sys
 import tempfile
 import xml.etree.ElementTree
 
+
+def report_skipped(part, reason):
+    """A line for ../skipped.sh; no part is the whole test."""
+    print(f"SKIPPED: {part or 'all readers'}: {reason}")
+    if path := os.environ.get("VORPIPE_SKIPPED"):
+        with open(path, "a") as file:
+            file.write(f"{os.environ.get('VORPIPE_TEST_NAME', '')}\t{part}\t{reason}\n")
+
+
 try:
     import numpy as np
 except ImportError:
-    print("SKIPPED: there is no NumPy, and with it nothing to compare with")
+    report_skipped("", "there is no NumPy, and with it nothing to compare with")
     sys.exit(77)
 
 sys.dont_write_bytecode = True  # the modules beside this one are in the source tree
@@ -232,12 +242,13 @@ def main():
                 try:
                     missing = check(cells)
                     if missing:
-                        skipped.add(f"SKIPPED: {check.__name__}: there is no {missing}")
+                        skipped.add((check.__name__, f"there is no {missing}"))
                 except Exception as error:  # whatever a reader throws
                     failures += 1
                     print(f"FAILED: {check.__name__} of {' '.join(scene.options)}: {error!r}"[:300])
         os.chdir("/")
-    print("\n".join(sorted(skipped)))
+    for part, reason in sorted(skipped):
+        report_skipped(part, reason)
     print(f"{failures} checks failed, {len(skipped)} of {len(CHECKS)} readers are missing")
     return failures > 0
 

@@ -44,6 +44,8 @@ if [ "$gigabytes" -lt 500 ]; then
     read -r gigabytes unit options <<<"$detail"
     refuses "pictures that take $gigabytes GB" "--sites: needs about $gigabytes $unit" --sites random:2147483647 $options
   done
+else
+  skipped "more sites than memory" "there are $gigabytes GB of memory"
 fi
 refuses "more sites than indices" "--sites: random:2147483648" --sites random:2147483648
 fails 2 "an option where a file belongs" "-o" render --backend cpu --sites random:9 -o --quiet
@@ -122,6 +124,8 @@ if [ -w /dev/full ]; then
   cases=$((cases + 1))
   "$vorpipe" devices --json >/dev/full 2>log/err && fail "exit code 0"
   one_line
+else
+  skipped "a full disk" "there is no /dev/full"
 fi
 
 # -- Devices that are not there -------------------------------------------------------------------------

@@ -79,9 +79,19 @@ expect() { grep -qF -- "$1" log/out || fail "standard output does not say '$1'";
 
 rm -rf out && mkdir out
 
+# skipped PART REASON: a part that cannot run here; ../skipped.sh counts it.
+skipped() {
+  echo "SKIPPED: $1: $2" >&2
+  if [ -n "${VORPIPE_SKIPPED-}" ]; then
+    printf '%s\t%s\t%s\n' "${VORPIPE_TEST_NAME-}" "$1" "$2" >>"$VORPIPE_SKIPPED" || fail "cannot write to $VORPIPE_SKIPPED"
+  fi
+}
+
 # The backends that take --backend by a name of their own.
 backends="cpu vulkan-geometry vulkan-compute opengl"
-numpy_python=/usr/bin/python3
+# The build says which Python: a machine may have several, of which not all have NumPy.
+python=${VORPIPE_TEST_PYTHON:-python3}
+has_numpy() { "$python" -c 'import numpy' 2>/dev/null; }
 
 finish() {
   echo "$cases cases, $failures failures"

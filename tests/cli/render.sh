@@ -62,7 +62,11 @@ cases=$((cases + 1))
 cmp -s out/a.npy out/piped.npy || fail "not the ids alone are on standard output"
 succeeds "a note is for terminals" render --sites random:9 --size 9x9 --verbose -o out/n.png
 [ "$(wc -l <log/out)" -eq 1 ] || fail "not one line on standard output"
-if command -v script >/dev/null && script --version 2>/dev/null | grep -q util-linux; then
+if ! script --version 2>/dev/null | grep -q util-linux; then
+  skipped "a note on a terminal" "there is no script of util-linux"
+elif ! script -qec true /dev/null >log/out 2>log/err </dev/null; then
+  skipped "a note on a terminal" "there is no pseudo-terminal: $(head -n 1 log/err)"
+else
   name="a note on a terminal"
   cases=$((cases + 1))
   script -qec "'$vorpipe' render --sites random:9 --size 9x9 --verbose -o out/n.png >log/out" log/terminal </dev/null >log/err || fail "exit code $?"

@@ -14,8 +14,6 @@
 namespace vorpipe::test {
 namespace {
 
-constexpr auto without_numpy = "there is no /usr/bin/python3 with NumPy";
-
 TEST(NpyHeader, IsAligned) {
   const std::vector<std::uint64_t> shapes = {5, 3, 12345678901};
   for (std::size_t dimensions = 1; dimensions <= shapes.size(); ++dimensions) {

@@ -50,7 +50,7 @@ TEST_F(Npy, ReadsWhatNumPyWrites) {
              "            with open(f'{n}.npy', 'wb') as f:\n"
              "                np.lib.format.write_array(f, np.array(a, t, order=order), version)\n"
              "            n += 1\n")) {
-    GTEST_SKIP() << "there is no /usr/bin/python3 with NumPy";
+    GTEST_SKIP() << without_numpy;
   }
   for (int n = 0; n < 24; ++n) {
     SCOPED_TRACE(n);
@@ -66,7 +66,7 @@ TEST_F(Npy, ReadsTwoColumnsInManyChunks) {
   if (!numpy("a = np.arange(400000.0).reshape(200000, 2)\n"
              "np.save('c.npy', a)\n"
              "np.save('f.npy', np.asfortranarray(a))\n")) {
-    GTEST_SKIP() << "there is no /usr/bin/python3 with NumPy";
+    GTEST_SKIP() << without_numpy;
   }
   for (const char* name : {"c.npy", "f.npy"}) {
     const auto sites = readSites(path(name));
@@ -142,7 +142,7 @@ TEST_F(Npy, IdsComeBack) {
   if (!numpy("a = np.load('ids.npy')\n"
              "assert a.dtype == np.uint32 and a.shape == (2, 3) and a.flags.c_contiguous\n"
              "assert a.tolist() == [[0, 1, 2], [4294967295, 70000, 0x01020304]]\n")) {
-    GTEST_SKIP() << "there is no /usr/bin/python3 with NumPy to read the ids";
+    GTEST_SKIP() << without_numpy;
   }
 }
 
@@ -157,7 +157,7 @@ TEST_F(Npy, ReadsIdsOfEveryIntegerType) {
              "np.save('negative.npy', np.array([[0, 1], [-2, 3]], np.int32))\n"
              "np.save('real.npy', np.zeros((2, 2)))\n"
              "np.save('flat.npy', np.zeros(4, np.uint32))\n")) {
-    GTEST_SKIP() << "there is no /usr/bin/python3 with NumPy";
+    GTEST_SKIP() << without_numpy;
   }
   for (const char* name : {"<i4", "<i4f", ">i4", ">i4f", "<i8", "<i8f", ">i8f", "<u4", ">u4f", "<u8"}) {
     const auto read = readNpyIds(path(name) + ".npy");

@@ -158,7 +158,7 @@ TEST_F(DensityFile, sixteenBitsAreKept) {
           "open('b.png', 'wb').write(b'\\x89PNG\\r\\n\\x1a\\n' + chunk(b'IHDR', struct.pack('>IIBBBBB', 2, "
           "2, 16, "
           "0, 0, 0, 0)) + chunk(b'IDAT', zlib.compress(rows)) + chunk(b'IEND', b''))\n")) {
-    GTEST_SKIP() << "no NumPy";
+    GTEST_SKIP() << without_numpy;
   }
   const auto density = readDensity(path("b.png"));
   ASSERT_TRUE(density) << density.error().message;
@@ -173,7 +173,7 @@ TEST_F(DensityFile, arraysAreTakenAsTheyAre) {
              "np.save('b.npy', np.asfortranarray(np.array([[1, 2, 3], [4, 5, 6]], dtype=np.uint16)))\n"
              "np.save('c.npy', np.array([[1, -2.5]], dtype=np.float32))\n"
              "np.save('d.npy', np.array([1, 2, 3.0]))\n")) {
-    GTEST_SKIP() << "no NumPy";
+    GTEST_SKIP() << without_numpy;
   }
   const auto a = readDensity(path("a.npy"));
   ASSERT_TRUE(a) << a.error().message;

@@ -14,6 +14,8 @@
 
 namespace vorpipe::test {
 
+inline constexpr auto without_numpy = "there is no python3 with NumPy";
+
 class InTemporaryDirectory : public ::testing::Test {
  protected:
   InTemporaryDirectory() {
@@ -28,6 +30,7 @@ class InTemporaryDirectory : public ::testing::Test {
     std::filesystem::remove_all(directory_, ignored);
   }
 
+  [[nodiscard]] std::string directory() const { return directory_.string(); }
   [[nodiscard]] std::string path(std::string_view name) const { return (directory_ / name).string(); }
 
   std::string write(std::string_view name, std::string_view bytes) const {
@@ -44,13 +47,16 @@ class InTemporaryDirectory : public ::testing::Test {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(directory_), {}));
   }
 
-  /// Runs Python with NumPy in the directory; false where there is none, having said so.
+  /// Runs Python with NumPy in the directory; false where there is none. The build says which Python: a
+  /// machine may have several, of which not all have NumPy.
   [[nodiscard]] bool numpy(const std::string& program) const {
-    const std::string script = write("script.py", "import numpy as np\n" + program);
-    if (std::system("/usr/bin/python3 -c 'import numpy' 2>/dev/null") != 0) {
+    write("script.py", "import numpy as np\n" + program);
+    const char* const chosen = std::getenv("VORPIPE_TEST_PYTHON");
+    const std::string python = "'" + std::string(chosen == nullptr ? "python3" : chosen) + "'";
+    if (std::system((python + " -c 'import numpy' 2>/dev/null").c_str()) != 0) {
       return false;
     }
-    EXPECT_EQ(std::system(("cd '" + directory_.string() + "' && /usr/bin/python3 script.py").c_str()), 0);
+    EXPECT_EQ(std::system(("cd '" + directory_.string() + "' && " + python + " script.py").c_str()), 0);
     return true;
   }
 
