@@ -1,26 +1,18 @@
 /// The cells of every backend, by name, against exact arithmetic: the data sets at small sizes, searches,
 /// and devices that can do less. The program exact_cells does the same at any size.
-///
-/// Real sites are read from the folder VORPIPE_TEST_DATA, if it is set.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
-#include <filesystem>
 #include <map>
-#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
-#include "io/sites_file.h"
+#include "exact_fixture.h"
 #include "support/backends.h"
 #include "support/data_sets.h"
-#include "support/exact_comparison.h"
-#include "support/exact_triangles.h"
-#include "support/shared.h"
 
 namespace vorpipe::test {
 namespace {
@@ -41,24 +33,6 @@ const Judged& judged(const std::string& name, std::uint64_t n) {
     place->second.exact = exactCells(place->second.set.sites, place->second.set.domain);
   }
   return place->second;
-}
-
-CellsOptions cellsOptions(const Box& domain, Search method = Search::grid, int neighbors = 30) {
-  CellsOptions options{};
-  options.domain = domain;
-  options.search = {method, neighbors};
-  return options;
-}
-
-void expectExact(Session& session, const Sites& sites, const CellsOptions& options, const ExactCells& exact) {
-  const auto diagram = session.cells(sites, options);
-  ASSERT_TRUE(diagram) << diagram.error().message;
-  EXPECT_EQ(diagram->report.validation_messages, std::vector<std::string>{});
-  const auto comparison = compareWithExact(*diagram, sites, options.domain, exact);
-  EXPECT_TRUE(comparison.agree()) << comparison.summary();
-  for (const auto& fault : comparison.first) ADD_FAILURE() << fault;
-  for (const auto& fault : findTriangleFaults(*diagram, sites, options.domain, exact).first)
-    ADD_FAILURE() << fault;
 }
 
 /// What a device is said to lack.
@@ -83,25 +57,6 @@ const std::vector<Masked>& masks() {
 bool lacks(const Mask& mask, const std::string& feature) {
   return std::find(mask.disabled.begin(), mask.disabled.end(), feature) != mask.disabled.end();
 }
-
-/// Opens a backend's session once; it serves all tests of the process.
-class OnBackend {
- protected:
-  static BackendOptions backendOptions(const std::string& name) {
-    BackendOptions options;
-    options.name = name;
-    options.validation = true;
-    return options;
-  }
-
-  static Session& session(const std::string& name) {
-    return Shared<Session>::get(name, [&] {
-      auto opened = Session::open(backendOptions(name));
-      if (!opened) throw std::runtime_error(opened.error().message);
-      return std::move(*opened);
-    });
-  }
-};
 
 class AgainstExactCells : public testing::TestWithParam<std::tuple<const char*, std::string>>,
                           protected OnBackend {
@@ -201,35 +156,6 @@ TEST_P(ExactOnBackend, whereTheSitesExceedTheTexels) {
   auto masked = Session::open(options);
   ASSERT_TRUE(masked) << masked.error().message;
   expectExact(*masked, set.sites, cellsOptions(set.domain), exact);
-}
-
-TEST_P(ExactOnBackend, forRealSites) {
-  const char* folder = std::getenv("VORPIPE_TEST_DATA");
-  if (!folder) GTEST_SKIP() << "VORPIPE_TEST_DATA names no folder of real sites";
-  // Not those with sites nearer to each other than 1e-12 of the domain, and not the largest.
-  std::vector<std::string> names{"navaids", "jcv_issue91", "delaunator_robustness4"};
-  for (int i = 1; i <= 11; ++i) names.push_back("voronoice_degenerated" + std::to_string(i));
-  for (const auto& name : names) {
-    SCOPED_TRACE(name);
-    const auto sites = readSites((std::filesystem::path(folder) / (name + ".csv")).string());
-    ASSERT_TRUE(sites) << sites.error().message;
-    const auto domain = boxAround(*sites);
-    expectExact(session(GetParam()), *sites, cellsOptions(domain), exactCells(*sites, domain));
-  }
-}
-
-TEST_P(ExactOnBackend, forRealCities) {
-  const char* folder = std::getenv("VORPIPE_TEST_DATA");
-  if (!folder) GTEST_SKIP() << "VORPIPE_TEST_DATA names no folder of real sites";
-  const auto cities = readSites((std::filesystem::path(folder) / "us_cities.csv").string());
-  ASSERT_TRUE(cities) << cities.error().message;
-  const auto domain = boxAround(*cities);
-  for (const double square_degrees_each : {0.0, 1e-7, 1e-6, 1e-5, 1.0}) {
-    SCOPED_TRACE(square_degrees_each);
-    auto sites = *cities;
-    for (auto& weight : sites.weight) weight *= square_degrees_each;
-    expectExact(session(GetParam()), sites, cellsOptions(domain), exactCells(sites, domain));
-  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, ExactOnBackend, testing::ValuesIn(backend_names),

@@ -174,7 +174,8 @@ DataSet makeDataSet(std::string_view name, std::uint64_t n, std::uint64_t seed) 
 Box boxAround(const Sites& sites) {
   const auto [left, right] = std::minmax_element(sites.x.begin(), sites.x.end());
   const auto [bottom, top] = std::minmax_element(sites.y.begin(), sites.y.end());
-  const double margin = 0.05 * std::max(*right - *left, *top - *bottom);
+  const double longer = std::max(*right - *left, *top - *bottom);
+  const double margin = longer > 0 ? 0.05 * longer : 0.5;
   return {*left - margin, *bottom - margin, *right + margin, *top + margin};
 }
 

@@ -30,7 +30,8 @@ const std::vector<DataSetKind>& weightedSetKinds();
 /// same sites. Throws std::invalid_argument for a name that is in neither list.
 DataSet makeDataSet(std::string_view name, std::uint64_t n, std::uint64_t seed);
 
-/// The box of the sites, grown by 5 % of its longer side: the domain of sites from a file.
+/// The box of the sites, grown by 5 % of its longer side, or by 0.5 where all are equal: the domain of sites
+/// from a file.
 Box boxAround(const Sites& sites);
 
 }  // namespace vorpipe::test

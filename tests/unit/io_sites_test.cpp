@@ -7,9 +7,11 @@
 #include <string>
 #include <string_view>
 
+#include "another_user.h"
 #include "io/site_source.h"
 #include "io/sites_file.h"
 #include "io_test_files.h"
+#include "support/real_sets.h"
 
 namespace vorpipe::test {
 namespace {
@@ -68,9 +70,8 @@ TEST_F(SitesFile, RefusesPaths) {
 }
 
 TEST_F(SitesFile, RefusesAFileWithoutPermission) {
-  if (::geteuid() == 0) {
-    GTEST_SKIP() << "root may read every file";
-  }
+  const AnotherUser user(directory());
+  if (!user.whyNot().empty()) GTEST_SKIP() << user.whyNot();
   const std::string file = write("a.csv", "x,y\n1,2\n");
   ::chmod(file.c_str(), 0);
   EXPECT_EQ(readSites(file).error().message, file + ": cannot be read: Permission denied");
@@ -86,18 +87,12 @@ TEST_F(SitesFile, ReadsFromAPipe) {
 }
 
 TEST_F(SitesFile, ReadsTheRealSets) {
-  const char* const folder = std::getenv("VORPIPE_TEST_DATA");
-  if (folder == nullptr || !std::filesystem::is_directory(folder)) {
-    GTEST_SKIP() << "VORPIPE_TEST_DATA names no folder with real point sets";
-  }
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() != ".csv") {
-      continue;
-    }
-    SCOPED_TRACE(entry.path());
-    std::ifstream in(entry.path());
-    const auto lines = static_cast<std::size_t>(std::count(std::istreambuf_iterator<char>(in), {}, '\n'));
-    const auto sites = readSites(entry.path().string());
+  for (const RealSet& set : realSets()) {
+    SCOPED_TRACE(set.path);
+    std::ifstream in(set.path);
+    std::size_t lines = 0;
+    for (std::string line; std::getline(in, line);) lines += line.find_first_not_of(" \t\r") != line.npos;
+    const auto sites = readSites(set.path);
     ASSERT_TRUE(sites) << sites.error().message;
     EXPECT_EQ(sites->size(), lines - 1);
   }

@@ -1,0 +1,91 @@
+/// Real sites, and sites that were hard, on every backend: all .csv files of tests/data and of the folder
+/// that VORPIPE_TEST_DATA names. Cells are held to exact arithmetic, cells and pictures to what --check looks
+/// at.
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "exact_fixture.h"
+#include "io/sites_file.h"
+#include "support/backends.h"
+#include "support/oracle.h"
+#include "support/real_sets.h"
+
+namespace vorpipe::test {
+namespace {
+
+/// CGAL needs some 30 us for each site: more than so many are for the check alone.
+constexpr std::size_t most_exact = 200'000;
+/// Brute force over each site for each pixel: more than so many are for the check alone.
+constexpr std::size_t most_distances = 50'000'000;
+constexpr std::size_t width = 300, height = 200;
+
+class RealSites : public testing::TestWithParam<std::tuple<const char*, RealSet>>, protected OnBackend {
+ protected:
+  void SetUp() override {
+    SKIP_UNUSABLE(backend());
+    const auto sites = readSites(std::get<1>(GetParam()).path);
+    ASSERT_TRUE(sites) << sites.error().message;
+    cases_ = casesOf(*sites);
+  }
+  static const char* backend() { return std::get<0>(GetParam()); }
+  static Session& session() { return OnBackend::session(backend()); }
+  [[nodiscard]] const std::vector<RealCase>& cases() const { return cases_; }
+
+ private:
+  std::vector<RealCase> cases_;
+};
+
+void expectNothingBroken(const Result<std::vector<std::string>>& broken) {
+  ASSERT_TRUE(broken) << broken.error().message;
+  EXPECT_EQ(*broken, std::vector<std::string>{});
+}
+
+void expectCells(Session& session, const Sites& sites, const Box& domain) {
+  const auto options = cellsOptions(domain);
+  const auto diagram = session.cells(sites, options);
+  ASSERT_TRUE(diagram) << diagram.error().message;
+  EXPECT_EQ(diagram->report.validation_messages, std::vector<std::string>{});
+  if (sites.size() <= most_exact) expectExact(*diagram, sites, domain, exactCells(sites, domain));
+  expectNothingBroken(check(sites, options, *diagram));
+}
+
+void expectPicture(Session& session, const Sites& sites, const Box& domain) {
+  RenderOptions options{};
+  options.domain = domain;
+  options.width = int{width};
+  options.height = int{height};
+  const auto rendering = session.render(sites, options);
+  ASSERT_TRUE(rendering) << rendering.error().message;
+  EXPECT_EQ(rendering->report.validation_messages, std::vector<std::string>{});
+  expectNothingBroken(check(sites, options, *rendering));
+  if (sites.weight.empty() && sites.size() * width * height <= most_distances)
+    expectNearestEverywhere(rendering->image, sites, domain);
+}
+
+TEST_P(RealSites, haveTheirCells) {
+  for (const auto& [what, sites, domain] : cases()) {
+    SCOPED_TRACE(what);
+    expectCells(session(), sites, domain);
+  }
+}
+
+TEST_P(RealSites, areDrawn) {
+  for (const auto& [what, sites, domain] : cases()) {
+    SCOPED_TRACE(what);
+    expectPicture(session(), sites, domain);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, RealSites,
+                         testing::Combine(testing::ValuesIn(backend_names), testing::ValuesIn(realSets())),
+                         [](const auto& instance) {
+                           return testName(std::get<0>(instance.param)) + "_" +
+                                  std::get<1>(instance.param).name;
+                         });
+
+}  // namespace
+}  // namespace vorpipe::test
