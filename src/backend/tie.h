@@ -8,17 +8,17 @@
 namespace vorpipe {
 
 /// An edge is a tie when it is shorter than this part of the distance between its two sites, or of the
-/// domain's longer side if that is shorter: a domain that is small among its sites has cells all the same.
+/// domain's shorter side if that is less: a domain that is small among its sites has cells all the same.
 inline constexpr double shortest_edge = 1e-6;
 
 /// What the length of an edge is compared with a part of, given the distance between its sites.
 template <class Real>
-Real tieScale(const Real& distance, double longer_side) {
-  return distance < Real(longer_side) ? distance : Real(longer_side);
+Real tieScale(const Real& distance, double shorter_side) {
+  return distance < Real(shorter_side) ? distance : Real(shorter_side);
 }
 
-inline double longerSide(const Box& domain) {
-  return std::max(domain.xmax - domain.xmin, domain.ymax - domain.ymin);
+inline double shorterSide(const Box& domain) {
+  return std::min(domain.xmax - domain.xmin, domain.ymax - domain.ymin);
 }
 
 }  // namespace vorpipe

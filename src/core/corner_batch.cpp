@@ -82,19 +82,19 @@ FOR_WIDE_TOO void CornerBatch::place() {
       farthest = farthest > squared ? farthest : squared;
     }
   }
-  const double longer_side = longerSide(sites_.domain);
-  if (farthest > longer_side * longer_side) measureFarEdges(longer_side);
+  const double shorter_side = shorterSide(sites_.domain);
+  if (farthest > shorter_side * shorter_side) measureFarEdges(shorter_side);
 }
 
-/// The excess length of every edge, whose sites may be farther apart than the domain's longer side: so few
+/// The excess length of every edge, whose sites may be farther apart than the domain's shorter side: so few
 /// are that a root for each would be too much.
-void CornerBatch::measureFarEdges(double longer_side) {
+void CornerBatch::measureFarEdges(double shorter_side) {
   for (std::size_t e = 0; e < edges_; ++e) {
     for (std::size_t k = 0; k < cells_; ++k) {
       const Point way = wayBetween(placeOf(k, e), placeOf(k, after(e)));
       const auto c = at(k, e);
       excess_[c] =
-          excessLength(other_x_[c] - site_x_[k], other_y_[c] - site_y_[k], way.x, way.y, longer_side);
+          excessLength(other_x_[c] - site_x_[k], other_y_[c] - site_y_[k], way.x, way.y, shorter_side);
     }
   }
 }

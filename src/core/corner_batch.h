@@ -63,7 +63,7 @@ class CornerBatch {
   void placeAll();
   void placeWhereUnsure();
   void placeUnsure();
-  void measureFarEdges(double longer_side);
+  void measureFarEdges(double shorter_side);
   void takeOrigins();
   void measureAbout(const ByCell& x, const ByCell& y);
 

@@ -157,7 +157,7 @@ class ClippedWriting {
   /// Whether the edge of cell i from a to b is one of cell j, from b to a, and no tie.
   [[nodiscard]] bool isCommon(std::size_t i, std::size_t j, Point a, Point b) const {
     const Point p = cells_.site(i), q = cells_.site(j);
-    const double scale = tieScale(lengthOf({q.x - p.x, q.y - p.y}), longerSide(cells_.domain()));
+    const double scale = tieScale(lengthOf({q.x - p.x, q.y - p.y}), shorterSide(cells_.domain()));
     if (lengthOf({b.x - a.x, b.y - a.y}) <= shortest_edge * scale) return false;
     const auto site = static_cast<std::int64_t>(i);
     if (clipped_.fate[j] == Fate::inside) {

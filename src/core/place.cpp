@@ -160,9 +160,9 @@ EdgeSpan edgeSpan(const SiteSet& sites, std::int32_t cell, std::int32_t before, 
   const Point other = siteAt(sites, neighbor);
   const double dx = other.x - site.x, dy = other.y - site.y;
   const double distance = lengthOf({dx, dy});
-  const double longer_side = longerSide(sites.domain);
-  const double shortest = shortest_edge * tieScale(distance, longer_side);
-  return {excessLength(dx, dy, way.x, way.y, longer_side), (shortest + rounding) * distance,
+  const double shorter_side = shorterSide(sites.domain);
+  const double shortest = shortest_edge * tieScale(distance, shorter_side);
+  return {excessLength(dx, dy, way.x, way.y, shorter_side), (shortest + rounding) * distance,
           shortest + rounding};
 }
 

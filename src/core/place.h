@@ -52,17 +52,17 @@ void placeCorners(const SiteSet& sites, std::size_t cell, std::span<const std::i
                   std::vector<Place>& corners);
 
 /// How much longer than a tie an edge is, times the distance between its sites, where that is no longer than
-/// the domain's longer side: (dx, dy) is the way from the cell's site to its neighbor's, (ex, ey) that from
+/// the domain's shorter side: (dx, dy) is the way from the cell's site to its neighbor's, (ex, ey) that from
 /// the edge's beginning to its end. Turned around, for the neighbor, it is the same to the bit.
 inline double excessLength(double dx, double dy, double ex, double ey) {
   return (dx * ey - dy * ex) - shortest_edge * (dx * dx + dy * dy);
 }
 
 /// The same for sites at any distance.
-inline double excessLength(double dx, double dy, double ex, double ey, double longer_side) {
+inline double excessLength(double dx, double dy, double ex, double ey, double shorter_side) {
   const double squared = dx * dx + dy * dy;
-  if (!(squared > longer_side * longer_side)) return excessLength(dx, dy, ex, ey);
-  return (dx * ey - dy * ex) - shortest_edge * longer_side * std::sqrt(squared);
+  if (!(squared > shorter_side * shorter_side)) return excessLength(dx, dy, ex, ey);
+  return (dx * ey - dy * ex) - shortest_edge * shorter_side * std::sqrt(squared);
 }
 
 /// One edge of a cell. A wall's edge counts unless rounding might have made it: were it a tie as those

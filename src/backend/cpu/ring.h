@@ -90,10 +90,10 @@ bool mayBeEmpty(const std::vector<RingEdge<Real>>& ring, const Shift<Real>& shif
 }
 
 /// Whether the edges, sorted, go once around and every length is known well enough to tell an edge from a
-/// tie. blur bounds what else may have shortened an edge; longer_side is the domain's.
+/// tie. blur bounds what else may have shortened an edge; shorter_side is the domain's.
 template <class Real>
 bool isSure(const std::vector<RingEdge<Real>>& ring, const Shift<Real>& shift, Real blur,
-            double longer_side) {
+            double shorter_side) {
   const auto count = ring.size();
   const auto cornerAfter = [&](std::size_t k) {
     const auto& a = ring[k];
@@ -108,7 +108,7 @@ bool isSure(const std::vector<RingEdge<Real>>& ring, const Shift<Real>& shift, R
   for (std::size_t k = 0; k < count; ++k) {
     const auto& edge = ring[k];
     const auto [after, closed] = cornerAfter(k);
-    const Real scale = tieScale(edge.apart, longer_side);
+    const Real scale = tieScale(edge.apart, shorter_side);
     const Real unsure = before + after + blur;
     const Real length = edge.hi - edge.lo;
     const bool is_edge = length - unsure > Real(shortest_edge) * scale;

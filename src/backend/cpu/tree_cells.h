@@ -60,7 +60,7 @@ class CellFinder {
     const auto& edges = found_.edges;
     if (edges.empty()) return CellStatus::empty;
     if (mayBeEmpty(edges, shift_)) return decide ? CellStatus::empty : CellStatus::open;
-    if (!isSure(edges, shift_, found_.blur, longerSide(sites_.domain)) && !decide) return CellStatus::open;
+    if (!isSure(edges, shift_, found_.blur, shorterSide(sites_.domain)) && !decide) return CellStatus::open;
     return CellStatus::certified;
   }
 

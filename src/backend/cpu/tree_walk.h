@@ -56,7 +56,7 @@ template <class Real, std::size_t Room>
 class TreeWalk {
  public:
   TreeWalk(const SiteSet& sites, const SiteTree& tree)
-      : sites_(sites), tree_(tree), longer_side_(longerSide(sites.domain)) {
+      : sites_(sites), tree_(tree), shorter_side_(shorterSide(sites.domain)) {
     if (!sites.grid.heaviest.empty()) heaviest_anywhere_ = sites.grid.heaviest.back();
   }
 
@@ -137,7 +137,7 @@ class TreeWalk {
 
   const SiteSet& sites_;
   const SiteTree& tree_;
-  double longer_side_;  ///< of the domain
+  double shorter_side_;  ///< of the domain
   Clip clip_;
   typename Clip::Cell cell_;
   std::uint32_t site_ = 0;

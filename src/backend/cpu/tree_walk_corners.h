@@ -173,7 +173,7 @@ bool TreeWalk<Real, Room>::mayMatter(std::size_t corner, const Offset<Real>& d) 
   const Real b = abs(cell_.nx[after] * d.y - cell_.ny[after] * d.x);
   if (liesBehind(before, d, length) || liesBehind(after, d, length)) return false;
   const Real depth = beyond / (Real(2.0) * length);
-  if (depth * turn * squared >= Real(no_edge) * tieScale(length, longer_side_) * a * b) return true;
+  if (depth * turn * squared >= Real(no_edge) * tieScale(length, shorter_side_) * a * b) return true;
   blur_ = max(blur_, depth * length / min(a, b));
   return false;
 }

@@ -114,7 +114,7 @@ bool TreeWalk<Real, Room>::mayMatter(std::size_t corner, const Bounds& bounds, R
   const Real far_b = max(abs(b[0]), abs(b[1]));
   const Real squared = far_a * far_a + far_b * far_b;
   const Real depth = (max(reached, Real(0.0)) + margin_[corner]) / (Real(2.0) * nearest);
-  const Real scale = tieScale(nearest, longer_side_);
+  const Real scale = tieScale(nearest, shorter_side_);
   if (depth * corner_[corner].turn * squared >= Real(no_edge) * scale * before * after) return true;
   const Real blur = depth * sqrt(squared) / min(before, after);
   if (blur > Real(most_blur) * noise_[corner]) return true;

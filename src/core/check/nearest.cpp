@@ -37,8 +37,10 @@ std::string wrongPlace(const CheckedCells& run, const NearestSite& nearest, std:
   const Point own = run.site(i);
   if (near == own || (run.diagram.owner[other] == i && length(near - own) <= run.rounding(i))) return {};
   const double reach = run.weighted ? std::max(run.reach(i), length(near - own)) : length(p - own);
-  const double slack = run.ties(reach) + run.rounding(i);
-  if (beyondBisector(own, near, run.lead(i, other), p) <= slack) return {};
+  const double rounding = run.rounding(i) + run.rounding(other);
+  const double beyond = beyondBisector(own, near, run.lead(i, other), p);
+  if (beyond <= run.ties(reach) + rounding) return {};
+  if (run.weighted && beyond <= run.ties(run.widerReach(i)) + rounding) return {};
   return fmt::format("({}, {}) in the cell of site {} is nearer to site {}", p.x / run.scale, p.y / run.scale,
                      i, other);
 }

@@ -19,8 +19,7 @@ struct Slack {
   [[nodiscard]] double position() const { return ties + rounding; }
 };
 
-Slack slackOf(const CheckedCells& run, std::size_t i) {
-  const double reach = run.reach(i);
+Slack slackOf(const CheckedCells& run, std::size_t i, double reach) {
   return {reach, run.rounding(i), run.ties(reach)};
 }
 
@@ -63,7 +62,9 @@ std::string wrongEdge(const CheckedCells& run, std::size_t i, std::size_t e, con
   }
   for (const Point p : {a, b}) {
     const double off = beyondEdge(run, i, e, p);
-    if (!(std::abs(off) <= slack.position())) {
+    const std::int64_t neighbor = d.neighbors[e];
+    const double far = neighbor < 0 ? 0 : run.rounding(static_cast<std::size_t>(neighbor));
+    if (!(std::abs(off) <= slack.position() + far)) {
       return fmt::format("ends {} off its line", std::abs(off) / run.scale);
     }
   }
@@ -183,20 +184,26 @@ std::string wrongCell(const CheckedCells& run, std::size_t i, const Slack& slack
   return wrongMoments(run, i, sums, slack, rounding);
 }
 
+/// What is wrong with cell i or one of its edges, or nothing.
+std::string wrongPolygon(const CheckedCells& run, std::size_t i, const Slack& slack) {
+  for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
+    const std::string wrong = wrongEdge(run, i, e, slack);
+    if (wrong.empty()) continue;
+    return fmt::format("site {}: edge {} to neighbor {} {}", i, e - run.begin(i), run.diagram.neighbors[e],
+                       wrong);
+  }
+  const std::string wrong = wrongCell(run, i, slack);
+  return wrong.empty() ? wrong : fmt::format("site {}: the cell {}", i, wrong);
+}
+
 }  // namespace
 
 void checkPolygons(const CheckedCells& run, Broken& broken) {
   broken.expect("polygons", run.size(), run.threads, [&](std::size_t i) -> std::string {
     if (!run.ok(i)) return {};
-    const Slack slack = slackOf(run, i);
-    for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
-      const std::string wrong = wrongEdge(run, i, e, slack);
-      if (wrong.empty()) continue;
-      return fmt::format("site {}: edge {} to neighbor {} {}", i, e - run.begin(i), run.diagram.neighbors[e],
-                         wrong);
-    }
-    const std::string wrong = wrongCell(run, i, slack);
-    return wrong.empty() ? wrong : fmt::format("site {}: the cell {}", i, wrong);
+    const std::string wrong = wrongPolygon(run, i, slackOf(run, i, run.reach(i)));
+    if (wrong.empty() || !run.weighted) return wrong;
+    return wrongPolygon(run, i, slackOf(run, i, run.widerReach(i)));
   });
 }
 

@@ -24,7 +24,7 @@ inline double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 inline double length(Point a) { return std::sqrt(dot(a, a)); }
 
-/// Of a cell's reach, or of the domain's longer side if that is shorter: how far ties, each shorter than 1e-6
+/// Of a cell's reach, or of the domain's shorter side if that is less: how far ties, each shorter than 1e-6
 /// of either, may move a vertex. A vertex stands for all that they join, which are more where weights make
 /// many cells nearly meet in a point.
 inline constexpr double tie_slack = 1e-5, weighted_tie_slack = 1e-4;
@@ -56,7 +56,7 @@ struct CheckedSites {
     domain = {box.xmin * scale, box.ymin * scale, box.xmax * scale, box.ymax * scale};
     largest = std::max(
         {std::abs(domain.xmin), std::abs(domain.xmax), std::abs(domain.ymin), std::abs(domain.ymax)});
-    longer_side = std::max(domain.xmax - domain.xmin, domain.ymax - domain.ymin);
+    shorter_side = std::min(domain.xmax - domain.xmin, domain.ymax - domain.ymin);
     if (repeats_x) shortest_period = domain.xmax - domain.xmin;
     if (repeats_y) shortest_period = std::min(shortest_period, domain.ymax - domain.ymin);
     weighted =
@@ -66,7 +66,7 @@ struct CheckedSites {
   [[nodiscard]] Point site(std::size_t i) const { return {sites.x[i] * scale, sites.y[i] * scale}; }
   /// How far ties may move a vertex of a cell of this reach.
   [[nodiscard]] double ties(double reach) const {
-    return (weighted ? weighted_tie_slack : tie_slack) * std::min(reach, longer_side);
+    return (weighted ? weighted_tie_slack : tie_slack) * std::min(reach, shorter_side);
   }
   [[nodiscard]] bool repeats() const { return repeats_x || repeats_y; }
   /// Whether cells may reach so far that ties are as long as a period.
@@ -96,7 +96,7 @@ struct CheckedSites {
   double scale;
   Box domain{};
   double largest = 0;  ///< coordinate of the domain
-  double longer_side = 0;
+  double shorter_side = 0;
   double shortest_period = std::numeric_limits<double>::infinity();
   bool weighted = false;             ///< the weights are not all equal
   const Outline* outline = nullptr;  ///< of the domain, if it has one
@@ -147,6 +147,17 @@ struct CheckedCells : CheckedSites {
       reach = std::max(reach, length(neighborSite(e) - own));
     }
     return reach;
+  }
+
+  /// The same with the neighbors of neighbors: a vertex stands for ties of these among each other as well.
+  [[nodiscard]] double widerReach(std::size_t i) const {
+    double wider = reach(i);
+    for (std::size_t e = begin(i); e < end(i); ++e) {
+      if (diagram.neighbors[e] < 0) continue;
+      const auto j = static_cast<std::size_t>(diagram.neighbors[e]);
+      wider = std::max(wider, length(neighborSite(e) - site(i)) + reach(j));
+    }
+    return wider;
   }
 
   const Diagram& diagram;
