@@ -301,8 +301,11 @@ TEST_P(Metamorphic, EqualWeightsAreNone) {
     input.sites.weight.clear();
     const auto plain = cellsOf(input);
     const auto image = pictureOf(input);
-    for (const double weight : {0.0, -3.5, 1e-30, 1e9}) {
-      SCOPED_TRACE(weight);
+    const Box& box = input.domain;
+    const double side_of_domain = std::max(box.xmax - box.xmin, box.ymax - box.ymin);
+    for (const double squares : {0.0, -3.5, 1e-30, 1e9}) {
+      SCOPED_TRACE(squares);
+      const double weight = squares * side_of_domain * side_of_domain;
       input.sites.weight.assign(input.sites.size(), weight);
       const auto weighted = cellsOf(input);
       EXPECT_EQ(weighted.status, plain.status);
