@@ -19,10 +19,11 @@ namespace {
 constexpr std::uint64_t hard_count = 8;
 constexpr int side = 48;
 
-/// New in every run.
+/// New in every run, or that of VORPIPE_SEED.
 std::uint64_t seedOfRun() {
   static const std::uint64_t seed = [] {
-    const std::uint64_t drawn = std::random_device()();
+    const char* given = std::getenv("VORPIPE_SEED");
+    const std::uint64_t drawn = given != nullptr ? std::stoull(given) : std::random_device()();
     std::cout << "[   SEED   ] " << drawn << std::endl;
     return drawn;
   }();
@@ -128,9 +129,48 @@ class Metamorphic : public Cells {
     return std::move(rendering->image);
   }
 
+  static double distance(Point p, Point a, Point b) {
+    const Point edge{b.x - a.x, b.y - a.y}, to{p.x - a.x, p.y - a.y};
+    const double squared = edge.x * edge.x + edge.y * edge.y;
+    const double along = squared > 0 ? std::clamp((to.x * edge.x + to.y * edge.y) / squared, 0.0, 1.0) : 0;
+    return std::hypot(to.x - along * edge.x, to.y - along * edge.y);
+  }
+
+  /// Whether a pixel's center is as near to an edge of the outline as rounding is: it may have a site or
+  /// none.
+  static bool isOnOutline(const HardInput& input, std::size_t pixel) {
+    const Box& box = input.domain;
+    const auto columns = static_cast<std::size_t>(input.width);
+    const double right = (static_cast<double>(pixel % columns) + 0.5) / input.width;
+    const double down = (static_cast<double>(pixel / columns) + 0.5) / input.height;
+    const Point center{box.xmin + right * (box.xmax - box.xmin), box.ymax - down * (box.ymax - box.ymin)};
+    const double rounding =
+        1e-14 * std::max({std::abs(box.xmin), std::abs(box.xmax), std::abs(box.ymin), std::abs(box.ymax)});
+    const auto& [points, rings, polygons] = input.outline;
+    for (std::size_t r = 0; r + 1 < rings.size(); ++r) {
+      for (auto k = rings[r]; k < rings[r + 1]; ++k) {
+        const Point next = points[k + 1 < rings[r + 1] ? k + 1 : rings[r]];
+        if (distance(center, points[k], next) <= rounding) return true;
+      }
+    }
+    return false;
+  }
+
+  /// `ids` with those of `image` where one of the two has no site and the pixel is on the outline.
+  static std::vector<std::uint32_t> withoutEdgePixels(const HardInput& input, const Image& image,
+                                                      std::span<const std::uint32_t> ids) {
+    std::vector<std::uint32_t> settled(ids.begin(), ids.end());
+    for (std::size_t pixel = 0; pixel < settled.size(); ++pixel) {
+      const bool differ = (settled[pixel] == no_site) != (image.ids[pixel] == no_site);
+      if (differ && isOnOutline(input, pixel)) settled[pixel] = image.ids[pixel];
+    }
+    return settled;
+  }
+
   static void expectSameIds(const HardInput& input, const Image& image, std::span<const std::uint32_t> ids) {
+    const auto settled = withoutEdgePixels(input, image, ids);
     const auto diff =
-        diffIds(image.ids, ids, input.width, input.height, input.sites, input.domain, input.periodic);
+        diffIds(image.ids, settled, input.width, input.height, input.sites, input.domain, input.periodic);
     ASSERT_TRUE(diff);
     EXPECT_TRUE(diff->agree()) << diff->wrong << " pixels are wrong and " << diff->ties << " ties, "
                                << diff->ties_allowed << " allowed";
