@@ -286,7 +286,7 @@ TEST_P(Metamorphic, SitesScaledByAPowerOfTwoHaveTheSameBits) {
 }
 
 /// By a power of two so small beside the last places of all coordinates that no sum is rounded: to be so, the
-/// sites are put on a grid first.
+/// sites are put on a grid first, whose steps are many of a coordinate: corners are rounded.
 TEST_P(Metamorphic, ShiftedSitesHaveShiftedCells) {
   forInputs([](HardInput input) {
     const Box& box = input.domain;
@@ -296,7 +296,7 @@ TEST_P(Metamorphic, ShiftedSitesHaveShiftedCells) {
       largest = std::max({largest, std::abs(input.sites.x[i]), std::abs(input.sites.y[i])});
     // Where coordinates have few steps to a pixel, centers of pixels are rounded by more than ties are wide.
     if (largest > 0x1p20 * std::max(box.xmax - box.xmin, box.ymax - box.ymin)) return;
-    const double by = std::exp2(std::ceil(std::log2(largest))), quantum = by * 0x1p-50;
+    const double by = std::exp2(std::ceil(std::log2(largest))), quantum = by * 0x1p-36;
     const auto put = [quantum](double& value) { value = std::round(value / quantum) * quantum; };
     for (std::size_t i = 0; i < input.sites.size(); ++i) {
       put(input.sites.x[i]);
