@@ -111,7 +111,9 @@ class LyingBackend final : public Backend {
         return turn(cells);
       case Lie::counts:
         for (std::size_t e = 1; e + 1 < cells.first.size(); ++e) {
-          if (now()) cells.first[e] = std::max(cells.first[e - 1], cells.first[e] - random_() % 3);
+          if (now())
+            cells.first[e] =
+                std::max(cells.first[e - 1], cells.first[e] - std::min(cells.first[e], random_() % 3));
         }
         return;
       case Lie::offsets:
