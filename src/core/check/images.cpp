@@ -17,8 +17,8 @@ SitePlaces::SitePlaces(const CheckedSites& run) : run_(run) {
   const auto periodic = !run.repeats_x ? Periodic::y : !run.repeats_y ? Periodic::x : Periodic::xy;
   const auto corners = wrapped({{box.xmin, box.xmax}, {box.ymin, box.ymax}, {}}, box, periodic);
   if (!corners) return;
-  low_ = {corners->x[0] * run.scale, corners->y[0] * run.scale};
-  high_ = {corners->x[1] * run.scale, corners->y[1] * run.scale};
+  low_ = {corners->x[0] * run.scale - run.base.x, corners->y[0] * run.scale - run.base.y};
+  high_ = {corners->x[1] * run.scale - run.base.x, corners->y[1] * run.scale - run.base.y};
 }
 
 Point SitePlaces::at(std::size_t i) const {

@@ -16,7 +16,8 @@ struct Cloud {
   [[nodiscard]] std::size_t kdtree_get_point_count() const { return index.size(); }
   [[nodiscard]] double kdtree_get_pt(std::uint32_t k, std::size_t axis) const {
     if (axis == 2) return height[k];
-    return (axis == 0 ? run.sites.x : run.sites.y)[index[k]] * run.scale;
+    const Point p = run.site(index[k]);
+    return axis == 0 ? p.x : p.y;
   }
   template <class Bounds>
   bool kdtree_get_bbox(Bounds&) const {
@@ -96,14 +97,19 @@ NearestSite::~NearestSite() = default;
 
 std::uint32_t NearestSite::at(Point p) const {
   const double place[3] = {p.x, p.y, 0};
-  std::uint32_t found = 0;
-  double squared = 0;
-  if (tree_->flat) {
-    tree_->flat->knnSearch(place, 1, &found, &squared);
-  } else {
-    tree_->lifted->knnSearch(place, 1, &found, &squared);
+  std::uint32_t found[2] = {0, 0};
+  double squared[2] = {0, 0};
+  const auto count = tree_->flat ? tree_->flat->knnSearch(place, 2, found, squared)
+                                 : tree_->lifted->knnSearch(place, 2, found, squared);
+  std::uint32_t best = tree_->cloud.index[found[0]];
+  if (count < 2 || squared[1] > squared[0] * (1 + squared_rounding)) return best;
+  // Of sites near each other the squares say little; on which side of their bisector p lies, much.
+  const CheckedSites& run = tree_->cloud.run;
+  for (const auto site : allAt(p)) {
+    const Point from = run.site(best), to = run.site(site);
+    if (from != to && beyondBisector(from, to, run.lead(best, site), p) > 0) best = site;
   }
-  return tree_->cloud.index[found];
+  return best;
 }
 
 std::vector<std::uint32_t> NearestSite::allAt(Point p) const {

@@ -21,6 +21,7 @@ class NearestSite {
   ~NearestSite();
 
   /// A site, in scaled coordinates, of least distance to p, with weights of least power; of equal ones any.
+  /// Sites near each other are told apart by the bisector between them.
   [[nodiscard]] std::uint32_t at(Point p) const;
 
   /// All sites that double does not tell from the nearest, that first: their squared distances to p, or

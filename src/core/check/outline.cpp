@@ -200,7 +200,8 @@ CheckedOutline::CheckedOutline(const CheckedSites& run) : run_(run) {
     for (const std::size_t first = ring; ring < outline.polygon_offsets[p + 1]; ++ring) {
       std::vector<Point> points;
       for (auto k = outline.ring_offsets[ring]; k < outline.ring_offsets[ring + 1]; ++k) {
-        points.push_back({outline.points[k].x * run.scale, outline.points[k].y * run.scale});
+        points.push_back(
+            {outline.points[k].x * run.scale - run.base.x, outline.points[k].y * run.scale - run.base.y});
       }
       const bool turned = (areaOf(points) > 0) != (ring == first);
       for (std::size_t k = 0; k < points.size(); ++k) {

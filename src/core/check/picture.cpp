@@ -10,15 +10,19 @@ namespace checks {
 namespace {
 
 constexpr std::uint64_t sampled_pixels = std::uint64_t{1} << 22;
-/// Squared distances that differ by less than this part of themselves may be in either order.
-constexpr double near_tie = 1e-14;
-
+/// As run.site counts places.
 Point centerOf(const CheckedSites& run, const Image& image, std::size_t pixel) {
   const auto columns = static_cast<std::size_t>(image.width);
   const double right = (static_cast<double>(pixel % columns) + 0.5) / image.width;
   const double down = (static_cast<double>(pixel / columns) + 0.5) / image.height;
   const Box& box = run.domain;
   return {box.xmin + right * (box.xmax - box.xmin), box.ymax - down * (box.ymax - box.ymin)};
+}
+
+/// Of coordinates in the domain.
+double extentOf(const CheckedSites& run) {
+  const Box& box = run.domain;
+  return std::max({std::abs(box.xmin), std::abs(box.xmax), std::abs(box.ymin), std::abs(box.ymax)});
 }
 
 bool isSampled(std::size_t pixel, std::size_t pixels) {
@@ -33,10 +37,13 @@ std::uint32_t trueId(const CheckedSites& run, const Rendering& rendering, const 
   const std::uint32_t id = rendering.image.ids[pixel];
   const Point p = centerOf(run, rendering.image, pixel);
   const NearImage near = nearestImage(run, nearest, p);
-  const Point own = p - imageNear(run, id, p), to = p - near.place;
+  const Point own = imageNear(run, id, p), way = near.place - own;
+  if (dot(way, way) == 0) return id;
+  // The bisector is that of two differences, and its place and that of p are as exact as these are long.
   const double lead = run.lead(id, near.site);
-  const double rounding = near_tie * (dot(to, to) + (run.weighted ? dot(own, own) + std::abs(lead) : 0));
-  return dot(own, own) - dot(to, to) - lead <= rounding ? id : rendering.owner[near.site];
+  const double lengths = length(p - own) + length(p - near.place) + std::abs(lead) / length(way);
+  const double rounding = 16 * epsilon * (lengths + extentOf(run));
+  return beyondBisector(own, near.place, lead, p) <= rounding ? id : rendering.owner[near.site];
 }
 
 /// Whether a pixel without a site may be one, and the other way round: a pixel whose center is as near to the
@@ -132,6 +139,7 @@ Result<std::vector<std::string>> check(const Sites& sites, const RenderOptions& 
     const auto inside = checks::insideOf(sites, options.domain, options.periodic, threads);
     if (!inside) return tl::unexpected(inside.error());
     checks::CheckedSites run(inside->of(sites), options.domain, options.periodic, threads);
+    run.countFromCorner();
     if (!options.outline.empty()) run.outline = &options.outline;
     return checks::brokenBy(run, options, rendering);
   } catch (const std::bad_alloc&) {

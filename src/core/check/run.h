@@ -63,7 +63,20 @@ struct CheckedSites {
         std::adjacent_find(of.weight.begin(), of.weight.end(), std::not_equal_to<>()) != of.weight.end();
   }
   [[nodiscard]] std::size_t size() const { return sites.size(); }
-  [[nodiscard]] Point site(std::size_t i) const { return {sites.x[i] * scale, sites.y[i] * scale}; }
+  [[nodiscard]] Point site(std::size_t i) const {
+    return {sites.x[i] * scale - base.x, sites.y[i] * scale - base.y};
+  }
+  /// Counts places from the domain's corner, along axes where that rounds no site in it or beside it: pixels
+  /// are parts of the domain, and far from the origin a double might not hold their centers.
+  void countFromCorner() {
+    const auto along = [](double low, double high) {
+      const bool is_far =
+          (low > 0) == (high > 0) && std::min(std::abs(low), std::abs(high)) >= 2 * (high - low);
+      return is_far ? low : 0.0;
+    };
+    base = {along(domain.xmin, domain.xmax), along(domain.ymin, domain.ymax)};
+    domain = {domain.xmin - base.x, domain.ymin - base.y, domain.xmax - base.x, domain.ymax - base.y};
+  }
   /// How far ties may move a vertex of a cell of this reach.
   [[nodiscard]] double ties(double reach) const {
     return (weighted ? weighted_tie_slack : tie_slack) * std::min(reach, shorter_side);
@@ -85,8 +98,7 @@ struct CheckedSites {
   /// What a coordinate beside site i may have lost to rounding.
   [[nodiscard]] double rounding(std::size_t i) const {
     constexpr double steps = 16;
-    const Point p = site(i);
-    return steps * epsilon * std::max({largest, std::abs(p.x), std::abs(p.y)});
+    return steps * epsilon * std::max({largest, std::abs(sites.x[i] * scale), std::abs(sites.y[i] * scale)});
   }
 
   const Sites& sites;
@@ -95,7 +107,8 @@ struct CheckedSites {
   int threads;
   double scale;
   Box domain{};
-  double largest = 0;  ///< coordinate of the domain
+  Point base{0, 0};    ///< what the scaled places of sites and of the domain are counted from
+  double largest = 0;  ///< coordinate of the domain, from the origin
   double shorter_side = 0;
   double shortest_period = std::numeric_limits<double>::infinity();
   bool weighted = false;             ///< the weights are not all equal
