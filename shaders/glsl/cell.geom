@@ -4,6 +4,7 @@
 // Clips one entry and draws it as one triangle strip. The build gives MAX_EDGES, and
 // SEARCH_GRID where an entry is a site of an upload instead of a list of lines.
 #include "layout.glsl"
+#define DRAWN
 #include "vocabulary.glsl"
 #include "view.glsl"
 

@@ -5,6 +5,10 @@
 //   vec2 offsetTo(cell_int place)  the site at `place` minus the site of the cell, exact or nearly so
 // and with WEIGHTED, besides what bins.glsl wants,
 //   real weightAgainst(cell_int place)  the weight of the cell's site minus that of the site at `place`
+//   real weightNear(cell_int place)     the larger of the two, by amount; for what is drawn
+// and defines or not
+//   DRAWN  whether cells are drawn: then what a device's roots and quotients lose is bounded and, with a negative
+//          outset, cells are shrunk
 //
 // The cell is cut by every site of the 3 x 3 bins around its origin. After that few sites cut, so the
 // rest of those that might is only tried, vertex by vertex, and the cell is cut by those that do: first
@@ -56,6 +60,13 @@ Bisector bisectorWith(IN(Viewpoint) view, cell_int place) {
     b.apart = squared > real(0.0);
     real distance = sqrt(b.apart ? squared : real(1.0));
     real inverse = real(1.0) / distance;
+#ifdef DRAWN
+    // One step of Newton's, so that n is a unit vector as nearly as its products are, whatever a root and a quotient
+    // of the device are.
+    real once = b.apart ? squared : real(1.0);
+    inverse += inverse * (real(0.5) - real(0.5) * (once * inverse * inverse));
+    distance = once * inverse;
+#endif
     b.n = vec2(b.apart ? d.x * inverse : real(1.0), d.y * inverse);
     real h = real(0.5) * distance + (view.shift.x * b.n.x + view.shift.y * b.n.y);
 #ifdef WEIGHTED
@@ -109,6 +120,10 @@ cell_bool mayCut(IN(Vertices) v, IN(Viewpoint) view, cell_int place) {
     real against = real(0.5) * weightAgainst(place);
     halfway += against - real(0.00001) * abs(against);
 #endif
+#ifdef DRAWN
+    // A site that leaves a cell alone may cut the shrunk one.
+    halfway += min(abs(d.x) * view.outset.x + abs(d.y) * view.outset.y, real(0.0));
+#endif
     cell_bool other = place != view.self;
     return farthest > halfway && other;
 }
@@ -117,21 +132,25 @@ cell_bool mayCut(IN(Vertices) v, IN(Viewpoint) view, cell_int place) {
 // the cell's own site is, so it lies in a disk around the vertex. Together the disks are the flower.
 // With weights the square of the disk's radius is larger by how much heavier the site may be; if that is
 // less than nothing, there is no disk.
+// Where lines are moved inward, by up to s, a site cuts a vertex v off if it cuts v + b off for some b no longer
+// than s: so the disk around v has the radius |v| + 2 s, and with weights that of |v| + s, and s more.
 vec4 flowerBox(IN(Cell) c, IN(Viewpoint) view) {
     vec2 site = view.shift;
+    real inward = max(-(view.outset.x + view.outset.y), real(0.0));
     vec4 box = vec4(site.x, site.y, site.x, site.y);
     UNROLL for (int k = 0; k < EDGE_END; k++) {
         vec2 v = edgeStart(c, k);
         vec2 d = vec2(v.x - site.x, v.y - site.y);
         cell_bool edge = isEdge(c, k);
 #ifdef WEIGHTED
-        real away = d.x * d.x + d.y * d.y;
-        real squared = away * (real(1.0) + real(64.0) * ROUNDING) + view.lead;
+        real away = sqrt(d.x * d.x + d.y * d.y) + inward;
+        real squared = away * away * (real(1.0) + real(64.0) * ROUNDING) + view.lead;
         cell_bool some = squared > real(0.0);
         edge = edge && some;
-        real radius = sqrt(some ? squared : real(0.0)) + real(32.0) * ROUNDING * (sqrt(away) + sqrt(abs(view.lead)));
+        real radius = sqrt(some ? squared : real(0.0)) + real(32.0) * ROUNDING * (away + sqrt(abs(view.lead)));
+        radius += inward;
 #else
-        real radius = sqrt(d.x * d.x + d.y * d.y) * (real(1.0) + real(32.0) * ROUNDING);
+        real radius = sqrt(d.x * d.x + d.y * d.y) * (real(1.0) + real(32.0) * ROUNDING) + real(2.0) * inward;
 #endif
         real west = edge ? v.x - radius : site.x;
         real south = edge ? v.y - radius : site.y;
@@ -242,7 +261,7 @@ Search searchFrom(IN(Bins) bins, vec2 outset, cell_int self, vec2 shift) {
 
 // Begins the cell of the site at place `self`, which lies at `shift` from the origin of the cell, and cuts it by
 // every site of the block. outset moves every line outward, by up to its two components along x and y: nothing, to
-// measure; half a step of the vertex grid, to draw.
+// measure; what view_uniform.h says, to draw. Where it is negative, lines move inward.
 Search searchBlock(INOUT(Cell) c, IN(Bins) bins, vec4 walls, vec2 outset, cell_int self, vec2 shift) {
     beginCell(c, vec4(walls.x - outset.x, walls.y - outset.y, walls.z + outset.x, walls.w + outset.y));
     Search s = searchFrom(bins, outset, self, shift);
@@ -301,3 +320,34 @@ cell_int clipSite(INOUT(Cell) c, IN(Bins) bins, vec4 walls, vec2 outset, cell_in
     searchBeyond(c, bins, s);
     return outcomeOf(c, bins, s);
 }
+
+#ifdef DRAWN
+// Whether floats may lose more of a cell than `allowed`, a length; docs/algorithm.md, "What floats lose". What is lost
+// of the place of another site turns the line between the two by that part of their distance.
+cell_bool losesTooMuch(IN(Cell) c, IN(Viewpoint) view, real allowed) {
+    real reach = sqrt(max(squaredRadius(c), real(0.0))) + abs(view.shift.x) + abs(view.shift.y);
+#ifdef WEIGHTED
+    real lost = real(0.0);
+    UNROLL for (int k = 0; k < EDGE_END; k++) {
+        if (isEdge(c, k) && c.line[k] >= 0) {
+            vec2 way = offsetTo(c.line[k]);
+            real away = sqrt(way.x * way.x + way.y * way.y);
+            real of_places = real(2.0) * reach * real(PLACE_ROUNDING);
+            real of_weights = weightNear(c.line[k]) * real(WEIGHT_ROUNDING);
+            lost = max(lost, (of_places + of_weights) / away + away * (real(8.0) * ROUNDING));
+        }
+    }
+    return lost + reach * real(REACH_ROUNDING) > allowed;
+#else
+    // h is half the distance of two sites, but for what moved the line.
+    real halfway = FAR;
+    UNROLL for (int k = 0; k < EDGE_END; k++) {
+        real moved = abs(c.nx[k]) * view.outset.x + abs(c.ny[k]) * view.outset.y;
+        real from_site = c.h[k] - moved - (c.nx[k] * view.shift.x + c.ny[k] * view.shift.y);
+        halfway = isEdge(c, k) && c.line[k] >= 0 ? min(halfway, from_site) : halfway;
+    }
+    real away = real(2.0) * halfway;
+    return reach * (real(REACH_ROUNDING) * away + real(PLACE_ROUNDING)) > allowed * away;
+#endif
+}
+#endif

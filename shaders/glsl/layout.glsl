@@ -2,6 +2,13 @@
 #ifndef VORPIPE_LAYOUT
 #define VORPIPE_LAYOUT
 
+// What floats lose of a cell at most, in pictures. Of its lines and corners, for each unit of the way to its farthest
+// corner; of the place of a site, seen from another: 49 bits of two floats from the center of the domain; and of a
+// weight, seen from another, of the larger one.
+#define REACH_ROUNDING 2.384185791015625e-6
+#define PLACE_ROUNDING 7.105427357601002e-15
+#define WEIGHT_ROUNDING 3.552713678800501e-15
+
 // Room for the edges of one cell while it is clipped, a multiple of 4: the fast pipeline, which
 // overflows for 5.2 % of the cells of white noise, and the roomy one for those (some 40 of a million
 // cells go on to the host). Time grows with the room, and the time that software

@@ -4,11 +4,13 @@
 
 // Clips the cell by the lines first .. first + count - 1, which come in ascending order of bound,
 // until the rest is proved unable to cut. outset moves every line outward, by up to its two
-// components along x and y: nothing, to measure; half a step of the vertex grid, to draw.
+// components along x and y: nothing, to measure; what view_uniform.h says, to draw. Where it is
+// negative, lines move inward, and sites cut that are farther away by twice as much.
 // reach bounds from below the distance of every site that is not in the list.
 int clipCell(INOUT(Cell) c, vec4 walls, vec2 outset, int first, int count, real reach, real shift) {
     beginCell(c, vec4(walls.x - outset.x, walls.y - outset.y, walls.z + outset.x, walls.w + outset.y));
-    real security = securityRadius(squaredRadius(c), shift);
+    real away = shift + max(-(outset.x + outset.y), real(0.0));
+    real security = securityRadius(squaredRadius(c), away);
     real unseen = reach;
     for (int i = 0; i < count; i++) {
         vec4 line = lineAt(first + i);
@@ -21,7 +23,7 @@ int clipCell(INOUT(Cell) c, vec4 walls, vec2 outset, int first, int count, real 
         if (c.overflow || c.empty) {
             break;
         }
-        security = securityRadius(squaredRadius(c), shift);
+        security = securityRadius(squaredRadius(c), away);
     }
     return outcome(c, unseen < security);
 }

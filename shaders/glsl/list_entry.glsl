@@ -50,6 +50,9 @@ int clipEntry(inout Cell cell, vec2 outset) {
                     entry_bounds[0].x, entry_bounds[0].y);
 }
 
+// Whoever packs an entry knows its cell, and has it shrunk by what floats may lose of it.
+bool isTooCoarse(in Cell cell) { return false; }
+
 uint entryIndex() { return entry_index[0]; }
 
 // A line as the caller counts them: from the entry's first, or a wall.

@@ -44,12 +44,16 @@ vec2 cornerAround(vec2 center, int corner) {
     return center + way / view.half_size;
 }
 
-// What the clipping said, but that a picture needs the shape alone. The fast pipelines leave the few
-// open cells to the roomy ones.
+// What the clipping said, but that a picture needs the shape alone: the fast pipelines leave the few open cells to
+// the roomy ones. A cell that is shrunk to nothing needs no pixel, and what floats are too coarse for is left to
+// somebody more precise.
 int statusOfShape(in Cell cell, int status) {
+    int shape = status;
 #if MAX_EDGES > EDGES_FAST
-    return status == CELL_OPEN && hasClosedShape(cell) ? CELL_CERTIFIED : status;
-#else
-    return status;
+    shape = status == CELL_OPEN && hasClosedShape(cell) ? CELL_CERTIFIED : shape;
 #endif
+    bool shrunk = view.outset.x < 0.0 || view.outset.y < 0.0;
+    shape = status == CELL_EMPTY && shrunk ? CELL_CERTIFIED : shape;
+    bool coarse = shape == CELL_CERTIFIED && !cell.empty && isTooCoarse(cell);
+    return coarse ? CELL_UNSECURED : shape;
 }

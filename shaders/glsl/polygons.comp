@@ -5,6 +5,7 @@
 // where an entry is a site of an upload instead of a list of lines.
 #define ENTRIES_IN_BUFFER
 #include "layout.glsl"
+#define DRAWN
 #include "vocabulary.glsl"
 #include "view.glsl"
 #include "slice.glsl"

@@ -50,22 +50,16 @@ int firstOfBin(int bin) { return int(texelFetch(bin_starts, bin).x); }
 #include "cell.glsl"
 #include "sites.glsl"
 
-// The way from an origin to its site brings rounding errors in proportion; with weights, the way to a neighbor
-// does, which may be heavy and far away. Where a picture might show them, somebody more precise is to draw
-// the cell.
-int clipEntry(inout Cell cell, vec2 outset) {
-    int self = placeOf(entry_site[0]);
-    int status = clipSiteAt(cell, self, outset);
-    vec2 far = abs(offsetToOrigin()) * (32.0 * ROUNDING);
-#ifdef WEIGHTED
-    UNROLL for (int k = 0; k < EDGE_END; k++) {
-        bool neighbor = isEdge(cell, k) && cell.line[k] >= 0;
-        far = max(far, abs(offsetTo(neighbor ? cell.line[k] : self)) * (8.0 * ROUNDING));
-    }
-#endif
-    bool shows = outset.x > 0.0 && max(far.x, far.y) > min(outset.x, outset.y);
-    return status == CELL_CERTIFIED && shows ? CELL_UNSECURED : status;
+int clipEntry(inout Cell cell, vec2 outset) { return clipSiteAt(cell, placeOf(entry_site[0]), outset); }
+
+#ifdef DRAWN
+bool isTooCoarse(in Cell cell) {
+    Viewpoint from;
+    from.shift = -offsetToOrigin();
+    from.outset = view.outset;
+    return losesTooMuch(cell, from, view.allowed);
 }
+#endif
 
 uint entryIndex() { return entry_index[0]; }
 

@@ -34,6 +34,8 @@ real weightAgainst(int place) {
     return difference;
 }
 
+real weightNear(int place) { return max(abs(weight_here.x), abs(weightAt(place).x)); }
+
 real leadOf(int number) {
     precise float lead = (heaviestAt(number) - weight_here.x) - weight_here.y;
     return lead + abs(lead) * (2.0 * ROUNDING);

@@ -97,9 +97,10 @@ using Palette = std::array<std::uint32_t, 256>;  ///< RGBA, R in the lowest byte
 
 /// A picture of `box` (scaled units); box may be a part of the domain.
 struct View {
-  Box box;
+  Box box;            ///< from `corner`
   int width, height;  ///< at most BackendInfo::max_view
   Palette palette;
+  Point corner{0, 0};  ///< of the domain, for instance: apart from the box it rounds no place of a pixel
 };
 
 /// The neighbors of cells, entry by entry, counter-clockwise from the smallest number: those of entry e stand
@@ -158,17 +159,28 @@ class Backend {
   virtual Result<void> begin(const View& view) = 0;
 
   /// Finds the cells of the sites `which`, widened by half a step of the device's vertex grid so that
-  /// neighbors leave no gap, and draws those that come out `certified` over what is there, in order.
-  /// effort is fast or roomy. status has one element for each.
+  /// neighbors leave no gap, and draws those that come out `certified` over what is there, in order. Where
+  /// the grid is coarse they are shrunk instead, and may leave pixels at their edges; a cell of which floats
+  /// might lose more than shows is `unsecured` (precision.h). effort is fast or roomy. status has one element
+  /// for each. Every site has a cell: one that is shrunk to nothing is `certified`.
   virtual Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
                             std::span<CellStatus> status) = 0;
 
-  /// The same for the entries of a batch. marks and status have one element per entry.
+  /// The same for the entries of a batch, but that the caller knows what floats lose of them. marks and
+  /// status have one element per entry.
   virtual Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
                             std::span<CellStatus> status) = 0;
 
   /// Reads the picture back. Row 0 is the bottom row of the view. Both spans hold width * height.
   virtual Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) = 0;
+
+  /// Finds the site nearest to the center of each of some pixels of a view, by power, in double: its index in
+  /// the set. A pixel's number is row * width + column, from the bottom row on. The judge's alone.
+  virtual Result<void> nearest(const View& /*view*/, std::span<const std::uint32_t> /*pixels*/,
+                               std::span<std::uint32_t> /*sites*/) {
+    return tl::unexpected(Error{
+        ErrorCode::device, info().device.backend + " does not find the sites of single pixels; cpu does"});
+  }
 
   /// How long the device has been at work, by its own clock, since it was opened; negative where none is
   /// read: software devices, and those without timestamps.

@@ -66,7 +66,10 @@ void writeAll(std::size_t count, std::byte* to, const Make& make) {
 
 }  // namespace
 
-SiteTexel siteTexel(const Box& domain, double x, double y) { return fromCenter(centerOf(domain), x, y); }
+SiteTexel siteTexel(const Box& domain, Point from, Point p) {
+  const Point center = centerOf(domain);
+  return fromCenter({}, (from.x - center.x) + p.x, (from.y - center.y) + p.y);
+}
 
 SiteGridUniform siteGridUniform(const SiteSet& sites) {
   const Point center = centerOf(sites.domain);
@@ -76,9 +79,11 @@ SiteGridUniform siteGridUniform(const SiteSet& sites) {
   splitBox(center, sites.known, block.known_high, block.known_low);
   block.corner = fromCenter(center, grid.xmin, grid.ymin);
   block.size = static_cast<float>(grid.size);
-  // The corner seen from an origin, the size of a bin, their product with an index and the sum are
-  // rounded: each by 2^-24 at most of the longest way from the origin to a corner of the grid.
-  block.slack = 0x1p-21F;
+  // The corner seen from an origin, the size of a bin, their product with an index and the sum are rounded,
+  // each by 2^-24 at most of the longest way from the origin to a corner of the grid; a quotient by that size
+  // is off by five times as much. A device that sorts sites into bins does so with another quotient, of a way
+  // that is up to twice as long.
+  block.slack = 0x1p-19F;
   block.columns = static_cast<std::int32_t>(grid.columns);
   block.rows = static_cast<std::int32_t>(grid.rows);
   block.most = sites.weight.empty() ? most_tried : most_tried_weighted;

@@ -15,8 +15,8 @@ struct SiteTexel {
   float x_high, y_high, x_low, y_low;
 };
 
-/// Returns a point in the way of the sites of an upload with this domain.
-SiteTexel siteTexel(const Box& domain, double x, double y);
+/// Returns a point, seen from another, in the way of the sites of an upload with this domain.
+SiteTexel siteTexel(const Box& domain, Point from, Point p);
 
 /// What a picture needs to know about a site.
 struct SiteMark {

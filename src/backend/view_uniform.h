@@ -1,46 +1,42 @@
 /// The uniform block View of shaders/glsl/view.glsl, as every GPU backend fills it.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-
-#include "backend/backend.h"
+#include "backend/precision.h"
 #include "backend/site_texels.h"
+#include "layout.glsl"
 
 namespace vorpipe {
+
+static_assert(REACH_ROUNDING == reach_rounding);
 
 /// As std140 lays the block out.
 struct ViewUniform {
   float scale_x, scale_y;         ///< normalized device coordinates per scaled unit
-  float outset_x, outset_y;       ///< by how much a cell is widened, in scaled units
+  float outset_x, outset_y;       ///< by how much a cell is widened, in scaled units; negative: shrunk
   float half_width, half_height;  ///< of the view, in pixels
   float margin;                   ///< by how much a vertex may be off, in pixels
-  float padding;
-  SiteTexel center;  ///< of the view
+  float allowed;                  ///< by how much floats may be off about a cell, in scaled units
+  SiteTexel center;               ///< of the view
 };
 
 /// Returns the block for a view drawn by a device that snaps vertices to 1 / 2^subpixel_bits of a pixel.
 /// domain is that of the sites whose cells are drawn; without such, any.
-///
-/// Snapping moves a vertex by up to half a step along each axis. A coordinate that is rounded to float
-/// some eight times on its way to the pixel grid is off by as many 2^-25 of the view's size more, which
-/// widens the step.
 inline ViewUniform viewUniform(const View& view, int subpixel_bits, const Box& domain) {
-  const double step = std::ldexp(1.0, -subpixel_bits);
-  const auto margin = [step](int pixels) {
-    return 0.5 * (step + std::ldexp(static_cast<double>(pixels), -21));
-  };
+  const int longer = std::max(view.width, view.height);
+  const auto shares = [&](int pixels) { return pixelShares(pixels, longer, subpixel_bits); };
   const double width = view.box.xmax - view.box.xmin;
   const double height = view.box.ymax - view.box.ymin;
+  const PixelShares most = shares(longer);
   return {static_cast<float>(2.0 / width),
           static_cast<float>(2.0 / height),
-          static_cast<float>(margin(view.width) * width / view.width),
-          static_cast<float>(margin(view.height) * height / view.height),
+          static_cast<float>(shares(view.width).outset() * width / view.width),
+          static_cast<float>(shares(view.height).outset() * height / view.height),
           static_cast<float>(0.5 * view.width),
           static_cast<float>(0.5 * view.height),
-          static_cast<float>(margin(std::max(view.width, view.height))),
-          0.0F,
-          siteTexel(domain, (view.box.xmin + view.box.xmax) / 2, (view.box.ymin + view.box.ymax) / 2)};
+          static_cast<float>(most.snapping + most.rounding),
+          static_cast<float>(lossAllowed(view, subpixel_bits)),
+          siteTexel(domain, view.corner,
+                    {(view.box.xmin + view.box.xmax) / 2, (view.box.ymin + view.box.ymax) / 2})};
 }
 
 }  // namespace vorpipe

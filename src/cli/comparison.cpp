@@ -27,7 +27,10 @@ std::string pairName(const Comparison& comparison, const PairDiff& pair) {
 }
 
 Json resolvedJson(const Report& report) {
-  return {{"retried", report.retried}, {"double", report.in_double}, {"exact", report.exact}};
+  return {{"retried", report.retried},
+          {"double", report.in_double},
+          {"exact", report.exact},
+          {"pixels", report.pixels}};
 }
 
 Json runJson(const BackendRun& run) {
@@ -87,6 +90,7 @@ void addRun(const Report& run, Report& sum) {
   sum.retried += run.retried;
   sum.in_double += run.in_double;
   sum.exact += run.exact;
+  sum.pixels += run.pixels;
   for (const auto stage :
        {&Times::order, &Times::upload, &Times::search, &Times::cells, &Times::draw, &Times::download}) {
     const double ms = run.time_ms.*stage;

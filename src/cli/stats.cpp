@@ -77,7 +77,10 @@ std::string statsJson(const Stats& stats) {
   addShape(json, stats.input);
   json["status"] = {{"ok", report.ok}, {"empty", report.empty}, {"duplicate", report.duplicate}};
   json["hidden"] = stats.input.sites.weight.empty() ? Json(nullptr) : Json(report.hidden);
-  json["resolved"] = {{"retried", report.retried}, {"double", report.in_double}, {"exact", report.exact}};
+  json["resolved"] = {{"retried", report.retried},
+                      {"double", report.in_double},
+                      {"exact", report.exact},
+                      {"pixels", report.pixels}};
   json["area_sum"] = stats.area_sum ? Json(*stats.area_sum) : Json(nullptr);
   json["mass_sum"] = stats.mass_sum ? Json(*stats.mass_sum) : Json(nullptr);
   json["time_ms"] = {

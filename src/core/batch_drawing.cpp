@@ -1,7 +1,8 @@
 #include "core/batch_drawing.h"
 
-#include <fmt/format.h>
+#include <cmath>
 
+#include "backend/precision.h"
 #include "core/answers.h"
 #include "core/pack.h"
 #include "core/stopwatch.h"
@@ -11,6 +12,37 @@ namespace vorpipe {
 namespace {
 
 constexpr std::size_t grain = std::size_t{1} << 14;
+
+/// Has the lists of a batch end where a cell would reach so far that floats might lose more of it than is
+/// allowed: it comes out unsecured, unless it is smaller.
+void boundReach(double allowed, int threads, CellBatch<float>& batch) {
+  const auto most = static_cast<float>(2 * allowed / reach_rounding);
+  for (auto& entry : batch.entries) entry.reach = std::min(entry.reach, most);
+  parallelFor(batch.lines.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto l = begin; l < end; ++l) batch.lines[l].bound = std::min(batch.lines[l].bound, most);
+  });
+}
+
+/// Moves the lines and walls of entries that are known to lie within their walls inward by what floats may
+/// lose of them, and `tolerance`, beyond what is allowed. What that leaves at their edges is found in double.
+void shrinkLarge(double allowed, double tolerance, CellBatch<float>& batch) {
+  for (auto& entry : batch.entries) {
+    const double reach = std::hypot(std::max(std::abs(entry.west), std::abs(entry.east)),
+                                    std::max(std::abs(entry.south), std::abs(entry.north)));
+    const double beyond = reach_rounding * (reach + static_cast<double>(entry.shift)) + tolerance - allowed;
+    if (beyond <= 0) continue;
+    const auto inward = static_cast<float>(beyond);
+    entry.west += inward;
+    entry.south += inward;
+    entry.east -= inward;
+    entry.north -= inward;
+    for (auto& line : std::span(batch.lines).subspan(entry.first, entry.count)) {
+      line.h -= inward;
+      // A site that cuts then may be farther than the cell's corners say.
+      line.bound = 0;
+    }
+  }
+}
 
 }  // namespace
 
@@ -29,6 +61,12 @@ Result<std::vector<CellStatus>> BatchDrawing::draw(const View& view, const Candi
       continue;
     }
     packBatch(canvas_.sites, candidates, begin, end, canvas_.threads, batch_);
+    const double allowed = lossAllowed(view, info.subpixel_bits);
+    if (candidates.walls.empty()) {
+      boundReach(allowed, canvas_.threads, batch_);
+    } else {
+      shrinkLarge(allowed, 0, batch_);
+    }
     const auto count = end - begin;
     if (auto drawn = drawBatch(view, batch_, std::span(candidates.site).subspan(begin, count), effort,
                                std::span(status).subspan(begin, count));
@@ -39,16 +77,10 @@ Result<std::vector<CellStatus>> BatchDrawing::draw(const View& view, const Candi
   return status;
 }
 
-Result<void> BatchDrawing::draw(const View& view, const Pieces& pieces) {
+Result<void> BatchDrawing::draw(const View& view, Pieces pieces) {
+  shrinkLarge(lossAllowed(view, canvas_.backend.info().subpixel_bits), pieces.tolerance, pieces.batch);
   std::vector<CellStatus> status(pieces.site.size(), CellStatus::missing);
-  if (auto drawn = drawBatch(view, pieces.batch, pieces.site, Effort::roomy, status); !drawn) return drawn;
-  for (std::size_t piece = 0; piece < status.size(); ++piece) {
-    if (status[piece] == CellStatus::certified) continue;
-    return tl::unexpected(Error{ErrorCode::device, fmt::format("{} could not draw the cell of site {}",
-                                                               canvas_.backend.info().device.backend,
-                                                               canvas_.sites.id[pieces.site[piece]])});
-  }
-  return {};
+  return drawBatch(view, pieces.batch, pieces.site, Effort::roomy, status);
 }
 
 Result<void> BatchDrawing::drawBatch(const View& view, const CellBatch<float>& batch,
@@ -61,9 +93,9 @@ Result<void> BatchDrawing::drawBatch(const View& view, const CellBatch<float>& b
   parallelFor(site.size(), grain, canvas_.threads, [&](std::size_t begin, std::size_t end) {
     for (auto e = begin; e < end; ++e) {
       const auto origin = cellOrigin(canvas_.sites, site[e]);
-      marks_[e] = {static_cast<float>((origin.x - center.x) * scale.x),
-                   static_cast<float>((origin.y - center.y) * scale.y), canvas_.sites.id[site[e]],
-                   canvas_.shade[site[e]]};
+      marks_[e] = {static_cast<float>(((origin.x - view.corner.x) - center.x) * scale.x),
+                   static_cast<float>(((origin.y - view.corner.y) - center.y) * scale.y),
+                   canvas_.sites.id[site[e]], canvas_.shade[site[e]]};
     }
   });
   const Stopwatch watch;

@@ -18,6 +18,7 @@ struct Canvas {
 struct Pieces {
   std::vector<std::uint32_t> site;  ///< by entry
   CellBatch<float> batch;
+  double tolerance;  ///< by how much they may be larger than the cell, in scaled units
 };
 
 class BatchDrawing {
@@ -25,11 +26,12 @@ class BatchDrawing {
   explicit BatchDrawing(const Canvas& canvas) : canvas_(canvas) {}
 
   /// Draws every entry of `candidates`, in as many batches as the device wants. Returns the status of each:
-  /// `missing` for a list that is longer than a batch.
+  /// `missing` for a list that is longer than a batch; `unsecured` as well for a cell without walls of its
+  /// own that is so large that floats might lose more of it than shows. One with walls is shrunk by so much.
   Result<std::vector<CellStatus>> draw(const View& view, const Candidates& candidates, Effort effort);
 
-  /// Draws every entry. Error (device): one of them was not drawn.
-  Result<void> draw(const View& view, const Pieces& pieces);
+  /// Draws what the device can of the entries.
+  Result<void> draw(const View& view, Pieces pieces);
 
   [[nodiscard]] double seconds() const { return seconds_; }
 

@@ -12,7 +12,8 @@ namespace {
 constexpr std::size_t lines_per_batch = std::size_t{1} << 21;
 /// The walls of an entry take room as its lines do.
 constexpr std::size_t walls = 4;
-/// By how much a cell drawn in pieces may be too large: what the rest leaves of 1/128 (docs/algorithm.md).
+/// By how much a cell drawn in pieces may be too large, in pixels. What else may be off about it is less by
+/// so much then.
 constexpr double pixels_beyond = 0.0005;
 
 }  // namespace
@@ -120,17 +121,17 @@ Result<void> CellDrawing::drawPieces(const View& view, const JudgedCells& cells,
   const auto& box = view.box;
   const double tolerance =
       pixels_beyond * std::min((box.xmax - box.xmin) / view.width, (box.ymax - box.ymin) / view.height);
-  Pieces pieces;
+  Pieces pieces{{}, {}, tolerance};
   for (const auto e : entries) {
     const auto polygon = cellPolygon(input_.sites, cells.which[e], cells.found.edges(e));
     if (pieces.batch.lines.size() + 2 * polygon.size() > most_lines) {
-      if (auto drawn = batches_.draw(view, pieces); !drawn) return drawn;
-      pieces = {};
+      if (auto drawn = batches_.draw(view, std::move(pieces)); !drawn) return drawn;
+      pieces = {{}, {}, tolerance};
     }
     const auto added = appendPieces(polygon, edges, tolerance, pieces.batch);
     pieces.site.insert(pieces.site.end(), added, cells.which[e]);
   }
-  return pieces.site.empty() ? Result<void>{} : batches_.draw(view, pieces);
+  return pieces.site.empty() ? Result<void>{} : batches_.draw(view, std::move(pieces));
 }
 
 void CellDrawing::describe(Report& report) const {

@@ -34,9 +34,8 @@ Result<CellRows> Judge::find(std::span<const std::uint32_t> which, Effort effort
     cells.add(entries, meshCells(sites_, *mesh, which, threads));
     return cells;
   }
-  if (!ready_ && !which.empty()) {
-    if (auto uploaded = backend_.upload(sites_, {}); !uploaded) return tl::unexpected(uploaded.error());
-    ready_ = true;
+  if (!which.empty()) {
+    if (auto given = ready(); !given) return tl::unexpected(given.error());
   }
   auto found = findSome(which, entries, effort, threads, progress, cells);
   if (found && effort == Effort::in_double && !found->empty()) {
@@ -65,6 +64,19 @@ std::optional<CellRows> Judge::findInMesh(std::span<const std::uint32_t> which, 
   std::iota(entries.begin(), entries.end(), 0u);
   cells.add(entries, meshCells(sites_, *mesh, which, threads));
   return cells;
+}
+
+Result<void> Judge::ready() {
+  if (ready_) return {};
+  if (auto uploaded = backend_.upload(sites_, {}); !uploaded) return uploaded;
+  ready_ = true;
+  return {};
+}
+
+Result<void> Judge::nearest(const View& view, std::span<const std::uint32_t> pixels,
+                            std::span<std::uint32_t> sites) {
+  if (auto given = ready(); !given) return given;
+  return backend_.nearest(view, pixels, sites);
 }
 
 bool Judge::areMany(std::size_t cells) const {

@@ -26,10 +26,17 @@ class Judge {
   /// The cells of `which` from the mesh, or nothing where there is none. All of them agree, in every tie.
   std::optional<CellRows> findInMesh(std::span<const std::uint32_t> which, int threads);
 
+  /// See Backend::nearest.
+  Result<void> nearest(const View& view, std::span<const std::uint32_t> pixels,
+                       std::span<std::uint32_t> sites);
+
   /// Whether so many cells are worth the mesh: more of them cost next to nothing then.
   [[nodiscard]] bool areMany(std::size_t cells) const;
 
  private:
+  /// Gives the backend the sites, unless it has them.
+  Result<void> ready();
+
   /// Adds the cells of which[e] for e in `entries`; returns the entries that are still open.
   Result<std::vector<std::uint32_t>> findSome(std::span<const std::uint32_t> which,
                                               std::span<const std::uint32_t> entries, Effort effort,

@@ -15,6 +15,7 @@
 #include "core/periodic_picture.h"
 #include "core/shade.h"
 #include "core/stopwatch.h"
+#include "core/uncovered.h"
 #include "core/weights.h"
 #include "parallel.h"
 
@@ -55,9 +56,10 @@ Box scaled(const Box& box, int exponent) {
   return {scale(box.xmin), scale(box.ymin), scale(box.xmax), scale(box.ymax)};
 }
 
+/// Seen from the corner of the domain.
 Box boxOf(const Part& part, const Box& domain, int width, int height) {
-  const auto x = [&](int column) { return domain.xmin + (domain.xmax - domain.xmin) * column / width; };
-  const auto y = [&](int row) { return domain.ymin + (domain.ymax - domain.ymin) * row / height; };
+  const auto x = [&](int column) { return (domain.xmax - domain.xmin) * column / width; };
+  const auto y = [&](int row) { return (domain.ymax - domain.ymin) * row / height; };
   return {x(part.column), y(part.row), x(part.column + part.width), y(part.row + part.height)};
 }
 
@@ -102,27 +104,42 @@ Result<Diagram> measure(Backend& backend, Backend& judge, int threads, const Sit
   return cellsOn(backend, judge, threads, sites, cellsOptions(options));
 }
 
+/// What was drawn of a picture, and how.
+struct Drawn {
+  Image image;
+  double download_seconds = 0;
+  std::uint64_t uncovered = 0;  ///< pixels that the device left
+};
+
 /// `box` is what the picture shows, in the units of the set.
-Result<Image> drawParts(Backend& backend, CellDrawing& drawing, const Box& box, const Palette& palette,
-                        const RenderOptions& options, double& download_seconds) {
-  Image image{options.width, options.height, {}, {}};
+Result<Drawn> drawParts(Backend& backend, CellDrawing& drawing, const NearestSites& nearest, const Box& box,
+                        const Palette& palette, const RenderOptions& options) {
+  Drawn drawn{{options.width, options.height, {}, {}}};
+  Image& image = drawn.image;
   const auto pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
   image.rgba.resize(pixels);
   image.ids.resize(pixels);
   std::vector<std::uint32_t> rgba;
   std::vector<std::uint32_t> ids;
   for (const auto& part : partsOf(options.width, options.height, backend.info().max_view)) {
-    const View view{boxOf(part, box, options.width, options.height), part.width, part.height, palette};
-    if (auto drawn = drawing.draw(view); !drawn) return tl::unexpected(drawn.error());
+    const View view{boxOf(part, box, options.width, options.height),
+                    part.width,
+                    part.height,
+                    palette,
+                    {box.xmin, box.ymin}};
+    if (auto done = drawing.draw(view); !done) return tl::unexpected(done.error());
     rgba.resize(static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height));
     ids.resize(rgba.size());
     Stopwatch watch;
     if (auto read = drawing.read(view, rgba, ids); !read) return tl::unexpected(read.error());
+    const auto covered = coverRest(nearest, view, rgba, ids);
+    if (!covered) return tl::unexpected(covered.error());
+    drawn.uncovered += *covered;
     place(part, rgba, image, image.rgba);
     place(part, ids, image, image.ids);
-    download_seconds += watch.seconds();
+    drawn.download_seconds += watch.seconds();
   }
-  return image;
+  return drawn;
 }
 
 /// Which sites of a set have no cell, if `cells` say it: a device does not see whether the cell of a site
@@ -213,11 +230,11 @@ Result<Rendering> renderOn(Backend& backend, Backend& judge, int threads, const 
   const auto hidden = hiddenSites(prepared->set, *scene, *cells);
   CellDrawing drawing({backend, set_judge, prepared->set, *shades, options.search, threads, options.progress,
                        options.width > most || options.height > most, hidden});
-  double download_seconds = 0;
-  auto image = drawParts(backend, drawing, scaled(scene->picture, prepared->exponent), *palette, options,
-                         download_seconds);
-  if (!image) return tl::unexpected(image.error());
-  rendering.image = std::move(*image);
+  const NearestSites nearest{set_judge, prepared->set, *shades, drawn.size(), threads};
+  auto picture =
+      drawParts(backend, drawing, nearest, scaled(scene->picture, prepared->exponent), *palette, options);
+  if (!picture) return tl::unexpected(picture.error());
+  rendering.image = std::move(picture->image);
   if (!options.outline.empty()) {
     maskOutside(*rings, options.domain, prepared->exponent, threads, rendering.image);
   }
@@ -225,7 +242,8 @@ Result<Rendering> renderOn(Backend& backend, Backend& judge, int threads, const 
   if (options.show_sites) drawSites(rendering.image, drawn, scene->count, scene->picture);
   nameSites(*scene, rendering.image.ids);
 
-  times.download = 1e3 * download_seconds;
+  times.download = 1e3 * picture->download_seconds;
+  report.pixels = picture->uncovered;
   drawing.describe(report);
   countStatuses(*prepared, *scene, drawing.status(), *cells, rendering);
   rendering.owner = std::move(prepared->owner);

@@ -47,6 +47,8 @@ struct Report {
   /// host, in exact arithmetic. A cell may be asked for several times, and images of a periodic domain have
   /// cells of their own.
   std::uint64_t retried = 0, in_double = 0, exact = 0;
+  /// Pixels that no cell of the device covered, and that got their nearest site in double.
+  std::uint64_t pixels = 0;
   Times time_ms;
   /// What did not go as it began, a line each: a device refused memory and got less at a time, or failed, and
   /// the next one took over. `backend` and `device` are those that the result is from.

@@ -19,7 +19,7 @@ expect "out/a.png, out/a.npy, out/a.json: 300 cells (0 empty, 0 duplicate), 90x6
 head -c 128 out/a.npy | grep -q "(60, 90)" || fail "out/a.npy is not of shape (60, 90)"
 [ "$(wc -c <out/a.npy)" -eq $((128 + 4 * 60 * 90)) ] || fail "out/a.npy has the wrong length"
 for key in version command backend device driver sites seed domain status ok empty duplicate resolved retried \
-  double exact area_sum time_ms read order upload search cells draw download write total peak_memory_bytes; do
+  double exact pixels area_sum time_ms read order upload search cells draw download write total peak_memory_bytes; do
   grep -q "\"$key\":" out/a.json || fail "out/a.json has no $key"
 done
 grep -q '"area_sum": null' out/a.json || fail "area_sum is not null"

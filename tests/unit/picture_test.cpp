@@ -26,7 +26,7 @@ void compare(const SiteSet& set, double rounding) {
   for (int k = 0; k < 1600; ++k) {
     const double x = (k % 40 + 0.5) / 40;
     const double y = (k / 40 + 0.5) / 40;
-    EXPECT_LE(missedBy(set, nearest.at(x, y), x, y), rounding) << "at " << x << ", " << y;
+    EXPECT_LE(missedBy(set, nearest.at({0, 0}, {x, y}), x, y), rounding) << "at " << x << ", " << y;
   }
 }
 
@@ -59,7 +59,7 @@ TEST_P(Picture, showsHeavySites) {
   compare(set, 1e-14 * (1 + GetParam()));
   set.weight[3] = 1e12;
   const NearestSite nearest(set);
-  EXPECT_EQ(nearest.at(0.1, 0.9), 3U);
+  EXPECT_EQ(nearest.at({0, 0}, {0.1, 0.9}), 3U);
 }
 
 TEST_P(Picture, showsHeavySitesAlone) {

@@ -90,9 +90,8 @@ class CpuBackend final : public Backend {
   }
 
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override {
-    assert(sites_ != nullptr && ids.size() == rgba.size());
-    if (!nearest_) nearest_.emplace(*sites_);
-    cpu::nearestSites(*nearest_, view_, threads_, ids);
+    assert(ids.size() == rgba.size());
+    cpu::nearestSites(nearestSite(), view_, threads_, ids);
     parallelFor(ids.size(), 1 << 16, threads_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         rgba[i] = view_.palette[shade_[ids[i]]];
@@ -102,7 +101,20 @@ class CpuBackend final : public Backend {
     return {};
   }
 
+  Result<void> nearest(const View& view, std::span<const std::uint32_t> pixels,
+                       std::span<std::uint32_t> sites) override {
+    assert(sites.size() == pixels.size());
+    cpu::nearestSites(nearestSite(), view, pixels, threads_, sites);
+    return {};
+  }
+
  private:
+  const cpu::NearestSite& nearestSite() {
+    assert(sites_ != nullptr);
+    if (!nearest_) nearest_.emplace(*sites_);
+    return *nearest_;
+  }
+
   /// Finds cells over the tree. For a few, among many sites, the tree would take longer than they do.
   void judge(std::span<const std::uint32_t> which, cpu::FindOverTree find, Neighborhoods& out) {
     std::vector<std::uint32_t> left;

@@ -18,7 +18,7 @@ namespace {
 template <std::size_t Dimensions>
 class Cloud {
  public:
-  explicit Cloud(const SiteSet& sites) : sites_(sites), site_(sites.size()) {
+  Cloud(const SiteSet& sites, Point base) : sites_(sites), base_(base), site_(sites.size()) {
     std::iota(site_.begin(), site_.end(), 0U);
     if (Dimensions == 2) return;
     for (const auto heavy : sites.heavy) std::erase(site_, heavy);
@@ -32,7 +32,7 @@ class Cloud {
   [[nodiscard]] std::size_t kdtree_get_point_count() const { return site_.size(); }
   [[nodiscard]] double kdtree_get_pt(std::uint32_t point, std::size_t axis) const {
     if (axis == 2) return height_[point];
-    return (axis == 0 ? sites_.x : sites_.y)[site_[point]];
+    return axis == 0 ? sites_.x[site_[point]] - base_.x : sites_.y[site_[point]] - base_.y;
   }
   template <class Bounds>
   bool kdtree_get_bbox(Bounds&) const {
@@ -41,6 +41,7 @@ class Cloud {
 
  private:
   const SiteSet& sites_;
+  Point base_;
   std::vector<std::uint32_t> site_;  // by point
   std::vector<double> height_;       // by point
 };
@@ -48,22 +49,36 @@ class Cloud {
 /// Squared distances that differ by less than this part of themselves may be in either order.
 constexpr double near_tie = 1e-14;
 
-/// Whether (x, y) is nearer to b than to a: from differences, never from squared distances.
-bool isNearerTo(const SiteSet& s, std::uint32_t b, std::uint32_t a, double x, double y) {
+/// Where sites and places are counted from: the domain's corner, along an axis where no difference to it is
+/// rounded, of sites in the domain and beside it.
+Point baseOf(const Box& domain) {
+  const auto along = [](double low, double high) {
+    const bool exact = std::min(std::abs(low), std::abs(high)) >= 2 * (high - low);
+    return exact && (low > 0) == (high > 0) ? low : 0.0;
+  };
+  return {along(domain.xmin, domain.xmax), along(domain.ymin, domain.ymax)};
+}
+
+/// Whether a place is nearer to b than to a: from differences, never from squared distances.
+bool isNearerTo(const SiteSet& s, std::uint32_t b, std::uint32_t a, Point base, Point p) {
+  const double x_from_a = (base.x - s.x[a]) + p.x, x_from_b = (base.x - s.x[b]) + p.x;
+  const double y_from_a = (base.y - s.y[a]) + p.y, y_from_b = (base.y - s.y[b]) + p.y;
   const double towards =
-      ((x - s.x[a]) + (x - s.x[b])) * (s.x[b] - s.x[a]) + ((y - s.y[a]) + (y - s.y[b])) * (s.y[b] - s.y[a]);
+      (x_from_a + x_from_b) * (s.x[b] - s.x[a]) + (y_from_a + y_from_b) * (s.y[b] - s.y[a]);
   return towards + (s.weight.empty() ? 0 : s.weight[b] - s.weight[a]) > 0;
 }
 
 template <std::size_t Dimensions>
 class CloudTree {
  public:
-  explicit CloudTree(const SiteSet& sites) : sites_(sites), cloud_(sites), index_(Dimensions, cloud_, {16}) {}
+  CloudTree(const SiteSet& sites, Point base)
+      : sites_(sites), base_(base), cloud_(sites, base), index_(Dimensions, cloud_, {16}) {}
 
   [[nodiscard]] bool isEmpty() const { return cloud_.kdtree_get_point_count() == 0; }
 
-  [[nodiscard]] std::uint32_t nearest(double x, double y) const {
-    const std::array<double, 3> point{x, y, 0};
+  /// The place is counted from the base.
+  [[nodiscard]] std::uint32_t nearest(Point p) const {
+    const std::array<double, 3> point{p.x, p.y, 0};
     std::uint32_t found[2] = {0, 0};
     double squared[2] = {0, 0};
     const auto count = index_.knnSearch(point.data(), 2, found, squared);
@@ -75,7 +90,7 @@ class CloudTree {
                         nanoflann::SearchParams(32, 0, true));
     for (const auto& candidate : tied) {
       const auto site = cloud_.siteOf(candidate.first);
-      if (isNearerTo(sites_, site, best, x, y)) best = site;
+      if (isNearerTo(sites_, site, best, base_, p)) best = site;
     }
     return best;
   }
@@ -84,6 +99,7 @@ class CloudTree {
   using Metric = nanoflann::L2_Simple_Adaptor<double, Cloud<Dimensions>, double, std::uint32_t>;
 
   const SiteSet& sites_;
+  Point base_;
   Cloud<Dimensions> cloud_;
   nanoflann::KDTreeSingleIndexAdaptor<Metric, Cloud<Dimensions>, Dimensions, std::uint32_t> index_;
 };
@@ -91,15 +107,16 @@ class CloudTree {
 }  // namespace
 
 struct NearestSite::Tree {
-  explicit Tree(const SiteSet& set) : sites(set) {
+  explicit Tree(const SiteSet& set) : sites(set), base(baseOf(set.domain)) {
     if (sites.weight.empty()) {
-      flat.emplace(sites);
+      flat.emplace(sites, base);
     } else {
-      lifted.emplace(sites);
+      lifted.emplace(sites, base);
     }
   }
 
   const SiteSet& sites;
+  Point base;
   std::optional<CloudTree<2>> flat;
   std::optional<CloudTree<3>> lifted;
 };
@@ -107,28 +124,57 @@ struct NearestSite::Tree {
 NearestSite::NearestSite(const SiteSet& sites) : tree_(std::make_unique<Tree>(sites)) {}
 NearestSite::~NearestSite() = default;
 
-std::uint32_t NearestSite::at(double x, double y) const {
-  if (tree_->flat) return tree_->flat->nearest(x, y);
+std::uint32_t NearestSite::at(Point from, Point p) const {
+  const Point base = tree_->base, place{(from.x - base.x) + p.x, (from.y - base.y) + p.y};
+  if (tree_->flat) return tree_->flat->nearest(place);
   const auto& sites = tree_->sites;
-  auto best = tree_->lifted->isEmpty() ? sites.heavy.front() : tree_->lifted->nearest(x, y);
+  auto best = tree_->lifted->isEmpty() ? sites.heavy.front() : tree_->lifted->nearest(place);
   for (const auto heavy : sites.heavy) {
-    if (isNearerTo(sites, heavy, best, x, y)) best = heavy;
+    if (isNearerTo(sites, heavy, best, base, place)) best = heavy;
   }
   return best;
 }
 
+namespace {
+
+/// Of the pixels of a view, seen from its corner.
+class Centers {
+ public:
+  explicit Centers(const View& view)
+      : view_(view),
+        width_(view.box.xmax - view.box.xmin),
+        height_(view.box.ymax - view.box.ymin),
+        columns_(static_cast<std::size_t>(view.width)) {}
+
+  [[nodiscard]] Point at(std::size_t pixel) const {
+    return {view_.box.xmin + (static_cast<double>(pixel % columns_) + 0.5) / view_.width * width_,
+            view_.box.ymin + (static_cast<double>(pixel / columns_) + 0.5) / view_.height * height_};
+  }
+
+ private:
+  const View& view_;
+  double width_, height_;
+  std::size_t columns_;
+};
+
+constexpr std::size_t grain = 1024;
+
+}  // namespace
+
 void nearestSites(const NearestSite& nearest, const View& view, int threads, std::span<std::uint32_t> out) {
-  const double width = view.box.xmax - view.box.xmin;
-  const double height = view.box.ymax - view.box.ymin;
-  const auto columns = static_cast<std::size_t>(view.width);
-  parallelFor(static_cast<std::size_t>(view.height), 4, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row) {
-      const double y = view.box.ymin + (static_cast<double>(row) + 0.5) / view.height * height;
-      for (std::size_t column = 0; column < columns; ++column) {
-        const double x = view.box.xmin + (static_cast<double>(column) + 0.5) / view.width * width;
-        out[row * columns + column] = nearest.at(x, y);
-      }
+  const Centers centers(view);
+  parallelFor(out.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t pixel = begin; pixel < end; ++pixel) {
+      out[pixel] = nearest.at(view.corner, centers.at(pixel));
     }
+  });
+}
+
+void nearestSites(const NearestSite& nearest, const View& view, std::span<const std::uint32_t> pixels,
+                  int threads, std::span<std::uint32_t> out) {
+  const Centers centers(view);
+  parallelFor(pixels.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) out[k] = nearest.at(view.corner, centers.at(pixels[k]));
   });
 }
 

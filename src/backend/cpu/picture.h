@@ -13,9 +13,10 @@ class NearestSite {
   explicit NearestSite(const SiteSet& sites);  ///< `sites` must outlive this
   ~NearestSite();
 
-  /// The index in the set of the site nearest to (x, y), scaled units, by power. Sites whose squared
-  /// distances differ by rounding alone are told apart by the sign of the point's side of their bisector.
-  [[nodiscard]] std::uint32_t at(double x, double y) const;
+  /// The index in the set of the site nearest to a place, seen from another, in scaled units, by power. Sites
+  /// whose squared distances differ by rounding alone are told apart by the place's side of their bisector.
+  /// From a corner of the domain no place in it is rounded by more than its distance to that.
+  [[nodiscard]] std::uint32_t at(Point from, Point p) const;
 
  private:
   struct Tree;
@@ -25,5 +26,9 @@ class NearestSite {
 /// Writes the index in the set of the nearest site for every pixel center of the view; row 0 is
 /// the bottom.
 void nearestSites(const NearestSite& nearest, const View& view, int threads, std::span<std::uint32_t> out);
+
+/// The same for some of the pixels, numbered row by row.
+void nearestSites(const NearestSite& nearest, const View& view, std::span<const std::uint32_t> pixels,
+                  int threads, std::span<std::uint32_t> out);
 
 }  // namespace vorpipe::cpu
