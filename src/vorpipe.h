@@ -36,6 +36,9 @@ class Session {
   /// Computes the cells of at least one finite site. Errors: as render's.
   Result<Diagram> cells(const Sites& sites, const CellsOptions& options);
 
+  /// Measures how the device rounds, by computing and drawing on it. Error (device): it failed.
+  Result<Arithmetic> arithmetic();
+
   /// backend, device and driver in use; usable is true.
   [[nodiscard]] const DeviceInfo& device() const;
   /// Why `auto` or `vulkan` took this backend, or why it took over; empty where the caller named it.

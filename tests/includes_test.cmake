@@ -17,6 +17,7 @@ set(kinds
     "^backend/[^/]*$"
     "^io/"
     "^bench/"
+    "^selftest/"
     "^cli/"
     "^view/")
 set(may_include
@@ -32,7 +33,8 @@ set(may_include
     "^(vorpipe\\.h|(parallel|big_vector)\\.h|backend/[^/]*\\.h|layout\\.glsl)$"
     "^(vorpipe\\.h|geos\\.h|io/.*)$"
     "^(vorpipe\\.h|(parallel|big_vector)\\.h|bench/.*|io/site_source\\.h|core/(diagram|render|stopwatch)\\.h|backend/(backend|registry)\\.h)$"
-    "^(vorpipe\\.h|io/.*|bench/.*|cli/.*)$"
+    "^(vorpipe\\.h|vorpipe/selftest\\.h|selftest/.*)$"
+    "^(vorpipe\\.h|vorpipe/selftest\\.h|io/.*|bench/.*|cli/.*)$"
     "^(vorpipe\\.h|view/.*)$")
 
 # Headers, most of them a library's, and the only files that may include them.

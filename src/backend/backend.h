@@ -123,6 +123,24 @@ struct BackendInfo {
   std::uint32_t max_entries = 0;  ///< most entries in one batch, most sites in one call of cells or draw
   int most_edges = 0;             ///< room for edges with Effort::roomy
   int subpixel_bits = 8;          ///< vertices are snapped to 1 / 2^bits of a pixel
+  bool has_vertices = true;       ///< whether pictures are drawn at all, or every pixel is asked for
+};
+
+/// Numbers for a device to compute with, so that its rounding can be measured.
+struct Operands {
+  float a, b, c, d;
+};
+
+/// What it makes of them in float; shaders/glsl/arithmetic.glsl.
+struct Computed {
+  float quotient;       ///< a / b
+  float root;           ///< of |a|
+  float inverse_root;   ///< of |a|
+  float product;        ///< a b
+  float sum;            ///< a + b
+  float product_sum;    ///< a b + c, which may be rounded once
+  float rounded_twice;  ///< a b + c, which must not
+  float offset;         ///< (a - b) + (c - d), in this order
 };
 
 /// What a backend puts into a cell. Every backend has the first two; `in_double` and `exact` are the
@@ -180,6 +198,14 @@ class Backend {
                                std::span<std::uint32_t> /*sites*/) {
     return tl::unexpected(Error{
         ErrorCode::device, info().device.backend + " does not find the sites of single pixels; cpu does"});
+  }
+
+  /// Computes in float, in one shader or another. out has one element for each of the operands.
+  virtual Result<void> compute(std::span<const Operands> operands, std::span<Computed> out) {
+    static_cast<void>(operands);
+    static_cast<void>(out);
+    return tl::unexpected(
+        Error{ErrorCode::device, info().device.backend + ": it does not say how it computes"});
   }
 
   /// How long the device has been at work, by its own clock, since it was opened; negative where none is

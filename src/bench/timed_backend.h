@@ -39,6 +39,9 @@ class TimedBackend final : public Backend {
   Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
                     std::span<CellStatus> status) override;
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override;
+  Result<void> compute(std::span<const Operands> operands, std::span<Computed> out) override {
+    return timed_.compute(operands, out);
+  }
   std::vector<std::string> validationMessages() override { return timed_.validationMessages(); }
   [[nodiscard]] double deviceSeconds() const override { return timed_.deviceSeconds(); }
 

@@ -24,6 +24,7 @@ Subcommand addDiff(CLI::App& app);
 Subcommand addCompare(CLI::App& app);
 Subcommand addDevices(CLI::App& app);
 Subcommand addBench(CLI::App& app);
+Subcommand addSelftest(CLI::App& app);
 
 /// Prints one line `vorpipe: MESSAGE` on standard error; what is not fit for one line is replaced.
 void printError(std::string_view message);

@@ -61,8 +61,8 @@ bool namesNoSubcommand(std::span<const Subcommand> subcommands, std::string_view
 int parseAndRun(int count, char** arguments) {
   CLI::App app("Voronoi diagrams of sites in the plane, on any GPU or without one", "vorpipe");
   app.require_subcommand(1);
-  const std::array subcommands = {addRender(app),  addCells(app),   addDiff(app),
-                                  addCompare(app), addDevices(app), addBench(app)};
+  const std::array subcommands = {addRender(app),  addCells(app), addDiff(app),    addCompare(app),
+                                  addDevices(app), addBench(app), addSelftest(app)};
   const std::string version_line = fmt::format("vorpipe {}", version());
   app.set_version_flag("--version", version_line);
   for (const Subcommand& sub : subcommands) sub.app->set_version_flag("--version", version_line);

@@ -73,10 +73,14 @@ void addBackendChoice(CLI::App& app, BackendOptions& options) {
   addDeviceChoice(app, options);
 }
 
-void addRunOptions(CLI::App& app, BackendOptions& options) {
-  addParsed(app, "--threads", options.threads, "N", "CPU threads [all]", [](std::string_view text) {
+void addThreads(CLI::App& app, int& threads) {
+  addParsed(app, "--threads", threads, "N", "CPU threads [all]", [](std::string_view text) {
     return parseWhole(text, 1, most_threads).map([](std::uint64_t n) { return static_cast<int>(n); });
   });
+}
+
+void addRunOptions(CLI::App& app, BackendOptions& options) {
+  addThreads(app, options.threads);
   options.validation = validationAskedByEnvironment();
   app.add_flag("--validate", options.validation,
                "Vulkan validation layers; a message of theirs fails the run [VORPIPE_VALIDATION=1]");

@@ -68,6 +68,8 @@ CLI::Option* addInputOptions(CLI::App& app, InputOptions& options);
 void addDeviceChoice(CLI::App& app, BackendOptions& options);
 /// --backend, --device
 void addBackendChoice(CLI::App& app, BackendOptions& options);
+/// --threads
+void addThreads(CLI::App& app, int& threads);
 /// --threads, --validate
 void addRunOptions(CLI::App& app, BackendOptions& options);
 /// --disable, --limit

@@ -2,6 +2,7 @@
 #include <new>
 
 #include "backend/registry.h"
+#include "core/arithmetic.h"
 #include "core/density.h"
 #include "core/device_in_use.h"
 #include "core/diagram.h"
@@ -70,6 +71,14 @@ Result<Diagram> Session::cells(const Sites& sites, const CellsOptions& options) 
     return state_->device.run<Diagram>([&](Backend& backend) {
       return cellsAndMass(backend, *state_->judge, state_->threads, sites, options);
     });
+  } catch (const std::bad_alloc&) {
+    return tl::unexpected(outOfMemory());
+  }
+}
+
+Result<Arithmetic> Session::arithmetic() {
+  try {
+    return state_->device.run<Arithmetic>([](Backend& backend) { return measureArithmetic(backend); });
   } catch (const std::bad_alloc&) {
     return tl::unexpected(outOfMemory());
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,6 +40,22 @@ struct DeviceInfo {
   std::vector<std::pair<std::string, bool>> features;
   std::vector<std::pair<std::string, std::uint64_t>> limits;
 };
+
+/// How a device rounds, as measured on it. Errors are the largest that were found, in units in the last place
+/// (ULP) of the exact result; exactly rounded is 0.5.
+struct Arithmetic {
+  double quotient = 0, root = 0, inverse_root = 0, product = 0, sum = 0;
+  double offset = 0;            ///< of (a - b) + (c - d), declared precise: by this far sites are told apart
+  bool fuses = false;           ///< rounds a b + c once, where it may
+  bool fuses_precise = false;   ///< and where it must not
+  bool keeps_denormals = true;  ///< numbers below 2^-126; else they are 0
+  /// Vertices are snapped to 1 / 2^bits of a pixel; most_subpixel_bits stand for any more, and 0 for places
+  /// that make no sense. None where pictures are not drawn but computed.
+  std::optional<int> subpixel_bits;
+  std::vector<std::string> validation_messages;  ///< empty unless validation was on and spoke
+};
+
+inline constexpr int most_subpixel_bits = 10;
 
 /// Every backend with its devices; a backend without any has one entry that says why.
 std::vector<DeviceInfo> devices(const Mask& mask);

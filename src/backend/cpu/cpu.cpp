@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cctype>
+#include <cmath>
 #include <fstream>
 #include <optional>
 
@@ -42,6 +43,7 @@ class CpuBackend final : public Backend {
     info_.max_lines = std::uint64_t{1} << 26;
     info_.max_entries = 1u << 24;
     info_.most_edges = EDGES_MOST;
+    info_.has_vertices = false;
   }
 
   const BackendInfo& info() const override { return info_; }
@@ -105,6 +107,17 @@ class CpuBackend final : public Backend {
                        std::span<std::uint32_t> sites) override {
     assert(sites.size() == pixels.size());
     cpu::nearestSites(nearestSite(), view, pixels, threads_, sites);
+    return {};
+  }
+
+  // In a loop that compilers may put into SIMD lanes, as they do with what clips.
+  Result<void> compute(std::span<const Operands> operands, std::span<Computed> out) override {
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+      const auto [a, b, c, d] = operands[i];
+      const float root = std::sqrt(std::abs(a));
+      const float product_sum = a * b + c;
+      out[i] = {a / b, root, 1.0F / root, a * b, a + b, product_sum, product_sum, (a - b) + (c - d)};
+    }
     return {};
   }
 

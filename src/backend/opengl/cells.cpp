@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "backend/cell_answers.h"
+#include "backend/opengl/discarding.h"
 #include "layout.glsl"
 #include "shaders.h"
 
@@ -22,15 +23,6 @@ ProgramText textOf(Entries entries, bool fast) {
   }
   return {shaders::site_vert_410(), geometry, {}, captured};
 }
-
-/// While it lives, nothing is drawn.
-class Discarding {
- public:
-  Discarding() { glEnable(GL_RASTERIZER_DISCARD); }
-  Discarding(const Discarding&) = delete;
-  Discarding& operator=(const Discarding&) = delete;
-  ~Discarding() { glDisable(GL_RASTERIZER_DISCARD); }
-};
 
 }  // namespace
 

@@ -7,6 +7,7 @@
 #include <new>
 #include <utility>
 
+#include "backend/opengl/arithmetic.h"
 #include "backend/opengl/batch.h"
 #include "backend/opengl/cells.h"
 #include "backend/opengl/device.h"
@@ -29,6 +30,7 @@ struct Resources {
   opengl::Sites sites;
   opengl::Geometry geometry;
   opengl::Cells cells;
+  opengl::Calculator calculator;
 };
 
 Result<Resources> makeResources(int subpixel_bits) {
@@ -37,7 +39,7 @@ Result<Resources> makeResources(int subpixel_bits) {
   glDisable(GL_MULTISAMPLE);
   auto picture = opengl::Picture::create(subpixel_bits);
   if (!picture) return tl::unexpected(picture.error());
-  Resources resources{std::move(*picture), {}, {}, {}, {}};
+  Resources resources{std::move(*picture), {}, {}, {}, {}, {}};
   if (auto made = opengl::takeErrors("making buffers"); !made) return tl::unexpected(made.error());
   return resources;
 }
@@ -102,6 +104,13 @@ class OpenGlBackend final : public Backend {
     const auto scope = context_.enter();
     if (!scope) return tl::unexpected(scope.error());
     return gl_.picture.read(rgba, ids);
+  }
+
+  Result<void> compute(std::span<const Operands> operands, std::span<Computed> out) override {
+    const auto scope = context_.enter();
+    if (!scope) return tl::unexpected(scope.error());
+    gl_.picture.bind();
+    return gl_.calculator.run(operands, out);
   }
 
  private:

@@ -10,6 +10,7 @@
 #include "backend/site_texels.h"
 #include "backend/to_float.h"
 #include "backend/view_uniform.h"
+#include "backend/vulkan/arithmetic.h"
 #include "backend/vulkan/error.h"
 
 namespace vorpipe::vulkan {
@@ -167,6 +168,10 @@ Result<void> ComputeBackend::begin(const View& view) {
 Result<void> ComputeBackend::read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) {
   assert(target_.framebuffer() != VK_NULL_HANDLE);
   return target_.read(device_, rgba, ids);
+}
+
+Result<void> ComputeBackend::compute(std::span<const Operands> operands, std::span<Computed> out) {
+  return vulkan::compute(device_, storage_range_, operands, out);
 }
 
 // Puts the indices of sites on the device and binds them.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "backend/view_uniform.h"
+#include "backend/vulkan/arithmetic.h"
 #include "backend/vulkan/error.h"
 #include "backend/vulkan/structure.h"
 
@@ -158,6 +159,11 @@ Result<void> GeometryBackend::run(const Pass& pass, std::size_t first, std::size
 Result<void> GeometryBackend::read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) {
   assert(target_.framebuffer() != VK_NULL_HANDLE);
   return target_.read(device_, rgba, ids);
+}
+
+// By a compute shader all the same: a device's stages share their arithmetic.
+Result<void> GeometryBackend::compute(std::span<const Operands> operands, std::span<Computed> out) {
+  return vulkan::compute(device_, info_.max_entries * status_bytes, operands, out);
 }
 
 }  // namespace vorpipe::vulkan

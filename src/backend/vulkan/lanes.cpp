@@ -123,6 +123,11 @@ class Lanes final : public Backend {
     return {};
   }
 
+  // All lanes are one device.
+  Result<void> compute(std::span<const Operands> operands, std::span<Computed> out) override {
+    return lanes_[0]->compute(operands, out);
+  }
+
   std::vector<std::string> validationMessages() override {
     std::vector<std::string> all;
     for (const auto& lane : lanes_) {

@@ -1,0 +1,98 @@
+#include "vorpipe/selftest.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "cli/command.h"
+#include "cli/options.h"
+#include "cli/progress.h"
+#include "cli/run_end.h"
+#include "cli/selftest_text.h"
+
+namespace vorpipe::cli {
+namespace {
+
+struct SelftestCommand {
+  SelftestOptions options;
+  TalkOptions talk;
+  std::string json;
+};
+
+/// The first fault, in one line.
+std::string firstFault(const SelftestReport& report) {
+  for (const SelftestDevice& device : report.devices) {
+    const std::string name = fmt::format("{} {}", device.info.backend, device.index);
+    if (!device.arithmetic_fault.empty()) return fmt::format("{}: {}", name, device.arithmetic_fault);
+    for (const SelftestRun& run : device.runs) {
+      if (run.passed()) continue;
+      return fmt::format("{}: {}, {}, seed {}: {}", name, run.group, run.scene, run.seed, run.fault);
+    }
+  }
+  return {};
+}
+
+Result<ExitCode> runSelftest(const SelftestCommand& command) {
+  std::vector<std::string> paths;
+  if (!command.json.empty()) paths.push_back(command.json);
+  auto files = openOutputs(paths);
+  if (!files) return tl::unexpected(std::move(files.error()));
+  ProgressBar bar(command.talk.quiet);
+  const auto say = [&](const std::string& text) {
+    bar.clear();
+    printSummary(command.talk, paths, text);
+    std::fflush(stdout);
+  };
+  SelftestOptions options = command.options;
+  options.progress = bar.callback();
+  options.group_done = [&](const SelftestReport& so_far, std::string_view group) {
+    say(group.empty() ? selftestHeading(so_far) : selftestRow(so_far, group));
+  };
+  const auto report = selftest(options);
+  bar.clear();
+  if (!report) return tl::unexpected(report.error());
+  say(selftestDevices(*report) + selftestSummary(*report));
+  std::vector<Writer> writers;
+  if (!command.json.empty()) {
+    writers.emplace_back([&](OutputFile& to) {
+      return to.write(selftestJson(*report).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
+                      "\n");
+    });
+  }
+  if (auto written = writeOutputs(*files, writers); !written)
+    return tl::unexpected(std::move(written.error()));
+  if (report->passed()) return exit_done;
+  printError("a promise is broken: " + firstFault(*report));
+  return exit_different;
+}
+
+}  // namespace
+
+Subcommand addSelftest(CLI::App& app) {
+  auto command = std::make_shared<SelftestCommand>();
+  CLI::App* sub =
+      app.add_subcommand("selftest",
+                         "tests every backend and device here with scenes of its own, judged by cpu, and "
+                         "measures how devices round; "
+                         "exit code 1 if a promise is broken. A bug report wants what --json writes");
+  SelftestOptions& options = command->options;
+  addParsed(*sub, "--backend", options.backend, "NAME",
+            fmt::format("{} [all]", fmt::join(backendNames(), ", ")), parseBackend);
+  sub->add_option("--device", options.device,
+                  "index or part of the name, as `vorpipe devices` lists them [all]")
+      ->type_name("DEVICE");
+  sub->add_flag("--quick", options.quick, "fewer and smaller scenes: seconds instead of minutes");
+  addParsed(*sub, "--seed", options.seed, "S", "seed of the scenes [1]",
+            [](std::string_view text) { return parseWhole(text, 0, UINT64_MAX); });
+  addThreads(*sub, options.threads);
+  addMaskOptions(*sub, options.mask);
+  addFile(*sub, "--json", command->json, "",
+          "everything that was found, with each scene: what a bug report wants");
+  addTalkOptions(*sub, command->talk);
+  return Subcommand{sub, [command] { return runSelftest(*command); }};
+}
+
+}  // namespace vorpipe::cli

@@ -1,0 +1,11 @@
+/// How a device rounds.
+#pragma once
+
+#include "backend/backend.h"
+
+namespace vorpipe {
+
+/// What Session::arithmetic does, on an open backend.
+Result<Arithmetic> measureArithmetic(Backend& backend);
+
+}  // namespace vorpipe

@@ -1,0 +1,124 @@
+#include "selftest/judge.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+namespace vorpipe::selftests {
+namespace {
+
+RenderOptions pictureOptions(const Scene& scene, const Progress& progress) {
+  RenderOptions options{};
+  options.domain = scene.domain;
+  options.outline = scene.outline;
+  options.periodic = scene.periodic;
+  options.width = scene.width;
+  options.height = scene.height;
+  options.progress = progress;
+  return options;
+}
+
+CellsOptions optionsOfCells(const Scene& scene, const Progress& progress) {
+  CellsOptions options = cellsOptions(pictureOptions(scene, progress));
+  options.detail = Detail::everything;
+  return options;
+}
+
+bool wasRefused(const Error& error, bool refusable) { return refusable && error.code == ErrorCode::input; }
+
+std::string firstOf(std::string_view what, const Result<std::vector<std::string>>& broken) {
+  if (!broken) return fmt::format("{}: the check itself failed: {}", what, broken.error().message);
+  if (broken->empty()) return {};
+  if (broken->size() == 1) return fmt::format("{}: {}", what, broken->front());
+  return fmt::format("{}: {} (the first of {})", what, broken->front(), broken->size());
+}
+
+template <class Answer>
+std::string validationFault(std::string_view what, const Result<Answer>& answer) {
+  if (!answer || answer->report.validation_messages.empty()) return {};
+  return fmt::format("{}: validation: {}", what, answer->report.validation_messages.front());
+}
+
+std::string siteText(std::uint32_t id) { return id == no_site ? "no site" : fmt::format("site {}", id); }
+
+std::string pictureDifference(const Image& image, const Image& judges, const Scene& scene) {
+  const auto diff =
+      diffIds(image.ids, judges.ids, scene.width, scene.height, scene.sites, scene.domain, scene.periodic);
+  if (!diff) return fmt::format("picture: {}", diff.error().message);
+  if (diff->wrong > 0) {
+    const IdDifference& first = diff->first.front();
+    return fmt::format(
+        "picture: {} of {} pixels differ from cpu's, first row {}, column {}: {}, not {}, {:.3g} px from "
+        "their bisector",
+        diff->wrong, image.ids.size(), first.row, first.column, siteText(first.a), siteText(first.b),
+        first.distance);
+  }
+  if (diff->ties <= diff->ties_allowed) return {};
+  return fmt::format("picture: {} pixels are ties, where {} can be", diff->ties, diff->ties_allowed);
+}
+
+std::string cellsDifference(const Diagram& cells, const Diagram& judges) {
+  const auto diff = diffCells(cells, judges);
+  if (!diff) return fmt::format("cells: {}", diff.error().message);
+  if (diff->agree()) return {};
+  const CellDifference& first = diff->first.front();
+  std::string what;
+  if (first.status) {
+    what = "another status";
+  } else if (first.neighbors) {
+    what = "other neighbors";
+  } else {
+    what = fmt::format("the area {}, not {}", first.area_a, first.area_b);
+  }
+  return fmt::format("cells: {} of {} differ from cpu's, first that of site {}: {}",
+                     cells.status.size() - diff->equal, cells.status.size(), first.site, what);
+}
+
+template <class Work>
+auto timed(double& milliseconds, const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  auto result = work();
+  milliseconds += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+}  // namespace
+
+Answers answer(Runs& runs, const Scene& scene, const Progress& progress) {
+  double milliseconds = 0;
+  auto picture =
+      timed(milliseconds, [&] { return runs.render(scene.sites, pictureOptions(scene, progress)); });
+  auto cells = timed(milliseconds, [&] { return runs.cells(scene.sites, optionsOfCells(scene, progress)); });
+  return {std::move(picture), std::move(cells), milliseconds};
+}
+
+bool wasCancelled(const Answers& answers) {
+  return (!answers.picture && answers.picture.error().code == ErrorCode::cancelled) ||
+         (!answers.cells && answers.cells.error().code == ErrorCode::cancelled);
+}
+
+std::string faultByCheck(const Answers& answers, const Scene& scene, bool refusable, int threads) {
+  const auto& [picture, cells, milliseconds] = answers;
+  if (!picture && !wasRefused(picture.error(), refusable)) return "picture: " + picture.error().message;
+  if (!cells && !wasRefused(cells.error(), refusable)) return "cells: " + cells.error().message;
+  std::string fault = validationFault("picture", picture);
+  if (fault.empty()) fault = validationFault("cells", cells);
+  if (fault.empty() && picture) {
+    fault = firstOf("picture", check(scene.sites, pictureOptions(scene, {}), *picture, threads));
+  }
+  if (fault.empty() && cells) {
+    fault = firstOf("cells", check(scene.sites, optionsOfCells(scene, {}), *cells, threads));
+  }
+  return fault;
+}
+
+std::string faultByJudge(const Answers& answers, const Answers& judges, const Scene& scene) {
+  std::string fault;
+  if (answers.picture && judges.picture) {
+    fault = pictureDifference(answers.picture->image, judges.picture->image, scene);
+  }
+  if (fault.empty() && answers.cells && judges.cells) fault = cellsDifference(*answers.cells, *judges.cells);
+  return fault;
+}
+
+}  // namespace vorpipe::selftests

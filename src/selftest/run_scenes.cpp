@@ -1,0 +1,228 @@
+#include "selftest/run_scenes.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <utility>
+
+#include "selftest/judge.h"
+#include "selftest/scene.h"
+
+namespace vorpipe::selftests {
+namespace {
+
+/// Scenes that depend on a seed are made this often.
+constexpr std::uint64_t quick_rounds = 1, all_rounds = 8;
+
+std::string textOf(const Mask& mask) {
+  std::string text;
+  for (const auto& [name, value] : mask.limits) {
+    text += fmt::format("{}{}={}", text.empty() ? "" : ", ", name, value);
+  }
+  return text;
+}
+
+/// A device, opened once for each mask that scenes ask for, and again after it failed.
+class Opened {
+ public:
+  explicit Opened(OpenRuns open) : open_(std::move(open)) {}
+
+  Result<Runs*> with(Masked masked, const Mask& mask) {
+    std::unique_ptr<Runs>& runs = runs_[masked];
+    if (!runs) {
+      auto opened = open_(mask);
+      if (!opened) return tl::unexpected(std::move(opened.error()));
+      runs = std::move(*opened);
+    }
+    return runs.get();
+  }
+  void close(Masked masked) { runs_.erase(masked); }
+
+ private:
+  OpenRuns open_;
+  std::map<Masked, std::unique_ptr<Runs>> runs_;
+};
+
+bool deviceFailed(const Answers& answers) {
+  return (!answers.picture && answers.picture.error().code == ErrorCode::device) ||
+         (!answers.cells && answers.cells.error().code == ErrorCode::device);
+}
+
+/// One scene with one seed.
+struct Round {
+  const SceneKind& kind;
+  Scale scale;
+  Scene scene;
+  Mask mask;
+
+  [[nodiscard]] bool refusable() const { return kind.traits == Traits::extreme; }
+};
+
+class Test {
+ public:
+  Test(std::span<const SceneKind> kinds, const std::vector<Tested>& tested, const OpenRuns& judge,
+       const SelftestOptions& options, SelftestReport& report)
+      : kinds_(kinds), tested_(tested), options_(options), report_(report), judge_(judge) {
+    for (const Tested& device : tested) opened_.emplace_back(device.open);
+  }
+
+  Result<void> run() {
+    if (auto measured = measureArithmetic(); !measured) return measured;
+    if (options_.group_done) options_.group_done(report_, {});
+    for (std::size_t k = 0; k < kinds_.size(); k++) {
+      if (auto done = runKind(kinds_[k]); !done) return done;
+      const bool ends_group = k + 1 == kinds_.size() || kinds_[k + 1].group != kinds_[k].group;
+      if (ends_group && options_.group_done) options_.group_done(report_, kinds_[k].group);
+    }
+    return {};
+  }
+
+ private:
+  Result<void> measureArithmetic();
+  Result<void> runKind(const SceneKind& kind);
+  Result<void> runRound(const Round& round);
+  Result<Answers> judged(const Round& round);
+  Result<void> runOn(std::size_t place, const Round& round, const Answers& judges,
+                     const std::string& judges_fault);
+  [[nodiscard]] bool goesOn(std::string_view what) {
+    return !options_.progress || options_.progress(what, done_ / steps());
+  }
+  [[nodiscard]] double steps() const;
+  [[nodiscard]] std::uint64_t roundsOf(const SceneKind& kind) const {
+    if (kind.traits != Traits::random) return 1;
+    return options_.quick ? quick_rounds : all_rounds;
+  }
+  [[nodiscard]] SelftestDevice& device(std::size_t place) { return report_.devices[tested_[place].device]; }
+  /// Keeps the caller's progress from seeing the stages of each run, and yet stops them.
+  [[nodiscard]] Progress stopping(std::string what) {
+    if (!options_.progress) return {};
+    return [this, what = std::move(what)](std::string_view, double) { return goesOn(what); };
+  }
+
+  std::span<const SceneKind> kinds_;
+  const std::vector<Tested>& tested_;
+  const SelftestOptions& options_;
+  SelftestReport& report_;
+  Opened judge_;
+  std::vector<Opened> opened_;
+  double done_ = 0;  ///< rounds on devices
+};
+
+tl::unexpected<Error> cancelled() { return tl::unexpected(Error{ErrorCode::cancelled, "cancelled"}); }
+
+double Test::steps() const {
+  double rounds = 0;
+  for (const SceneKind& kind : kinds_) rounds += static_cast<double>(roundsOf(kind));
+  return rounds * static_cast<double>(tested_.size());
+}
+
+int subpixelBitsOf(const DeviceInfo& info) {
+  for (const auto& [name, value] : info.limits) {
+    if (name == "subPixelPrecisionBits") return static_cast<int>(value);
+  }
+  return allowed_subpixel_bits;
+}
+
+Result<void> Test::measureArithmetic() {
+  for (std::size_t place = 0; place < tested_.size(); place++) {
+    if (!goesOn("arithmetic")) return cancelled();
+    const auto runs = opened_[place].with(Masked::nothing, {});
+    auto measured = runs ? (*runs)->arithmetic() : tl::unexpected(runs.error());
+    if (measured) {
+      device(place).arithmetic_fault = arithmeticFault(*measured, subpixelBitsOf(device(place).info));
+      device(place).arithmetic = std::move(*measured);
+    } else {
+      device(place).arithmetic_fault = measured.error().message;
+      opened_[place].close(Masked::nothing);
+    }
+  }
+  return {};
+}
+
+Result<void> Test::runKind(const SceneKind& kind) {
+  for (std::uint64_t k = 0; k < roundsOf(kind); k++) {
+    const Scale scale{options_.quick, options_.seed + k};
+    if (auto done = runRound({kind, scale, kind.make(scale), maskOf(kind.masked, scale)}); !done) return done;
+  }
+  return {};
+}
+
+Result<Answers> Test::judged(const Round& round) {
+  const auto runs = judge_.with(Masked::nothing, {});
+  if (!runs) return tl::unexpected(runs.error());
+  return answer(**runs, round.scene, stopping(fmt::format("{} by cpu", round.kind.group)));
+}
+
+Result<void> Test::runRound(const Round& round) {
+  const auto judges = judged(round);
+  if (!judges) return tl::unexpected(judges.error());
+  if (wasCancelled(*judges)) return cancelled();
+  const std::string fault = faultByCheck(*judges, round.scene, round.refusable(), options_.threads);
+  for (std::size_t place = 0; place < tested_.size(); place++) {
+    done_++;
+    const bool means_nothing = round.kind.masked != Masked::nothing && !tested_[place].masked;
+    if (means_nothing) continue;
+    if (auto done = runOn(place, round, *judges, fault); !done) return done;
+  }
+  return {};
+}
+
+Result<void> Test::runOn(std::size_t place, const Round& round, const Answers& judges,
+                         const std::string& judges_fault) {
+  SelftestRun run;
+  run.group = round.kind.group;
+  run.scene = round.kind.name;
+  run.masked = textOf(round.mask);
+  run.sites = round.scene.sites.size();
+  run.seed = round.scale.seed;
+  if (tested_[place].is_judge) {
+    run.fault = judges_fault;
+    run.milliseconds = judges.milliseconds;
+  } else if (auto runs = opened_[place].with(round.kind.masked, round.mask); !runs) {
+    run.fault = runs.error().message;
+  } else {
+    const auto answers = answer(
+        **runs, round.scene, stopping(fmt::format("{} by {}", round.kind.group, device(place).info.backend)));
+    if (wasCancelled(answers)) return cancelled();
+    run.milliseconds = answers.milliseconds;
+    run.fault = faultByCheck(answers, round.scene, round.refusable(), options_.threads);
+    if (run.fault.empty()) run.fault = faultByJudge(answers, judges, round.scene);
+    // Its own answers are right, and nothing says so.
+    if (run.fault.empty() && !judges_fault.empty()) run.fault = "cpu cannot judge it: " + judges_fault;
+    if (deviceFailed(answers)) opened_[place].close(round.kind.masked);
+  }
+  device(place).runs.push_back(std::move(run));
+  return {};
+}
+
+}  // namespace
+
+Result<void> runScenes(std::span<const SceneKind> kinds, const std::vector<Tested>& tested,
+                       const OpenRuns& judge, const SelftestOptions& options, SelftestReport& report) {
+  return Test(kinds, tested, judge, options, report).run();
+}
+
+std::string arithmeticFault(const Arithmetic& measured, int subpixel_bits) {
+  struct Bound {
+    std::string_view what;
+    double found, allowed;
+  };
+  for (const auto& [what, found, allowed] :
+       {Bound{"a quotient", measured.quotient, allowed_quotient},
+        Bound{"a root", measured.root, allowed_root},
+        Bound{"an inverse root", measured.inverse_root, allowed_inverse_root},
+        Bound{"a product", measured.product, allowed_rounding},
+        Bound{"a sum", measured.sum, allowed_rounding},
+        Bound{"a sum of differences", measured.offset, allowed_rounding}}) {
+    if (found > allowed)
+      return fmt::format("{} is off by {:.2f} ULP, where {} are allowed", what, found, allowed);
+  }
+  if (measured.subpixel_bits && *measured.subpixel_bits < subpixel_bits) {
+    return fmt::format("vertices are snapped to {} sub-pixel bits, where {} are reported",
+                       *measured.subpixel_bits, subpixel_bits);
+  }
+  if (measured.validation_messages.empty()) return {};
+  return "validation: " + measured.validation_messages.front();
+}
+
+}  // namespace vorpipe::selftests

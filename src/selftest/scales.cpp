@@ -1,0 +1,21 @@
+#include "selftest/makers.h"
+
+namespace vorpipe::selftests {
+
+Scene scaled(double factor, const Scale& scale) {
+  Scene scene = patternScene(Pattern::random, scale.of(300, 3000), scale);
+  for (double& x : scene.sites.x) x *= factor;
+  for (double& y : scene.sites.y) y *= factor;
+  scene.domain = {0, 0, factor, factor};
+  return scene;
+}
+
+Scene farAway(double distance, const Scale& scale) {
+  Scene scene = patternScene(Pattern::random, scale.of(200, 2000), scale);
+  for (double& x : scene.sites.x) x += distance;
+  for (double& y : scene.sites.y) y -= distance;
+  scene.domain = {distance + 0.2, 0.3 - distance, distance + 0.7, 0.8 - distance};
+  return scene;
+}
+
+}  // namespace vorpipe::selftests

@@ -1,0 +1,137 @@
+#include "vorpipe/selftest.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <chrono>
+#include <map>
+#include <new>
+
+#include "selftest/run_scenes.h"
+
+namespace vorpipe {
+namespace selftests {
+namespace {
+
+std::string lower(std::string_view mixed) {
+  std::string result(mixed);
+  std::ranges::transform(result, result.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return result;
+}
+
+/// The name of the backend that `auto` and `vulkan` stand for here; any other name as it is.
+Result<std::string> backendNamed(const SelftestOptions& options) {
+  if (options.backend != "auto" && options.backend != "vulkan") return options.backend;
+  BackendOptions chosen;
+  chosen.name = options.backend;
+  chosen.device = options.device;
+  chosen.threads = options.threads;
+  chosen.mask = options.mask;
+  const auto session = Session::open(chosen);
+  if (!session) return tl::unexpected(session.error());
+  return session->device().backend;
+}
+
+bool isNamed(const SelftestDevice& device, std::string_view wanted) {
+  if (wanted.empty()) return true;
+  if (device.index < 0) return false;
+  int index = 0;
+  const auto [stop, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), index);
+  if (error == std::errc() && stop == wanted.data() + wanted.size()) return device.index == index;
+  return lower(device.info.name).find(lower(wanted)) != std::string::npos;
+}
+
+/// Those that the options name. Errors (device): there is none, or none that can be used although the options
+/// name some.
+Result<std::vector<SelftestDevice>> namedDevices(const SelftestOptions& options) {
+  const auto names = backendNames();
+  if (!options.backend.empty() && std::ranges::find(names, options.backend) == names.end()) {
+    return tl::unexpected(Error{
+        ErrorCode::input, fmt::format("there is no backend \"{}\"; see vorpipe devices", options.backend)});
+  }
+  const auto backend = backendNamed(options);
+  if (!backend) return tl::unexpected(backend.error());
+  std::vector<SelftestDevice> named;
+  std::map<std::string, int> next;
+  for (DeviceInfo& info : devices(options.mask)) {
+    SelftestDevice device;
+    if (!info.name.empty()) device.index = next[info.backend]++;
+    device.info = std::move(info);
+    const bool wanted = backend->empty() || device.info.backend == *backend;
+    if (wanted && isNamed(device, options.device)) named.push_back(std::move(device));
+  }
+  const bool any_usable = std::ranges::any_of(named, [](const auto& device) { return device.info.usable; });
+  if (any_usable) return named;
+  if (named.empty()) {
+    return tl::unexpected(
+        Error{ErrorCode::device, fmt::format("there is no device '{}'{}; see vorpipe devices", options.device,
+                                             backend->empty() ? "" : " of " + *backend)});
+  }
+  return tl::unexpected(Error{ErrorCode::device, named.front().info.reason});
+}
+
+/// How a device is opened: with validation, unless that is why it cannot be.
+BackendOptions optionsOf(SelftestDevice& device, const SelftestOptions& options) {
+  BackendOptions opened;
+  opened.name = device.info.backend;
+  opened.device = std::to_string(device.index);
+  opened.threads = options.threads;
+  opened.mask = options.mask;
+  if (!device.info.backend.starts_with("vulkan")) return opened;
+  opened.validation = true;
+  const auto with = Session::open(opened);
+  device.validated = with.has_value();
+  if (!with) {
+    device.not_validated = with.error().message;
+    opened.validation = false;
+  }
+  return opened;
+}
+
+Result<SelftestReport> run(const SelftestOptions& options) {
+  const auto start = std::chrono::steady_clock::now();
+  SelftestReport report;
+  report.seed = options.seed;
+  report.quick = options.quick;
+  auto named = namedDevices(options);
+  if (!named) return tl::unexpected(std::move(named.error()));
+  report.devices = std::move(*named);
+  std::vector<Tested> tested;
+  for (std::size_t i = 0; i < report.devices.size(); i++) {
+    SelftestDevice& device = report.devices[i];
+    if (!device.info.usable) continue;
+    const bool is_cpu = device.info.backend == "cpu";
+    tested.push_back({i, sessionRuns(optionsOf(device, options)), is_cpu, !is_cpu});
+  }
+  BackendOptions judge;
+  judge.name = "cpu";
+  judge.threads = options.threads;
+  if (auto done = runScenes(sceneKinds(), tested, sessionRuns(judge), options, report); !done) {
+    return tl::unexpected(std::move(done.error()));
+  }
+  report.milliseconds =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return report;
+}
+
+}  // namespace
+}  // namespace selftests
+
+bool SelftestDevice::passed() const {
+  return arithmetic_fault.empty() && std::ranges::all_of(runs, &SelftestRun::passed);
+}
+
+bool SelftestReport::passed() const { return std::ranges::all_of(devices, &SelftestDevice::passed); }
+
+Result<SelftestReport> selftest(const SelftestOptions& options) {
+  try {
+    return selftests::run(options);
+  } catch (const std::bad_alloc&) {
+    return tl::unexpected(Error{ErrorCode::device, "out of memory; --quick has smaller scenes"});
+  }
+}
+
+}  // namespace vorpipe

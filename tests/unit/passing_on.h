@@ -1,0 +1,48 @@
+/// A backend that passes every call on: what a test makes of it gives other answers to some.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <utility>
+
+#include "backend/backend.h"
+
+namespace vorpipe::test {
+
+class PassingOn : public Backend {
+ public:
+  explicit PassingOn(std::unique_ptr<Backend> real) : real_(std::move(real)) {}
+
+  const BackendInfo& info() const override { return real_->info(); }
+  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override {
+    return real_->upload(sites, shade);
+  }
+  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) override {
+    return real_->cells(which, effort, out);
+  }
+  Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) override {
+    return real_->cells(batch, out);
+  }
+  Result<void> begin(const View& view) override { return real_->begin(view); }
+  Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
+                    std::span<CellStatus> status) override {
+    return real_->draw(which, effort, status);
+  }
+  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
+                    std::span<CellStatus> status) override {
+    return real_->draw(batch, marks, effort, status);
+  }
+  Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override {
+    return real_->read(rgba, ids);
+  }
+  Result<void> compute(std::span<const Operands> operands, std::span<Computed> out) override {
+    return real_->compute(operands, out);
+  }
+  [[nodiscard]] double deviceSeconds() const override { return real_->deviceSeconds(); }
+  std::vector<std::string> validationMessages() override { return real_->validationMessages(); }
+
+ private:
+  std::unique_ptr<Backend> real_;
+};
+
+}  // namespace vorpipe::test
