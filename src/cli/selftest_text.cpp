@@ -118,6 +118,31 @@ std::string limitsText(const SelftestReport& report) {
   return text;
 }
 
+/// What became of a group's scenes on one device.
+struct GroupOutcome {
+  std::size_t runs = 0, wrong = 0;
+  double milliseconds = 0;
+  const SelftestRun* first = nullptr;  ///< of those that failed
+};
+
+GroupOutcome outcomeOf(const SelftestDevice& device, std::string_view group) {
+  GroupOutcome outcome;
+  for (const SelftestRun& run : device.runs) {
+    if (run.group != group) continue;
+    outcome.runs++;
+    outcome.milliseconds += run.milliseconds;
+    if (run.passed()) continue;
+    outcome.wrong++;
+    if (outcome.first == nullptr) outcome.first = &run;
+  }
+  return outcome;
+}
+
+std::string faultText(const SelftestRun& run, const GroupOutcome& outcome) {
+  return fmt::format("{}{}{}, seed {}: {} ({} of {} runs)", run.scene, run.masked.empty() ? "" : ", ",
+                     run.masked, run.seed, run.fault, outcome.wrong, outcome.runs);
+}
+
 }  // namespace
 
 std::string selftestHeading(const SelftestReport& report) {
@@ -140,33 +165,25 @@ std::string selftestHeading(const SelftestReport& report) {
 
 std::string selftestRow(const SelftestReport& report, std::string_view group) {
   std::size_t most = 0;
-  std::string faults;
   int number = 0;
+  std::vector<std::pair<std::string, std::string>> faults;  // a fault, and which devices have it
   const auto text = [&](const SelftestDevice& device) -> std::string {
+    const GroupOutcome outcome = outcomeOf(device, group);
     number++;
-    double milliseconds = 0;
-    std::size_t count = 0, wrong = 0;
-    const SelftestRun* first = nullptr;
-    for (const SelftestRun& run : device.runs) {
-      if (run.group != group) continue;
-      count++;
-      milliseconds += run.milliseconds;
-      if (run.passed()) continue;
-      wrong++;
-      if (first == nullptr) first = &run;
-    }
-    most = std::max(most, count);
-    if (count == 0) return "-";
-    if (first == nullptr) return fmt::format("{:.2f}", milliseconds / 1000);
-    faults += fmt::format("  [{}] {}{}{}, seed {}: {}{}\n", number, first->scene,
-                          first->masked.empty() ? "" : ", ", first->masked, first->seed, first->fault,
-                          wrong > 1 ? fmt::format(" (the first of {} of {})", wrong, count) : "");
+    most = std::max(most, outcome.runs);
+    if (outcome.runs == 0) return "-";
+    if (outcome.first == nullptr) return fmt::format("{:.2f}", outcome.milliseconds / 1000);
+    const std::string fault = faultText(*outcome.first, outcome);
+    const auto same = std::ranges::find(faults, fault, &decltype(faults)::value_type::first);
+    auto& devices = same == faults.end() ? faults.emplace_back(fault, "").second : same->second;
+    devices += fmt::format("[{}] ", number);
     return "FAULT";
   };
-  std::string line = row(report, fmt::format("  {}", group), text);
-  const std::string runs = fmt::format(" ({})", most);
-  line.replace(group.size() + 2, runs.size(), runs);
-  return line + faults;
+  std::string lines = row(report, "", text);
+  const std::string label = fmt::format("  {} ({})", group, most);
+  lines.replace(0, label.size(), label);
+  for (const auto& [fault, devices] : faults) lines += fmt::format("    {}{}\n", devices, fault);
+  return lines;
 }
 
 std::string selftestDevices(const SelftestReport& report) {

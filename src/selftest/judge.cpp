@@ -28,9 +28,7 @@ bool wasRefused(const Error& error, bool refusable) { return refusable && error.
 
 std::string firstOf(std::string_view what, const Result<std::vector<std::string>>& broken) {
   if (!broken) return fmt::format("{}: the check itself failed: {}", what, broken.error().message);
-  if (broken->empty()) return {};
-  if (broken->size() == 1) return fmt::format("{}: {}", what, broken->front());
-  return fmt::format("{}: {} (the first of {})", what, broken->front(), broken->size());
+  return broken->empty() ? "" : fmt::format("{}: {}", what, broken->front());
 }
 
 template <class Answer>

@@ -1,5 +1,4 @@
-/// The scenes, by what is hard about them. Functions whose names begin with a number's words take it as a
-/// template argument in the table of scenes.cpp.
+/// The scenes, by what is hard about them.
 #pragma once
 
 #include "selftest/scene.h"
@@ -20,7 +19,7 @@ Scene ringOutline(const Scale& scale);
 // weights.cpp
 Scene randomWeights(const Scale& scale);
 /// Weights |p|^2 of places near a lattice: all cells all but meet in one point.
-Scene liftedTwins(const Scale& scale);
+Scene liftedTwins(std::uint64_t sites, double noise, const Scale& scale);
 
 // scales.cpp: coordinates that are very small, large or far away
 Scene scaled(double factor, const Scale& scale);

@@ -19,6 +19,12 @@ class Random {
     return low + (high - low) * std::ldexp(static_cast<double>(engine_() >> 11), -53);
   }
 
+  /// A place of a lattice with so many in a row, from 0 on; every second one is moved by up to `noise`.
+  double nearLattice(std::uint64_t side, double spacing, double noise) {
+    const double place = spacing * static_cast<double>(whole(side));
+    return whole(2) == 0 ? place : place + noise * between(0, 1);
+  }
+
   /// 10 to the power of something between low and high.
   double power(double low, double high) { return std::pow(10.0, between(low, high)); }
 

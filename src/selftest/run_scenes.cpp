@@ -12,7 +12,7 @@ namespace vorpipe::selftests {
 namespace {
 
 /// Scenes that depend on a seed are made this often.
-constexpr std::uint64_t quick_rounds = 1, all_rounds = 8;
+constexpr std::uint64_t rounds = 8, quick_rounds = 1, quick_often = 4;
 
 std::string textOf(const Mask& mask) {
   std::string text;
@@ -88,10 +88,7 @@ class Test {
     return !options_.progress || options_.progress(what, done_ / steps());
   }
   [[nodiscard]] double steps() const;
-  [[nodiscard]] std::uint64_t roundsOf(const SceneKind& kind) const {
-    if (kind.traits != Traits::random) return 1;
-    return options_.quick ? quick_rounds : all_rounds;
-  }
+  [[nodiscard]] std::uint64_t roundsOf(const SceneKind& kind) const;
   [[nodiscard]] SelftestDevice& device(std::size_t place) { return report_.devices[tested_[place].device]; }
   /// Keeps the caller's progress from seeing the stages of each run, and yet stops them.
   [[nodiscard]] Progress stopping(std::string what) {
@@ -110,10 +107,16 @@ class Test {
 
 tl::unexpected<Error> cancelled() { return tl::unexpected(Error{ErrorCode::cancelled, "cancelled"}); }
 
+std::uint64_t Test::roundsOf(const SceneKind& kind) const {
+  if (kind.traits != Traits::random && kind.traits != Traits::often) return 1;
+  if (!options_.quick) return rounds;
+  return kind.traits == Traits::often ? quick_often : quick_rounds;
+}
+
 double Test::steps() const {
-  double rounds = 0;
-  for (const SceneKind& kind : kinds_) rounds += static_cast<double>(roundsOf(kind));
-  return rounds * static_cast<double>(tested_.size());
+  double all = 0;
+  for (const SceneKind& kind : kinds_) all += static_cast<double>(roundsOf(kind));
+  return all * static_cast<double>(tested_.size());
 }
 
 int subpixelBitsOf(const DeviceInfo& info) {

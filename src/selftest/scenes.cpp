@@ -5,7 +5,8 @@
 namespace vorpipe::selftests {
 namespace {
 
-constexpr Traits fixed = Traits::none, random_ = Traits::random, extreme = Traits::extreme;
+constexpr Traits fixed = Traits::none, random_ = Traits::random, often = Traits::often,
+                 extreme = Traits::extreme;
 constexpr Masked whole = Masked::nothing;
 
 template <Pattern pattern, std::uint64_t few, std::uint64_t many>
@@ -40,6 +41,11 @@ Scene away(const Scale& scale) {
   return farAway(tenTo(power), scale);
 }
 
+template <std::uint64_t sites, int power>
+Scene lifted(const Scale& scale) {
+  return liftedTwins(sites, tenTo(power), scale);
+}
+
 template <int power>
 Scene crowded(const Scale& scale) {
   return crowds(tenTo(power), scale);
@@ -56,7 +62,9 @@ constexpr std::array kinds = {
     SceneKind{"curves", "circle", fixed, whole, of<Pattern::circle, 500, 5000>},
     SceneKind{"curves", "spiral", fixed, whole, spiral},
     SceneKind{"weights", "random", random_, whole, randomWeights},
-    SceneKind{"weights", "|p|^2, near twins", random_, whole, liftedTwins},
+    SceneKind{"weights", "20 of |p|^2, near twins", often, whole, lifted<20, -6>},
+    SceneKind{"weights", "20 of |p|^2, nearer twins", often, whole, lifted<20, -7>},
+    SceneKind{"weights", "260 of |p|^2, near twins", random_, whole, lifted<260, -7>},
     SceneKind{"periodic", "along x", random_, whole, repeated<Periodic::x>},
     SceneKind{"periodic", "along x and y", random_, whole, repeated<Periodic::xy>},
     SceneKind{"outline", "a star with a hole", random_, whole, ringOutline},
@@ -70,8 +78,8 @@ constexpr std::array kinds = {
     SceneKind{"crowds", "1e-11 wide", random_, whole, crowded<-11>},
     SceneKind{"crowds", "1e-13 wide", random_, whole, crowded<-13>},
     SceneKind{"crowds", "near twins", random_, whole, nearTwins},
-    SceneKind{"slivers", "a circle, cut", fixed, whole, circleInSmallDomain},
-    SceneKind{"slivers", "a lattice, cut", random_, whole, latticeInSmallDomain},
+    SceneKind{"slivers", "a rough circle, cut", often, whole, circleInSmallDomain},
+    SceneKind{"slivers", "a rough lattice, cut", often, whole, latticeInSmallDomain},
     SceneKind{"large", "many sites", random_, whole, manySites},
     SceneKind{"large", "a wide picture", random_, whole, wideStrip},
     SceneKind{"small limits", "random in tiles", random_, Masked::sites, of<Pattern::random, 4000, 200'000>},

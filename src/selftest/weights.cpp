@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "selftest/makers.h"
 #include "selftest/random.h"
 
@@ -16,20 +14,17 @@ Scene randomWeights(const Scale& scale) {
   return scene;
 }
 
-Scene liftedTwins(const Scale& scale) {
-  constexpr std::uint64_t side = 4, count = 260;
+Scene liftedTwins(std::uint64_t sites, double noise, const Scale& scale) {
+  constexpr std::uint64_t side = 3;
   Random random(scale.seed);
   Scene scene;
-  Sites& sites = scene.sites;
-  for (std::uint64_t i = 0; i < count; i++) {
-    const double away = random.power(-8, -6);
-    const double x = static_cast<double>(random.whole(side)) + away * random.between(0, 1);
-    const double y = static_cast<double>(random.whole(side)) + away * random.between(0, 1);
-    sites.x.push_back(x);
-    sites.y.push_back(y);
-    sites.weight.push_back(x * x + y * y);
+  for (std::uint64_t i = 0; i < sites; i++) {
+    const double x = random.nearLattice(side, 1, noise), y = random.nearLattice(side, 1, noise);
+    scene.sites.x.push_back(x);
+    scene.sites.y.push_back(y);
+    scene.sites.weight.push_back(x * x + y * y);
   }
-  scene.domain = {-0.15, -0.15, 3.15, 3.15};
+  scene.domain = {-0.1, -0.1, 2.1, 2.1};
   return scene;
 }
 
