@@ -206,11 +206,15 @@ std::string selftestSummary(const SelftestReport& report) {
         std::ranges::count_if(device.runs, [](const SelftestRun& run) { return !run.passed(); }));
     wrong += device.arithmetic_fault.empty() ? 0U : 1U;
   }
+  const auto count = [](std::size_t number, std::string_view what) {
+    return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+  };
+  const std::string where =
+      fmt::format("{} on {}", count(runs, "run"), count(testedOf(report).size(), "device"));
   const double seconds = report.milliseconds / 1000;
-  const std::size_t devices = testedOf(report).size();
-  if (wrong == 0)
-    return fmt::format("\nall {} runs on {} devices passed, {:.1f} s\n", runs, devices, seconds);
-  return fmt::format("\n{} faults in {} runs on {} devices, {:.1f} s\n", wrong, runs, devices, seconds);
+  if (wrong == 0) return fmt::format("\nall {} passed, {:.1f} s\n", where, seconds);
+  return fmt::format("\n{} in {}, {:.1f} s; a bug report wants what --json writes\n", count(wrong, "fault"),
+                     where, seconds);
 }
 
 }  // namespace vorpipe::cli

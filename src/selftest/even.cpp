@@ -27,17 +27,17 @@ Scene spiral(const Scale& scale) {
 
 Scene fewSites(std::uint64_t sites, const Scale& scale) {
   Scene scene = patternScene(Pattern::random, sites, scale);
-  scene.width = scene.height = static_cast<int>(scale.of(400, 2000));
+  scene.width = scene.height = static_cast<int>(scale.of(400, 1000));
   return scene;
 }
 
 Scene manySites(const Scale& scale) {
-  return patternScene(Pattern::random, scale.of(20'000, 500'000), scale);
+  return patternScene(Pattern::random, scale.of(20'000, 300'000), scale);
 }
 
 Scene wideStrip(const Scale& scale) {
   Scene scene = patternScene(Pattern::random, 400, scale);
-  scene.width = static_cast<int>(scale.of(4200, 9000));
+  scene.width = static_cast<int>(scale.of(4200, 5000));
   scene.height = static_cast<int>(scale.of(40, 4200));
   return scene;
 }

@@ -12,7 +12,7 @@ namespace vorpipe::selftests {
 namespace {
 
 /// Scenes that depend on a seed are made this often.
-constexpr std::uint64_t rounds = 8, quick_rounds = 1, quick_often = 4;
+constexpr std::uint64_t rounds = 6, quick_rounds = 1, quick_often = 4;
 
 std::string textOf(const Mask& mask) {
   std::string text;

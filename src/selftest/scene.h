@@ -26,16 +26,15 @@ struct Scale {
   [[nodiscard]] std::uint64_t of(std::uint64_t few, std::uint64_t many) const { return quick ? few : many; }
 };
 
-/// Limits that are lowered for a scene.
+/// Limits that are lowered for a scene. A device is opened anew for each of these.
 enum class Masked : std::uint8_t {
   nothing,
-  sites,    ///< few sites and bins at once: tiles
-  storage,  ///< few cells in one call
-  bits,     ///< vertices on a coarse grid
+  limits,  ///< few sites and bins at once, few cells in one call
+  bits,    ///< vertices on a coarse grid
 };
 
 enum class Traits : std::uint8_t {
-  none = 0,
+  once = 0,     ///< made with one seed, or without
   random = 1,   ///< other seeds give other scenes
   often = 2,    ///< and only some are hard: a quick test has several
   extreme = 3,  ///< beyond the numbers that work: that it is refused is right, a wrong result is not

@@ -5,7 +5,7 @@
 namespace vorpipe::selftests {
 namespace {
 
-constexpr Traits fixed = Traits::none, random_ = Traits::random, often = Traits::often,
+constexpr Traits once = Traits::once, random_ = Traits::random, often = Traits::often,
                  extreme = Traits::extreme;
 constexpr Masked whole = Masked::nothing;
 
@@ -57,10 +57,10 @@ constexpr std::array kinds = {
     SceneKind{"even", "3 sites", random_, whole, few<3>},
     SceneKind{"even", "12 sites", random_, whole, few<12>},
     SceneKind{"clustered", "clusters", random_, whole, of<Pattern::clusters, 1500, 30'000>},
-    SceneKind{"lattices", "square", fixed, whole, of<Pattern::square, 900, 10'000>},
-    SceneKind{"lattices", "hexagonal", fixed, whole, of<Pattern::hex, 900, 10'000>},
-    SceneKind{"curves", "circle", fixed, whole, of<Pattern::circle, 500, 5000>},
-    SceneKind{"curves", "spiral", fixed, whole, spiral},
+    SceneKind{"lattices", "square", once, whole, of<Pattern::square, 900, 10'000>},
+    SceneKind{"lattices", "hexagonal", once, whole, of<Pattern::hex, 900, 10'000>},
+    SceneKind{"curves", "circle", once, whole, of<Pattern::circle, 500, 5000>},
+    SceneKind{"curves", "spiral", once, whole, spiral},
     SceneKind{"weights", "random", random_, whole, randomWeights},
     SceneKind{"weights", "20 of |p|^2, near twins", often, whole, lifted<20, -6>},
     SceneKind{"weights", "20 of |p|^2, nearer twins", often, whole, lifted<20, -7>},
@@ -80,15 +80,15 @@ constexpr std::array kinds = {
     SceneKind{"crowds", "near twins", random_, whole, nearTwins},
     SceneKind{"slivers", "a rough circle, cut", often, whole, circleInSmallDomain},
     SceneKind{"slivers", "a rough lattice, cut", often, whole, latticeInSmallDomain},
-    SceneKind{"large", "many sites", random_, whole, manySites},
-    SceneKind{"large", "a wide picture", random_, whole, wideStrip},
-    SceneKind{"small limits", "random in tiles", random_, Masked::sites, of<Pattern::random, 4000, 200'000>},
-    SceneKind{"small limits", "clusters in tiles", random_, Masked::sites,
+    SceneKind{"large", "many sites", once, whole, manySites},
+    SceneKind{"large", "a wide picture", once, whole, wideStrip},
+    SceneKind{"small limits", "random, in tiles", random_, Masked::limits,
+              of<Pattern::random, 4000, 200'000>},
+    SceneKind{"small limits", "clusters, in tiles", random_, Masked::limits,
               of<Pattern::clusters, 4000, 200'000>},
-    SceneKind{"small limits", "short calls", random_, Masked::storage, of<Pattern::random, 1000, 20'000>},
     SceneKind{"4 sub-pixel bits", "random", random_, Masked::bits, of<Pattern::random, 1000, 20'000>},
     SceneKind{"4 sub-pixel bits", "12 sites", random_, Masked::bits, few<12>},
-    SceneKind{"4 sub-pixel bits", "hexagonal", fixed, Masked::bits, of<Pattern::hex, 400, 10'000>},
+    SceneKind{"4 sub-pixel bits", "hexagonal", once, Masked::bits, of<Pattern::hex, 400, 10'000>},
 };
 
 }  // namespace
@@ -97,8 +97,10 @@ std::span<const SceneKind> sceneKinds() { return kinds; }
 
 Mask maskOf(Masked masked, const Scale& scale) {
   Mask mask;
-  if (masked == Masked::sites) mask.limits = {{"maxTexelBufferElements", scale.of(1024, 65536)}};
-  if (masked == Masked::storage) mask.limits = {{"maxStorageBufferRange", scale.of(16384, 65536)}};
+  if (masked == Masked::limits) {
+    mask.limits = {{"maxTexelBufferElements", scale.of(1024, 65536)},
+                   {"maxStorageBufferRange", scale.of(16384, 65536)}};
+  }
   if (masked == Masked::bits) mask.limits = {{"subPixelPrecisionBits", 4}};
   return mask;
 }
