@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "bench/driver_threads.h"
 #include "cli/command.h"
 #include "cli/options.h"
 #include "cli/progress.h"
@@ -36,6 +37,7 @@ std::string firstFault(const SelftestReport& report) {
 }
 
 Result<ExitCode> runSelftest(const SelftestCommand& command) {
+  setDriverThreads(command.options.threads);
   std::vector<std::string> paths;
   if (!command.json.empty()) paths.push_back(command.json);
   auto files = openOutputs(paths);

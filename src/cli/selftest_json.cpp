@@ -15,14 +15,9 @@ Json textOrNull(const std::string& text) { return text.empty() ? Json(nullptr) :
 Json ulp(double error) { return std::isfinite(error) ? Json(error) : Json("no number"); }
 
 Json runJson(const SelftestRun& run) {
-  return {{"group", run.group},
-          {"scene", run.scene},
-          {"masked", textOrNull(run.masked)},
-          {"sites", run.sites},
-          {"seed", run.seed},
-          {"time_ms", run.milliseconds},
-          {"passed", run.passed()},
-          {"fault", textOrNull(run.fault)}};
+  return {{"group", run.group}, {"scene", run.scene},     {"masked", textOrNull(run.masked)},
+          {"sites", run.sites}, {"seed", run.seed},       {"time_ms", run.milliseconds},
+          {"notes", run.notes}, {"passed", run.passed()}, {"fault", textOrNull(run.fault)}};
 }
 
 Json arithmeticJson(const SelftestDevice& device) {

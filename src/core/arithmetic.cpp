@@ -102,7 +102,11 @@ Result<Arithmetic> measureArithmetic(Backend& backend) {
     if (!bits) return tl::unexpected(bits.error());
     measured.subpixel_bits = *bits;
   }
-  measured.validation_messages = backend.validationMessages();
+  const DeviceInfo& device = backend.info().device;
+  measured.report.backend = device.backend;
+  measured.report.device = device.name;
+  measured.report.driver = device.driver;
+  measured.report.validation_messages = backend.validationMessages();
   return measured;
 }
 

@@ -34,6 +34,9 @@ class BoundedBackend final : public Backend {
   Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
                     std::span<CellStatus> status) override;
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override;
+  Result<void> compute(std::span<const Operands> operands, std::span<Computed> out) override {
+    return backend_.compute(operands, out);
+  }
   [[nodiscard]] double deviceSeconds() const override { return backend_.deviceSeconds(); }
   std::vector<std::string> validationMessages() override { return backend_.validationMessages(); }
 

@@ -95,6 +95,14 @@ bool wasCancelled(const Answers& answers) {
          (!answers.cells && answers.cells.error().code == ErrorCode::cancelled);
 }
 
+std::vector<std::string> notesOf(const Answers& answers) {
+  std::vector<std::string> notes;
+  if (answers.picture) notes = answers.picture->report.notes;
+  if (answers.cells)
+    notes.insert(notes.end(), answers.cells->report.notes.begin(), answers.cells->report.notes.end());
+  return notes;
+}
+
 std::string faultByCheck(const Answers& answers, const Scene& scene, bool refusable, int threads) {
   const auto& [picture, cells, milliseconds] = answers;
   if (!picture && !wasRefused(picture.error(), refusable)) return "picture: " + picture.error().message;

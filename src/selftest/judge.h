@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "selftest/runs.h"
 #include "selftest/scene.h"
@@ -19,6 +20,9 @@ Answers answer(Runs& runs, const Scene& scene, const Progress& progress);
 
 /// Whether the caller's progress stopped the run.
 bool wasCancelled(const Answers& answers);
+
+/// What the runs' reports note.
+std::vector<std::string> notesOf(const Answers& answers);
 
 /// What check() finds in them first, in one line; empty if nothing. `refusable`: that the scene is refused
 /// as input is right. Answers that no device gave, as an error, are a fault.

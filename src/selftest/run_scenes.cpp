@@ -188,6 +188,7 @@ Result<void> Test::runOn(std::size_t place, const Round& round, const Answers& j
         **runs, round.scene, stopping(fmt::format("{} by {}", round.kind.group, device(place).info.backend)));
     if (wasCancelled(answers)) return cancelled();
     run.milliseconds = answers.milliseconds;
+    run.notes = notesOf(answers);
     run.fault = faultByCheck(answers, round.scene, round.refusable(), options_.threads);
     if (run.fault.empty()) run.fault = faultByJudge(answers, judges, round.scene);
     // Its own answers are right, and nothing says so.
@@ -224,8 +225,8 @@ std::string arithmeticFault(const Arithmetic& measured, int subpixel_bits) {
     return fmt::format("vertices are snapped to {} sub-pixel bits, where {} are reported",
                        *measured.subpixel_bits, subpixel_bits);
   }
-  if (measured.validation_messages.empty()) return {};
-  return "validation: " + measured.validation_messages.front();
+  if (measured.report.validation_messages.empty()) return {};
+  return "validation: " + measured.report.validation_messages.front();
 }
 
 }  // namespace vorpipe::selftests

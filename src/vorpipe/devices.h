@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "vorpipe/run.h"
+
 namespace vorpipe {
 
 /// Pretends that a device lacks features or has smaller limits, by their Vulkan names
@@ -52,7 +54,7 @@ struct Arithmetic {
   /// Vertices are snapped to 1 / 2^bits of a pixel; most_subpixel_bits stand for any more, and 0 for places
   /// that make no sense. None where pictures are not drawn but computed.
   std::optional<int> subpixel_bits;
-  std::vector<std::string> validation_messages;  ///< empty unless validation was on and spoke
+  Report report;  ///< who measured it, and what the validation layers said
 };
 
 inline constexpr int most_subpixel_bits = 10;

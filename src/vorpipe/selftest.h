@@ -17,12 +17,13 @@ namespace vorpipe {
 
 /// What became of one scene on one device.
 struct SelftestRun {
-  std::string group, scene;  ///< "crowds", "1e-11 wide"
-  std::string masked;        ///< what the device was made to lack, as in "subPixelPrecisionBits=4"
-  std::uint64_t sites = 0;   ///< their number
-  std::uint64_t seed = 0;    ///< of the scene's random numbers
-  double milliseconds = 0;   ///< of the device's own runs, picture and cells, not of judging them
-  std::string fault;         ///< the first promise that was broken, in one line; empty if none
+  std::string group, scene;        ///< "crowds", "1e-11 wide"
+  std::string masked;              ///< what the device was made to lack, as in "subPixelPrecisionBits=4"
+  std::uint64_t sites = 0;         ///< their number
+  std::uint64_t seed = 0;          ///< of the scene's random numbers
+  double milliseconds = 0;         ///< of the device's own runs, picture and cells, not of judging them
+  std::vector<std::string> notes;  ///< of its reports: the device refused memory and got less at a time
+  std::string fault;               ///< the first promise that was broken, in one line; empty if none
   [[nodiscard]] bool passed() const { return fault.empty(); }
 };
 

@@ -191,7 +191,7 @@ TEST(Selftest, FindsArithmeticThatIsWorseThanAllowed) {
   EXPECT_NE(fault([](auto& n) { n.offset = 1.5; }), "");
   EXPECT_NE(fault([](auto& n) { n.subpixel_bits = 7; }), "");
   EXPECT_EQ(fault([](auto& n) { n.subpixel_bits = 9; }), "");
-  EXPECT_NE(fault([](auto& n) { n.validation_messages = {"a hazard"}; }), "");
+  EXPECT_NE(fault([](auto& n) { n.report.validation_messages = {"a hazard"}; }), "");
 }
 
 /// Exchanges two sites in every picture.
