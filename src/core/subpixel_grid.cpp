@@ -61,8 +61,8 @@ Result<void> drawShapes(Backend& backend, int first, std::vector<int>& heights) 
 
 }  // namespace
 
-Result<int> measureSubpixelBits(Backend& backend) {
-  if (backend.info().max_view < side) return 0;
+Result<std::optional<int>> measureSubpixelBits(Backend& backend) {
+  if (backend.info().max_view < side) return std::nullopt;
   std::vector<int> heights;
   for (int round = 0; round < rounds; round++) {
     if (auto drawn = drawShapes(backend, round * shapes, heights); !drawn)

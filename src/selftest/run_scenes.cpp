@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -221,7 +222,8 @@ std::string arithmeticFault(const Arithmetic& measured, int subpixel_bits) {
     if (found > allowed)
       return fmt::format("{} is off by {:.2f} ULP, where {} are allowed", what, found, allowed);
   }
-  if (measured.subpixel_bits && *measured.subpixel_bits < subpixel_bits) {
+  // Of more bits than that it cannot be seen that there are fewer.
+  if (measured.subpixel_bits && *measured.subpixel_bits < std::min(subpixel_bits, most_subpixel_bits)) {
     return fmt::format("vertices are snapped to {} sub-pixel bits, where {} are reported",
                        *measured.subpixel_bits, subpixel_bits);
   }

@@ -52,7 +52,7 @@ struct Arithmetic {
   bool fuses_precise = false;   ///< and where it must not
   bool keeps_denormals = true;  ///< numbers below 2^-126; else they are 0
   /// Vertices are snapped to 1 / 2^bits of a pixel; most_subpixel_bits stand for any more, and 0 for places
-  /// that make no sense. None where pictures are not drawn but computed.
+  /// that make no sense. None where pictures are not drawn but computed, or views are too small to tell.
   std::optional<int> subpixel_bits;
   Report report;  ///< who measured it, and what the validation layers said
 };

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -172,17 +173,35 @@ TEST(SubpixelGrid, IsAsFineAsItIs) {
     const double step = std::ldexp(1.0, -bits);
     for (const double outset : {0.0, std::min(step / 2, 1.0 / 32), 0.0317}) {
       Snapping device(step, outset);
-      EXPECT_EQ(measureSubpixelBits(device), bits) << outset;
+      EXPECT_EQ(*measureSubpixelBits(device), bits) << outset;
     }
   }
   Snapping without_grid(0, 0);
-  EXPECT_EQ(measureSubpixelBits(without_grid), most_subpixel_bits);
+  EXPECT_EQ(*measureSubpixelBits(without_grid), most_subpixel_bits);
 }
 
 TEST(SubpixelGrid, IsNotKnownOfViewsThatAreTooSmall) {
   Snapping device(1.0 / 256, 0);
   device.limits().max_view = 100;
-  EXPECT_EQ(measureSubpixelBits(device), 0);
+  const auto bits = measureSubpixelBits(device);
+  ASSERT_TRUE(bits);
+  EXPECT_FALSE(bits->has_value());
+}
+
+TEST(SubpixelGrid, MakesNoSenseWhereNothingIsDrawn) {
+  class Empty final : public PassingOn {
+   public:
+    Empty() : PassingOn(openJudge(1)) {}
+    Result<void> draw(const CellBatch<float>&, std::span<const DrawMark>, Effort,
+                      std::span<CellStatus>) override {
+      return {};
+    }
+    Result<void> read(std::span<std::uint32_t>, std::span<std::uint32_t> ids) override {
+      std::ranges::fill(ids, no_site);
+      return {};
+    }
+  } device;
+  EXPECT_EQ(*measureSubpixelBits(device), 0);
 }
 
 }  // namespace

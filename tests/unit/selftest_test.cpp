@@ -191,6 +191,10 @@ TEST(Selftest, FindsArithmeticThatIsWorseThanAllowed) {
   EXPECT_NE(fault([](auto& n) { n.offset = 1.5; }), "");
   EXPECT_NE(fault([](auto& n) { n.subpixel_bits = 7; }), "");
   EXPECT_EQ(fault([](auto& n) { n.subpixel_bits = 9; }), "");
+  EXPECT_EQ(fault([](auto& n) { n.subpixel_bits.reset(); }), "");
+  Arithmetic finest;
+  finest.subpixel_bits = most_subpixel_bits;
+  EXPECT_EQ(selftests::arithmeticFault(finest, 16), "");
   EXPECT_NE(fault([](auto& n) { n.report.validation_messages = {"a hazard"}; }), "");
 }
 
