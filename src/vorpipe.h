@@ -9,6 +9,7 @@
 
 #include "vorpipe/cells.h"
 #include "vorpipe/devices.h"
+#include "vorpipe/forecast.h"
 #include "vorpipe/picture.h"
 #include "vorpipe/result.h"
 #include "vorpipe/run.h"

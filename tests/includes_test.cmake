@@ -25,7 +25,7 @@ set(may_include
     "^$"
     "^parallel\\.h$"
     "^vorpipe\\.h$"
-    "^(vorpipe\\.h|(parallel|big_vector)\\.h|geos\\.h|core/.*|backend/(backend|collect|precision|registry|tie)\\.h)$"
+    "^(vorpipe\\.h|(parallel|big_vector)\\.h|geos\\.h|core/.*|backend/(backend|collect|device_needs|precision|registry|tie)\\.h)$"
     "^(vorpipe\\.h|backend/[^/]*\\.h|backend/cpu/cpu\\.h|backend/vulkan/vulkan_backend\\.h|backend/opengl/opengl_backend\\.h)$"
     "^(vorpipe\\.h|(parallel|big_vector)\\.h|backend/[^/]*\\.h|backend/cpu/.*|(layout|bins|cell|grid|list)\\.glsl)$"
     "^(vorpipe\\.h|(parallel|big_vector)\\.h|backend/[^/]*\\.h|backend/vulkan/.*|layout\\.glsl|shaders\\.h)$"

@@ -18,6 +18,7 @@
 #include "cli/progress.h"
 #include "cli/run_end.h"
 #include "io/error.h"
+#include "io/forecast_files.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -48,6 +49,7 @@ struct BenchCommand {
   std::uint64_t repetitions = bench::usual_repetitions;
   std::optional<std::uint64_t> max_sites;
   std::optional<std::uint64_t> max_side;
+  std::optional<std::uint64_t> memory_limit;
   std::string json, markdown, plot;
 };
 
@@ -83,16 +85,22 @@ Result<std::vector<bench::OpenedDevice>> openBackends(const BenchCommand& comman
   return opened;
 }
 
-/// Why a job would not fit into this machine's memory.
-std::string refusal(const bench::Job& job, std::uint64_t sites) {
-  Work work;
-  work.draws = job.side > 0;
-  if (!work.draws) work.cells = job.detail;
-  auto enough = forecastSites(work, {}, sites, false);
-  if (enough && work.draws) enough = forecastPicture({job.side, job.side}, 1);
-  if (enough) return {};
-  const std::string& message = enough.error().message;
-  return "not tried" + message.substr(message.find(':'));
+/// Why a job would not fit into this machine's memory, or what --memory-limit leaves of it.
+std::string refusal(const bench::Job& job, std::uint64_t sites, std::optional<std::uint64_t> limit) {
+  Workload work;
+  work.sites = sites;
+  work.backend = job.backend;
+  work.threads = job.threads;
+  MemoryPlan plan;
+  planSites(plan, "", sites, false);
+  planSession(plan, work);
+  if (job.side > 0) {
+    planPicture(plan, work, job.side, job.side, ColorBy::site);
+  } else {
+    planCells(plan, work, job.detail);
+  }
+  const auto lack = lackOfMemory(plan.peak(), limit);
+  return lack ? "not tried: " + *lack : "";
 }
 
 Result<std::vector<bench::DataSet>> loadFiles(const std::vector<std::string>& paths) {
@@ -100,9 +108,7 @@ Result<std::vector<bench::DataSet>> loadFiles(const std::vector<std::string>& pa
   for (const std::string& path : paths) {
     InputOptions options;
     options.sites = path;
-    Work work;
-    work.cells = Detail::measures;
-    auto input = loadInput(options, work);
+    auto input = loadInput(options);
     if (!input) return tl::unexpected(std::move(input.error()));
     const std::string name = input->seed ? path : std::filesystem::path(path).filename().string();
     sets.push_back({name, std::move(input->sites), input->domain});
@@ -123,7 +129,9 @@ Result<bench::Settings> settingsOf(const BenchCommand& command,
   settings.max_sites = command.max_sites.value_or(quick ? quick_sites : all_sites);
   settings.max_side =
       static_cast<int>(command.max_side.value_or(quick ? quick_side : bench::largest_picture));
-  settings.refusal = refusal;
+  settings.refusal = [limit = command.memory_limit](const bench::Job& job, std::uint64_t sites) {
+    return refusal(job, sites, limit);
+  };
   std::error_code none;
   settings.program = std::filesystem::read_symlink("/proc/self/exe", none).string();
   return settings;
@@ -252,6 +260,7 @@ Subcommand addBench(CLI::App& app) {
       [](std::string_view text) { return Parsed<std::string>(text); },
       [sites = &command->sites](std::string path) { sites->push_back(std::move(path)); });
   addRunOptions(*sub, command->backend);
+  addMemoryLimit(*sub, command->memory_limit);
   addMaskOptions(*sub, command->backend.mask);
   addFile(*sub, "--json", command->json, "", "every figure with all its samples");
   addFile(*sub, "--markdown", command->markdown, "", "what is printed, in a file");

@@ -14,6 +14,7 @@
 #include "cli/stats.h"
 #include "io/cells_file.h"
 #include "io/density_file.h"
+#include "io/forecast_files.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -31,6 +32,7 @@ struct CellsCommand {
   bool check = false;
   std::vector<CellsFile> files;
   std::string density, stats;
+  std::optional<std::uint64_t> memory_limit;
 };
 
 Parsed<CellsFile> parseCellsFile(std::string_view text) {
@@ -56,10 +58,17 @@ Detail neededDetail(const CellsCommand& command) {
   return detail;
 }
 
-Work workOf(const CellsCommand& command) {
-  std::uint64_t beside = command.check ? bytes_per_checked_site : 0;
-  for (const CellsFile& file : command.files) beside = std::max(beside, bytesToWriteSite(file.format));
-  return {false, neededDetail(command), !command.density.empty(), beside};
+/// What a run takes; the density may not have been read yet.
+PlanRun planOf(const CellsCommand& command, std::uint64_t density_pixels) {
+  return [&command, density_pixels](MemoryPlan& plan, Workload work) {
+    work.density_pixels = density_pixels;
+    if (density_pixels > 0) planDensity(plan, density_pixels);
+    const Detail detail = neededDetail(command);
+    planSession(plan, work);
+    planCells(plan, work, detail);
+    if (command.check) planCellsCheck(plan, work, detail);
+    for (const CellsFile& file : command.files) planCellsFile(plan, work, file.format);
+  };
 }
 
 std::optional<double> massSum(const Diagram& diagram) {
@@ -68,7 +77,7 @@ std::optional<double> massSum(const Diagram& diagram) {
 }
 
 Result<void> writeFiles(const CellsCommand& command, const Input& input, const Diagram& diagram,
-                        std::span<OutputFile> files, const Stopwatch& total) {
+                        std::uint64_t forecast, std::span<OutputFile> files, const Stopwatch& total) {
   const Stopwatch watch;
   std::vector<Writer> writers;
   for (const CellsFile& file : command.files) {
@@ -79,7 +88,7 @@ Result<void> writeFiles(const CellsCommand& command, const Input& input, const D
   if (!command.stats.empty()) {
     writers.emplace_back([&](OutputFile& to) {
       return to.write(statsJson({"cells", input, diagram.report, watch.milliseconds(), total.milliseconds(),
-                                 areaSum(diagram), massSum(diagram)}));
+                                 forecast, areaSum(diagram), massSum(diagram)}));
     });
   }
   return writeOutputs(files, writers);
@@ -106,8 +115,10 @@ Result<ExitCode> cells(const CellsCommand& command) {
   const Stopwatch total;
   const std::vector<std::string> paths = outputPaths(command);
   if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("cells.csv"));
-  const Work work = workOf(command);
-  const auto input = loadInput(command.input, work);
+  const auto fits = forecastGenerated(command.input, planOf(command, command.density.empty() ? 0 : 1),
+                                      command.memory_limit);
+  if (!fits) return tl::unexpected(fits.error());
+  const auto input = loadInput(command.input);
   if (!input) return tl::unexpected(input.error());
   auto options = cellsOptions(command, *input);
   if (!options) return tl::unexpected(std::move(options.error()));
@@ -115,13 +126,14 @@ Result<ExitCode> cells(const CellsCommand& command) {
   if (const auto checked = checkInput(command.input, *input, *options, threads); !checked) {
     return tl::unexpected(checked.error());
   }
-  if (const auto enough = forecastImages(work, *input, threads); !enough) {
-    return tl::unexpected(enough.error());
-  }
   auto files = openOutputs(paths);
   if (!files) return tl::unexpected(std::move(files.error()));
   auto session = Session::open(command.backend);
   if (!session) return tl::unexpected(std::move(session.error()));
+  const auto forecast =
+      forecastRun(command.input, *input, ImagesFor::cells, session->device(), command.backend,
+                  planOf(command, options->density.values.size()), command.memory_limit);
+  if (!forecast) return tl::unexpected(forecast.error());
   ProgressBar bar(command.talk.quiet);
   options->progress = bar.callback();
   const auto diagram = session->cells(input->sites, *options);
@@ -134,7 +146,7 @@ Result<ExitCode> cells(const CellsCommand& command) {
     if (!passed) return tl::unexpected(passed.error());
     if (!*passed) return exit_different;
   }
-  const auto written = writeFiles(command, *input, *diagram, *files, total);
+  const auto written = writeFiles(command, *input, *diagram, *forecast, *files, total);
   if (!written) return tl::unexpected(written.error());
   printSummary(command.talk, paths,
                fmt::format("{}, {}\n", outcomeText(paths, diagram->report),
@@ -162,6 +174,7 @@ Subcommand addCells(CLI::App& app) {
   addBackendChoice(*sub, command->backend);
   addSearchOptions(*sub, command->search);
   addRunOptions(*sub, command->backend);
+  addMemoryLimit(*sub, command->memory_limit);
   addMaskOptions(*sub, command->backend.mask);
   sub->add_flag("--check", command->check,
                 "verifies areas, neighbors, polygons and nearest sites; exit code 1 if a promise is broken");

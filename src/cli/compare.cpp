@@ -26,6 +26,7 @@ struct CompareCommand {
   std::optional<Size> size;
   bool check = false;
   std::string report, png, stats;
+  std::optional<std::uint64_t> memory_limit;
 };
 
 std::vector<std::string> outputPaths(const CompareCommand& command) {
@@ -44,9 +45,7 @@ Result<RenderOptions> pictureOptions(const CompareCommand& command, const Input&
   const Size size = command.size.value_or(defaultSize(input.domain));
   options.width = size.width;
   options.height = size.height;
-  const std::uint64_t runs = command.backends.size(), pairs = runs * (runs - 1) / 2;
-  const std::uint64_t montage = command.png.empty() ? 0 : pairs + runs;
-  return forecastPicture(size, runs + pairs + montage).map([&] { return options; });
+  return options;
 }
 
 /// Adds the promises that are broken, after the backend's name and what broke them.
@@ -109,7 +108,7 @@ Result<std::vector<BackendRun>> runBackends(const CompareCommand& command, const
 }
 
 Result<void> writeFiles(const CompareCommand& command, const Comparison& comparison, const Input& input,
-                        std::span<OutputFile> files, const Stopwatch& total) {
+                        std::uint64_t forecast, std::span<OutputFile> files, const Stopwatch& total) {
   const Stopwatch watch;
   std::vector<Writer> writers;
   if (!command.report.empty()) {
@@ -124,16 +123,30 @@ Result<void> writeFiles(const CompareCommand& command, const Comparison& compari
   if (!command.stats.empty()) {
     writers.emplace_back([&](OutputFile& to) {
       return to.write(statsJson({"compare", input, reportOf(comparison), watch.milliseconds(),
-                                 total.milliseconds(), areaSum(comparison.runs.front().cells)}));
+                                 total.milliseconds(), forecast, areaSum(comparison.runs.front().cells)}));
     });
   }
   return writeOutputs(files, writers);
 }
 
-Work workOf(const CompareCommand& command) {
-  // Cells are kept of every run while the next is at work.
-  const std::uint64_t kept = (command.backends.size() - 1) * bytes_per_kept_site;
-  return {true, Detail::measures, false, kept + (command.check ? bytes_per_checked_site : 0)};
+/// Pictures and cells of every backend are kept, while its session is not; then every pair is compared.
+PlanRun planOf(const CompareCommand& command, const Size& size) {
+  return [&command, size](MemoryPlan& plan, Workload work) {
+    for (const std::string& name : command.backends) {
+      work.backend = name;
+      planSession(plan, work);
+      const auto since = plan.next();
+      auto kept = planPicture(plan, work, size.width, size.height, command.picture.color);
+      for (const auto array : planCells(plan, work, Detail::measures)) kept.push_back(array);
+      if (command.check) planPictureCheck(plan, work, size.width, size.height);
+      if (command.check) planCellsCheck(plan, work, Detail::measures);
+      plan.dropSince(since, kept);
+    }
+    const auto pixels = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
+    const std::uint64_t runs = command.backends.size(), pairs = runs * (runs - 1) / 2;
+    plan.take("differences of pictures", pairs * pixels);
+    if (!command.png.empty()) plan.take("the pictures side by side", (runs + 2 * pairs) * pixels * 4);
+  };
 }
 
 /// The input and what is drawn of it, or why that cannot be.
@@ -144,19 +157,31 @@ Result<RenderOptions> checkedOptions(const CompareCommand& command, const Input&
   if (auto checked = checkInput(command.input, input, cellsOptions(*options), threads); !checked) {
     return tl::unexpected(std::move(checked.error()));
   }
-  if (auto enough = forecastImages(workOf(command), input, threads); !enough) {
-    return tl::unexpected(std::move(enough.error()));
-  }
   return options;
+}
+
+/// Forecasts the run, as if every device were software: which are is only known once they are open.
+Result<std::uint64_t> forecastAll(const CompareCommand& command, const Input& input,
+                                  const RenderOptions& options) {
+  DeviceInfo software;
+  software.backend = command.backends.front();
+  software.type = "cpu";
+  return forecastRun(command.input, input, ImagesFor::cells, software, command.backend,
+                     planOf(command, {options.width, options.height}), command.memory_limit);
 }
 
 Result<ExitCode> compare(const CompareCommand& command) {
   setDriverThreads(command.backend.threads);
   const Stopwatch total;
-  const auto input = loadInput(command.input, workOf(command));
+  const auto fits = forecastGenerated(command.input, planOf(command, command.size.value_or(Size{1, 1})),
+                                      command.memory_limit);
+  if (!fits) return tl::unexpected(fits.error());
+  const auto input = loadInput(command.input);
   if (!input) return tl::unexpected(input.error());
   const auto options = checkedOptions(command, *input);
   if (!options) return tl::unexpected(options.error());
+  const auto forecast = forecastAll(command, *input, *options);
+  if (!forecast) return tl::unexpected(forecast.error());
   const std::vector<std::string> paths = outputPaths(command);
   auto files = openOutputs(paths);
   if (!files) return tl::unexpected(std::move(files.error()));
@@ -169,7 +194,7 @@ Result<ExitCode> compare(const CompareCommand& command) {
   auto pairs = comparePairs(*runs, *input);
   if (!pairs) return tl::unexpected(std::move(pairs.error()));
   const Comparison comparison{std::move(*runs), std::move(*pairs)};
-  const auto written = writeFiles(command, comparison, *input, *files, total);
+  const auto written = writeFiles(command, comparison, *input, *forecast, *files, total);
   if (!written) return tl::unexpected(written.error());
   printSummary(command.talk, paths, comparisonTable(comparison));
   const std::string differences = disagreementText(comparison);
@@ -193,6 +218,7 @@ Subcommand addCompare(CLI::App& app) {
   addDeviceChoice(*sub, command->backend);
   addSearchOptions(*sub, command->picture.search);
   addRunOptions(*sub, command->backend);
+  addMemoryLimit(*sub, command->memory_limit);
   addMaskOptions(*sub, command->backend.mask);
   addFile(*sub, "--report", command->report, "", "what was found, in JSON");
   addFile(*sub, "-o", command->png, ".png", "the pictures side by side, and below each pair's differences");

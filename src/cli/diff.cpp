@@ -7,6 +7,7 @@
 #include "cli/command.h"
 #include "cli/difference_picture.h"
 #include "cli/difference_text.h"
+#include "cli/forecast.h"
 #include "cli/input.h"
 #include "cli/options.h"
 #include "cli/progress.h"
@@ -35,9 +36,11 @@ bool namesIds(const std::string& path) { return lowerExtension(path) == ".npy"; 
 
 Result<IdDiff> idDiff(const DiffCommand& command, const Image& a, const Image& b) {
   if (command.input.sites.empty()) return diffIds(a.ids, b.ids, a.width, a.height);
-  Work work;
-  work.beside = sizeof(double[3]);
-  const auto input = loadInput(command.input, work);
+  const auto planDiff = [](MemoryPlan& plan, const Workload& work) {
+    plan.take("the comparison", work.sites * sizeof(double[3]));
+  };
+  if (auto fits = forecastGenerated(command.input, planDiff, {}); !fits) return tl::unexpected(fits.error());
+  const auto input = loadInput(command.input);
   if (!input) return tl::unexpected(input.error());
   auto diff = diffIds(a.ids, b.ids, a.width, a.height, input->sites, input->domain, input->periodic);
   return diff ? diff : asOption(std::move(diff.error()), command.input);

@@ -1,88 +1,109 @@
 #include "cli/forecast.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "io/error.h"
+#include "io/forecast_files.h"
+#include "io/site_source.h"
 
 namespace vorpipe::cli {
 namespace {
 
-/// Color and id: on the device (whose memory is this machine's when it is software), and read back.
-constexpr std::uint64_t bytes_per_pixel_drawing = 16, bytes_per_pixel_kept = 8;
-/// By a mean cell: what a site takes while it is drawn, more for its weight, for a cell that an outline may
-/// cut, and for an image.
-constexpr std::uint64_t bytes_per_drawn_site = 250, bytes_per_weight = 30, bytes_per_clipped_cell = 220,
-                        bytes_per_image = 60;
-
-std::uint64_t physicalMemory() {
-  const long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
-  if (pages <= 0 || page <= 0) return std::numeric_limits<std::uint64_t>::max();
-  return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page);
+std::string sizeText(std::uint64_t bytes) {
+  constexpr double gigabyte = 1e9, megabyte = 1e6;
+  const auto size = static_cast<double>(bytes);
+  return size < gigabyte ? fmt::format("{:.0f} MB", size / megabyte)
+                         : fmt::format("{:.1f} GB", size / gigabyte);
 }
 
-Result<void> forecast(std::string_view option, std::uint64_t bytes) {
-  constexpr double gigabyte = 1e9;
-  const std::uint64_t memory = physicalMemory();
-  if (bytes <= memory) return {};
-  return inputError(fmt::format("{}: needs about {:.1f} GB of memory, this machine has {:.1f} GB", option,
-                                static_cast<double>(bytes) / gigabyte,
-                                static_cast<double>(memory) / gigabyte));
+/// What the user has set, else what the system has.
+MemoryLimit limitOf(std::optional<std::uint64_t> limit) {
+  MemoryLimit least = systemMemoryLimit();
+  if (limit && *limit < least.bytes) least = {*limit, "allowed by --memory-limit"};
+  return least;
 }
 
-/// What one site takes at most while its cell is computed, by a mean cell.
-std::uint64_t bytesPerCell(Detail detail) {
-  switch (detail) {
-    case Detail::measures:
-      return 250;
-    case Detail::polygons:
-      return 330;
-    case Detail::everything:
-      break;
+bool hasWeights(const InputOptions& options) { return options.random_weights || !options.weights.empty(); }
+
+/// The whole run.
+std::uint64_t peakOf(const InputOptions& options, const Workload& work, const PlanRun& plan) {
+  MemoryPlan whole;
+  planSites(whole, options.sites, work.sites, work.weighted && !hasWeights(options));
+  if (hasWeights(options)) planWeights(whole, options.weights, work.sites);
+  plan(whole, work);
+  return whole.peak();
+}
+
+/// What would fit, in words that end the message.
+std::string adviceFor(const InputOptions& options, const Workload& work, const PlanRun& plan,
+                      std::uint64_t limit) {
+  const auto needs = [&](const Workload& other) { return peakOf(options, other, plan); };
+  Workload other = work;
+  other.backend = "cpu";
+  if (work.device_on_host && work.backend != "cpu" && needs(other) <= limit) {
+    return fmt::format("--backend cpu needs {}", sizeText(needs(other)));
   }
-  return 350;
-}
-
-/// Whether cells are computed, and not only drawn.
-bool hasCells(const Work& work, bool clipped, bool weighted) {
-  return work.cells.has_value() || (work.draws && (clipped || weighted));
-}
-
-/// Outlines, images and masses take polygons, whether they are wanted or not.
-std::uint64_t bytesPerSite(const Work& work, bool clipped, bool weighted, bool imaged) {
-  std::uint64_t bytes = work.draws ? bytes_per_drawn_site : 0;
-  if (hasCells(work, clipped, weighted)) {
-    const Detail detail = work.cells.value_or(Detail::measures);
-    const bool polygons = clipped || imaged || work.density;
-    bytes = std::max(bytes, bytesPerCell(polygons ? std::max(detail, Detail::polygons) : detail));
-    bytes += clipped ? bytes_per_clipped_cell : 0;
+  other = work;
+  other.sites = other.images = 0;
+  if (needs(other) > limit) return "a smaller --size, or another backend, needs less";
+  std::uint64_t fits = 0, fails = work.sites;
+  while (fails - fits > fails / 100 + 1) {
+    other.sites = fits + (fails - fits) / 2;
+    const double part = static_cast<double>(other.sites) / static_cast<double>(work.sites);
+    other.images = static_cast<std::uint64_t>(part * static_cast<double>(work.images));
+    (needs(other) <= limit ? fits : fails) = other.sites;
   }
-  return bytes + (weighted ? bytes_per_weight : 0) + work.beside;
+  return fmt::format("some {} sites would fit", fits);
+}
+
+Result<std::uint64_t> forecast(const InputOptions& options, const Workload& work, const PlanRun& plan,
+                               std::optional<std::uint64_t> user_limit) {
+  const auto bytes = peakOf(options, work, plan);
+  const MemoryLimit limit = limitOf(user_limit);
+  if (bytes <= limit.bytes) return bytes;
+  return inputError(fmt::format("--sites: {}; {}", *lackOfMemory(bytes, user_limit),
+                                adviceFor(options, work, plan, limit.bytes)));
 }
 
 }  // namespace
 
-Result<void> forecastSites(const Work& work, const InputOptions& options, std::uint64_t sites,
-                           bool weighted) {
-  const bool has_weights = weighted || options.random_weights || !options.weights.empty();
-  return forecast("--sites", sites * bytesPerSite(work, !options.domain.file.empty(), has_weights, false));
+std::optional<std::string> lackOfMemory(std::uint64_t bytes, std::optional<std::uint64_t> limit) {
+  const MemoryLimit least = limitOf(limit);
+  if (bytes <= least.bytes) return std::nullopt;
+  return fmt::format("needs about {} of memory, {} are {}", sizeText(bytes), sizeText(least.bytes),
+                     least.what);
 }
 
-Result<void> forecastImages(const Work& work, const Input& input, int threads) {
-  if (input.periodic == Periodic::none) return {};
-  const bool weighted = !input.sites.weight.empty(), cells = hasCells(work, false, weighted);
-  const auto count = sitesAndImages(input.sites, input.domain, input.periodic,
-                                    cells ? ImagesFor::cells : ImagesFor::pictures, threads);
-  if (!count) return tl::unexpected(count.error());
-  return forecast("--periodic", *count * (bytesPerSite(work, false, weighted, true) + bytes_per_image));
+Result<void> forecastGenerated(const InputOptions& options, const PlanRun& plan,
+                               std::optional<std::uint64_t> limit) {
+  const auto sites = generatedCount(options.sites);
+  if (!sites) return {};
+  Workload work;
+  work.sites = *sites;
+  work.weighted = hasWeights(options);
+  work.outlined = !options.domain.file.empty();
+  work.periodic = options.periodic != Periodic::none;
+  return forecast(options, work, plan, limit).map([](std::uint64_t) {});
 }
 
-Result<void> forecastPicture(const Size& size, std::uint64_t pictures) {
-  const auto pixels = static_cast<std::uint64_t>(size.width) * static_cast<std::uint64_t>(size.height);
-  return forecast("--size", pixels * (bytes_per_pixel_drawing + pictures * bytes_per_pixel_kept));
+Result<std::uint64_t> forecastRun(const InputOptions& options, const Input& input, ImagesFor purpose,
+                                  const DeviceInfo& device, const BackendOptions& backend,
+                                  const PlanRun& plan, std::optional<std::uint64_t> limit) {
+  Workload work;
+  work.sites = input.sites.size();
+  work.weighted = !input.sites.weight.empty();
+  work.outlined = !input.outline.empty();
+  work.periodic = input.periodic != Periodic::none;
+  work.backend = device.backend;
+  work.device_on_host = device.type == "cpu";
+  work.threads = backend.threads;
+  const auto all = sitesAndImages(input.sites, input.domain, input.periodic, purpose, backend.threads);
+  if (!all) return tl::unexpected(all.error());
+  work.images = *all - work.sites;
+  work.spread = spreadOf(input.sites, input.domain, backend.threads);
+  return forecast(options, work, plan, limit);
 }
 
 }  // namespace vorpipe::cli

@@ -1,27 +1,30 @@
-/// How much memory a run takes, told before it begins.
+/// Whether a run fits into the memory that there is, told before it begins.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "cli/input.h"
-#include "cli/parse.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {
 
-/// What remains of a site once it is drawn and its cell is there with Detail::measures, and what a check
-/// takes for each beside what it checks.
-inline constexpr std::uint64_t bytes_per_kept_site = 90, bytes_per_checked_site = 80;
+/// Plans what a run takes beside its input: sessions, what they compute, checks and files.
+using PlanRun = std::function<void(MemoryPlan&, const Workload&)>;
 
-/// Refuses (input) sites for which this machine has too little memory; `weighted` says whether they have
-/// weights, whatever options say.
-Result<void> forecastSites(const Work& work, const InputOptions& options, std::uint64_t sites, bool weighted);
+/// Refuses (input) the sites of a generator that will not fit whatever the device is, before they are made.
+/// Where `limit` is given, that is the most.
+Result<void> forecastGenerated(const InputOptions& options, const PlanRun& plan,
+                               std::optional<std::uint64_t> limit);
 
-/// The same for the images of a periodic domain. Errors: also those of sitesAndImages.
-Result<void> forecastImages(const Work& work, const Input& input, int threads);
+/// Bytes at the peak of a run over this input on a device. Errors (input): more than there are, or than
+/// `limit`; those of sitesAndImages. `purpose` is what images are for.
+Result<std::uint64_t> forecastRun(const InputOptions& options, const Input& input, ImagesFor purpose,
+                                  const DeviceInfo& device, const BackendOptions& backend,
+                                  const PlanRun& plan, std::optional<std::uint64_t> limit);
 
-/// Refuses (input) a picture for which this machine has too little memory; `pictures` are held at once.
-Result<void> forecastPicture(const Size& size, std::uint64_t pictures);
+/// Why a run of so many bytes does not fit; nothing if it does.
+std::optional<std::string> lackOfMemory(std::uint64_t bytes, std::optional<std::uint64_t> limit);
 
 }  // namespace vorpipe::cli

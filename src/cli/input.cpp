@@ -7,7 +7,6 @@
 #include <cmath>
 #include <utility>
 
-#include "cli/forecast.h"
 #include "cli/progress.h"
 #include "io/error.h"
 #include "io/outline_file.h"
@@ -87,18 +86,10 @@ std::string_view weightsOption(const InputOptions& options) {
 
 }  // namespace
 
-Result<Input> loadInput(const InputOptions& options, const Work& work) {
+Result<Input> loadInput(const InputOptions& options) {
   const Stopwatch watch;
-  const std::uint64_t generated = generatedCount(options.sites).value_or(0);
-  if (const auto enough = forecastSites(work, options, generated, false); !enough) {
-    return tl::unexpected(enough.error());
-  }
   auto source = loadSites(options.sites, options.seed);
   if (!source) return named("--sites", std::move(source.error()));
-  const bool weighted = !source->sites.weight.empty();
-  if (const auto enough = forecastSites(work, options, source->sites.size(), weighted); !enough) {
-    return tl::unexpected(enough.error());
-  }
   Input input;
   input.sites = std::move(source->sites);
   input.seed = source->seed;

@@ -18,18 +18,10 @@ struct Input {
   double read_ms = 0;
 };
 
-/// What a run does with its sites, by which they take memory.
-struct Work {
-  bool draws = false;
-  std::optional<Detail> cells{};  ///< none: only where drawing takes them
-  bool density = false;
-  std::uint64_t beside = 0;  ///< bytes for each site: of a check, of files, of other runs
-};
-
 /// Loads or generates the sites of --sites, their weights and the domain. Errors: those of loadSites,
-/// readWeights and readOutline, after the option's name; there are too many sites for this machine's memory,
-/// no default domain holds them, options contradict each other (input).
-Result<Input> loadInput(const InputOptions& options, const Work& work);
+/// readWeights and readOutline, after the option's name; no default domain holds them, options contradict
+/// each other (input).
+Result<Input> loadInput(const InputOptions& options);
 
 /// The error of what an option names, with the option in front where that is to blame.
 tl::unexpected<Error> named(std::string_view option, Error error);

@@ -86,6 +86,13 @@ void addRunOptions(CLI::App& app, BackendOptions& options) {
                "Vulkan validation layers; a message of theirs fails the run [VORPIPE_VALIDATION=1]");
 }
 
+void addMemoryLimit(CLI::App& app, std::optional<std::uint64_t>& bytes) {
+  addParsed(app, "--memory-limit", bytes, "SIZE",
+            "the most memory to take, as in 8GiB or 500MB: a run that needs more is refused before it begins "
+            "[what this machine, and the groups and limits that it runs in, have left]",
+            parseBytes);
+}
+
 void addMaskOptions(CLI::App& app, Mask& mask) {
   addRepeatable(
       app, "--disable", "FEATURE",

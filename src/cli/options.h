@@ -72,6 +72,8 @@ void addBackendChoice(CLI::App& app, BackendOptions& options);
 void addThreads(CLI::App& app, int& threads);
 /// --threads, --validate
 void addRunOptions(CLI::App& app, BackendOptions& options);
+/// --memory-limit
+void addMemoryLimit(CLI::App& app, std::optional<std::uint64_t>& bytes);
 /// --disable, --limit
 void addMaskOptions(CLI::App& app, Mask& mask);
 /// --search

@@ -110,6 +110,32 @@ Parsed<Size> parseSize(std::string_view text) {
   return Size{static_cast<int>(*width), static_cast<int>(*height)};
 }
 
+Parsed<std::uint64_t> parseBytes(std::string_view text) {
+  struct Unit {
+    std::string_view name;
+    double bytes;
+  };
+  constexpr std::array<Unit, 11> units = {{{"", 1},
+                                           {"B", 1},
+                                           {"kB", 1e3},
+                                           {"KB", 1e3},
+                                           {"MB", 1e6},
+                                           {"GB", 1e9},
+                                           {"TB", 1e12},
+                                           {"KiB", 0x1p10},
+                                           {"MiB", 0x1p20},
+                                           {"GiB", 0x1p30},
+                                           {"TiB", 0x1p40}}};
+  const std::size_t end = text.find_last_of("0123456789.") + 1;
+  const std::string_view name = trimmed(text.substr(end));
+  const auto* const unit = std::ranges::find(units, name, &Unit::name);
+  const auto number = parseNumber(text.substr(0, end));
+  constexpr double most = 0x1p63;
+  const double bytes = number && unit != units.end() ? *number * unit->bytes : 0;
+  if (bytes >= 1 && bytes < most) return static_cast<std::uint64_t>(bytes);
+  return bad(fmt::format("{} is not a size above 0, as in 8GiB, 500MB or 1000000000", quoted(text)));
+}
+
 Parsed<SearchOptions> parseSearch(std::string_view text) {
   constexpr std::string_view flann = "flann";
   SearchOptions search;

@@ -32,6 +32,10 @@ struct DomainChoice {
   std::string file;  ///< empty: there is none
 };
 
+/// A number of bytes above 0, with a unit or none: B; kB, MB, GB, TB, powers of 1000; KiB, MiB, GiB, TiB,
+/// powers of 1024.
+Parsed<std::uint64_t> parseBytes(std::string_view text);
+
 /// `XMIN,YMIN,XMAX,YMAX`, a valid box, or a file name that ends in .geojson, .json or .wkt.
 Parsed<DomainChoice> parseDomain(std::string_view text);
 

@@ -26,6 +26,7 @@ struct RenderCommand {
   std::optional<Size> size;
   bool check = false;
   std::string png, ids, stats;
+  std::optional<std::uint64_t> memory_limit;
 };
 
 /// The output files that were asked for, in the order in which they are created.
@@ -37,12 +38,18 @@ std::vector<std::string> outputPaths(const RenderCommand& command) {
   return paths;
 }
 
-Work workOf(const RenderCommand& command) {
+/// Colors by measures take whole cells.
+ImagesFor imagesFor(const RenderCommand& command) {
   const bool measured = command.picture.color == ColorBy::area || command.picture.color == ColorBy::neighbors;
-  Work work{true};
-  if (measured) work.cells = Detail::measures;
-  work.beside = command.check ? bytes_per_checked_site : 0;
-  return work;
+  return measured ? ImagesFor::cells : ImagesFor::pictures;
+}
+
+PlanRun planOf(const RenderCommand& command, const Size& size) {
+  return [&command, size](MemoryPlan& plan, const Workload& work) {
+    planSession(plan, work);
+    planPicture(plan, work, size.width, size.height, command.picture.color);
+    if (command.check) planPictureCheck(plan, work, size.width, size.height);
+  };
 }
 
 /// What is drawn, once the sites are known.
@@ -58,12 +65,11 @@ Result<RenderOptions> pictureOptions(const RenderCommand& command, const Input& 
   const Size size = command.size.value_or(defaultSize(input.domain));
   options.width = size.width;
   options.height = size.height;
-  const std::uint64_t pictures = command.check ? 2 : 1;
-  return forecastPicture(size, pictures).map([&] { return options; });
+  return options;
 }
 
 Result<void> writeFiles(const RenderCommand& command, const Input& input, const Rendering& rendering,
-                        std::span<OutputFile> files, const Stopwatch& total) {
+                        std::uint64_t forecast, std::span<OutputFile> files, const Stopwatch& total) {
   const Stopwatch watch;
   const Image& image = rendering.image;
   std::vector<Writer> writers;
@@ -76,8 +82,8 @@ Result<void> writeFiles(const RenderCommand& command, const Input& input, const 
   }
   if (!command.stats.empty()) {
     writers.emplace_back([&](OutputFile& to) {
-      return to.write(
-          statsJson({"render", input, rendering.report, watch.milliseconds(), total.milliseconds()}));
+      return to.write(statsJson(
+          {"render", input, rendering.report, watch.milliseconds(), total.milliseconds(), forecast}));
     });
   }
   return writeOutputs(files, writers);
@@ -88,8 +94,10 @@ Result<ExitCode> render(const RenderCommand& command) {
   const Stopwatch total;
   const std::vector<std::string> paths = outputPaths(command);
   if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("picture.png"));
-  const Work work = workOf(command);
-  const auto input = loadInput(command.input, work);
+  const auto fits = forecastGenerated(command.input, planOf(command, command.size.value_or(Size{1, 1})),
+                                      command.memory_limit);
+  if (!fits) return tl::unexpected(fits.error());
+  const auto input = loadInput(command.input);
   if (!input) return tl::unexpected(input.error());
   auto options = pictureOptions(command, *input);
   if (!options) return tl::unexpected(std::move(options.error()));
@@ -97,13 +105,14 @@ Result<ExitCode> render(const RenderCommand& command) {
   if (const auto checked = checkInput(command.input, *input, cellsOptions(*options), threads); !checked) {
     return tl::unexpected(checked.error());
   }
-  if (const auto enough = forecastImages(work, *input, threads); !enough) {
-    return tl::unexpected(enough.error());
-  }
   auto files = openOutputs(paths);
   if (!files) return tl::unexpected(std::move(files.error()));
   auto session = Session::open(command.backend);
   if (!session) return tl::unexpected(std::move(session.error()));
+  const auto forecast =
+      forecastRun(command.input, *input, imagesFor(command), session->device(), command.backend,
+                  planOf(command, {options->width, options->height}), command.memory_limit);
+  if (!forecast) return tl::unexpected(forecast.error());
   ProgressBar bar(command.talk.quiet);
   options->progress = bar.callback();
   const auto rendering = session->render(input->sites, *options);
@@ -116,7 +125,7 @@ Result<ExitCode> render(const RenderCommand& command) {
     if (!passed) return tl::unexpected(passed.error());
     if (!*passed) return exit_different;
   }
-  const auto written = writeFiles(command, *input, *rendering, *files, total);
+  const auto written = writeFiles(command, *input, *rendering, *forecast, *files, total);
   if (!written) return tl::unexpected(written.error());
   printSummary(command.talk, paths,
                fmt::format("{}, {}x{}, {}\n", outcomeText(paths, rendering->report), options->width,
@@ -149,6 +158,7 @@ Subcommand addRender(CLI::App& app) {
   addBackendChoice(*sub, command->backend);
   addSearchOptions(*sub, command->picture.search);
   addRunOptions(*sub, command->backend);
+  addMemoryLimit(*sub, command->memory_limit);
   addMaskOptions(*sub, command->backend.mask);
   sub->add_flag("--check", command->check,
                 "verifies statuses and the nearest site of each pixel; exit code 1 if a promise is broken");

@@ -87,6 +87,7 @@ std::string statsJson(const Stats& stats) {
       {"read", time(stats.input.read_ms)}, {"order", time(times.order)},    {"upload", time(times.upload)},
       {"search", time(times.search)},      {"cells", time(times.cells)},    {"draw", time(times.draw)},
       {"download", time(times.download)},  {"write", time(stats.write_ms)}, {"total", time(stats.total_ms)}};
+  json["forecast_memory_bytes"] = stats.forecast;
   json["peak_memory_bytes"] = peakMemoryBytes();
   // A driver's name may hold any bytes.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -1,6 +1,7 @@
 /// The figures of a run as JSON, for --stats.
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@ struct Stats {
   const Input& input;
   const Report& report;
   double write_ms, total_ms;
+  std::uint64_t forecast;            ///< bytes at the peak, told before
   std::optional<double> area_sum{};  ///< none where cells were only drawn
   std::optional<double> mass_sum{};  ///< none without a density
 };

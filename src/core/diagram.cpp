@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <type_traits>
 
 #include "core/assemble.h"
 #include "core/corners.h"
@@ -56,11 +57,13 @@ void keepSitesWithoutCells(const Sites& sites, int threads, Diagram& diagram) {
 }  // namespace
 
 void dropPolygons(Diagram& diagram) {
-  diagram.perimeter = {};
-  diagram.second_moments = {};
-  diagram.vertices = {};
-  diagram.edge_lengths = {};
-  diagram.ring_starts = {};
+  // To be assigned nothing would leave them their memory.
+  const auto release = [](auto& array) { std::remove_reference_t<decltype(array)>().swap(array); };
+  release(diagram.perimeter);
+  release(diagram.second_moments);
+  release(diagram.vertices);
+  release(diagram.edge_lengths);
+  release(diagram.ring_starts);
 }
 
 Result<Diagram> cellsOn(Backend& backend, Backend& judge_backend, int threads, const Sites& sites,
@@ -88,7 +91,7 @@ Result<Diagram> cellsOn(Backend& backend, Backend& judge_backend, int threads, c
   const auto tied = agree(input, *topology, records, options.domain, diagram.report);
   if (!tied) return tl::unexpected(tied.error());
   takeRecords(by_input, detail, threads, diagram);
-  by_input = {};
+  BigVector<CellRecord>().swap(by_input);  // to be assigned nothing would leave it its memory
   if (diagram.report.empty > 0) keepSitesWithoutCells(sites, threads, diagram);
   if (!prepared->set.weight.empty()) diagram.report.hidden = diagram.report.empty;
   {

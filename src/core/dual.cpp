@@ -155,6 +155,8 @@ Triangles dualTriangles(const ProposedCells& agreed, const TiedCells& tied, Site
   if (mesh.isMade() && mesh.get() != nullptr) return allTriangles(mesh);
   const auto plain = plainVertices(agreed, tied);
   Triangles triangles;
+  // By Euler's formula there are no more, so that none has to move when others are added.
+  triangles.reserve(2 * agreed.sites.size());
   append(agreed.sites.size(), agreed.threads, triangles,
          [&](std::size_t cell, const auto& put) { forTriangles(agreed, tied, plain, cell, put); });
   std::atomic<bool> proper = true;

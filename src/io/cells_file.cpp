@@ -59,12 +59,6 @@ Detail detailOf(CellsFormat format) {
   return format == CellsFormat::npz ? Detail::everything : Detail::polygons;
 }
 
-std::uint64_t bytesToWriteSite(CellsFormat format) {
-  const bool mesh = format == CellsFormat::obj || format == CellsFormat::ply || format == CellsFormat::vtk;
-  // Six vertices, each with its index and up to four places in the table that joins them, and two points.
-  return mesh ? 6 * (4 + 16) + 2 * 16 : 0;
-}
-
 Result<void> writeCells(OutputFile& file, const Sites& sites, const Diagram& diagram, CellsFormat format) {
   assert(diagram.status.size() == sites.size() && diagram.cell_offsets.size() == sites.size() + 1);
   assert(diagram.vertices.size() == diagram.cell_offsets.back());

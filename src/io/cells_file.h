@@ -26,9 +26,6 @@ Result<CellsFormat> cellsFormatOf(const std::string& path);
 /// The parts of a Diagram that the format writes.
 Detail detailOf(CellsFormat format);
 
-/// The memory that writing takes for each site, by a mean cell.
-std::uint64_t bytesToWriteSite(CellsFormat format);
-
 /// Writes `diagram`, the cells of `sites` with detailOf(format) or more, in input order; equal cells give
 /// equal bytes. Numbers in text read back to the same double, but for .svg, which is in pixels. Errors: .obj,
 /// .ply or .vtk with more vertices than its indices can count (input); writing failed or memory ran out

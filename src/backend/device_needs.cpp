@@ -1,0 +1,116 @@
+#include "backend/device_needs.h"
+
+#include <algorithm>
+
+#include "backend/cell_answers.h"
+#include "backend/site_texels.h"
+#include "layout.glsl"
+#include "parallel.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr std::uint64_t million = 1'000'000, word = 4;
+/// Color and id, in the target; and once more where they are copied to before the host reads them.
+constexpr std::uint64_t target_pixel = 2 * word, download_pixel = 2 * word;
+/// Of a row of neighbors with room for eight, and of the word beside it.
+constexpr std::uint64_t row = EDGES_FAST * word, weighted_row = row + 4 * word;
+constexpr std::uint64_t triangle_indices = 3 * (EDGES_MOST - 2) * word, polygon_vertices = EDGES_MOST * 16;
+
+// Programs and drivers as measured with Mesa 22.3.6 and LLVM 15: of an empty shader cache, which takes more.
+constexpr DeviceNeeds of_cpu =
+    {  // And some megabytes for threads, and for what is smaller than arrays by site.
+        .program = 14 * million,
+        .compiling = 0,
+        .site = 0,
+        .bin = 0,
+        .mark = 0,
+        .weight = 0,
+        .heaviest = 0,
+        .passing_site = 0,
+        .entry = 0,
+        .answer = row + 1,
+        .weighted_answer = row + word + 1,
+        .polygon = 0,
+        .slice = UINT64_MAX,
+        .drawn_slice = UINT64_MAX,
+        .drawn = 0,
+        .pixel = 0,
+        .lane_pixel = 0,
+        .resizing_pixel = 0,
+        .rasterizing = 0,
+        .largest_view = 32768,
+        .lanes = 1,
+        .lane_cells = 0,
+        .reserves_rows = false};
+
+/// What all devices have in common.
+constexpr DeviceNeeds ofDevice() {
+  DeviceNeeds needs = of_cpu;
+  needs.site = sizeof(SiteTexel);
+  needs.bin = word;
+  needs.mark = sizeof(SiteMark);
+  needs.weight = sizeof(WeightTexel);
+  needs.heaviest = word;
+  needs.entry = word;
+  needs.answer = word + row;
+  needs.weighted_answer = word + weighted_row;
+  needs.pixel = target_pixel + download_pixel;
+  needs.rasterizing = 42 * million;
+  needs.largest_view = 4096;
+  return needs;
+}
+
+DeviceNeeds ofCompute() {
+  DeviceNeeds needs = ofDevice();
+  needs.program = 84 * million;
+  needs.compiling = 25 * million;
+  needs.slice = std::uint64_t{1} << 18;
+  needs.drawn_slice = std::uint64_t{1} << 17;
+  needs.polygon = polygon_vertices + triangle_indices + 2 * word;
+  needs.reserves_rows = true;
+  return needs;
+}
+
+DeviceNeeds ofGeometry(int threads) {
+  constexpr int most_lanes = 8;
+  DeviceNeeds needs = ofDevice();
+  needs.program = 98 * million;
+  needs.compiling = 12 * million;
+  needs.answer += word;  // the word is copied to the host's
+  needs.weighted_answer += word;
+  needs.slice = needs.drawn_slice = std::uint64_t{1} << 16;
+  needs.polygon = 2 * word;
+  needs.drawn = sizeof(std::uint64_t);
+  needs.lane_pixel = 2 * word;
+  needs.lanes = static_cast<std::uint64_t>(std::min(threadCount(threads), most_lanes));
+  needs.lane_cells = std::uint64_t{1} << 15;
+  return needs;
+}
+
+DeviceNeeds ofOpenGl() {
+  constexpr std::uint64_t feedback = std::uint64_t{64} << 20, status = 24 * (EDGES_FAST - 2);
+  DeviceNeeds needs = ofDevice();
+  needs.program = 164 * million;
+  needs.compiling = 6 * million;
+  needs.passing_site = sizeof(SiteTexel);
+  needs.slice = feedback / needs.answer;
+  needs.drawn_slice = feedback / status;
+  needs.polygon = status;
+  needs.pixel = target_pixel;
+  needs.resizing_pixel = target_pixel;
+  needs.rasterizing = 20 * million;
+  return needs;
+}
+
+}  // namespace
+
+DeviceNeeds deviceNeeds(std::string_view backend, int threads) {
+  if (backend == "vulkan-compute") return ofCompute();
+  // What these two stand for is only known once it is open; it needs no more.
+  if (backend == "vulkan-geometry" || backend == "vulkan" || backend == "auto") return ofGeometry(threads);
+  if (backend == "opengl") return ofOpenGl();
+  return of_cpu;
+}
+
+}  // namespace vorpipe

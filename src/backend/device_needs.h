@@ -1,0 +1,35 @@
+/// What backends take of memory, for a forecast.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace vorpipe {
+
+/// In bytes. Those of the device count where its memory is the host's.
+struct DeviceNeeds {
+  std::uint64_t program;                  ///< code, libraries and driver, once it is open
+  std::uint64_t compiling;                ///< what the driver takes besides while it makes a pipeline
+  std::uint64_t site, bin, mark;          ///< on the device, for each
+  std::uint64_t weight, heaviest;         ///< on the device, for each site and each bin, with weights
+  std::uint64_t passing_site;             ///< on the host while sites are sent
+  std::uint64_t entry;                    ///< on the device, for each cell of a call
+  std::uint64_t answer, weighted_answer;  ///< for each cell of a slice
+  std::uint64_t polygon;                  ///< on the device, for each cell of a slice that is drawn
+  std::uint64_t slice, drawn_slice;       ///< most cells at a time
+  std::uint64_t drawn;                    ///< on the host, for each site once it is drawn
+  std::uint64_t pixel;                    ///< of a view, on the device
+  std::uint64_t lane_pixel;               ///< of a view, on the host where there may be several devices
+  std::uint64_t resizing_pixel;           ///< of a view, where views of several sizes follow each other
+  std::uint64_t rasterizing;              ///< what a software device takes besides, once it draws
+  int largest_view;
+  std::uint64_t lanes;       ///< devices at the same time, where each gets enough cells
+  std::uint64_t lane_cells;  ///< what is enough
+  bool reserves_rows;        ///< room for as many neighbors as a row may have; else rows grow by doubling
+};
+
+/// Of one of the registry's names. Unknown ones need what "cpu" does.
+DeviceNeeds deviceNeeds(std::string_view backend, int threads);
+
+}  // namespace vorpipe

@@ -1,0 +1,120 @@
+#include "core/forecast.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/delaunay.h"
+#include "core/grid.h"
+
+namespace vorpipe {
+namespace {
+
+/// The tree of backend/cpu/tree.h: twice as many nodes as leaves, of which there are a power of two, each of
+/// at most six sites.
+std::uint64_t treeBytes(std::uint64_t sites) {
+  constexpr std::uint64_t leaf_sites = 6, node = 12 * number;
+  std::uint64_t leaves = 1;
+  while ((sites + leaves - 1) / leaves > leaf_sites) leaves *= 2;
+  return 2 * leaves * node;
+}
+
+std::uint64_t binsOf(std::uint64_t sites) {
+  return static_cast<std::uint64_t>(static_cast<double>(sites) / sites_per_bin) + 1;
+}
+
+/// delaunay() and what SiteMesh does around it; see there.
+std::vector<MemoryPlan::Array> planMesh(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
+  const std::string_view what = "the triangulation of all sites";
+  const auto by_bin = plan.take(what, sites * word);
+  const auto order = plan.take(what, sites * word);
+  plan.drop(by_bin);
+  const auto points = plan.take(what, sites * point);
+  const auto weights = plan.take(what, work.weighted ? sites * number : 0);
+  const auto inserted = plan.take(what, sites * word);
+  const auto triangles = plan.take(what, 2 * sites * sizeof(MeshTriangle));
+  const auto region = plan.take(what, 2 * sites);
+  const auto cavity = plan.take(what, 2 * sites);
+  const auto spoke = plan.take(what, sites * word);
+  const auto left = plan.take(what, sites * word + sites * word / 2);
+  plan.drop({left, cavity, region, inserted, weights, points});
+  const auto at = plan.take(what, sites * word);
+  plan.drop({spoke, order});
+  return {triangles, at};
+}
+
+}  // namespace
+
+std::uint64_t partOf(std::uint64_t number_, double part) {
+  return static_cast<std::uint64_t>(std::ceil(static_cast<double>(number_) * part));
+}
+
+MemoryPlan::Array planReserve(MemoryPlan& plan) {
+  // No gap between other arrays is as long.
+  constexpr std::uint64_t longest = std::uint64_t{1} << 50;
+  return plan.take("a reserve", longest, plan.peak() / 32);
+}
+
+std::uint64_t plannedStep(std::uint64_t sites) {
+  constexpr std::uint64_t usual = std::uint64_t{1} << 18, most_steps = 16;
+  return std::max(std::min(sites, usual), (sites + most_steps - 1) / most_steps);
+}
+
+PlannedSet planPrepare(MemoryPlan& plan, std::uint64_t sites, bool weighted) {
+  const std::string_view what = "sites in their bins";
+  const auto by_input = plan.take(what, weighted ? sites * number : 0);
+  constexpr std::uint64_t placed_bytes = 2 * number + 2 * word;
+  const auto placed = plan.take("sorting sites into bins", sites * placed_bytes);
+  PlannedSet set;
+  for (const auto bytes : {number, number, word}) set.sites.push_back(plan.take(what, sites * bytes));
+  set.owner = plan.take("owners of sites", sites * word);
+  set.sites.push_back(plan.take(what, binsOf(sites) * word));
+  plan.drop(placed);
+  if (weighted) {
+    set.sites.push_back(plan.take(what, sites * number));
+    const auto all = plan.take(what, sites * word);
+    plan.drop(all);
+    // The numbers of the bins, and a third as many above.
+    set.sites.push_back(plan.take(what, binsOf(sites) * number * 4 / 3));
+  }
+  plan.drop(by_input);
+  return set;
+}
+
+void planUpload(MemoryPlan& plan, const Workload& work, std::uint64_t sites, bool drawn) {
+  const DeviceNeeds needs = needsOf(work);
+  const auto compiling = plan.take("the driver", needs.compiling);
+  plan.drop(compiling);
+  if (!work.device_on_host) return;
+  const std::string_view what = "sites on the device";
+  const auto lanes =
+      std::clamp<std::uint64_t>(needs.lane_cells == 0 ? 1 : sites / needs.lane_cells, 1, needs.lanes);
+  for (std::uint64_t lane = 0; lane < lanes; ++lane) {
+    plan.take(what, binsOf(sites) * needs.bin);
+    const auto passing = plan.take(what, sites * needs.passing_site);
+    plan.take(what, sites * needs.site);
+    plan.drop(passing);
+    if (work.weighted) {
+      plan.take(what, sites * needs.weight);
+      plan.take(what, binsOf(sites) * needs.heaviest * 4 / 3);
+    }
+    if (drawn) plan.take(what, sites * needs.mark);
+  }
+}
+
+std::vector<MemoryPlan::Array> planJudge(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
+  if (work.spread.along_curves) return planMesh(plan, work, sites);
+  if (!work.spread.uneven) return {};
+  const std::string_view what = "the search tree over sites";
+  plan.take(what, treeBytes(sites));
+  const auto passing = plan.take(what, sites * (2 * number + 2 * word));
+  for (const auto bytes : {word, word, number, number}) plan.take(what, sites * bytes);
+  if (work.weighted) plan.take(what, sites * number);
+  plan.drop(passing);
+  return {};
+}
+
+void planSession(MemoryPlan& plan, const Workload& work) {
+  plan.take("the program, its libraries and the driver", needsOf(work).program);
+}
+
+}  // namespace vorpipe

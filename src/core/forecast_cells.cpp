@@ -1,0 +1,198 @@
+/// What Session::cells takes, array by array: each line stands for one of diagram.cpp and of what it calls.
+#include <algorithm>
+
+#include "core/forecast.h"
+#include "core/records.h"
+
+namespace vorpipe {
+namespace {
+
+using Arrays = std::vector<MemoryPlan::Array>;
+
+void append(Arrays& to, const Arrays& from) { to.insert(to.end(), from.begin(), from.end()); }
+
+/// Plans findTopology; returns what remains of it.
+Arrays planTopology(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
+  const DeviceNeeds needs = needsOf(work);
+  const std::string_view rows = "neighbors of cells", search = "the search";
+  const auto inside = plan.take(search, sites * word);
+  Arrays kept{plan.take(rows, sites * (number + 2 * word))};
+  const auto even = plan.take(search, sites * word);
+  planUpload(plan, work, sites, false);
+  const auto rest = plan.take(search, sites * word);
+  const auto step = plannedStep(sites);
+  const auto answer = work.weighted ? needs.weighted_answer : needs.answer;
+  if (work.device_on_host && needs.entry > 0) {
+    const auto slices = std::min(step, needs.lanes * needs.slice);
+    plan.take("answers of the device", slices * answer + step * needs.entry);
+  }
+  // Where a device has only a part of its answers at a time, rows are put together from them.
+  const auto row = partOf(word, work.spread.edges);
+  for (std::uint64_t done = 0; done < sites; done += step) {
+    const auto here = std::min(step, sites - done);
+    const auto status = plan.take(search, here * (number + 1));
+    if (needs.entry == 0) {
+      const auto answers = plan.take(search, here * answer);
+      kept.push_back(plan.take(rows, here * row));
+      plan.drop(answers);
+    } else if (needs.reserves_rows) {
+      kept.push_back(plan.take(rows, here * (answer - word), here * row));
+    } else {
+      const auto before = plan.take(search, here * row);
+      kept.push_back(plan.take(rows, 2 * here * row, here * row));
+      plan.drop(before);
+    }
+    plan.drop(status);
+  }
+  plan.drop({rest, even, inside});
+  // The parts that crowds are found in leave gaps between their rows.
+  if (work.spread.uneven) kept.push_back(plan.take(rows, sites * number));
+  // The cells of the mesh are all found again.
+  append(kept, planJudge(plan, work, sites));
+  if (work.spread.along_curves) {
+    kept.push_back(plan.take(rows, sites * row));
+    const auto found = plan.take(search, sites * (number + 2 * word) + sites * (number + 1));
+    plan.drop(found);
+  }
+  if (work.weighted) {
+    const auto all = plan.take(search, sites * word);
+    plan.drop(all);
+  }
+  return kept;
+}
+
+/// Plans agreeOnCells: a cell has a corner for each edge, and each vertex has three corners, or more at ties.
+Arrays planTies(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
+  const std::string_view what = "vertices at ties";
+  const auto cells = partOf(sites, work.spread.tied);
+  const auto corners = partOf(cells, work.spread.edges + 0.3);
+  const auto vertices = partOf(cells, std::max(1.1, work.spread.edges / 2 - 1));
+  const auto rough = plan.take("the check of cells", sites);
+  Arrays kept{plan.take(what, sites * word)};
+  // Lists that grow by doubling.
+  const auto shorter = plan.take(what, cells * (number + word) / 2);
+  kept.push_back(plan.take(what, cells * number));
+  kept.push_back(plan.take(what, cells * word));
+  plan.drop(shorter);
+  const auto sets = plan.take(what, corners * word + cells);
+  for (const auto bytes : {1 * corners, word * corners, 33 * vertices, word * vertices, word * corners}) {
+    kept.push_back(plan.take(what, bytes));
+  }
+  const auto next = plan.take(what, vertices * word);
+  plan.drop({next, sets, rough});
+  return kept;
+}
+
+/// Plans the arrays of a Diagram of so many sites.
+Arrays planArrays(MemoryPlan& plan, const Workload& work, std::uint64_t sites, Detail detail) {
+  const auto edges = partOf(sites, work.spread.edges);
+  Arrays arrays;
+  const auto take = [&](std::string_view what, std::uint64_t bytes) {
+    arrays.push_back(plan.take(what, bytes));
+  };
+  if (detail != Detail::measures) {
+    take("vertices", edges * point);
+    take("lengths of edges", edges * number);
+    take("second moments", sites * 3 * number);
+    take("perimeters", sites * number);
+  }
+  take("neighbors", edges * number);
+  take("areas and centroids", sites * point);
+  take("areas and centroids", sites * number);
+  take("where cells begin", sites * number);
+  take("statuses", sites);
+  return arrays;
+}
+
+/// Plans clipToOutline, which replaces all that there is for each edge.
+void planClipping(MemoryPlan& plan, const Workload& work, Arrays& arrays) {
+  const auto edges = partOf(work.sites, work.spread.edges);
+  const std::string_view what = "cells clipped to the outline";
+  const auto fate = plan.take(what, work.sites * (number + 1));
+  const auto first = plan.take(what, work.sites * number);
+  for (const auto bytes :
+       {work.sites * number, work.sites * number, edges * point, edges * number, edges * number}) {
+    arrays.push_back(plan.take(what, bytes));
+  }
+  // What they replace is what makeArrays made first, second, fifth and eighth.
+  plan.drop({arrays[0], arrays[1], arrays[4], arrays[7], first, fate});
+}
+
+/// Plans cellsOn for all sites, images among them.
+Arrays planRun(MemoryPlan& plan, const Workload& work, std::uint64_t sites, Detail detail) {
+  PlannedSet set = planPrepare(plan, sites, work.weighted);
+  Arrays working = planTopology(plan, work, sites);
+  const auto records = plan.take("records of cells", sites * sizeof(CellRecord));
+  const auto ties = planTies(plan, work, sites);
+  Arrays arrays = planArrays(plan, work, sites, work.outlined ? std::max(detail, Detail::polygons) : detail);
+  plan.drop(records);
+  if (detail == Detail::everything && !work.periodic) {
+    arrays.push_back(plan.take("triangles", 2 * sites * 3 * word));
+    const auto numbers = plan.take("triangles", sites * (word + (work.weighted ? 1 : 0)));
+    plan.drop(numbers);
+  }
+  if (work.outlined) planClipping(plan, work, arrays);
+  planReserve(plan);
+  plan.drop(ties);
+  plan.drop(working);
+  plan.drop(set.sites);
+  arrays.push_back(set.owner);
+  return arrays;
+}
+
+/// Plans periodicCellsOn around that: the sites as the domain takes them, and with their images.
+Arrays planPeriodic(MemoryPlan& plan, const Workload& work, Detail detail) {
+  const std::string_view what = "sites and images";
+  const auto all = work.sites + work.images;
+  const std::uint64_t coordinates = work.weighted ? 3 : 2;
+  Arrays placed;
+  for (std::uint64_t k = 0; k < coordinates; ++k) placed.push_back(plan.take(what, work.sites * number));
+  placed.push_back(plan.take(what, work.sites * 2));
+  // A copy that grows by the images.
+  for (std::uint64_t k = 0; k < coordinates; ++k) {
+    const auto copy = plan.take(what, work.sites * number);
+    placed.push_back(plan.take(what, 2 * work.sites * number, all * number));
+    plan.drop(copy);
+  }
+  placed.push_back(plan.take(what, 2 * work.images * number));
+  Arrays arrays = planRun(plan, work, all, std::max(detail, Detail::polygons));
+  arrays.push_back(plan.take("shifts of neighbors", partOf(work.sites, work.spread.edges) * 2 * word));
+  plan.drop(placed);
+  return arrays;
+}
+
+}  // namespace
+
+Arrays planCells(MemoryPlan& plan, const Workload& work, Detail detail) {
+  const bool massive = work.density_pixels > 0;
+  const auto needed = massive ? std::max(detail, Detail::polygons) : detail;
+  Arrays arrays = work.periodic ? planPeriodic(plan, work, needed) : planRun(plan, work, work.sites, needed);
+  if (massive) arrays.push_back(plan.take("masses", work.sites * (number + point)));
+  // Polygons that were not asked for.
+  const bool clipped = work.outlined || work.periodic || massive;
+  if (detail == Detail::measures && clipped && !work.outlined) {
+    plan.drop({arrays[0], arrays[1], arrays[2], arrays[3]});
+  }
+  return arrays;
+}
+
+void planCellsCheck(MemoryPlan& plan, const Workload& work, Detail detail) {
+  const std::string_view what = "the check";
+  // Owners by position, in a table between half and quarter full; the tree; corners of twins.
+  std::uint64_t slots = 1;
+  while (slots < 2 * work.sites + 1) slots *= 2;
+  const auto tree = plan.take(what, work.sites * (2 * word + number));
+  const auto owners = plan.take(what, (slots + 2 * work.sites) * word);
+  plan.drop(owners);
+  const auto edges = partOf(work.sites, work.spread.edges);
+  const auto twins = plan.take(what, edges * word);
+  if (detail == Detail::everything) {
+    constexpr std::uint64_t side = 4 * word;
+    const auto sides = plan.take(what, 2 * work.sites * 3 * side);
+    const auto after = plan.take(what, work.sites * word);
+    plan.drop({after, sides});
+  }
+  plan.drop({twins, tree});
+}
+
+}  // namespace vorpipe

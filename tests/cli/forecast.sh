@@ -1,0 +1,82 @@
+# The forecast of memory against what runs take, and --memory-limit. $1 is the program.
+. "$(dirname "$0")/harness.sh"
+# Layers and a driver that fills memory take more of it than the forecast is about.
+unset VORPIPE_VALIDATION LVP_POISON_MEMORY
+
+figure() { grep -oP "\"$1\": \K[0-9]+" out/stats.json; }
+
+# measures PERCENT NAME ARGUMENT...: the run takes no more than its forecast says, and no less than PERCENT of it.
+measures() {
+  local least=$1 what=$2 forecast peak
+  shift 2
+  succeeds "$what" "$@" --quiet --stats out/stats.json
+  forecast=$(figure forecast_memory_bytes)
+  peak=$(figure peak_memory_bytes)
+  printf '%-44s %5d MB, %5d MB forecast, %3d %%\n' "$what" $((peak / 1000000)) $((forecast / 1000000)) $((100 * peak / forecast))
+  [ "$peak" -le "$forecast" ] || fail "took $peak bytes, the forecast was $forecast"
+  [ $((100 * peak)) -ge $((least * forecast)) ] || fail "took $peak bytes, the forecast was $forecast: too much"
+}
+
+# Even sites: within 10 %.
+n=300000
+ln -s /dev/null out/cells.npz
+for backend in $backends; do
+  measures 90 "$backend, measures" cells --backend "$backend" --sites random:$n
+  measures 90 "$backend, everything" cells --backend "$backend" --sites random:$n -o out/cells.npz
+done
+for format in csv obj; do
+  ln -s /dev/null out/cells.$format
+  measures 90 "cpu, .$format" cells --backend cpu --sites random:$n -o out/cells.$format
+done
+measures 90 "cpu, checked" cells --backend cpu --sites random:$n --check -o out/cells.npz
+measures 90 "cpu, weights" cells --backend cpu --sites random:$n --random-weights 0,1e-6 -o out/cells.npz
+measures 90 "cpu, periodic" cells --backend cpu --sites random:$n --periodic xy -o out/cells.npz
+echo 'POLYGON ((0 0, 1 0, 1 1, 0.5 0.98, 0 1, 0 0))' >in/outline.wkt
+measures 90 "cpu, an outline" cells --backend cpu --sites random:$n --domain in/outline.wkt -o out/cells.npz
+awk -v n=$n 'BEGIN { srand(7); print "x,y"; for (i = 0; i < n; ++i) printf "%.9f,%.9f\n", rand(), rand() }' >in/sites.csv
+measures 90 "cpu, sites from a file" cells --backend cpu --sites in/sites.csv
+for backend in $backends; do
+  measures 90 "$backend, a picture" render --backend "$backend" --sites random:$n --size 2000x1500 -o out/picture.png
+done
+measures 90 "cpu, a picture by area" render --backend cpu --sites random:$n --color area -o out/picture.png
+measures 90 "cpu, a picture, checked" render --backend cpu --sites random:$n --check -o out/picture.png
+measures 80 "compare" compare --backends cpu,vulkan-compute --sites random:$n --size 500x500
+
+# Hard ones: what a look at the sites tells of them is rather too much.
+for pattern in square clusters circle; do
+  measures 75 "cpu, $pattern, measures" cells --backend cpu --sites $pattern:$n
+  measures 75 "cpu, $pattern, everything" cells --backend cpu --sites $pattern:$n -o out/cells.npz
+done
+rm out/cells.*
+
+# The limit: a run that needs more is refused before it begins, any other is the same with it.
+echo x,y$'\n'0.25,0.5$'\n'0.75,0.5 >in/two.csv
+for size in 0 -1 x 1XB "" 1e; do refuses "the size $size" "--memory-limit" --sites random:9 --memory-limit "$size"; done
+for size in 5MB 5MiB 5000000 5e6 4.8MiB; do
+  refuses "a picture within $size" "allowed by --memory-limit" --sites in/two.csv --memory-limit "$size"
+done
+refuses "a large picture" "a smaller --size" --sites random:9 --size 9000x9000 --memory-limit 200MB
+fails 2 "many cells within 1GB" "sites would fit" cells --backend cpu --sites random:100000000 --memory-limit 1GB -o out/old.csv
+grep -qE -- '--sites: needs about [0-9.]+ GB of memory, 1.0 GB are allowed by --memory-limit; some [0-9]+ sites would fit$' log/err ||
+  fail "the line says something else"
+fails 2 "cells of a file within 30MB" "--sites: needs about" cells --backend cpu --sites in/sites.csv --memory-limit 30MB -o out/old.csv
+fails 2 "pictures compared within 90MB" "--memory-limit" compare --backends cpu,vulkan-compute --sites random:9 --memory-limit 90MB --report out/old.json
+fails 2 "another backend" "--backend cpu needs" cells --backend vulkan-compute --sites random:9 --memory-limit 60MB -o out/old.csv
+succeeds "bench within 1MB" bench stages --backend cpu --memory-limit 1MB --max-sites 10000 --repetitions 1 --max-side 500
+expect "allowed by --memory-limit"
+for limit in 1GB 1.5GiB 4000000000; do
+  succeeds "cells within $limit" cells --backend cpu --sites random:5000 --quiet -o out/limited.csv --memory-limit "$limit"
+  succeeds "cells without a limit" cells --backend cpu --sites random:5000 --quiet -o out/free.csv
+  cmp -s out/limited.csv out/free.csv || fail "other cells"
+done
+# What the forecast says is just enough.
+succeeds "a forecast" cells --backend cpu --sites random:20000 --quiet --stats out/stats.json
+enough=$(figure forecast_memory_bytes)
+succeeds "just enough" cells --backend cpu --sites random:20000 --quiet --stats out/stats.json --memory-limit "$enough"
+fails 2 "a byte less" "--memory-limit" cells --backend cpu --sites random:20000 --quiet --stats out/old.json --memory-limit $((enough - 1))
+(
+  ulimit -d 200000
+  fails 2 "a limit of the system" "ulimit -d" cells --backend cpu --sites random:5000000 --stats out/old.json
+  [ "$failures" -eq 0 ]
+) || failures=$((failures + 1))
+finish
