@@ -65,8 +65,8 @@ Arrays planTopology(MemoryPlan& plan, const Workload& work, std::uint64_t sites)
 Arrays planTies(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
   const std::string_view what = "vertices at ties";
   const auto cells = partOf(sites, work.spread.tied);
-  const auto corners = partOf(cells, work.spread.edges + 0.3);
-  const auto vertices = partOf(cells, std::max(1.1, work.spread.edges / 2 - 1));
+  const auto corners = partOf(cells, work.spread.edges + 1);
+  const auto vertices = partOf(cells, std::max(1.3, work.spread.edges / 2 - 1));
   const auto rough = plan.take("the check of cells", sites);
   Arrays kept{plan.take(what, sites * word)};
   // Lists that grow by doubling.

@@ -124,7 +124,21 @@ class Looking {
     }
     const auto many = sites_.size() / (sites_.weight.empty() ? 16 : 64), some = sites_.size() / 256;
     spread.along_curves = lined + outside_ > many;
-    spread.uneven = crowded + outside_ > some;
+    spread.uneven = crowded + outside_ + atGaps() > some;
+  }
+
+  /// Sites along the sides of the domain from which they keep a distance: their cells are long, and many are
+  /// left to the judge.
+  [[nodiscard]] std::size_t atGaps() const {
+    const Box box = boxOfSites(sites_, domain_);
+    const double gap = 2 * grid_.size;
+    const auto along_side = static_cast<std::size_t>(2 * std::sqrt(static_cast<double>(sites_.size())));
+    std::size_t sides = 0;
+    for (const double way : {box.xmin - domain_.xmin, domain_.xmax - box.xmax, box.ymin - domain_.ymin,
+                             domain_.ymax - box.ymax}) {
+      sides += way > gap ? 1u : 0u;
+    }
+    return sides * along_side;
   }
 
   Ties tiesAtProbes() {

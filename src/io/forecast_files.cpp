@@ -37,8 +37,8 @@ void planMesh(MemoryPlan& plan, const Workload& work) {
   const auto since = plan.next();
   plan.take(what, std::bit_ceil(2 * corners + 1) * index);
   plan.take(what, corners * index);
-  // Each vertex of a diagram is a corner of three cells, but at the walls.
-  const auto points = std::max(corners / 3, work.sites);
+  // Each vertex is a corner of three cells, but at walls and where its places in them differ.
+  const auto points = std::max(corners / 2, work.sites);
   planGrowing(plan, what, points, {sizeof(Point)});
   planGrowing(plan, what, work.sites, {number, index});
   plan.dropSince(since);
