@@ -15,7 +15,7 @@ constexpr std::uint64_t million = 1'000'000, word = 4;
 constexpr std::uint64_t target_pixel = 2 * word, download_pixel = 2 * word;
 /// Of a row of neighbors with room for eight, and of the word beside it.
 constexpr std::uint64_t row = EDGES_FAST * word, weighted_row = row + 4 * word;
-constexpr std::uint64_t triangle_indices = 3 * (EDGES_FAST - 2) * word, polygon_vertices = EDGES_FAST * 16;
+constexpr std::uint64_t triangle_indices = 3 * (EDGES_MOST - 2) * word, polygon_vertices = EDGES_MOST * 16;
 
 // Programs and drivers as measured with Mesa 22.3.6 and LLVM 15: of an empty shader cache, which takes more.
 constexpr DeviceNeeds of_cpu =
@@ -56,7 +56,7 @@ constexpr DeviceNeeds ofDevice() {
   needs.answer = word + row;
   needs.weighted_answer = word + weighted_row;
   needs.pixel = target_pixel + download_pixel;
-  needs.rasterizing = 42 * million;
+  needs.rasterizing = 64 * million;
   needs.largest_view = 4096;
   return needs;
 }
@@ -76,6 +76,7 @@ DeviceNeeds ofGeometry(int threads) {
   constexpr int most_lanes = 8;
   DeviceNeeds needs = ofDevice();
   needs.program = 101 * million;
+  needs.rasterizing = 48 * million;
   needs.compiling = 12 * million;
   needs.answer += word;  // the word is copied to the host's
   needs.weighted_answer += word;
@@ -89,18 +90,17 @@ DeviceNeeds ofGeometry(int threads) {
 }
 
 DeviceNeeds ofOpenGl() {
-  constexpr std::uint64_t feedback = std::uint64_t{64} << 20, status = 24 * (EDGES_FAST - 2),
-                          usual_status = 24 * 4;
+  constexpr std::uint64_t feedback = std::uint64_t{64} << 20, status = 24 * (EDGES_FAST - 2);
   DeviceNeeds needs = ofDevice();
   needs.program = 164 * million;
   needs.compiling = 6 * million;
   needs.passing_site = sizeof(SiteTexel);
   needs.slice = feedback / needs.answer;
   needs.drawn_slice = feedback / status;
-  needs.polygon = usual_status;
+  needs.polygon = status;
   needs.pixel = target_pixel;
   needs.resizing_pixel = target_pixel;
-  needs.rasterizing = 20 * million;
+  needs.rasterizing = 36 * million;
   return needs;
 }
 

@@ -82,10 +82,11 @@ TEST(Spread, EqualSitesAndSitesOnALineAreLookedAt) {
   sites.x.assign(many, 0.5);
   sites.y.assign(many, 0.5);
   EXPECT_TRUE(spreadOf(sites, unit, 2).uneven);
-  // Evenly along the only axis that there is, they are even.
+  // Evenly along the only axis that there is, they are no crowd; but their cells reach far.
   for (std::size_t i = 0; i < many; ++i) sites.x[i] = static_cast<double>(i) / many;
   const Spread spread = spreadOf(sites, unit, 2);
-  EXPECT_FALSE(spread.uneven);
+  EXPECT_TRUE(spread.uneven);
+  EXPECT_FALSE(spread.along_curves);
   EXPECT_EQ(spread.tied, 0);
 }
 
