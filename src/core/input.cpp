@@ -1,5 +1,7 @@
 #include "core/input.h"
 
+#include <fmt/format.h>
+
 #include <new>
 
 #include "core/density.h"
@@ -9,6 +11,24 @@
 #include "core/weights.h"
 
 namespace vorpipe {
+
+namespace {
+
+Result<void> checkArea(const Box& domain) {
+  // A cell may have 1e-7 of the least: it still has all digits.
+  constexpr double least = 1e-301, most = 1e301;
+  const double width = domain.xmax - domain.xmin, height = domain.ymax - domain.ymin;
+  const bool is_box = width > 0 && height > 0;
+  const double area = width * height;
+  if (!is_box || (area >= least && area <= most)) return {};
+  return tl::unexpected(
+      Error{ErrorCode::input,
+            fmt::format("the domain is {} wide and {} high: areas need one whose own lies between {:.0e} and "
+                        "{:.0e}, such as sides of 1e-150 to 1e150; scale the sites",
+                        width, height, least, most)});
+}
+
+}  // namespace
 
 Result<void> checkOptions(const Sites& sites, const CellsOptions& options) {
   if (auto checked = checkSearch(options.search); !checked) return checked;
@@ -20,6 +40,7 @@ Result<void> checkOptions(const Sites& sites, const CellsOptions& options) {
   if (!options.density.values.empty()) {
     if (auto checked = checkDensity(options.density); !checked) return checked;
   }
+  if (auto checked = checkArea(options.domain); !checked) return checked;
   return checkOutline(options.outline, options.periodic);
 }
 

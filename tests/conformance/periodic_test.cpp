@@ -182,8 +182,6 @@ TEST_P(PeriodicCells, agreeAcrossTheBorderAboutTies) {
 
 TEST_P(PeriodicCells, ofEveryDataSetFillTheDomain) {
   for (const auto& kind : dataSetKinds()) {
-    // Their areas are no doubles.
-    if (kind.name == "tiniest" || kind.name == "hugest") continue;
     const auto set = makeDataSet(kind.name, 400, 12);
     for (const auto periodic : {Periodic::x, Periodic::xy}) {
       SCOPED_TRACE(testing::Message() << set.name << ", seed 12, periodic " << static_cast<int>(periodic));

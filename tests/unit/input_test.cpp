@@ -45,6 +45,22 @@ TEST(Input, IsRefusedAsByARun) {
   EXPECT_THAT(refusalOf(sites, options), HasSubstr("2 neighbors"));
 }
 
+TEST(Input, IsInARangeThatAreasHave) {
+  const auto refusal = [](double size) {
+    CellsOptions options{};
+    options.domain = {0, 0, size, size};
+    return refusalOf({{0.25 * size, 0.75 * size}, {0.5 * size, 0.5 * size}, {}}, options);
+  };
+  for (const double size : {1e-150, 1e-10, 1e150}) EXPECT_EQ(refusal(size), "accepted") << size;
+  for (const double size : {1e-170, 1e160, 1e300}) {
+    EXPECT_THAT(refusal(size), HasSubstr("lies between 1e-301 and 1e+301")) << size;
+    RenderOptions picture{};
+    picture.domain = {0, 0, size, size};
+    picture.width = picture.height = 4;
+    EXPECT_FALSE(cpuSession().render({{0.5 * size}, {0.5 * size}, {}}, picture)) << size;
+  }
+}
+
 TEST(Input, FlannTakesNoWeights) {
   Sites sites = mixedSites();
   CellsOptions options = unit_cells;
