@@ -40,8 +40,8 @@ Result<void> checkOptions(const Sites& sites, const CellsOptions& options) {
   if (!options.density.values.empty()) {
     if (auto checked = checkDensity(options.density); !checked) return checked;
   }
-  if (auto checked = checkArea(options.domain); !checked) return checked;
-  return checkOutline(options.outline, options.periodic);
+  if (auto checked = checkOutline(options.outline, options.periodic); !checked) return checked;
+  return checkArea(options.domain);
 }
 
 Result<void> checkInput(const Sites& sites, const CellsOptions& options, int threads) {

@@ -30,9 +30,10 @@ struct CellsOptions {
 };
 
 /// Refuses what every run over these sites would, so that none needs to be begun: a domain that is no
-/// rectangle, or whose area is not between 1e-301 and 1e301; no sites, or too many; a coordinate or a weight that is not finite or too large for the domain;
-/// an outline that is no polygon; a density that is none; a search that does not know weights. Only sites too
-/// near to each other, and too far from a periodic domain, are found later. Errors (input).
+/// rectangle, or whose area is not between 1e-301 and 1e301; no sites, or too many; a coordinate or a weight
+/// that is not finite or too large for the domain; an outline that is no polygon; a density that is none; a
+/// search that does not know weights. Only sites too near to each other, and too far from a periodic domain,
+/// are found later. Errors (input).
 Result<void> checkInput(const Sites& sites, const CellsOptions& options, int threads = 0);
 
 /// In `Diagram::neighbors`: the domain's walls xmin, xmax, ymin, ymax, and the outline.
@@ -43,8 +44,8 @@ inline constexpr std::int64_t wall_xmin = -1, wall_xmax = -2, wall_ymin = -3, wa
 /// happened to it. Cell i has the vertices cell_offsets[i] .. cell_offsets[i + 1] - 1, counter-
 /// clockwise; edge k of a cell runs from its vertex k to the next and belongs to its neighbor k, so
 /// that one table of offsets serves vertices, neighbors and edge lengths.
-/// An edge shorter than 1e-6 of the distance between its two sites, or of the domain's shorter side if that is
-/// less, is a tie: neither cell has it.
+/// An edge shorter than 1e-6 of the distance between its two sites, or of the domain's shorter side if that
+/// is less, is a tie: neither cell has it.
 ///
 /// In a domain with an outline a cell may have several rings, outer ones counter-clockwise, each followed
 /// by its holes, clockwise; a neighbor may have several edges. Where an axis is periodic, a cell is whole,

@@ -23,6 +23,7 @@ class Comparing {
     const double width = domain.xmax - domain.xmin;
     const double height = domain.ymax - domain.ymin;
     side_ = std::max(width, height);
+    shorter_side_ = std::min(width, height);
     mean_area_ = width / static_cast<double>(sites.size()) * height;
   }
 
@@ -113,8 +114,13 @@ class Comparing {
       return edge.part > promise_.shortest * (1 + promise_.gap) && edge.length > slack ? Verdict::yes
                                                                                        : Verdict::either;
     }
-    if (edge.part > promise_.shortest * (1 + promise_.gap)) return Verdict::yes;
-    return edge.part < promise_.shortest * (1 - promise_.gap) ? Verdict::no : Verdict::either;
+    // Where sites have weights, ties may join both ends of an edge.
+    const double joined =
+        sites_.weight.empty() ? 0 : most_ties * promise_.shortest * std::min(farthest, shorter_side_);
+    const double part = std::max(edge.part, edge.length / shorter_side_);
+    if (part < promise_.shortest * (1 - promise_.gap)) return Verdict::no;
+    return part > promise_.shortest * (1 + promise_.gap) && edge.length > joined ? Verdict::yes
+                                                                                 : Verdict::either;
   }
 
   /// The distance of the farthest site that shares an edge with cell i.
@@ -202,7 +208,7 @@ class Comparing {
   const Sites& sites_;
   const ExactCells& exact_;
   const Promise& promise_;
-  double side_ = 0;
+  double side_ = 0, shorter_side_ = 0;
   double mean_area_ = 0;
   std::vector<bool> tied_;  ///< whether ties may have moved a cell's vertices
   Comparison result_;

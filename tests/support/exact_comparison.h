@@ -11,8 +11,8 @@ namespace vorpipe::test {
 
 /// What is promised of a diagram.
 struct Promise {
-  double shortest =
-      1e-6;  ///< an edge's length by the distance of its sites; longer ones are reported, shorter ones not
+  double shortest = 1e-6;   ///< an edge's length by the distance of its sites, or by the domain's shorter
+                            ///< side; longer ones are reported
   double gap = 1e-9;        ///< relative, about `shortest`: there, either is right
   double area = 1e-5;       ///< relative to the cell
   double mean_area = 1e-9;  ///< and this part of the mean cell

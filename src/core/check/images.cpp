@@ -17,12 +17,12 @@ SitePlaces::SitePlaces(const CheckedSites& run) : run_(run) {
   const auto periodic = !run.repeats_x ? Periodic::y : !run.repeats_y ? Periodic::x : Periodic::xy;
   const auto corners = wrapped({{box.xmin, box.xmax}, {box.ymin, box.ymax}, {}}, box, periodic);
   if (!corners) return;
-  low_ = {corners->x[0] * run.scale - run.base.x, corners->y[0] * run.scale - run.base.y};
-  high_ = {corners->x[1] * run.scale - run.base.x, corners->y[1] * run.scale - run.base.y};
+  low_ = {corners->x[0], corners->y[0]};
+  high_ = {corners->x[1], corners->y[1]};
 }
 
 Point SitePlaces::at(std::size_t i) const {
-  Point p = run_.site(i);
+  Point p{run_.sites.x[i], run_.sites.y[i]};
   if (run_.repeats_x && p.x == high_.x) p.x = low_.x;
   if (run_.repeats_y && p.y == high_.y) p.y = low_.y;
   return p;
