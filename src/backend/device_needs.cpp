@@ -75,7 +75,7 @@ DeviceNeeds ofCompute() {
 DeviceNeeds ofGeometry(int threads) {
   constexpr int most_lanes = 8;
   DeviceNeeds needs = ofDevice();
-  needs.program = 101 * million;
+  needs.program = 104 * million;
   needs.rasterizing = 48 * million;
   needs.compiling = 12 * million;
   needs.answer += word;  // the word is copied to the host's
@@ -90,17 +90,17 @@ DeviceNeeds ofGeometry(int threads) {
 }
 
 DeviceNeeds ofOpenGl() {
-  constexpr std::uint64_t feedback = std::uint64_t{64} << 20, status = 24 * (EDGES_FAST - 2);
+  constexpr std::uint64_t status = 24 * (EDGES_FAST - 2);
   DeviceNeeds needs = ofDevice();
-  needs.program = 164 * million;
+  needs.program = 98 * million + feedback_bytes;
   needs.compiling = 6 * million;
   needs.passing_site = sizeof(SiteTexel);
-  needs.slice = feedback / needs.answer;
-  needs.drawn_slice = feedback / status;
+  needs.slice = feedback_bytes / needs.answer;
+  needs.drawn_slice = feedback_bytes / status;
   needs.polygon = status;
   needs.pixel = target_pixel;
   needs.resizing_pixel = target_pixel;
-  needs.rasterizing = 36 * million;
+  needs.rasterizing = 40 * million;
   return needs;
 }
 

@@ -139,6 +139,10 @@ class Agreeing {
   /// in dispute.
   enum class Resort : std::uint8_t { judge, mesh, ties };
 
+  /// More cells than these are not found one by one with many digits, where sites that all but meet in a
+  /// point may take a second each.
+  static constexpr std::size_t most_exact = 64;
+
   /// Changes cells that are in dispute or not sure enough; true if there are none.
   Result<bool> mend(const ProposedCells& proposed, const TiedCells& tied) {
     for (const auto cell : tied.enclosed) rough_[cell] = 1;
@@ -149,7 +153,9 @@ class Agreeing {
     if (resort_ == Resort::judge) {
       const auto [which, effort] =
           agreed ? efforts_.next(doubtful) : nextAround(topology_, doubtful, efforts_);
-      if (!which.empty()) return find(which, effort);
+      const bool many = effort == Effort::exact && which.size() > most_exact && input_.judge.hasMesh();
+      if (!which.empty() && !many) return find(which, effort);
+      if (many) return takeResort(doubtful);
     }
     if (agreed) return true;
     return takeResort(doubtful);

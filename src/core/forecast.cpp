@@ -51,7 +51,7 @@ std::uint64_t partOf(std::uint64_t number_, double part) {
 MemoryPlan::Array planReserve(MemoryPlan& plan) {
   // No gap between other arrays is as long.
   constexpr std::uint64_t longest = std::uint64_t{1} << 50;
-  return plan.take("a reserve", longest, plan.peak() / 32);
+  return plan.take("a reserve", longest, plan.peak() / 24);
 }
 
 std::uint64_t plannedStep(std::uint64_t sites) {

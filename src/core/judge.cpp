@@ -16,6 +16,10 @@ namespace {
 /// to search, and cost four times as much.
 constexpr std::size_t sites_per_cell = 16, sites_per_weighted_cell = 64, sites_per_exact_cell = 2048;
 
+/// Of no more sites with weights the mesh is made for a single cell: where all of them nearly meet in a
+/// point, that cell may take minutes with many digits.
+constexpr std::size_t few_weighted_sites = std::size_t{1} << 14;
+
 using Indices = std::vector<std::uint32_t>;
 
 bool isOpen(CellStatus status) { return !isDone(status); }
@@ -27,8 +31,9 @@ Result<CellRows> Judge::find(std::span<const std::uint32_t> which, Effort effort
   CellRows cells(which.size(), threads);
   Indices entries(which.size());
   std::iota(entries.begin(), entries.end(), 0u);
+  const bool few = !sites_.weight.empty() && sites_.size() <= few_weighted_sites && mesh_.isPossible();
   const bool pays = effort == Effort::exact
-                        ? !mesh_.isMade() && which.size() > sites_.size() / sites_per_exact_cell
+                        ? few || (!mesh_.isMade() && which.size() > sites_.size() / sites_per_exact_cell)
                         : mesh_.isMade() || areMany(which.size());
   if (const auto* mesh = pays ? mesh_.get() : nullptr; mesh != nullptr) {
     cells.add(entries, meshCells(sites_, *mesh, which, threads));

@@ -30,6 +30,9 @@ class Judge {
   Result<void> nearest(const View& view, std::span<const std::uint32_t> pixels,
                        std::span<std::uint32_t> sites);
 
+  /// Whether there is a mesh; it is made by that.
+  [[nodiscard]] bool hasMesh() { return mesh_.isPossible() && mesh_.get() != nullptr; }
+
   /// Whether so many cells are worth the mesh: more of them cost next to nothing then.
   [[nodiscard]] bool areMany(std::size_t cells) const;
 

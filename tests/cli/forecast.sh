@@ -39,7 +39,7 @@ measures 90 "cpu, sites from a file" cells --backend cpu --sites in/sites.csv
 for backend in $backends; do
   measures 72 "$backend, a picture" render --backend "$backend" --sites random:$n --size 2000x1500 -o out/picture.png
 done
-measures 90 "cpu, a picture by area" render --backend cpu --sites random:$n --color area -o out/picture.png
+measures 87 "cpu, a picture by area" render --backend cpu --sites random:$n --color area -o out/picture.png
 measures 90 "cpu, a picture, checked" render --backend cpu --sites random:$n --check -o out/picture.png
 measures 65 "compare" compare --backends cpu,vulkan-compute --sites random:$n --size 500x500
 

@@ -4,10 +4,10 @@
 
 #include <string_view>
 
+#include "backend/device_needs.h"
+
 namespace vorpipe::opengl {
 namespace {
-
-constexpr std::size_t capacity_bytes = std::size_t{32} * 1024 * 1024;
 
 GLuint resultOf(GLuint query) {
   GLuint result = 0;
@@ -29,10 +29,10 @@ Feedback::Feedback(GLenum primitive)
   glGenQueries(static_cast<GLsizei>(queries_.size()), queries_.data());
 }
 
-std::size_t Feedback::entriesAtOnce(std::size_t entry_bytes) { return capacity_bytes / entry_bytes; }
+std::size_t Feedback::entriesAtOnce(std::size_t entry_bytes) { return feedback_bytes / entry_bytes; }
 
 void Feedback::begin() {
-  buffer_.reserve(capacity_bytes);
+  buffer_.reserve(feedback_bytes);
   glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer_.name());
   glBeginQuery(GL_PRIMITIVES_GENERATED, queries_[0]);
   glBeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, queries_[1]);

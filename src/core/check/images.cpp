@@ -1,6 +1,7 @@
 #include "core/check/images.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vorpipe::checks {
 
@@ -22,7 +23,10 @@ SitePlaces::SitePlaces(const CheckedSites& run) : run_(run) {
 }
 
 Point SitePlaces::at(std::size_t i) const {
-  Point p{run_.sites.x[i], run_.sites.y[i]};
+  // As near to an axis, in scaled units, a coordinate counts as 0.
+  constexpr double least = 0x1p-200;
+  const auto placed = [&](double at) { return std::abs(at * run_.scale) < least ? 0 : at; };
+  Point p{placed(run_.sites.x[i]), placed(run_.sites.y[i])};
   if (run_.repeats_x && p.x == high_.x) p.x = low_.x;
   if (run_.repeats_y && p.y == high_.y) p.y = low_.y;
   return p;
