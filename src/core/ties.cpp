@@ -83,6 +83,12 @@ class Untying {
                      begin, end)};
   }
 
+  /// Whether it takes exact numbers to tell that a cell has an area: with many edges that takes long.
+  [[nodiscard]] bool isFlat(std::size_t cell, std::span<const Place> corners) const {
+    const auto m = measureCell(measuringOrigin(sites_, cell, corners.front()), corners);
+    return !(m.area > 1e-6 * m.perimeter * m.perimeter);
+  }
+
   void dispute(std::int32_t cell) {
     if (cell < 0) return;
     const auto k = tied_.entry[static_cast<std::size_t>(cell)];
@@ -99,10 +105,11 @@ class Untying {
     const auto cell = tied_.cell[k];
     if (isRightlyEmpty(sites_, cells_, cell)) return;
     const auto row = cells_.edges(cell);
-    const bool may_be_none = !sites_.weight.empty() && disputes_ == Disputes::are_listed;
-    const bool nothing = may_be_none && leaveNothing(sites_, cell, row);
-    if (nothing || !isWellFormed(sites_, cells_, cell)) return dispute(static_cast<std::int32_t>(cell));
+    if (!isWellFormed(sites_, cells_, cell)) return dispute(static_cast<std::int32_t>(cell));
     placeCorners(sites_, cell, row, corners);
+    const bool may_be_none =
+        !sites_.weight.empty() && disputes_ == Disputes::are_listed && isFlat(cell, corners);
+    if (may_be_none && leaveNothing(sites_, cell, row)) return dispute(static_cast<std::int32_t>(cell));
     for (std::size_t e = 0; e < row.size(); ++e) {
       const auto here = see(cell, row, e, corners[e], corners[after(row, e)]);
       if (here.span.isTurned() && disputes_ == Disputes::are_listed) disputeAround(cell, row, e);
