@@ -106,8 +106,9 @@ std::uint32_t NearestSite::at(Point p) const {
   // Of sites near each other the squares say little; on which side of their bisector p lies, much.
   const CheckedSites& run = tree_->cloud.run;
   for (const auto site : allAt(p)) {
-    const Point from = run.site(best), to = run.site(site);
-    if (from != to && beyondBisector(from, to, run.lead(best, site), p) > 0) best = site;
+    const Point way = run.way(best, site);
+    if (way != Point{0, 0} && beyondBisectorAlong(way, run.site(best), run.lead(best, site), p) > 0)
+      best = site;
   }
   return best;
 }

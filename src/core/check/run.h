@@ -29,10 +29,14 @@ inline double length(Point a) { return std::sqrt(dot(a, a)); }
 /// many cells nearly meet in a point.
 inline constexpr double tie_slack = 1e-5, weighted_tie_slack = 1e-4;
 
-/// How far p lies beyond the bisector of two sites, seen from the first, which is heavier by `lead`.
-inline double beyondBisector(Point from, Point to, double lead, Point p) {
-  const Point d = to - from;
+/// How far p lies beyond the bisector of two sites, seen from the first, which is heavier by `lead`; d is the
+/// way from there to the other.
+inline double beyondBisectorAlong(Point d, Point from, double lead, Point p) {
   return dot(p - from, d) / length(d) - (length(d) + lead / length(d)) / 2;
+}
+
+inline double beyondBisector(Point from, Point to, double lead, Point p) {
+  return beyondBisectorAlong(to - from, from, lead, p);
 }
 
 /// The power of two that brings the domain's longer side into [1, 2), so that no square of a length is
@@ -65,6 +69,11 @@ struct CheckedSites {
   [[nodiscard]] std::size_t size() const { return sites.size(); }
   [[nodiscard]] Point site(std::size_t i) const {
     return {sites.x[i] * scale - base.x, sites.y[i] * scale - base.y};
+  }
+  /// The way from site i to site j. Of sites near each other it is exact, wherever places are counted from: a
+  /// bisector that is turned is far off where it is far from its sites.
+  [[nodiscard]] Point way(std::size_t i, std::size_t j) const {
+    return {(sites.x[j] - sites.x[i]) * scale, (sites.y[j] - sites.y[i]) * scale};
   }
   /// Counts places from the domain's corner, along axes where that rounds no site in it or beside it: pixels
   /// are parts of the domain, and far from the origin a double might not hold their centers.
