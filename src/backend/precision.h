@@ -32,8 +32,8 @@ struct PixelShares {
   }
 };
 
-/// Those along an axis of so many pixels, of a view whose longer one has `longer`, on a device that snaps
-/// vertices to 1 / 2^subpixel_bits of a pixel.
+/// The shares along one axis of a view, which has `pixels` pixels along it and `longer` along its longer
+/// axis, on a device that snaps vertices to 1 / 2^subpixel_bits of a pixel.
 ///
 /// A coordinate that is rounded to float some eight times on its way to the pixel grid is off by as many
 /// 2^-25 of the view's size. The coarser that grid is, the less a little more matters to cells.

@@ -24,7 +24,7 @@ Result<std::uint64_t> forecastRun(const InputOptions& options, const Input& inpu
                                   const DeviceInfo& device, const BackendOptions& backend,
                                   const PlanRun& plan, std::optional<std::uint64_t> limit);
 
-/// Why a run of so many bytes does not fit; nothing if it does.
+/// Why a run that needs `bytes` bytes does not fit into `limit` and the system's memory; nothing if it does.
 std::optional<std::string> lackOfMemory(std::uint64_t bytes, std::optional<std::uint64_t> limit);
 
 }  // namespace vorpipe::cli

@@ -27,10 +27,10 @@ Result<void> askToDraw(Backend& backend, std::span<const std::uint32_t> which, E
 Result<void> askToDraw(Backend& backend, const CellBatch<float>& batch, std::span<const DrawMark> marks,
                        Effort effort, std::span<CellStatus> status);
 
-/// Makes a picture that a device drew one that sites could have: a pixel whose id is of no site of the set,
-/// or of one whose status is not `certified`, becomes one that nobody covered, and every other one has the
-/// color that its site has. `status` and `shade` are by index in the set. Whether an id is the right one is
-/// not seen here.
+/// Validates a picture that a device drew. A pixel whose id is that of no site of the set, or of a site whose
+/// status is not `certified`, gets no_site, as if no cell had covered it; every other pixel gets the color of
+/// its site from the palette. `status` and `shade` are by index in the set. A wrong id that is that of a
+/// certified site is not found here.
 class PixelCheck {
  public:
   PixelCheck(const SiteSet& sites, std::span<const std::uint8_t> shade, int threads);

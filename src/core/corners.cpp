@@ -170,7 +170,8 @@ class Agreeing {
     return !vanished.empty();
   }
 
-  /// Whoever is or was a neighbor of a changed cell may have to be judged anew.
+  /// Finds the cells `which` again. Their neighbors, before and after, are checked again too: an edge is only
+  /// right if both of its cells have it.
   Result<bool> find(const std::vector<std::uint32_t>& which, Effort effort) {
     addWithNeighbors(topology_, which, changed_);
     if (auto found = findAgain(input_, which, effort, topology_); !found) {

@@ -107,7 +107,7 @@ Result<void> Device::run(const std::function<void(VkCommandBuffer)>& record) {
   VORPIPE_TRY(check(api_->vkQueueSubmit(queue_, 1, &submit, fence), "vkQueueSubmit"));
   const VkResult waited =
       api_->vkWaitForFences(device_, 1, &fence, VK_TRUE, std::numeric_limits<std::uint64_t>::max());
-  // What the commands use is about to go: whoever failed, the device must be done with it.
+  // The caller destroys what the submitted commands use. After a failed wait they may still run.
   if (waited != VK_SUCCESS) api_->vkDeviceWaitIdle(device_);
   VORPIPE_TRY(check(waited, "vkWaitForFences"));
   return clock_.take(device_, *api_);

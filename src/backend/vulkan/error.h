@@ -24,7 +24,7 @@ std::string resultName(VkResult result);
 /// An ErrorCode::device, ready to return.
 tl::unexpected<Error> deviceError(std::string message);
 
-/// The host's memory does not do for the answers of so many cells.
+/// The error when the host cannot allocate memory for the answers about `cells` cells.
 tl::unexpected<Error> outOfMemory(std::size_t cells);
 
 /// Nothing for VK_SUCCESS, else an error that names the call, the result and what may help.
