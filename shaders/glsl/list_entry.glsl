@@ -50,7 +50,7 @@ int clipEntry(inout Cell cell, vec2 outset) {
                     entry_bounds[0].x, entry_bounds[0].y);
 }
 
-// Whoever packs an entry knows its cell, and has it shrunk by what floats may lose of it.
+// Never for lists: the host, which packs the lines of an entry, moves them inward by what floats may lose.
 bool isTooCoarse(in Cell cell) { return false; }
 
 uint entryIndex() { return entry_index[0]; }
