@@ -78,7 +78,7 @@ Counts countCell(const Rotation& rotation, std::size_t i) {
     const std::int64_t neighbor = run.diagram.neighbors[e];
     // Of two cells the first counts their edge; between two images of a cell, one of both.
     const auto own = static_cast<std::int64_t>(i);
-    const bool self = neighbor == own && run.shift(e) > std::array<std::int32_t, 2>{0, 0};
+    const bool self = neighbor == own && run.shift(e) > Shift{0, 0};
     counts.edges += neighbor < 0 || neighbor > own || self ? 1 : 0;
     if (VertexWalk(rotation, {i, e}).isFirst()) ++counts.vertices;
   }
@@ -109,15 +109,14 @@ double copySlack(const CheckedCells& run, std::size_t i, std::size_t vertex) {
   if (!run.repeats()) return 0;
   const double slack = run.rounding(i) + part * length(run.vertex(vertex) - run.site(i));
   const double ties = run.mayBeNarrow() ? run.ties(run.reach(i)) : 0;
-  return ties < run.shortest_period ? slack : slack + ties;
+  return ties < run.shortestPeriod() ? slack : slack + ties;
 }
 
 /// Whether a vertex of cell i is one of the cell across its edge e, as that cell has it.
 bool isSamePlace(const CheckedCells& run, std::size_t i, std::size_t vertex, std::size_t other,
                  std::size_t e) {
-  const auto [x, y] = run.shift(e);
-  if (x == 0 && y == 0 && !run.repeats()) return run.diagram.vertices[vertex] == run.diagram.vertices[other];
-  return length(run.vertex(vertex) - run.moved(run.vertex(other), x, y)) <= copySlack(run, i, vertex);
+  if (!run.repeats()) return run.diagram.vertices[vertex] == run.diagram.vertices[other];
+  return length(run.vertex(vertex) - run.moved(run.vertex(other), run.shift(e))) <= copySlack(run, i, vertex);
 }
 
 std::string wrongTwin(const CheckedCells& run, const Twins& twins, std::size_t i) {
@@ -151,7 +150,7 @@ Twins findTwins(const CheckedCells& run) {
       for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
         const auto j = static_cast<std::size_t>(d.neighbors[e]);
         if (d.neighbors[e] < 0 || std::pair(run.edges(j), j) > std::pair(run.edges(i), i)) continue;
-        const std::array<std::int32_t, 2> opposite{-run.shift(e)[0], -run.shift(e)[1]};
+        const Shift opposite{-run.shift(e)[0], -run.shift(e)[1]};
         std::size_t back = run.begin(j), found = 0;
         for (std::size_t k = run.begin(j); k < run.end(j); ++k) {
           if (d.neighbors[k] != static_cast<std::int64_t>(i) || run.shift(k) != opposite) continue;

@@ -12,14 +12,10 @@ Result<InsideSites> insideOf(const Sites& sites, const Box& domain, Periodic per
   return InsideSites{std::move(*inside)};
 }
 
-SitePlaces::SitePlaces(const CheckedSites& run) : run_(run) {
-  if (!run.repeats()) return;
-  const Box& box = run.caller_domain;
-  const auto periodic = !run.repeats_x ? Periodic::y : !run.repeats_y ? Periodic::x : Periodic::xy;
+Result<std::array<Point, 2>> placedCorners(const Box& box, Periodic periodic) {
   const auto corners = wrapped({{box.xmin, box.xmax}, {box.ymin, box.ymax}, {}}, box, periodic);
-  if (!corners) return;
-  low_ = {corners->x[0], corners->y[0]};
-  high_ = {corners->x[1], corners->y[1]};
+  if (!corners) return tl::unexpected(corners.error());
+  return std::array{Point{corners->x[0], corners->y[0]}, Point{corners->x[1], corners->y[1]}};
 }
 
 Point SitePlaces::at(std::size_t i) const {
@@ -27,36 +23,40 @@ Point SitePlaces::at(std::size_t i) const {
   constexpr double least = 0x1p-200;
   const auto placed = [&](double at) { return std::abs(at * run_.scale) < least ? 0 : at; };
   Point p{placed(run_.sites.x[i]), placed(run_.sites.y[i])};
-  if (run_.repeats_x && p.x == high_.x) p.x = low_.x;
-  if (run_.repeats_y && p.y == high_.y) p.y = low_.y;
+  const auto& [low, high] = run_.corners;
+  if (run_.repeats_x && p.x == high.x) p.x = low.x;
+  if (run_.repeats_y && p.y == high.y) p.y = low.y;
   return p;
 }
 
 namespace {
 
-/// A place from where sites are looked for, so many widths and heights before p.
+/// A place from where sites are looked for, so many periods before p.
 struct Frame {
   Point from;
-  double widths, heights;
+  Shift shift;
 };
 
 /// Those from which an image nearest to p may be seen as a site.
 std::vector<Frame> framesOf(const CheckedSites& run, Point p) {
-  const Box& box = run.domain;
-  const double widths = run.repeats_x ? std::floor((p.x - box.xmin) / (box.xmax - box.xmin)) : 0;
-  const double heights = run.repeats_y ? std::floor((p.y - box.ymin) / (box.ymax - box.ymin)) : 0;
+  const auto periods = [](bool repeats, double from_low, double period) {
+    return repeats ? static_cast<std::int32_t>(std::floor(from_low / period)) : 0;
+  };
+  const Shift of_p{periods(run.repeats_x, p.x - run.domain.xmin, run.period.x),
+                   periods(run.repeats_y, p.y - run.domain.ymin, run.period.y)};
   const int most_x = run.repeats_x ? 1 : 0, most_y = run.repeats_y ? 1 : 0;
   std::vector<Frame> frames;
   for (int y = -most_y; y <= most_y; ++y) {
     for (int x = -most_x; x <= most_x; ++x) {
-      frames.push_back({run.moved(p, x - widths, y - heights), widths - x, heights - y});
+      const Shift shift{of_p[0] - x, of_p[1] - y};
+      frames.push_back({run.moved(p, {-shift[0], -shift[1]}), shift});
     }
   }
   return frames;
 }
 
-NearImage imageIn(const CheckedSites& run, const Frame& frame, std::uint32_t site) {
-  return {site, run.moved(run.site(site), frame.widths, frame.heights)};
+NearImage imageOf(const CheckedSites& run, std::uint32_t site, Shift shift) {
+  return {site, shift, run.moved(run.site(site), shift)};
 }
 
 double squaredTo(const NearImage& image, Point p) { return dot(p - image.place, p - image.place); }
@@ -78,11 +78,11 @@ double leadRounding(const CheckedSites& run, const NearImage& a, const NearImage
 NearImage nearestImage(const CheckedSites& run, const NearestSite& nearest, Point p) {
   if (!run.repeats()) {
     const std::uint32_t site = nearest.at(p);
-    return {site, run.site(site)};
+    return imageOf(run, site, {0, 0});
   }
-  NearImage best{no_site, {}};
+  NearImage best{no_site, {}, {}};
   for (const Frame& frame : framesOf(run, p)) {
-    const NearImage image = imageIn(run, frame, nearest.at(frame.from));
+    const NearImage image = imageOf(run, nearest.at(frame.from), frame.shift);
     if (best.site == no_site || leadOf(run, image, best, p) > 0) best = image;
   }
   return best;
@@ -91,7 +91,7 @@ NearImage nearestImage(const CheckedSites& run, const NearestSite& nearest, Poin
 std::vector<NearImage> nearestImages(const CheckedSites& run, const NearestSite& nearest, Point p) {
   std::vector<NearImage> images;
   for (const Frame& frame : framesOf(run, p)) {
-    for (const auto site : nearest.allAt(frame.from)) images.push_back(imageIn(run, frame, site));
+    for (const auto site : nearest.allAt(frame.from)) images.push_back(imageOf(run, site, frame.shift));
   }
   if (!run.repeats()) return images;
   const auto best = std::ranges::max_element(
@@ -103,11 +103,13 @@ std::vector<NearImage> nearestImages(const CheckedSites& run, const NearestSite&
   return images;
 }
 
-Point imageNear(const CheckedSites& run, std::size_t i, Point p) {
-  const Box& box = run.domain;
-  const Point site = run.site(i), way = p - site;
-  return run.moved(site, run.repeats_x ? std::round(way.x / (box.xmax - box.xmin)) : 0,
-                   run.repeats_y ? std::round(way.y / (box.ymax - box.ymin)) : 0);
+NearImage imageNear(const CheckedSites& run, std::uint32_t i, Point p) {
+  const auto periods = [](bool repeats, double way, double period) {
+    return repeats ? static_cast<std::int32_t>(std::round(way / period)) : 0;
+  };
+  const Point way = p - run.site(i);
+  return imageOf(run, i,
+                 {periods(run.repeats_x, way.x, run.period.x), periods(run.repeats_y, way.y, run.period.y)});
 }
 
 }  // namespace vorpipe::checks

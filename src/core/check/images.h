@@ -21,17 +21,17 @@ Result<InsideSites> insideOf(const Sites& sites, const Box& domain, Periodic per
 /// Where sites stand, the same for those that the period makes equal.
 class SitePlaces {
  public:
-  explicit SitePlaces(const CheckedSites& run);
+  explicit SitePlaces(const CheckedSites& run) : run_(run) {}
   [[nodiscard]] Point at(std::size_t i) const;
 
  private:
   const CheckedSites& run_;
-  Point low_{}, high_{};  ///< where sites in the domain's corners stand
 };
 
-/// An image of a site.
+/// An image of a site, so many periods further.
 struct NearImage {
   std::uint32_t site;
+  Shift shift;
   Point place;
 };
 
@@ -41,7 +41,12 @@ NearImage nearestImage(const CheckedSites& run, const NearestSite& nearest, Poin
 /// All sites and images that double does not tell from the nearest, that first.
 std::vector<NearImage> nearestImages(const CheckedSites& run, const NearestSite& nearest, Point p);
 
-/// The place of the site or image of i of least distance to p.
-Point imageNear(const CheckedSites& run, std::size_t i, Point p);
+/// From one image to another.
+inline Point wayTo(const CheckedSites& run, const NearImage& from, const NearImage& to) {
+  return run.way(from.site, to.site, {to.shift[0] - from.shift[0], to.shift[1] - from.shift[1]});
+}
+
+/// The site or image of i of least distance to p.
+NearImage imageNear(const CheckedSites& run, std::uint32_t i, Point p);
 
 }  // namespace vorpipe::checks

@@ -12,8 +12,8 @@ namespace {
 constexpr double mass_slack = 1e-9;
 
 /// What the area of the vertices of cell i, from which its mass is, may differ by from that of its record.
-double areaSlack(const CheckedCells& run, std::size_t i) {
-  const double off = run.ties(run.reach(i)) + run.rounding(i);
+double areaSlack(const CheckedCells& run, std::size_t i, double reach) {
+  const double off = run.ties(reach) + run.rounding(i);
   return (off * run.diagram.perimeter[i] * run.scale + off * off) / run.scale / run.scale;
 }
 
@@ -28,10 +28,12 @@ std::string wrongMass(const CheckedCells& run, double least, double most, std::s
   if (run.detail == Detail::measures) {
     return mass >= 0 && std::isfinite(mass) ? std::string() : fmt::format("site {} has {}", i, mass);
   }
-  const double slack = mass_slack * d.area[i] + areaSlack(run, i);
-  if (mass >= least * (d.area[i] - slack) && mass <= most * (d.area[i] + slack)) return {};
-  return fmt::format("site {} has {} on an area of {}, of densities from {} to {}", i, mass, d.area[i], least,
-                     most);
+  return run.wrongAtAnyReach(i, [&](double reach) -> std::string {
+    const double slack = mass_slack * d.area[i] + areaSlack(run, i, reach);
+    if (mass >= least * (d.area[i] - slack) && mass <= most * (d.area[i] + slack)) return {};
+    return fmt::format("site {} has {} on an area of {}, of densities from {} to {}", i, mass, d.area[i],
+                       least, most);
+  });
 }
 
 std::string wrongCenter(const CheckedCells& run, std::size_t i) {
@@ -39,12 +41,14 @@ std::string wrongCenter(const CheckedCells& run, std::size_t i) {
   const std::span vertices(run.diagram.vertices);
   const Box box = boxOf(vertices.subspan(run.begin(i), run.edges(i)));
   const Point center = run.diagram.mass_centroid[i];
-  const double slack = (run.ties(run.reach(i)) + run.rounding(i)) / run.scale;
-  if (center.x >= box.xmin - slack && center.x <= box.xmax + slack && center.y >= box.ymin - slack &&
-      center.y <= box.ymax + slack) {
-    return {};
-  }
-  return fmt::format("site {} has its center at ({}, {}), beyond the cell", i, center.x, center.y);
+  return run.wrongAtAnyReach(i, [&](double reach) -> std::string {
+    const double slack = (run.ties(reach) + run.rounding(i)) / run.scale;
+    if (center.x >= box.xmin - slack && center.x <= box.xmax + slack && center.y >= box.ymin - slack &&
+        center.y <= box.ymax + slack) {
+      return {};
+    }
+    return fmt::format("site {} has its center at ({}, {}), beyond the cell", i, center.x, center.y);
+  });
 }
 
 /// The mass in the domain's box.

@@ -33,16 +33,17 @@ std::vector<std::uint32_t> sampleCells(const CheckedCells& run, Random& random) 
 }
 
 std::string wrongPlace(const CheckedCells& run, const NearestSite& nearest, std::size_t i, Point p) {
-  const auto [other, near] = nearestImage(run, nearest, p);
-  const Point own = run.site(i);
-  if (near == own || (run.diagram.owner[other] == i && length(near - own) <= run.rounding(i))) return {};
-  const double reach = run.weighted ? std::max(run.reach(i), length(near - own)) : length(p - own);
-  const double rounding = run.rounding(i) + run.rounding(other);
-  const double beyond = beyondBisector(own, near, run.lead(i, other), p);
-  if (beyond <= run.ties(reach) + rounding) return {};
-  if (run.weighted && beyond <= run.ties(run.widerReach(i)) + rounding) return {};
-  return fmt::format("({}, {}) in the cell of site {} is nearer to site {}", p.x / run.scale, p.y / run.scale,
-                     i, other);
+  const NearImage near = nearestImage(run, nearest, p);
+  const Point way = run.way(i, near.site, near.shift);
+  if (way == Point{0, 0} || (run.diagram.owner[near.site] == i && length(way) <= run.rounding(i))) return {};
+  const double rounding = run.rounding(i) + run.rounding(near.site);
+  const double beyond = beyondBisector(way, run.site(i), run.lead(i, near.site), p);
+  return run.wrongAtAnyReach(i, [&](double reach) -> std::string {
+    const double own_reach = run.weighted ? std::max(reach, length(way)) : length(p - run.site(i));
+    if (beyond <= run.ties(own_reach) + rounding) return {};
+    return fmt::format("({}, {}) in the cell of site {} is nearer to site {}", p.x / run.scale,
+                       p.y / run.scale, i, near.site);
+  });
 }
 
 /// Any cell that reaches into a convex one holds a vertex of it.
@@ -71,9 +72,9 @@ bool crossesRay(Point p, Point a, Point b) {
   return (cross(b - a, p - a) > 0) == (b.y > a.y);
 }
 
-/// Whether p lies in the polygon of site i, or as near as ties may have moved a vertex. A short edge may
-/// point anywhere, so that the side of its line on which p lies says nothing.
-bool inCell(const CheckedCells& run, std::size_t i, Point p) {
+/// What is wrong where p lies neither in the polygon of site i nor as near as ties may have moved a vertex. A
+/// short edge may point anywhere, so that the side of its line on which p lies says nothing.
+std::string wrongOutside(const CheckedCells& run, std::size_t i, Point p) {
   bool inside = false;
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
@@ -81,7 +82,11 @@ bool inCell(const CheckedCells& run, std::size_t i, Point p) {
     inside = inside != crossesRay(p, a, b);
     nearest = std::min(nearest, distance(p, a, b));
   }
-  return inside || nearest <= run.ties(run.reach(i)) + run.rounding(i);
+  if (inside) return {};
+  return run.wrongAtAnyReach(i, [&](double reach) -> std::string {
+    if (nearest <= run.ties(reach) + run.rounding(i)) return {};
+    return fmt::format("does not lie in the cell of its nearest site {}", i);
+  });
 }
 
 }  // namespace
@@ -100,16 +105,15 @@ void checkNearest(const CheckedCells& run, const NearestSite& nearest, Broken& b
   }
   broken.expect("nearest sites", places.size(), run.threads, [&](std::size_t k) -> std::string {
     const Point p = places[k];
-    const auto& owner = run.diagram.owner;
-    // Seen from the site's own place, and then from its owner's.
-    const auto isInCellOf = [&](const NearImage& near) {
-      const Point own = run.site(owner[near.site]);
-      return inCell(run, owner[near.site], p - (near.place - own));
-    };
-    const auto near = nearestImages(run, nearest, p);
-    if (std::any_of(near.begin(), near.end(), isInCellOf)) return {};
-    return fmt::format("({}, {}) does not lie in the cell of its nearest site {}", p.x / run.scale,
-                       p.y / run.scale, owner[near.front().site]);
+    std::string first;
+    for (const NearImage& near : nearestImages(run, nearest, p)) {
+      // Seen from the site's own place, and then from its owner's.
+      const std::uint32_t owner = run.diagram.owner[near.site];
+      const std::string wrong = wrongOutside(run, owner, p - (near.place - run.site(owner)));
+      if (wrong.empty()) return {};
+      if (first.empty()) first = wrong;
+    }
+    return fmt::format("({}, {}) {}", p.x / run.scale, p.y / run.scale, first);
   });
 }
 

@@ -42,9 +42,9 @@ Powers powersIn(const CheckedSites& run, std::size_t i) {
   const Point p = run.site(i);
   // A periodic domain is asked for a period around it.
   const Point low =
-      run.moved({run.domain.xmin, run.domain.ymin}, run.repeats_x ? -1 : 0, run.repeats_y ? -1 : 0);
+      run.moved({run.domain.xmin, run.domain.ymin}, {run.repeats_x ? -1 : 0, run.repeats_y ? -1 : 0});
   const Point high =
-      run.moved({run.domain.xmax, run.domain.ymax}, run.repeats_x ? 1 : 0, run.repeats_y ? 1 : 0);
+      run.moved({run.domain.xmax, run.domain.ymax}, {run.repeats_x ? 1 : 0, run.repeats_y ? 1 : 0});
   const auto away = [](double at, double from, double to) {
     return Powers{std::max({from - at, 0.0, at - to}), std::max(at - from, to - at)};
   };
@@ -107,8 +107,7 @@ std::uint32_t NearestSite::at(Point p) const {
   const CheckedSites& run = tree_->cloud.run;
   for (const auto site : allAt(p)) {
     const Point way = run.way(best, site);
-    if (way != Point{0, 0} && beyondBisectorAlong(way, run.site(best), run.lead(best, site), p) > 0)
-      best = site;
+    if (way != Point{0, 0} && beyondBisector(way, run.site(best), run.lead(best, site), p) > 0) best = site;
   }
   return best;
 }

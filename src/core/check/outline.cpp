@@ -113,14 +113,14 @@ bool isOnWall(const CheckedCells& run, std::int64_t wall, Point p) {
                              : p.y == box.ymax;
 }
 
-std::string wrongEdges(const CheckedCells& run, const CheckedOutline& outline, std::size_t i) {
-  const double slack = run.ties(run.reach(i)) + run.rounding(i);
+std::string wrongEdges(const CheckedCells& run, const CheckedOutline& outline, std::size_t i, double reach) {
+  const double slack = run.ties(reach) + run.rounding(i);
   std::string wrong;
   CellRings(run, i).eachEdge([&](std::size_t e, Point a, Point b) {
     const std::int64_t neighbor = run.diagram.neighbors[e];
     const auto j = static_cast<std::size_t>(neighbor);
     const auto beyond = [&](Point p) {
-      return std::abs(beyondBisector(run.site(i), run.site(j), run.lead(i, j), p));
+      return std::abs(beyondBisector(run.way(i, j), run.site(i), run.lead(i, j), p));
     };
     const Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
     const bool right = neighbor == wall_outline ? outline.at(middle, slack) == CheckedOutline::Side::edge
@@ -167,13 +167,15 @@ std::string wrongInCell(const CheckedCells& run, const CheckedOutline& outline, 
     inside = inside != crossesRay(p, a, b);
     away = std::min(away, distance(p, a, b));
   });
-  const double slack = run.ties(run.reach(owner)) + run.rounding(owner);
-  const auto side = outline.at(p, slack);
-  if (away <= slack || side == CheckedOutline::Side::edge) return {};
-  if (inside == (side == CheckedOutline::Side::inside)) return {};
-  return fmt::format("({}, {}) lies {} the outline, but {} in the cell of its nearest site {}",
-                     p.x / run.scale, p.y / run.scale, inside ? "outside" : "inside", inside ? "" : "not ",
-                     owner);
+  return run.wrongAtAnyReach(owner, [&](double reach) -> std::string {
+    const double slack = run.ties(reach) + run.rounding(owner);
+    const auto side = outline.at(p, slack);
+    if (away <= slack || side == CheckedOutline::Side::edge) return {};
+    if (inside == (side == CheckedOutline::Side::inside)) return {};
+    return fmt::format("({}, {}) lies {} the outline, but {} in the cell of its nearest site {}",
+                       p.x / run.scale, p.y / run.scale, inside ? "outside" : "inside", inside ? "" : "not ",
+                       owner);
+  });
 }
 
 std::string wrongPlace(const CheckedCells& run, const CheckedOutline& outline, const NearestSite& nearest,
@@ -269,7 +271,9 @@ void checkClipped(const CheckedCells& run, const CheckedOutline& outline, const 
   if (run.detail == Detail::measures) return;
   if (!std::ranges::is_sorted(run.diagram.ring_starts)) broken.add("rings", "ring_starts do not ascend");
   if (!each("rings", [&](std::size_t i) { return wrongRings(run, i); })) return;
-  each("edges", [&](std::size_t i) { return wrongEdges(run, outline, i); });
+  each("edges", [&](std::size_t i) {
+    return run.wrongAtAnyReach(i, [&](double reach) { return wrongEdges(run, outline, i, reach); });
+  });
   each("neighbors", [&](std::size_t i) { return wrongTwin(run, i); });
   std::mt19937_64 random(1);
   const auto fraction = [&] { return std::ldexp(static_cast<double>(random() >> 11), -53); };

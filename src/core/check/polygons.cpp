@@ -27,7 +27,7 @@ Slack slackOf(const CheckedCells& run, std::size_t i, double reach) {
 Point normalOf(const CheckedCells& run, std::size_t i, std::size_t e) {
   const std::int64_t neighbor = run.diagram.neighbors[e];
   if (neighbor >= 0) {
-    const Point d = run.neighborSite(e) - run.site(i);
+    const Point d = run.neighborWay(i, e);
     return {d.x / length(d), d.y / length(d)};
   }
   constexpr std::array<Point, 4> walls = {Point{-1, 0}, Point{1, 0}, Point{0, -1}, Point{0, 1}};
@@ -50,7 +50,7 @@ double beyondEdge(const CheckedCells& run, std::size_t i, std::size_t e, Point p
       break;
   }
   const auto j = static_cast<std::size_t>(run.diagram.neighbors[e]);
-  return beyondBisector(run.site(i), run.neighborSite(e), run.lead(i, j), p);
+  return beyondBisector(run.neighborWay(i, e), run.site(i), run.lead(i, j), p);
 }
 
 std::string wrongEdge(const CheckedCells& run, std::size_t i, std::size_t e, const Slack& slack) {
@@ -73,7 +73,9 @@ std::string wrongEdge(const CheckedCells& run, std::size_t i, std::size_t e, con
                                   run.repeats_y ? 0 : std::max(box.ymin - a.y, a.y - box.ymax));
   if (!(outside <= run.rounding(i))) return "leaves the domain";
   const Point c = run.vertex(run.next(i, run.next(i, e)));
-  if (!(cross(b - a, c - b) >= -slack.position() * length(c - a))) return "turns clockwise at its end";
+  // Each of the three may be where another tie has moved it.
+  const double sides = length(b - a) + length(c - b) + length(c - a);
+  if (!(cross(b - a, c - b) >= -slack.position() * sides)) return "turns clockwise at its end";
   return {};
 }
 
@@ -201,9 +203,7 @@ std::string wrongPolygon(const CheckedCells& run, std::size_t i, const Slack& sl
 void checkPolygons(const CheckedCells& run, Broken& broken) {
   broken.expect("polygons", run.size(), run.threads, [&](std::size_t i) -> std::string {
     if (!run.ok(i)) return {};
-    const std::string wrong = wrongPolygon(run, i, slackOf(run, i, run.reach(i)));
-    if (wrong.empty() || !run.weighted) return wrong;
-    return wrongPolygon(run, i, slackOf(run, i, run.widerReach(i)));
+    return run.wrongAtAnyReach(i, [&](double reach) { return wrongPolygon(run, i, slackOf(run, i, reach)); });
   });
 }
 

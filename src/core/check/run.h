@@ -19,6 +19,9 @@ namespace vorpipe::checks {
 
 inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
+/// How many periods further an image stands.
+using Shift = std::array<std::int32_t, 2>;
+
 inline Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
 inline double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
@@ -31,12 +34,8 @@ inline constexpr double tie_slack = 1e-5, weighted_tie_slack = 1e-4;
 
 /// How far p lies beyond the bisector of two sites, seen from the first, which is heavier by `lead`; d is the
 /// way from there to the other.
-inline double beyondBisectorAlong(Point d, Point from, double lead, Point p) {
+inline double beyondBisector(Point d, Point from, double lead, Point p) {
   return dot(p - from, d) / length(d) - (length(d) + lead / length(d)) / 2;
-}
-
-inline double beyondBisector(Point from, Point to, double lead, Point p) {
-  return beyondBisectorAlong(to - from, from, lead, p);
 }
 
 /// The power of two that brings the domain's longer side into [1, 2), so that no square of a length is
@@ -47,6 +46,10 @@ inline double scaleOf(const Box& domain) {
   std::frexp(std::max(domain.xmax - domain.xmin, domain.ymax - domain.ymin), &exponent);
   return std::ldexp(1.0, std::clamp(1 - exponent, -most, most));
 }
+
+/// The places that a periodic domain's corners have among its sites, lower left and upper right: the
+/// caller's, rounded as sites are. Errors: those of wrapped().
+Result<std::array<Point, 2>> placedCorners(const Box& domain, Periodic periodic);
 
 /// The sites of a run and its domain, scaled. Those of a periodic domain are as wrapped() has them.
 struct CheckedSites {
@@ -61,8 +64,12 @@ struct CheckedSites {
     largest = std::max(
         {std::abs(domain.xmin), std::abs(domain.xmax), std::abs(domain.ymin), std::abs(domain.ymax)});
     shorter_side = std::min(domain.xmax - domain.xmin, domain.ymax - domain.ymin);
-    if (repeats_x) shortest_period = domain.xmax - domain.xmin;
-    if (repeats_y) shortest_period = std::min(shortest_period, domain.ymax - domain.ymin);
+    period = {domain.xmax - domain.xmin, domain.ymax - domain.ymin};
+    if (repeats()) {
+      if (const auto placed = placedCorners(box, periodic)) corners = *placed;
+      if (repeats_x) period.x = (corners[1].x - corners[0].x) * scale;
+      if (repeats_y) period.y = (corners[1].y - corners[0].y) * scale;
+    }
     weighted =
         std::adjacent_find(of.weight.begin(), of.weight.end(), std::not_equal_to<>()) != of.weight.end();
   }
@@ -70,10 +77,12 @@ struct CheckedSites {
   [[nodiscard]] Point site(std::size_t i) const {
     return {sites.x[i] * scale - base.x, sites.y[i] * scale - base.y};
   }
-  /// The way from site i to site j. Of sites near each other it is exact, wherever places are counted from: a
-  /// bisector that is turned is far off where it is far from its sites.
-  [[nodiscard]] Point way(std::size_t i, std::size_t j) const {
-    return {(sites.x[j] - sites.x[i]) * scale, (sites.y[j] - sites.y[i]) * scale};
+  /// The way from site i to site j, or to its image so many periods further. Of sites near each other it is
+  /// exact, wherever places are counted from: a bisector that is turned is far off where it is far from its
+  /// sites. In a periodic domain, places and periods are multiples of one quantum.
+  [[nodiscard]] Point way(std::size_t i, std::size_t j, Shift shift = {0, 0}) const {
+    return {(sites.x[j] - sites.x[i]) * scale + shift[0] * period.x,
+            (sites.y[j] - sites.y[i]) * scale + shift[1] * period.y};
   }
   /// Counts places from the domain's corner, along axes where that rounds no site in it or beside it: pixels
   /// are parts of the domain, and far from the origin a double might not hold their centers.
@@ -92,10 +101,14 @@ struct CheckedSites {
   }
   [[nodiscard]] bool repeats() const { return repeats_x || repeats_y; }
   /// Whether cells may reach so far that ties are as long as a period.
-  [[nodiscard]] bool mayBeNarrow() const { return shortest_period < 100 * tie_slack; }
-  /// p, so many widths and heights of the domain further.
-  [[nodiscard]] Point moved(Point p, double widths, double heights) const {
-    return {p.x + widths * (domain.xmax - domain.xmin), p.y + heights * (domain.ymax - domain.ymin)};
+  [[nodiscard]] bool mayBeNarrow() const { return shortestPeriod() < 100 * tie_slack; }
+  [[nodiscard]] double shortestPeriod() const {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    return std::min(repeats_x ? period.x : none, repeats_y ? period.y : none);
+  }
+  /// p, so many periods further.
+  [[nodiscard]] Point moved(Point p, Shift shift) const {
+    return {p.x + shift[0] * period.x, p.y + shift[1] * period.y};
   }
   /// By how much site i is heavier than site j.
   [[nodiscard]] double lead(std::size_t i, std::size_t j) const {
@@ -119,7 +132,8 @@ struct CheckedSites {
   Point base{0, 0};    ///< what the scaled places of sites and of the domain are counted from
   double largest = 0;  ///< coordinate of the domain, from the origin
   double shorter_side = 0;
-  double shortest_period = std::numeric_limits<double>::infinity();
+  Point period{0, 0};                ///< of its axes that repeat; of others the domain's side
+  std::array<Point, 2> corners{};    ///< those of placedCorners(), if the domain repeats
   bool weighted = false;             ///< the weights are not all equal
   const Outline* outline = nullptr;  ///< of the domain, if it has one
 };
@@ -150,13 +164,12 @@ struct CheckedCells : CheckedSites {
     return {diagram.vertices[e].x * scale, diagram.vertices[e].y * scale};
   }
   /// How many widths and heights of the domain the neighbor across edge e stands from its own place.
-  [[nodiscard]] std::array<std::int32_t, 2> shift(std::size_t e) const {
-    return repeats() ? diagram.neighbor_shifts[e] : std::array<std::int32_t, 2>{0, 0};
+  [[nodiscard]] Shift shift(std::size_t e) const {
+    return repeats() ? diagram.neighbor_shifts[e] : Shift{0, 0};
   }
-  /// The place of the neighbor across edge e, which is a site.
-  [[nodiscard]] Point neighborSite(std::size_t e) const {
-    const auto [x, y] = shift(e);
-    return moved(site(static_cast<std::size_t>(diagram.neighbors[e])), x, y);
+  /// From site i to the neighbor across edge e of its cell, which is a site.
+  [[nodiscard]] Point neighborWay(std::size_t i, std::size_t e) const {
+    return way(i, static_cast<std::size_t>(diagram.neighbors[e]), shift(e));
   }
   /// How far what determines the vertices of cell i may be from its site, by which ties are measured. Without
   /// weights, neighbors are no farther than twice as far as vertices.
@@ -166,7 +179,7 @@ struct CheckedCells : CheckedSites {
     for (std::size_t e = begin(i); e < end(i); ++e) {
       if (detail != Detail::measures) reach = std::max(reach, length(vertex(e) - own));
       if (!weighted || diagram.neighbors[e] < 0) continue;
-      reach = std::max(reach, length(neighborSite(e) - own));
+      reach = std::max(reach, length(neighborWay(i, e)));
     }
     return reach;
   }
@@ -177,9 +190,34 @@ struct CheckedCells : CheckedSites {
     for (std::size_t e = begin(i); e < end(i); ++e) {
       if (diagram.neighbors[e] < 0) continue;
       const auto j = static_cast<std::size_t>(diagram.neighbors[e]);
-      wider = std::max(wider, length(neighborSite(e) - site(i)) + reach(j));
+      wider = std::max(wider, length(neighborWay(i, e)) + reach(j));
     }
     return wider;
+  }
+
+  /// The same with every site whose bisector passes as near to a vertex of cell i as ties with it may move
+  /// one: the cells nearly meet there, and ties may have taken all edges between them.
+  [[nodiscard]] double widestReach(std::size_t i) const {
+    double widest = widerReach(i);
+    for (std::size_t j = 0; j < size(); ++j) {
+      const Point to = way(i, j);
+      const double away = length(to);
+      if (!(away > widest)) continue;
+      for (std::size_t v = begin(i); v < end(i); ++v) {
+        const double beyond = beyondBisector(to, site(i), lead(i, j), vertex(v));
+        if (std::abs(beyond) <= ties(away)) widest = away;
+      }
+    }
+    return widest;
+  }
+
+  /// What `wrong(reach)` says of cell i, where with weights it has something to say of all three reaches.
+  template <class Wrong>
+  [[nodiscard]] std::string wrongAtAnyReach(std::size_t i, const Wrong& wrong) const {
+    std::string text = wrong(reach(i));
+    if (text.empty() || !weighted) return text;
+    text = wrong(widerReach(i));
+    return text.empty() ? text : wrong(widestReach(i));
   }
 
   const Diagram& diagram;
