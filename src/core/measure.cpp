@@ -1,5 +1,6 @@
 #include "core/measure.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vorpipe {
@@ -10,6 +11,29 @@ Point meanOf(std::span<const Point> points) {
   Point mean{0, 0};
   for (const auto& p : points) mean = {mean.x + p.x / count, mean.y + p.y / count};
   return mean;
+}
+
+/// Whether an area is so small beside the perimeter that its moments are mostly what rounding left.
+bool isSliver(double area, double perimeter) {
+  constexpr double share = 1e-10;
+  return !(area > share * perimeter * perimeter);
+}
+
+/// The centroid of a polygon, nearly convex, as a mean of those of triangles, so that rounding cannot take it
+/// out of the polygon.
+Point centroidOfSliver(std::span<const Point> vertices) {
+  const Point from = vertices[0];
+  Point sum{0, 0};
+  double weight = 0;
+  for (std::size_t k = 1; k + 1 < vertices.size(); ++k) {
+    const Point a{vertices[k].x - from.x, vertices[k].y - from.y};
+    const Point b{vertices[k + 1].x - from.x, vertices[k + 1].y - from.y};
+    const double area = std::max(a.x * b.y - b.x * a.y, 0.0);
+    sum = {sum.x + area * (a.x + b.x), sum.y + area * (a.y + b.y)};
+    weight += area;
+  }
+  if (!(weight > 0)) return meanOf(vertices);
+  return {from.x + sum.x / (3 * weight), from.y + sum.y / (3 * weight)};
 }
 
 }  // namespace
@@ -38,7 +62,8 @@ Measures measurePolygon(std::span<const Point> vertices) {
     a = b;
   }
   m.area = twice_area / 2;
-  m.centroid = m.area > 0 ? Point{first.x / (3 * twice_area), first.y / (3 * twice_area)} : meanOf(vertices);
+  m.centroid = isSliver(m.area, m.perimeter) ? centroidOfSliver(vertices)
+                                             : Point{first.x / (3 * twice_area), first.y / (3 * twice_area)};
   m.second_moments = {xx / 12 - m.area * m.centroid.x * m.centroid.x,
                       xy / 24 - m.area * m.centroid.x * m.centroid.y,
                       yy / 12 - m.area * m.centroid.y * m.centroid.y};

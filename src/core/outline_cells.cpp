@@ -41,27 +41,31 @@ class Clipping {
  private:
   struct Member {
     std::uint32_t site;
-    std::size_t first, count;  ///< of points_
+    std::size_t first, count;  ///< of points_ and neighbors_
   };
 
   void collect(std::span<const std::uint32_t> sites) {
     members_.clear();
     points_.clear();
+    neighbors_.clear();
     for (const auto site : sites) {
       if (!cells_.hasCell(site)) continue;
       const std::size_t first = points_.size();
-      cells_.appendVertices(site, points_);
+      cells_.appendCell(site, points_, neighbors_);
       // A cell all of whose edges are ties has none.
-      if (points_.size() == first) points_.push_back(cells_.centroid(site));
+      if (points_.size() == first) {
+        points_.push_back(cells_.centroid(site));
+        neighbors_.push_back(wall_outline);
+      }
       members_.push_back({site, first, points_.size() - first});
     }
   }
 
   void clipOne(const Member& member) {
     const auto vertices = std::span(points_).subspan(member.first, member.count);
-    const auto neighbors = cells_.neighborsOf(member.site);
+    const auto neighbors = std::span(neighbors_).subspan(member.first, member.count);
     using Outcome = OutlineClip::Outcome;
-    const Outcome outcome = neighbors.empty()
+    const Outcome outcome = member.count == 1
                                 ? (index_.contains(vertices[0]) ? Outcome::inside : Outcome::outside)
                                 : clip_.clip(vertices, neighbors, near_, clipped_);
     out_.fate[member.site] = outcome == Outcome::cut      ? Fate::cut
@@ -76,6 +80,7 @@ class Clipping {
   ClippedCells& out_;
   std::vector<Member> members_;
   std::vector<Point> points_;
+  std::vector<std::int64_t> neighbors_;
   std::vector<std::uint32_t> near_;
   ClippedCell clipped_;
 };

@@ -84,20 +84,20 @@ class ClippedWriting {
 
  private:
   void keep(std::size_t i, std::size_t first_ring) {
-    const std::size_t old = cells_.begin(i), out = to_.cell_offsets[i], count = cells_.end(i) - old;
-    for (std::size_t k = 0; k < count; ++k) {
-      to_.vertices[out + k] = diagram_.vertices[old + k];
-      to_.edge_lengths[out + k] = diagram_.edge_lengths[old + k];
-      const std::int64_t neighbor = diagram_.neighbors[old + k];
+    std::size_t out = to_.cell_offsets[i];
+    if (out == to_.cell_offsets[i + 1]) return;
+    to_.ring_starts[first_ring] = out;
+    for (std::size_t e = cells_.begin(i); e < cells_.end(i); ++e) {
+      if (cells_.isPoint(i, e)) continue;
+      to_.vertices[out] = diagram_.vertices[e];
+      to_.edge_lengths[out] = diagram_.edge_lengths[e];
+      const std::int64_t neighbor = diagram_.neighbors[e];
       const bool both_inside =
           neighbor < 0 || clipped_.fate[static_cast<std::size_t>(neighbor)] == Fate::inside;
-      to_.neighbors[out + k] = both_inside ? neighbor
-                                           : label(i, neighbor, cells_.vertex(old + k),
-                                                   cells_.vertex(k + 1 < count ? old + k + 1 : old));
+      to_.neighbors[out++] =
+          both_inside ? neighbor : label(i, neighbor, cells_.vertex(e), cells_.vertex(cells_.next(i, e)));
     }
-    if (count == 0) return;
-    to_.ring_starts[first_ring] = out;
-    measureKept(i, old, count);
+    measureKept(i, cells_.begin(i), cells_.end(i) - cells_.begin(i));
   }
 
   /// Ties move vertices; the area of a plain diagram is that from before. But cells that are cut are measured
@@ -162,8 +162,7 @@ class ClippedWriting {
     const auto site = static_cast<std::int64_t>(i);
     if (clipped_.fate[j] == Fate::inside) {
       for (std::size_t e = cells_.begin(j); e < cells_.end(j); ++e) {
-        const Point from = cells_.vertex(e),
-                    to = cells_.vertex(e + 1 < cells_.end(j) ? e + 1 : cells_.begin(j));
+        const Point from = cells_.vertex(e), to = cells_.vertex(cells_.next(j, e));
         if (cells_.neighbor(e) == site && from == b && to == a) return true;
       }
       return false;
@@ -195,7 +194,8 @@ struct Counts {
 
 Counts countsOf(const ScaledDiagram& cells, const ClippedCells& clipped, std::size_t i) {
   if (clipped.fate[i] == Fate::inside) {
-    const std::uint64_t edges = cells.end(i) - cells.begin(i);
+    std::uint64_t edges = 0;
+    for (std::size_t e = cells.begin(i); e < cells.end(i); ++e) edges += cells.isPoint(i, e) ? 0U : 1U;
     return {edges, edges > 0 ? 1U : 0U};
   }
   if (clipped.fate[i] == Fate::cut)
@@ -213,8 +213,13 @@ ScaledDiagram::ScaledDiagram(const ClippedRun& run, const Diagram& diagram)
       domain_{scale_(run.domain.xmin), scale_(run.domain.ymin), scale_(run.domain.xmax),
               scale_(run.domain.ymax)} {}
 
-void ScaledDiagram::appendVertices(std::size_t site, std::vector<Point>& to) const {
-  for (std::size_t v = begin(site); v < end(site); ++v) to.push_back(vertex(v));
+void ScaledDiagram::appendCell(std::size_t site, std::vector<Point>& vertices,
+                               std::vector<std::int64_t>& neighbors) const {
+  for (std::size_t e = begin(site); e < end(site); ++e) {
+    if (isPoint(site, e)) continue;
+    vertices.push_back(vertex(e));
+    neighbors.push_back(diagram_.neighbors[e]);
+  }
 }
 
 void writeClipped(const ScaledDiagram& cells, const ClippedCells& clipped, Diagram& diagram) {

@@ -29,10 +29,17 @@ class ScaledDiagram {
   [[nodiscard]] std::size_t end(std::size_t site) const { return diagram_.cell_offsets[site + 1]; }
   [[nodiscard]] Point vertex(std::size_t edge) const { return scaled(diagram_.vertices[edge]); }
   [[nodiscard]] std::int64_t neighbor(std::size_t edge) const { return diagram_.neighbors[edge]; }
-  [[nodiscard]] std::span<const std::int64_t> neighborsOf(std::size_t site) const {
-    return std::span(diagram_.neighbors).subspan(begin(site), end(site) - begin(site));
+  [[nodiscard]] std::size_t next(std::size_t site, std::size_t edge) const {
+    return edge + 1 < end(site) ? edge + 1 : begin(site);
   }
-  void appendVertices(std::size_t site, std::vector<Point>& to) const;
+  /// Whether both ends of an edge of a site's cell are rounded to one place. Clipped cells leave such edges
+  /// out, on both sides.
+  [[nodiscard]] bool isPoint(std::size_t site, std::size_t edge) const {
+    const Point a = vertex(edge), b = vertex(next(site, edge));
+    return a.x == b.x && a.y == b.y;
+  }
+  /// Appends the cell of a site, where edge k has the neighbor k.
+  void appendCell(std::size_t site, std::vector<Point>& vertices, std::vector<std::int64_t>& neighbors) const;
 
   [[nodiscard]] double scaled(double value, int power = 1) const { return scale_(value, power); }
   [[nodiscard]] Point scaled(Point p) const { return scale_(p); }

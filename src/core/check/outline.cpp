@@ -114,11 +114,11 @@ bool isOnWall(const CheckedCells& run, std::int64_t wall, Point p) {
 }
 
 std::string wrongEdges(const CheckedCells& run, const CheckedOutline& outline, std::size_t i, double reach) {
-  const double slack = run.ties(reach) + run.rounding(i);
   std::string wrong;
   CellRings(run, i).eachEdge([&](std::size_t e, Point a, Point b) {
     const std::int64_t neighbor = run.diagram.neighbors[e];
     const auto j = static_cast<std::size_t>(neighbor);
+    const double slack = run.ties(reach) + run.rounding(i) + (neighbor < 0 ? 0 : run.rounding(j));
     const auto beyond = [&](Point p) {
       return std::abs(beyondBisector(run.way(i, j), run.site(i), run.lead(i, j), p));
     };

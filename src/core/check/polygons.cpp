@@ -115,7 +115,9 @@ std::string wrongMoments(const CheckedCells& run, std::size_t i, const Sums& sum
   const Diagram& d = run.diagram;
   const Point said = Point{d.centroid[i].x * run.scale, d.centroid[i].y * run.scale} - sums.origin;
   const Point off = {said.x * sums.area - sums.first.x, said.y * sums.area - sums.first.y};
-  const double allowed = (sum_slack * sums.area + rounding) * slack.reach + slack.rounding * sums.area;
+  // A cell may be so small that all of its vertices are rounded to its site.
+  const double wide = slack.reach + slack.rounding;
+  const double allowed = (sum_slack * sums.area + rounding) * wide + slack.rounding * sums.area;
   if (!(length(off) <= allowed)) {
     return fmt::format("has its centroid at ({}, {}), which is not that of its vertices", d.centroid[i].x,
                        d.centroid[i].y);
@@ -129,7 +131,7 @@ std::string wrongMoments(const CheckedCells& run, std::size_t i, const Sums& sum
   for (std::size_t k = 0; k < central.size(); ++k) {
     const double said_moment = d.second_moments[i][k], wanted = central[k] / square / square;
     if (said_moment == wanted) continue;
-    if (!(std::abs(said_moment - wanted) <= 4 * allowed * slack.reach / square / square)) {
+    if (!(std::abs(said_moment - wanted) <= 4 * allowed * wide / square / square)) {
       return fmt::format("has second moment {}, its vertices give {}", said_moment, wanted);
     }
   }
