@@ -24,9 +24,10 @@ class PeriodicAxis {
   [[nodiscard]] Placed put(double scaled) const;
   /// Whether a scaled number lies in the domain, its ends among it.
   [[nodiscard]] bool contains(double scaled) const { return scaled >= low_ && scaled <= high_; }
-  /// The scaled number that a place, some whole number of periods further, stands for.
+  /// The scaled number that a place, some whole number of periods further, stands for; exact where it lies in
+  /// the domain.
   [[nodiscard]] double number(double place, double periods) const {
-    return place + (offset_ + periods * length);
+    return (place + periods * length) + offset_;
   }
 
   bool periodic;
