@@ -19,21 +19,32 @@ class Efforts {
   /// The cells among `disputed` to find again, and how: in double where that has not been tried yet, else
   /// exactly. Both sides of a dispute are among them, so that one of them has something left to try.
   std::pair<std::vector<std::uint32_t>, Effort> next(const std::vector<std::uint32_t>& disputed) {
-    if (disputed.empty()) return {{}, Effort::exact};
-    if (last_.empty()) last_.assign(cells_, Effort::fast);
     for (const auto effort : {Effort::in_double, Effort::exact}) {
-      std::vector<std::uint32_t> which;
-      for (const auto cell : disputed) {
-        if (last_[cell] >= effort) continue;
-        which.push_back(cell);
-        last_[cell] = effort;
-      }
+      auto which = notYet(disputed, effort);
       if (!which.empty()) return {std::move(which), effort};
     }
     return {{}, Effort::exact};
   }
 
+  /// Those among `cells` to be found exactly.
+  std::vector<std::uint32_t> notExact(const std::vector<std::uint32_t>& cells) {
+    return notYet(cells, Effort::exact);
+  }
+
  private:
+  /// Those that have not been found with as much effort; from now on they have.
+  std::vector<std::uint32_t> notYet(const std::vector<std::uint32_t>& cells, Effort effort) {
+    std::vector<std::uint32_t> which;
+    if (cells.empty()) return which;
+    if (last_.empty()) last_.assign(cells_, Effort::fast);
+    for (const auto cell : cells) {
+      if (last_[cell] >= effort) continue;
+      which.push_back(cell);
+      last_[cell] = effort;
+    }
+    return which;
+  }
+
   std::size_t cells_;
   std::vector<Effort> last_;  ///< empty until something is in dispute
 };
@@ -122,7 +133,7 @@ class Agreeing {
       all_changed_ = false;
       changed_.clear();
       const auto disputes = resort_ == Resort::ties ? Disputes::are_ties : Disputes::are_listed;
-      auto tied = untieCells(proposed, rough_, disputes);
+      auto tied = untieCells(proposed, rough_, fineness_, disputes);
       if (!tied) return tied;
       const auto done = mend(proposed, *tied);
       if (!done) return tl::unexpected(done.error());
@@ -157,8 +168,20 @@ class Agreeing {
       if (!which.empty() && !many) return find(which, effort);
       if (many) return takeResort(doubtful);
     }
-    if (agreed) return true;
+    if (agreed) return narrow(tied.wide);
     return takeResort(doubtful);
+  }
+
+  /// Has ties be finer where they make vertices wide; true if there are none. What is wide is for exact cells
+  /// to say, so that it does not depend on who proposed them.
+  Result<bool> narrow(const WideVertices& wide) {
+    if (resort_ == Resort::judge) {
+      const auto which = efforts_.notExact(wide.nearly);
+      if (which.size() > most_exact && input_.judge.hasMesh()) return takeResort(which);
+      if (!which.empty()) return find(which, Effort::exact);
+    }
+    fineness_.increase(wide.quite, sites_.size());
+    return wide.quite.empty();
   }
 
   /// Drops those cells that have no area after all.
@@ -207,6 +230,7 @@ class Agreeing {
   const Records& records_;
   Report& report_;
   Efforts efforts_;
+  Fineness fineness_;
   std::vector<std::uint8_t> rough_;
   std::vector<std::uint32_t> changed_;
   bool all_changed_ = true;

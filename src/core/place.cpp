@@ -138,7 +138,7 @@ void placeCorners(const SiteSet& sites, std::size_t cell, std::span<const std::i
 }
 
 EdgeSpan edgeSpan(const SiteSet& sites, std::int32_t cell, std::int32_t before, std::int32_t neighbor,
-                  std::int32_t after, const Place& begin, const Place& end) {
+                  std::int32_t after, const Place& begin, const Place& end, double shortest) {
   const Point site = siteAt(sites, cell);
   const Point way = wayBetween(begin, end);
   const Point a = relativeTo(site, begin), b = relativeTo(site, end);
@@ -161,9 +161,10 @@ EdgeSpan edgeSpan(const SiteSet& sites, std::int32_t cell, std::int32_t before, 
   const double dx = other.x - site.x, dy = other.y - site.y;
   const double distance = lengthOf({dx, dy});
   const double shorter_side = shorterSide(sites.domain);
-  const double shortest = shortest_edge * tieScale(distance, shorter_side);
-  return {excessLength(dx, dy, way.x, way.y, shorter_side), (shortest + rounding) * distance,
-          shortest + rounding};
+  const double slack = shortest * tieScale(distance, shorter_side) + rounding;
+  const double excess = shortest < shortest_edge ? (dx * way.y - dy * way.x) - slack * distance
+                                                 : excessLength(dx, dy, way.x, way.y, shorter_side);
+  return {excess, slack * distance, slack};
 }
 
 }  // namespace vorpipe

@@ -77,7 +77,9 @@ struct EdgeSpan {
 
 /// The edge of `cell` to `neighbor`, a site or a wall, which runs from `begin`, where the neighbor before
 /// ends, to `end`, where the one after begins.
+/// `shortest` is the part of the sites' distance, or of the domain's shorter side, that is a tie:
+/// shortest_edge, or less where ties in a row would make a vertex wide (wide_vertices.h).
 EdgeSpan edgeSpan(const SiteSet& sites, std::int32_t cell, std::int32_t before, std::int32_t neighbor,
-                  std::int32_t after, const Place& begin, const Place& end);
+                  std::int32_t after, const Place& begin, const Place& end, double shortest = shortest_edge);
 
 }  // namespace vorpipe

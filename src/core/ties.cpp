@@ -12,6 +12,7 @@
 #include "core/disjoint_sets.h"
 #include "core/hidden.h"
 #include "core/tied_vertices.h"
+#include "core/wide_vertices.h"
 #include "parallel.h"
 
 namespace vorpipe {
@@ -23,10 +24,11 @@ constexpr double collapsed_ties = 1024;
 
 class Untying {
  public:
-  Untying(const ProposedCells& proposed, Disputes disputes, TiedCells& tied)
+  Untying(const ProposedCells& proposed, const Fineness& fineness, Disputes disputes, TiedCells& tied)
       : proposed_(proposed),
         sites_(proposed.sites),
         cells_(proposed.cells),
+        fineness_(fineness),
         disputes_(disputes),
         tied_(tied),
         sets_(tied.first.back()),
@@ -48,6 +50,7 @@ class Untying {
       listDisputed();
       if (!tied_.disputed.empty()) return;
     }
+    tied_.wide = findWideVertices(proposed_, tied_, fineness_);
     dropCollapsed(proposed_, sets_, tied_);
   }
 
@@ -80,7 +83,7 @@ class Untying {
                          const Place& begin, const Place& end) const {
     return {begin, end,
             edgeSpan(sites_, static_cast<std::int32_t>(cell), row[before(row, e)], row[e], row[after(row, e)],
-                     begin, end)};
+                     begin, end, fineness_.shortestEdge(cell, row[e]))};
   }
 
   /// Whether it takes exact numbers to tell that a cell has an area: with many edges that takes long.
@@ -205,6 +208,7 @@ class Untying {
   const ProposedCells& proposed_;
   const SiteSet& sites_;
   const CellRows& cells_;
+  const Fineness& fineness_;
   Disputes disputes_;
   TiedCells& tied_;
   DisjointSets sets_;
@@ -236,7 +240,7 @@ std::size_t nextMarked(std::span<const std::uint8_t> rough, std::size_t begin) {
 }  // namespace
 
 Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std::uint8_t> rough,
-                             Disputes disputes) {
+                             const Fineness& fineness, Disputes disputes) {
   TiedCells tied;
   tied.first.push_back(0);
   for (std::size_t cell = nextMarked(rough, 0); cell < rough.size(); cell = nextMarked(rough, cell + 1)) {
@@ -252,7 +256,7 @@ Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std:
     return tl::unexpected(
         Error{ErrorCode::input, fmt::format("{} tied corners are more than 4294967294", tied.first.back())});
   }
-  if (!tied.cell.empty()) Untying(proposed, disputes, tied).run();
+  if (!tied.cell.empty()) Untying(proposed, fineness, disputes, tied).run();
   return tied;
 }
 

@@ -6,8 +6,16 @@
 #include <vector>
 
 #include "core/cell_check.h"
+#include "core/fineness.h"
 
 namespace vorpipe {
+
+/// The cells around vertices that ties in a row make wide, ascending, without those that are as fine as can
+/// be.
+struct WideVertices {
+  std::vector<std::uint32_t> nearly;  ///< a vertex is wide, or might be if its cells were exact
+  std::vector<std::uint32_t> quite;   ///< these need finer ties, if all of them are exact
+};
 
 /// The cells that ties make differ from what their neighbors alone say. Corners of these cells that
 /// ties join are one vertex, with one place for all of them. Corner first[k] + e begins edge e of
@@ -24,6 +32,7 @@ struct TiedCells {
       around;                           ///< the tied cells of each vertex, as often as they meet it
   std::vector<std::uint32_t> disputed;  ///< cells that no tie excuses, ascending; else all of this is right
   std::vector<std::uint32_t> enclosed;  ///< cells to be tied as well, since ties enclose them, ascending
+  WideVertices wide;
 
   static constexpr std::uint32_t not_tied = ~std::uint32_t{0};
 
@@ -42,7 +51,7 @@ enum class Disputes : std::uint8_t { are_listed, are_ties };
 /// there: it follows from the cells, not from the ties between them that were proposed.
 ///
 /// An edge whose two ends ties join is a tie as well, and so are all edges of cells that ties enclose; see
-/// collapsed_edges.h.
+/// collapsed_edges.h. Vertices that many ties make wide are found, and are for the caller to make finer.
 ///
 /// Error (input): more than 2^32 - 2 corners.
 ///
@@ -53,7 +62,7 @@ enum class Disputes : std::uint8_t { are_listed, are_ties };
 /// Disputes::are_ties, for cells that are exact already, only the first are: every other edge in dispute is a
 /// tie, in both of its cells.
 Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std::uint8_t> rough,
-                             Disputes disputes);
+                             const Fineness& fineness, Disputes disputes);
 
 /// Writes the records of the tied cells, which are not disputed. They are measured as they are before ties
 /// join their corners: that moves a vertex by a part of the distance of its sites, which may be much of a

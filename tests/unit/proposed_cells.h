@@ -158,7 +158,7 @@ inline Assembled assemble(const SiteSet& set, Neighborhoods found, int threads =
   std::vector<std::uint8_t> rough(set.size());
   checkCells(proposed, records, rough);
   result.rough = static_cast<std::size_t>(std::count(rough.begin(), rough.end(), 1));
-  const auto tied = untieCells(proposed, rough, Disputes::are_listed);
+  const auto tied = untieCells(proposed, rough, Fineness{}, Disputes::are_listed);
   result.disputed = tied->disputed;
   result.tied_vertices = tied->place.size();
   if (!tied->disputed.empty()) return result;
