@@ -154,19 +154,28 @@ class ClippedWriting {
     return wall_outline;
   }
 
-  /// Whether the edge of cell i from a to b is one of cell j, from b to a, and no tie.
-  [[nodiscard]] bool isCommon(std::size_t i, std::size_t j, Point a, Point b) const {
+  /// Whether cell i had an edge with cell j from a to b before it was clipped.
+  [[nodiscard]] bool hadEdge(std::size_t i, std::size_t j, Point a, Point b) const {
+    for (std::size_t e = cells_.begin(i); e < cells_.end(i); ++e) {
+      const bool there = cells_.vertex(e) == a && cells_.vertex(cells_.next(i, e)) == b;
+      if (there && cells_.neighbor(e) == static_cast<std::int64_t>(j)) return true;
+    }
+    return false;
+  }
+
+  /// Whether a part of an edge between cells i and j, from a to b, is a tie.
+  [[nodiscard]] bool isTie(std::size_t i, std::size_t j, Point a, Point b) const {
     const Point p = cells_.site(i), q = cells_.site(j);
     const double scale = tieScale(lengthOf({q.x - p.x, q.y - p.y}), shorterSide(cells_.domain()));
-    if (lengthOf({b.x - a.x, b.y - a.y}) <= shortest_edge * scale) return false;
+    return lengthOf({b.x - a.x, b.y - a.y}) <= shortest_edge * scale;
+  }
+
+  /// Whether the edge of cell i from a to b is one of cell j, from b to a, and no tie. Of whole edges those
+  /// that are ties are gone already.
+  [[nodiscard]] bool isCommon(std::size_t i, std::size_t j, Point a, Point b) const {
+    if (isTie(i, j, a, b) && !hadEdge(i, j, a, b)) return false;
     const auto site = static_cast<std::int64_t>(i);
-    if (clipped_.fate[j] == Fate::inside) {
-      for (std::size_t e = cells_.begin(j); e < cells_.end(j); ++e) {
-        const Point from = cells_.vertex(e), to = cells_.vertex(cells_.next(j, e));
-        if (cells_.neighbor(e) == site && from == b && to == a) return true;
-      }
-      return false;
-    }
+    if (clipped_.fate[j] == Fate::inside) return hadEdge(j, i, b, a);
     if (clipped_.fate[j] != Fate::cut) return false;
     const ClippedCell& other = *clipped_.parts[j];
     for (std::size_t r = 0; r < other.first.size(); ++r) {
