@@ -5,6 +5,7 @@
 #include <atomic>
 #include <utility>
 
+#include "core/measure.h"
 #include "core/outer_triangles.h"
 #include "core/predicates.h"
 #include "parallel.h"
@@ -96,14 +97,31 @@ bool cellsAround(const ProposedCells& agreed, const TiedCells& tied, std::size_t
   return true;
 }
 
+/// Whether the circle through three sites is about a vertex that ties make, give or take a few ties of the
+/// nearest two of them: that vertex may have ties that are much longer.
+bool isAbout(const SiteSet& sites, const std::array<std::uint32_t, 3>& cells, const Place& vertex) {
+  constexpr double ties = 4;
+  const auto way = [&](std::uint32_t a, std::uint32_t b) {
+    return lengthOf({sites.x[b] - sites.x[a], sites.y[b] - sites.y[a]});
+  };
+  const auto [a, b, c] = cells;
+  const Place center = cornerPlace(sites, static_cast<std::int32_t>(a), static_cast<std::int32_t>(b),
+                                   static_cast<std::int32_t>(c));
+  return lengthOf(wayBetween(vertex, center)) <=
+         ties * shortest_edge * std::min({way(a, b), way(b, c), way(c, a)});
+}
+
 /// Calls put(triangle) for the fan of triangles that fills the polygon of the sites around a tie. Returns
-/// false where that is no triangulation, since some sites lie on one line.
+/// false where that is no Delaunay triangulation: some sites lie on one line, or are as near to each other as
+/// ties of others are long.
 template <class Put>
-bool forFan(const SiteSet& sites, const std::vector<std::uint32_t>& around, const Put& put) {
+bool forFan(const SiteSet& sites, const std::vector<std::uint32_t>& around, const Place& vertex,
+            const Put& put) {
   const auto at = [&](std::size_t k) { return Point{sites.x[around[k]], sites.y[around[k]]}; };
   bool proper = true;
   for (std::size_t k = 2; k < around.size(); ++k) {
-    proper = proper && orientation(at(0), at(k - 1), at(k)) > 0;
+    proper = proper && orientation(at(0), at(k - 1), at(k)) > 0 &&
+             isAbout(sites, {around[0], around[k - 1], around[k]}, vertex);
     put({sites.id[around[0]], sites.id[around[k - 1]], sites.id[around[k]]});
   }
   return proper;
@@ -163,7 +181,8 @@ Triangles dualTriangles(const ProposedCells& agreed, const TiedCells& tied, Site
   append(plain.size(), agreed.threads, triangles, [&](std::size_t vertex, const auto& put) {
     if (plain[vertex] != 0 || tied.walls[vertex] != 0) return;
     std::vector<std::uint32_t> around;
-    if (!cellsAround(agreed, tied, vertex, around) || !forFan(agreed.sites, around, put)) proper = false;
+    if (!cellsAround(agreed, tied, vertex, around) || !forFan(agreed.sites, around, tied.place[vertex], put))
+      proper = false;
   });
   if (!proper) return allTriangles(mesh);
   addOuterTriangles(agreed, tied, mesh, triangles);

@@ -66,7 +66,7 @@ double outlineLength(const Ring& ring) {
 /// edge of the outline and one of the cell that are one: the outline has one half of it then. A narrow cell
 /// that the outline crosses has hardly any of that.
 bool isSliver(const Ring& ring) {
-  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon(), share = 0.25;
+  constexpr double rounding = 2 * std::numeric_limits<double>::epsilon(), share = 0.25;
   if (ring.points.empty()) return true;
   const double along = outlineLength(ring);
   if (along == 0) return false;

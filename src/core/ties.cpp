@@ -215,6 +215,14 @@ class Untying {
   std::vector<std::uint8_t> disputed_;
 };
 
+/// The centroid of a cell, relative to its origin. Ties may reach a little beyond a wall, and a cell that
+/// only touches the domain far beyond it.
+Point centroidInDomain(const SiteSet& sites, Point origin, Point centroid) {
+  const Box& domain = sites.domain;
+  return {std::clamp(centroid.x, domain.xmin - origin.x, domain.xmax - origin.x),
+          std::clamp(centroid.y, domain.ymin - origin.y, domain.ymax - origin.y)};
+}
+
 /// Records a cell all of whose edges are ties: of a site that is hidden but for a little, or far outside. One
 /// without weights that has no area, but for rounding, only touches the domain, and is empty.
 void recordUnedged(const ProposedCells& proposed, std::uint32_t cell, const Records& records) {
@@ -227,7 +235,7 @@ void recordUnedged(const ProposedCells& proposed, std::uint32_t cell, const Reco
   const Box& domain = sites.domain;
   const double no_area = 1e-12 * (domain.xmax - domain.xmin) * (domain.ymax - domain.ymin);
   if (sites.weight.empty() && !(m.area > no_area)) return records.empty(cell);
-  records.cell(cell, 0, std::max(m.area, 0.0), origin, m.centroid);
+  records.cell(cell, 0, std::max(m.area, 0.0), origin, centroidInDomain(sites, origin, m.centroid));
 }
 
 /// The first cell from `begin` on that is marked with 1; as many as there are if none is.
@@ -290,7 +298,7 @@ void recordTiedCells(const ProposedCells& proposed, const TiedCells& tied, const
       placeCorners(proposed.sites, cell, proposed.cells.edges(cell), corners);
       const auto origin = measuringOrigin(proposed.sites, cell, corners.front());
       const auto m = measureCell(origin, corners);
-      records.cell(cell, edges.size(), m.area, origin, m.centroid);
+      records.cell(cell, edges.size(), m.area, origin, centroidInDomain(proposed.sites, origin, m.centroid));
     }
   });
 }
