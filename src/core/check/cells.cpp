@@ -53,11 +53,13 @@ std::string wrongBesideCell(const CheckedCells& run, std::size_t i) {
                      centroid.y);
 }
 
-/// Sides that repeat are as rounded as coordinates are, seen as parts of the sides.
+/// Across a flat domain, places are as rounded as along it. Sides that repeat are as rounded as coordinates are,
+/// seen as parts of the sides.
 double sumSlack(const CheckedCells& run) {
   constexpr double steps = 4;
   const Box& box = run.domain;
-  double slack = area_sum_slack;
+  const double longer_side = std::max(box.xmax - box.xmin, box.ymax - box.ymin);
+  double slack = area_sum_slack + steps * epsilon * longer_side / run.shorter_side;
   if (run.repeats_x) slack += steps * epsilon * run.largest / (box.xmax - box.xmin);
   if (run.repeats_y) slack += steps * epsilon * run.largest / (box.ymax - box.ymin);
   return slack;
