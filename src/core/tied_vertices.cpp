@@ -110,7 +110,8 @@ class Making {
   }
 
   /// Vertices of three and more tied cells, by the site of the lowest input index, the one farthest from
-  /// it, and the one farthest from the line through both.
+  /// it, and the one farthest from the line through both; where it is too near to that, vertices stay at
+  /// their root.
   void placeInside() {
     parallelFor(tied_.place.size(), grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
       for (auto v = begin; v < end; ++v) {
@@ -121,6 +122,13 @@ class Making {
         placeBetween(cells, tied_.place[v]);
       }
     });
+  }
+
+  /// Whether three sites lie so nearly on a line that the vertex is not where their powers are equal. With
+  /// weights, others may determine it well.
+  static bool isFlat(Point line, Point to_third) {
+    constexpr double share = 1e-3;
+    return std::abs(line.x * to_third.y - line.y * to_third.x) <= share * (line.x * line.x + line.y * line.y);
   }
 
   void placeBetween(std::span<const std::uint32_t> cells, Place& place) const {
@@ -143,6 +151,7 @@ class Making {
     const Point line = wayTo(second);
     const auto third = farthest([line](Point p) { return std::abs(line.x * p.y - line.y * p.x); });
     if (second == first || third == first || third == second) return;
+    if (!sites_.weight.empty() && isFlat(line, wayTo(third))) return;
     place = cornerPlace(sites_, static_cast<std::int32_t>(first), static_cast<std::int32_t>(second),
                         static_cast<std::int32_t>(third));
   }
