@@ -74,10 +74,11 @@ Result<void> CellDrawing::prepare() {
 
 /// Takes the cells that are known to be empty from some.
 void CellDrawing::leaveHidden(Indices& which) {
-  if (input_.hidden.empty()) return;
+  const auto& hidden = input_.sites.hidden;
+  if (hidden.empty()) return;
   std::erase_if(which, [&](std::uint32_t site) {
-    if (input_.hidden[site] != 0) status_[site] = CellStatus::empty;
-    return input_.hidden[site] != 0;
+    if (hidden[site] != 0) status_[site] = CellStatus::empty;
+    return hidden[site] != 0;
   });
 }
 

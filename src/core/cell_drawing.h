@@ -20,8 +20,7 @@ struct DrawingInput {
   const SearchOptions& search;
   int threads;
   const Progress& progress;
-  bool several_views;                      ///< draw is called more than once
-  std::span<const std::uint8_t> hidden{};  ///< by index in the set: 1 for cells that are empty; or none
+  bool several_views;  ///< draw is called more than once
 };
 
 /// The device finds and draws what it can; the judge finds the rest, which is drawn from the sites that

@@ -227,9 +227,9 @@ Result<Rendering> renderOn(Backend& backend, Backend& judge, int threads, const 
   const int most = backend.info().max_view;
   SiteMesh mesh(prepared->set, threads);
   Judge set_judge(judge, mesh);
-  const auto hidden = hiddenSites(prepared->set, *scene, *cells);
+  prepared->set.hidden = hiddenSites(prepared->set, *scene, *cells);
   CellDrawing drawing({backend, set_judge, prepared->set, *shades, options.search, threads, options.progress,
-                       options.width > most || options.height > most, hidden});
+                       options.width > most || options.height > most});
   const NearestSites nearest{set_judge, prepared->set, *shades, drawn.size(), threads};
   auto picture =
       drawParts(backend, drawing, nearest, scaled(scene->picture, prepared->exponent), *palette, options);

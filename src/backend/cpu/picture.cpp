@@ -13,13 +13,15 @@
 namespace vorpipe::cpu {
 namespace {
 
-/// The sites, but for heavy ones, as points; with weights, as points above the plane: the square of a site's
-/// height is by how much it is lighter than the heaviest of them, so that distances rank as powers do.
+/// The sites that may have cells, but for heavy ones, as points; with weights, as points above the plane: the
+/// square of a site's height is by how much it is lighter than the heaviest of them, so that distances rank
+/// as powers do.
 template <std::size_t Dimensions>
 class Cloud {
  public:
   Cloud(const SiteSet& sites, Point base) : sites_(sites), base_(base), site_(sites.size()) {
     std::iota(site_.begin(), site_.end(), 0U);
+    if (!sites.hidden.empty()) std::erase_if(site_, [&](auto i) { return sites.hidden[i] != 0; });
     if (Dimensions == 2) return;
     for (const auto heavy : sites.heavy) std::erase(site_, heavy);
     double heaviest = -std::numeric_limits<double>::infinity();
@@ -128,9 +130,10 @@ std::uint32_t NearestSite::at(Point from, Point p) const {
   const Point base = tree_->base, place{(from.x - base.x) + p.x, (from.y - base.y) + p.y};
   if (tree_->flat) return tree_->flat->nearest(place);
   const auto& sites = tree_->sites;
-  auto best = tree_->lifted->isEmpty() ? sites.heavy.front() : tree_->lifted->nearest(place);
+  auto best = tree_->lifted->isEmpty() ? no_site : tree_->lifted->nearest(place);
   for (const auto heavy : sites.heavy) {
-    if (isNearerTo(sites, heavy, best, base, place)) best = heavy;
+    if (!sites.hidden.empty() && sites.hidden[heavy] != 0) continue;
+    if (best == no_site || isNearerTo(sites, heavy, best, base, place)) best = heavy;
   }
   return best;
 }
