@@ -53,14 +53,15 @@ Wide wideCrossing(const WeightedPoint& i, const WeightedPoint& j, double at) {
   return Wide{i.y, 0} + (half - Wide::sum(at, -i.x) * dx) / dy;
 }
 
-/// The same as the sum of two numbers, the first of which is i.y if the other is small.
+/// The same as the sum of two numbers, the first of which is i.y if the other is small. Where the bisector
+/// nearly lies in the wall, or with weights, the terms of the other may be much larger than it is.
 Wide crossing(const WeightedPoint& i, const WeightedPoint& j, double at, bool weighted) {
   const double dx = j.x - i.x, dy = j.y - i.y;
   const double way = (at - i.x) * dx;
   const double half = 0.5 * (dx * dx + dy * dy), lead = weighted ? 0.5 * (i.weight - j.weight) : 0;
   const double along = weighted ? (half + lead - way) / dy : (half - way) / dy;
   const double length = std::abs(dx) + std::abs(dy) + std::abs(at - i.x) + std::abs(along);
-  const double terms = weighted ? (half + std::abs(lead) + std::abs(way)) / std::abs(dy) : 0;
+  const double terms = (half + std::abs(lead) + std::abs(way)) / std::abs(dy);
   if (terms < most_terms * length && length < far) return {i.y, along};
   const Wide wide = wideCrossing(i, j, at);
   return std::isfinite(wide.high) ? wide : Wide{i.y, along};

@@ -202,7 +202,8 @@ class Metamorphic : public Cells {
 
   /// Where a cell has an edge that the other one lacks it is hardly longer than a tie. Ties at its ends may
   /// have taken one of the two, so that all distances at the cell count.
-  static bool areTies(const HardInput& input, const Diagram& a, const Diagram& b, std::size_t i) {
+  static testing::AssertionResult areTies(const HardInput& input, const Diagram& a, const Diagram& b,
+                                          std::size_t i) {
     const Box& box = input.domain;
     const auto edges_a = edgesOf(a, i), edges_b = edgesOf(b, i);
     double reach = 0, longest_missing = 0;
@@ -223,7 +224,9 @@ class Metamorphic : public Cells {
     const double largest =
         std::max({std::abs(box.xmin), std::abs(box.xmax), std::abs(box.ymin), std::abs(box.ymax)});
     const double rounding = input.outline.empty() ? 0 : 64 * std::numeric_limits<double>::epsilon() * largest;
-    return longest_missing <= 1.1e-6 * reach + rounding;
+    if (longest_missing <= 1.1e-6 * reach + rounding) return testing::AssertionSuccess();
+    return testing::AssertionFailure() << "only one has an edge of length " << longest_missing
+                                       << ", its neighbors are up to " << reach << " away";
   }
 
   static void expectSameCells(const HardInput& input, const Diagram& a, const Diagram& b) {
