@@ -7,6 +7,7 @@
 #include <tuple>
 #include <unordered_map>
 
+#include "backend/tie.h"
 #include "core/measure.h"
 
 namespace vorpipe {
@@ -145,10 +146,19 @@ class Settling {
     }
   }
 
+  /// How far away what determines the ends of an edge may be. With weights, corners may be nearer to a site
+  /// than its neighbors are, by which ties are measured.
+  [[nodiscard]] double reachOf(const SeamEdge& edge) const {
+    const Point site = siteAt(edge.site);
+    const double of_ends = std::max(apart(begin(edge), site), apart(end(edge), site));
+    if (imaged_.sites.weight.empty()) return of_ends;
+    const double of_sites = apart(site, moved(siteAt(edge.other), edge.shift));
+    return std::max(of_ends, tieScale(of_sites, shorterSide(placed_.domain())));
+  }
+
   /// Compares an edge with its copy; false where they differ by more than ties explain.
   bool look(const SeamEdge& edge) {
-    const Point site = siteAt(edge.site);
-    const double reach = std::max(apart(begin(edge), site), apart(end(edge), site));
+    const double reach = reachOf(edge);
     double off = 0;
     if (edge.copy == none) {
       off = apart(begin(edge), end(edge));
