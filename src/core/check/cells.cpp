@@ -53,8 +53,8 @@ std::string wrongBesideCell(const CheckedCells& run, std::size_t i) {
                      centroid.y);
 }
 
-/// Across a flat domain, places are as rounded as along it. Sides that repeat are as rounded as coordinates are,
-/// seen as parts of the sides.
+/// Across a flat domain, places are as rounded as along it. Sides that repeat are as rounded as coordinates
+/// are, seen as parts of the sides.
 double sumSlack(const CheckedCells& run) {
   constexpr double steps = 4;
   const Box& box = run.domain;

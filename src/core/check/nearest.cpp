@@ -72,9 +72,9 @@ bool crossesRay(Point p, Point a, Point b) {
   return (cross(b - a, p - a) > 0) == (b.y > a.y);
 }
 
-/// What is wrong where p lies neither in the polygon of site i nor as near as ties may have moved a vertex. A
-/// short edge may point anywhere, so that the side of its line on which p lies says nothing.
-std::string wrongOutside(const CheckedCells& run, std::size_t i, Point p) {
+/// How far p lies from the polygon of site i; 0 inside. A short edge may point anywhere, so that the side of
+/// its line on which p lies says nothing.
+double distanceFromCell(const CheckedCells& run, std::size_t i, Point p) {
   bool inside = false;
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
@@ -82,11 +82,23 @@ std::string wrongOutside(const CheckedCells& run, std::size_t i, Point p) {
     inside = inside != crossesRay(p, a, b);
     nearest = std::min(nearest, distance(p, a, b));
   }
-  if (inside) return {};
-  return run.wrongAtAnyReach(i, [&](double reach) -> std::string {
-    if (nearest <= run.ties(reach) + run.rounding(i)) return {};
-    return fmt::format("does not lie in the cell of its nearest site {}", i);
-  });
+  return inside ? 0 : nearest;
+}
+
+/// Whether p lies in the cell of one of the nearest images, or as near to it as ties may have moved a vertex.
+bool isInOneOf(const CheckedCells& run, const std::vector<NearImage>& near, Point p) {
+  std::vector<std::pair<std::uint32_t, double>> off;
+  for (const NearImage& image : near) {
+    // Seen from the site's own place, and then from its owner's.
+    const std::uint32_t owner = run.diagram.owner[image.site];
+    off.emplace_back(owner, distanceFromCell(run, owner, p - (image.place - run.site(owner))));
+  }
+  const auto isIn = [&](double (CheckedCells::*reach)(std::size_t) const) {
+    return std::ranges::any_of(off, [&](const auto& cell) {
+      return cell.second <= run.ties((run.*reach)(cell.first)) + run.rounding(cell.first);
+    });
+  };
+  return isIn(&CheckedCells::reach) || (run.weighted && isIn(&CheckedCells::widestReach));
 }
 
 }  // namespace
@@ -105,15 +117,10 @@ void checkNearest(const CheckedCells& run, const NearestSite& nearest, Broken& b
   }
   broken.expect("nearest sites", places.size(), run.threads, [&](std::size_t k) -> std::string {
     const Point p = places[k];
-    std::string first;
-    for (const NearImage& near : nearestImages(run, nearest, p)) {
-      // Seen from the site's own place, and then from its owner's.
-      const std::uint32_t owner = run.diagram.owner[near.site];
-      const std::string wrong = wrongOutside(run, owner, p - (near.place - run.site(owner)));
-      if (wrong.empty()) return {};
-      if (first.empty()) first = wrong;
-    }
-    return fmt::format("({}, {}) {}", p.x / run.scale, p.y / run.scale, first);
+    const auto near = nearestImages(run, nearest, p);
+    if (isInOneOf(run, near, p)) return {};
+    return fmt::format("({}, {}) does not lie in the cell of its nearest site {}", p.x / run.scale,
+                       p.y / run.scale, run.diagram.owner[near.front().site]);
   });
 }
 

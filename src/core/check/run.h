@@ -198,16 +198,12 @@ struct CheckedCells : CheckedSites {
   /// The same with every site whose bisector passes as near to a vertex of cell i as ties with it may move
   /// one: the cells nearly meet there, and ties may have taken all edges between them.
   [[nodiscard]] double widestReach(std::size_t i) const {
-    double widest = widerReach(i);
-    for (std::size_t j = 0; j < size(); ++j) {
-      const Point to = way(i, j);
-      const double away = length(to);
-      if (!(away > widest)) continue;
-      for (std::size_t v = begin(i); v < end(i); ++v) {
-        const double beyond = beyondBisector(to, site(i), lead(i, j), vertex(v));
-        if (std::abs(beyond) <= ties(away)) widest = away;
-      }
-    }
+    std::call_once(widest_asked_, [this] { widest_.assign(size(), 0); });
+    const std::atomic_ref known(widest_[i]);
+    const double before = known.load(std::memory_order_relaxed);
+    if (before > 0) return before;
+    const double widest = findWidestReach(i);
+    known.store(widest, std::memory_order_relaxed);
     return widest;
   }
 
@@ -223,6 +219,25 @@ struct CheckedCells : CheckedSites {
   const Diagram& diagram;
   Detail detail;
   const Density* density = nullptr;  ///< if there is one
+
+ private:
+  [[nodiscard]] double findWidestReach(std::size_t i) const {
+    double widest = widerReach(i);
+    // Ties are no longer for a reach beyond the domain's shorter side.
+    for (std::size_t j = 0; j < size() && widest < shorter_side; ++j) {
+      const Point to = way(i, j);
+      const double away = length(to);
+      if (!(away > widest)) continue;
+      for (std::size_t v = begin(i); v < end(i); ++v) {
+        const double beyond = beyondBisector(to, site(i), lead(i, j), vertex(v));
+        if (std::abs(beyond) <= ties(away)) widest = away;
+      }
+    }
+    return widest;
+  }
+
+  mutable std::once_flag widest_asked_;
+  mutable std::vector<double> widest_;  ///< by cell, 0 until it is asked for
 };
 
 /// The lines of a check: one for each promise that is broken.
