@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/hidden.h"
+#include "core/tied_records.h"
 
 namespace vorpipe {
 namespace {
@@ -168,20 +169,20 @@ class Agreeing {
       if (!which.empty() && !many) return find(which, effort);
       if (many) return takeResort(doubtful);
     }
-    if (agreed) return narrow(tied.wide);
+    if (agreed) return narrow(tied);
     return takeResort(doubtful);
   }
 
   /// Has ties be finer where they make vertices wide; true if there are none. What is wide is for exact cells
-  /// to say, so that it does not depend on who proposed them.
-  Result<bool> narrow(const WideVertices& wide) {
+  /// to say, and so is which edges of walls count: then it does not depend on who proposed the cells.
+  Result<bool> narrow(const TiedCells& tied) {
     if (resort_ == Resort::judge) {
-      const auto which = efforts_.notExact(wide.nearly);
+      const auto which = efforts_.notExact(tied.unsure);
       if (which.size() > most_exact && input_.judge.hasMesh()) return takeResort(which);
       if (!which.empty()) return find(which, Effort::exact);
     }
-    fineness_.increase(wide.quite, sites_.size());
-    return wide.quite.empty();
+    fineness_.increase(tied.wide, sites_.size());
+    return tied.wide.empty();
   }
 
   /// Drops those cells that have no area after all.

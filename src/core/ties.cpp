@@ -32,7 +32,8 @@ class Untying {
         disputes_(disputes),
         tied_(tied),
         sets_(tied.first.back()),
-        disputed_(tied.cell.size()) {
+        disputed_(tied.cell.size()),
+        unsure_(tied.cell.size()) {
     tied_.tie.resize(tied_.first.back());
     tied_.vertex.resize(tied_.first.back());
   }
@@ -50,7 +51,9 @@ class Untying {
       listDisputed();
       if (!tied_.disputed.empty()) return;
     }
-    tied_.wide = findWideVertices(proposed_, tied_, fineness_);
+    auto wide = findWideVertices(proposed_, tied_, fineness_);
+    tied_.wide = std::move(wide.quite);
+    std::ranges::set_union(wide.nearly, marked(unsure_), std::back_inserter(tied_.unsure));
     dropCollapsed(proposed_, sets_, tied_);
   }
 
@@ -92,16 +95,26 @@ class Untying {
     return !(m.area > 1e-6 * m.perimeter * m.perimeter);
   }
 
-  void dispute(std::int32_t cell) {
+  /// Marks a tied cell.
+  void mark(std::int32_t cell, std::vector<std::uint8_t>& marks) {
     if (cell < 0) return;
     const auto k = tied_.entry[static_cast<std::size_t>(cell)];
-    if (k != TiedCells::not_tied) std::atomic_ref(disputed_[k]).store(1, std::memory_order_relaxed);
+    if (k != TiedCells::not_tied) std::atomic_ref(marks[k]).store(1, std::memory_order_relaxed);
   }
+  void dispute(std::int32_t cell) { mark(cell, disputed_); }
 
   /// All cells that meet at edge e.
+  void markAround(std::size_t cell, std::span<const std::int32_t> row, std::size_t e,
+                  std::vector<std::uint8_t>& marks) {
+    mark(static_cast<std::int32_t>(cell), marks);
+    for (const auto other : {before(row, e), e, after(row, e)}) mark(row[other], marks);
+  }
   void disputeAround(std::size_t cell, std::span<const std::int32_t> row, std::size_t e) {
-    dispute(static_cast<std::int32_t>(cell));
-    for (const auto other : {before(row, e), e, after(row, e)}) dispute(row[other]);
+    markAround(cell, row, e, disputed_);
+  }
+
+  [[nodiscard]] static bool endsAtWall(std::span<const std::int32_t> row, std::size_t e) {
+    return row[before(row, e)] < 0 || row[after(row, e)] < 0;
   }
 
   void join(std::size_t k, std::vector<Place>& corners) {
@@ -138,12 +151,14 @@ class Untying {
     }
   }
 
-  void listDisputed() {
-    tied_.disputed.clear();
-    for (std::size_t k = 0; k < disputed_.size(); ++k) {
-      if (disputed_[k] != 0) tied_.disputed.push_back(tied_.cell[k]);
+  [[nodiscard]] std::vector<std::uint32_t> marked(const std::vector<std::uint8_t>& marks) const {
+    std::vector<std::uint32_t> cells;
+    for (std::size_t k = 0; k < marks.size(); ++k) {
+      if (marks[k] != 0) cells.push_back(tied_.cell[k]);
     }
+    return cells;
   }
+  void listDisputed() { tied_.disputed = marked(disputed_); }
 
   [[nodiscard]] std::uint32_t cornerNumber(std::size_t k, std::size_t e) const {
     return static_cast<std::uint32_t>(tied_.first[k] + e);
@@ -165,6 +180,10 @@ class Untying {
                        other_row[before(other_row, back)] == row[after(row, e)];
     if (alike) settle(k, row, e, here.span.isTie());
     const auto other_k = tied_.entry[other];
+    if (!alike && (endsAtWall(row, e) || endsAtWall(other_row, back))) {
+      markAround(cell, row, e, unsure_);
+      markAround(other, other_row, back, unsure_);
+    }
     // Whoever is not tied has passed its check, also of this edge, which then looks alike.
     if (other_k == TiedCells::not_tied || other < cell) return;
     sets_.join(cornerNumber(k, e), cornerNumber(other_k, back_end));
@@ -212,31 +231,8 @@ class Untying {
   Disputes disputes_;
   TiedCells& tied_;
   DisjointSets sets_;
-  std::vector<std::uint8_t> disputed_;
+  std::vector<std::uint8_t> disputed_, unsure_;  ///< by tied cell
 };
-
-/// The centroid of a cell, relative to its origin. Ties may reach a little beyond a wall, and a cell that
-/// only touches the domain far beyond it.
-Point centroidInDomain(const SiteSet& sites, Point origin, Point centroid) {
-  const Box& domain = sites.domain;
-  return {std::clamp(centroid.x, domain.xmin - origin.x, domain.xmax - origin.x),
-          std::clamp(centroid.y, domain.ymin - origin.y, domain.ymax - origin.y)};
-}
-
-/// Records a cell all of whose edges are ties: of a site that is hidden but for a little, or far outside. One
-/// without weights that has no area, but for rounding, only touches the domain, and is empty.
-void recordUnedged(const ProposedCells& proposed, std::uint32_t cell, const Records& records) {
-  const auto& sites = proposed.sites;
-  const auto row = proposed.cells.edges(cell);
-  std::vector<Place> corners;
-  placeCorners(sites, cell, row, corners);
-  const auto origin = measuringOrigin(sites, cell, corners.front());
-  const auto m = measureCell(origin, corners);
-  const Box& domain = sites.domain;
-  const double no_area = 1e-12 * (domain.xmax - domain.xmin) * (domain.ymax - domain.ymin);
-  if (sites.weight.empty() && !(m.area > no_area)) return records.empty(cell);
-  records.cell(cell, 0, std::max(m.area, 0.0), origin, centroidInDomain(sites, origin, m.centroid));
-}
 
 /// The first cell from `begin` on that is marked with 1; as many as there are if none is.
 std::size_t nextMarked(std::span<const std::uint8_t> rough, std::size_t begin) {
@@ -278,29 +274,6 @@ void keptEdges(const ProposedCells& proposed, const TiedCells& tied, std::size_t
   const auto lowest =
       std::min_element(edges.begin(), edges.end(), [&](auto a, auto b) { return row[a] < row[b]; });
   std::rotate(edges.begin(), lowest, edges.end());
-}
-
-void recordTiedCells(const ProposedCells& proposed, const TiedCells& tied, const Records& records) {
-  parallelFor(tied.cell.size(), grain, proposed.threads, [&](std::size_t begin, std::size_t end) {
-    std::vector<std::uint32_t> edges;
-    std::vector<Place> corners;
-    for (auto k = begin; k < end; ++k) {
-      const auto cell = tied.cell[k];
-      if (proposed.cells.status(cell) == CellStatus::empty) {
-        records.empty(cell);
-        continue;
-      }
-      keptEdges(proposed, tied, k, edges);
-      if (edges.empty()) {
-        recordUnedged(proposed, cell, records);
-        continue;
-      }
-      placeCorners(proposed.sites, cell, proposed.cells.edges(cell), corners);
-      const auto origin = measuringOrigin(proposed.sites, cell, corners.front());
-      const auto m = measureCell(origin, corners);
-      records.cell(cell, edges.size(), m.area, origin, centroidInDomain(proposed.sites, origin, m.centroid));
-    }
-  });
 }
 
 }  // namespace vorpipe

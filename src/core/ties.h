@@ -10,13 +10,6 @@
 
 namespace vorpipe {
 
-/// The cells around vertices that ties in a row make wide, ascending, without those that are as fine as can
-/// be.
-struct WideVertices {
-  std::vector<std::uint32_t> nearly;  ///< a vertex is wide, or might be if its cells were exact
-  std::vector<std::uint32_t> quite;   ///< these need finer ties, if all of them are exact
-};
-
 /// The cells that ties make differ from what their neighbors alone say. Corners of these cells that
 /// ties join are one vertex, with one place for all of them. Corner first[k] + e begins edge e of
 /// cell[k].
@@ -32,7 +25,8 @@ struct TiedCells {
       around;                           ///< the tied cells of each vertex, as often as they meet it
   std::vector<std::uint32_t> disputed;  ///< cells that no tie excuses, ascending; else all of this is right
   std::vector<std::uint32_t> enclosed;  ///< cells to be tied as well, since ties enclose them, ascending
-  WideVertices wide;
+  std::vector<std::uint32_t> unsure;    ///< cells to be exact for all of this to be right, ascending
+  std::vector<std::uint32_t> wide;      ///< cells that need finer ties, if all are exact, ascending
 
   static constexpr std::uint32_t not_tied = ~std::uint32_t{0};
 
@@ -51,7 +45,9 @@ enum class Disputes : std::uint8_t { are_listed, are_ties };
 /// there: it follows from the cells, not from the ties between them that were proposed.
 ///
 /// An edge whose two ends ties join is a tie as well, and so are all edges of cells that ties enclose; see
-/// collapsed_edges.h. Vertices that many ties make wide are found, and are for the caller to make finer.
+/// collapsed_edges.h. Vertices that many ties make wide are for the caller to make finer. What is unsure is
+/// no dispute: cells differ about the ends of an edge at a wall, of whose edges those count that are far
+/// shorter than ties, or a vertex is wide.
 ///
 /// Error (input): more than 2^32 - 2 corners.
 ///
@@ -63,11 +59,6 @@ enum class Disputes : std::uint8_t { are_listed, are_ties };
 /// tie, in both of its cells.
 Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std::uint8_t> rough,
                              const Fineness& fineness, Disputes disputes);
-
-/// Writes the records of the tied cells, which are not disputed. They are measured as they are before ties
-/// join their corners: that moves a vertex by a part of the distance of its sites, which may be much of a
-/// thin cell.
-void recordTiedCells(const ProposedCells& proposed, const TiedCells& tied, const Records& records);
 
 /// What is left of tied cell k without its ties: the numbers of its edges, from that of the smallest
 /// neighbor. A corner after which only ties follow is left out, so that each vertex

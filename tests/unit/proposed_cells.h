@@ -11,6 +11,7 @@
 #include "backend/collect.h"
 #include "core/assemble.h"
 #include "core/dual.h"
+#include "core/tied_records.h"
 
 namespace vorpipe::test {
 

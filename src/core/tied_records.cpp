@@ -1,0 +1,60 @@
+#include "core/tied_records.h"
+
+#include <algorithm>
+
+#include "parallel.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr std::size_t grain = 1024;
+
+/// The centroid of a cell, relative to its origin. Ties may reach a little beyond a wall, and a cell that
+/// only touches the domain far beyond it.
+Point centroidInDomain(const SiteSet& sites, Point origin, Point centroid) {
+  const Box& domain = sites.domain;
+  return {std::clamp(centroid.x, domain.xmin - origin.x, domain.xmax - origin.x),
+          std::clamp(centroid.y, domain.ymin - origin.y, domain.ymax - origin.y)};
+}
+
+/// Records a cell all of whose edges are ties: of a site that is hidden but for a little, or far outside. One
+/// without weights that has no area, but for rounding, only touches the domain, and is empty.
+void recordUnedged(const ProposedCells& proposed, std::uint32_t cell, const Records& records) {
+  const auto& sites = proposed.sites;
+  const auto row = proposed.cells.edges(cell);
+  std::vector<Place> corners;
+  placeCorners(sites, cell, row, corners);
+  const auto origin = measuringOrigin(sites, cell, corners.front());
+  const auto m = measureCell(origin, corners);
+  const Box& domain = sites.domain;
+  const double no_area = 1e-12 * (domain.xmax - domain.xmin) * (domain.ymax - domain.ymin);
+  if (sites.weight.empty() && !(m.area > no_area)) return records.empty(cell);
+  records.cell(cell, 0, std::max(m.area, 0.0), origin, centroidInDomain(sites, origin, m.centroid));
+}
+
+}  // namespace
+
+void recordTiedCells(const ProposedCells& proposed, const TiedCells& tied, const Records& records) {
+  parallelFor(tied.cell.size(), grain, proposed.threads, [&](std::size_t begin, std::size_t end) {
+    std::vector<std::uint32_t> edges;
+    std::vector<Place> corners;
+    for (auto k = begin; k < end; ++k) {
+      const auto cell = tied.cell[k];
+      if (proposed.cells.status(cell) == CellStatus::empty) {
+        records.empty(cell);
+        continue;
+      }
+      keptEdges(proposed, tied, k, edges);
+      if (edges.empty()) {
+        recordUnedged(proposed, cell, records);
+        continue;
+      }
+      placeCorners(proposed.sites, cell, proposed.cells.edges(cell), corners);
+      const auto origin = measuringOrigin(proposed.sites, cell, corners.front());
+      const auto m = measureCell(origin, corners);
+      records.cell(cell, edges.size(), m.area, origin, centroidInDomain(proposed.sites, origin, m.centroid));
+    }
+  });
+}
+
+}  // namespace vorpipe
