@@ -56,8 +56,8 @@ struct SiteSet {
   /// them first: they would make the search of many cells wide. A tile has all of them; those that are
   /// elsewhere stand behind its bins.
   std::vector<std::uint32_t> heavy{};
-  /// By site: 1 where it is known to have no cell, as some with weights have none; or empty. A place may be as
-  /// near to such a site as to one that has, by rounding.
+  /// By site: 1 where it is known to have no cell, as some with weights have none; or empty. A place may be
+  /// as near to such a site as to one that has, by rounding.
   std::vector<std::uint8_t> hidden{};
   Grid grid;
   [[nodiscard]] std::size_t size() const { return x.size(); }

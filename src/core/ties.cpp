@@ -113,8 +113,9 @@ class Untying {
     markAround(cell, row, e, disputed_);
   }
 
-  [[nodiscard]] static bool endsAtWall(std::span<const std::int32_t> row, std::size_t e) {
-    return row[before(row, e)] < 0 || row[after(row, e)] < 0;
+  /// Whether cells that name different neighbors at an end of their edge differ about a wall there.
+  [[nodiscard]] static bool differAboutWall(std::int32_t here, std::int32_t there) {
+    return here != there && std::min(here, there) < 0;
   }
 
   void join(std::size_t k, std::vector<Place>& corners) {
@@ -176,11 +177,12 @@ class Untying {
       return settle(k, row, e, true);
     }
     const auto back_end = after(other_row, back);
-    const bool alike = other_row[back_end] == row[before(row, e)] &&
-                       other_row[before(other_row, back)] == row[after(row, e)];
+    const auto there_first = other_row[back_end], there_last = other_row[before(other_row, back)];
+    const auto first = row[before(row, e)], last = row[after(row, e)];
+    const bool alike = there_first == first && there_last == last;
     if (alike) settle(k, row, e, here.span.isTie());
     const auto other_k = tied_.entry[other];
-    if (!alike && (endsAtWall(row, e) || endsAtWall(other_row, back))) {
+    if (differAboutWall(first, there_first) || differAboutWall(last, there_last)) {
       markAround(cell, row, e, unsure_);
       markAround(other, other_row, back, unsure_);
     }
