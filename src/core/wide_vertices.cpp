@@ -12,9 +12,10 @@ namespace {
 constexpr std::size_t grain = 1024;
 /// As each of two cells sees them: with fewer ties a vertex is not wide.
 constexpr std::uint32_t fewest_ties = 6;
-/// How many of its longest ties a vertex is wide, from its place. Two sites are no farther from each other
-/// than twice as far as from a corner of both: the check's slack, 1e-5 of that, is more than four ties.
-constexpr double nearly_wide = 2, wide = 4;
+/// Of a cell's reach, or of the domain's shorter side if that is less: how far its vertices may be from its
+/// corners. The check allows a quarter more. With weights more cells nearly meet in a point, and do in many
+/// that nobody would call wide.
+constexpr double wide = 8e-6, wide_with_weights = 8e-5, nearly = 0.5;
 
 class Measuring {
  public:
@@ -33,11 +34,11 @@ class Measuring {
       }
     });
     if (std::ranges::none_of(ties_, [](std::uint32_t ties) { return ties >= fewest_ties; })) return {};
-    longest_.assign(ties_.size(), 0);
     width_.assign(ties_.size(), 0);
     std::vector<Place> corners;
     for (std::size_t k = 0; k < tied_.cell.size(); ++k) measure(k, corners);
-    return {cellsAt(nearly_wide), cellsAt(wide)};
+    const double most = sites_.weight.empty() ? wide : wide_with_weights;
+    return {cellsAt(nearly * most), cellsAt(most)};
   }
 
  private:
@@ -60,23 +61,36 @@ class Measuring {
     const auto cell = tied_.cell[k];
     const auto row = proposed_.cells.edges(cell);
     placeCorners(sites_, cell, row, corners);
+    const double reach = std::min(reachOf(cell, row, corners), shorterSide(sites_.domain));
     for (std::size_t e = 0; e < row.size(); ++e) {
       if (!hasMany(first + e)) continue;
       const auto vertex = tied_.vertex[first + e];
-      width_[vertex] = std::max(width_[vertex], lengthOf(wayBetween(tied_.place[vertex], corners[e])));
-      if (tied_.tie[first + e] == 0) continue;
-      const auto before = e > 0 ? e - 1 : row.size() - 1, after = e + 1 < row.size() ? e + 1 : 0;
-      const auto span = edgeSpan(sites_, static_cast<std::int32_t>(cell), row[before], row[e], row[after],
-                                 corners[e], corners[after]);
-      longest_[vertex] = std::max(longest_[vertex], span.slack);
+      width_[vertex] =
+          std::max(width_[vertex], lengthOf(wayBetween(tied_.place[vertex], corners[e])) / reach);
     }
   }
 
-  /// Those around vertices that are so many ties wide.
+  /// How far what determines the corners of a cell may be from its site: its corners, or with weights its
+  /// neighbors.
+  [[nodiscard]] double reachOf(std::size_t cell, std::span<const std::int32_t> row,
+                               const std::vector<Place>& corners) const {
+    const Point site{sites_.x[cell], sites_.y[cell]};
+    double reach = 0;
+    for (const Place& corner : corners) reach = std::max(reach, lengthOf(relativeTo(site, corner)));
+    if (sites_.weight.empty()) return reach;
+    for (const auto neighbor : row) {
+      if (neighbor < 0) continue;
+      const auto j = static_cast<std::size_t>(neighbor);
+      reach = std::max(reach, lengthOf({sites_.x[j] - site.x, sites_.y[j] - site.y}));
+    }
+    return reach;
+  }
+
+  /// Those around vertices that are wider than so much of a reach.
   std::vector<std::uint32_t> cellsAt(double most) {
     std::vector<std::uint32_t> cells;
     for (std::size_t v = 0; v < width_.size(); ++v) {
-      if (!(width_[v] > most * longest_[v])) continue;
+      if (!(width_[v] > most)) continue;
       for (auto at = tied_.around_first[v]; at < tied_.around_first[v + 1]; ++at) {
         if (fineness_.of(tied_.around[at]) < Fineness::finest) cells.push_back(tied_.around[at]);
       }
@@ -90,8 +104,8 @@ class Measuring {
   const SiteSet& sites_;
   const TiedCells& tied_;
   const Fineness& fineness_;
-  std::vector<std::uint32_t> ties_;      ///< by vertex, twice
-  std::vector<double> longest_, width_;  ///< by vertex: its longest tie, and how far its corners are from it
+  std::vector<std::uint32_t> ties_;  ///< by vertex, twice
+  std::vector<double> width_;        ///< by vertex: how far corners are from it, of the reach of their cells
 };
 
 }  // namespace

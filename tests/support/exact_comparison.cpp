@@ -123,23 +123,6 @@ class Comparing {
                                                                                  : Verdict::either;
   }
 
-  /// Whether an edge of cell i is one of several that are ties, but not of no length, in cells beside each
-  /// other: where they join far corners, they count.
-  [[nodiscard]] bool inRow(std::size_t i, const ExactEdge& edge) const {
-    constexpr std::ptrdiff_t fewest = 3;
-    const auto isShort = [&](const ExactEdge& each) {
-      const double part = std::max(each.part, each.length / shorter_side_);
-      return each.neighbor >= 0 && each.length > 1e-13 * side_ && part <= promise_.shortest;
-    };
-    if (!isShort(edge)) return false;
-    auto count = std::ranges::count_if(edges(i), isShort);
-    for (const auto& each : edges(i)) {
-      if (each.neighbor >= 0)
-        count += std::ranges::count_if(edges(static_cast<std::size_t>(each.neighbor)), isShort);
-    }
-    return count >= fewest;
-  }
-
   /// The distance of the farthest site that shares an edge with cell i.
   [[nodiscard]] double farthestOf(std::size_t i) const {
     double farthest = 0;
@@ -184,11 +167,10 @@ class Comparing {
     for (const auto& edge : edges(i)) {
       const auto found = lengths.extract(edge.neighbor);
       const auto wanted = verdict(edge, farthest);
-      const bool may_be_fine = inRow(i, edge);
       if (wanted == Verdict::yes && !found)
         fault(result_.missing, "site {} lacks its neighbor {}: edge {}, {} of their distance", i,
               edge.neighbor, edge.length, edge.part);
-      if (wanted == Verdict::no && found && !may_be_fine)
+      if (wanted == Verdict::no && found)
         fault(result_.invented, "site {} has the neighbor {}: edge {}, {} of their distance", i,
               edge.neighbor, edge.length, edge.part);
       if (found && std::abs(found.mapped() - edge.length) > allowedLength(i, edge.length, farthest))
