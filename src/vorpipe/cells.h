@@ -45,7 +45,7 @@ inline constexpr std::int64_t wall_xmin = -1, wall_xmax = -2, wall_ymin = -3, wa
 /// clockwise; edge k of a cell runs from its vertex k to the next and belongs to its neighbor k, so
 /// that one table of offsets serves vertices, neighbors and edge lengths.
 /// An edge shorter than 1e-6 of the distance between its two sites, or of the domain's shorter side if that
-/// is less, is a tie: neither cell has it.
+/// is less, is a tie: neither cell has it, but where ten and more of them stand in a row.
 ///
 /// In a domain with an outline a cell may have several rings, outer ones counter-clockwise, each followed
 /// by its holes, clockwise; a neighbor may have several edges. Where an axis is periodic, a cell is whole,
