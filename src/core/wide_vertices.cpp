@@ -13,8 +13,8 @@ constexpr std::size_t grain = 1024;
 /// As each of two cells sees them: with fewer ties a vertex is not wide.
 constexpr std::uint32_t fewest_ties = 6;
 /// Of a cell's reach, or of the domain's shorter side if that is less: how far its vertices may be from its
-/// corners. The check allows a quarter more. With weights more cells nearly meet in a point, and do in many
-/// that nobody would call wide.
+/// corners. The check allows a quarter more. With weights more cells nearly meet in a point, and ties with
+/// sites far away are long.
 constexpr double wide = 8e-6, wide_with_weights = 8e-5, nearly = 0.5;
 
 class Measuring {

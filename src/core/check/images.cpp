@@ -37,10 +37,16 @@ struct Frame {
   Shift shift;
 };
 
+/// A whole number of periods; none for a place so far away that it is wrong, or for what is not a number.
+std::int32_t whole(double periods) {
+  constexpr double most = 0x1p30;
+  return std::abs(periods) < most ? static_cast<std::int32_t>(periods) : 0;
+}
+
 /// Those from which an image nearest to p may be seen as a site.
 std::vector<Frame> framesOf(const CheckedSites& run, Point p) {
   const auto periods = [](bool repeats, double from_low, double period) {
-    return repeats ? static_cast<std::int32_t>(std::floor(from_low / period)) : 0;
+    return repeats ? whole(std::floor(from_low / period)) : 0;
   };
   const Shift of_p{periods(run.repeats_x, p.x - run.domain.xmin, run.period.x),
                    periods(run.repeats_y, p.y - run.domain.ymin, run.period.y)};
@@ -105,7 +111,7 @@ std::vector<NearImage> nearestImages(const CheckedSites& run, const NearestSite&
 
 NearImage imageNear(const CheckedSites& run, std::uint32_t i, Point p) {
   const auto periods = [](bool repeats, double way, double period) {
-    return repeats ? static_cast<std::int32_t>(std::round(way / period)) : 0;
+    return repeats ? whole(std::round(way / period)) : 0;
   };
   const Point way = p - run.site(i);
   return imageOf(run, i,
