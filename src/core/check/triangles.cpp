@@ -32,16 +32,17 @@ std::uint32_t highOf(const Side& side) { return static_cast<std::uint32_t>(side.
 std::uint32_t fromOf(const Side& side) { return side.upward ? lowOf(side) : highOf(side); }
 std::uint32_t toOf(const Side& side) { return side.upward ? highOf(side) : lowOf(side); }
 
-/// The cotangent of the angle at `corner` in a triangle, and by how much rounding may have changed it.
+/// The cotangent of the angle at a corner of a triangle, and by how much rounding may have changed it.
 struct Cotangent {
   double value, rounding;
 };
 
-Cotangent cotangentAt(Point corner, Point a, Point b) {
-  const Point u = a - corner, v = b - corner;
-  const double twice_area = std::abs(cross(u, v));
-  const double sides = length(u) * length(v) / twice_area;
-  return {dot(u, v) / twice_area, 16 * epsilon * sides * (1 + sides)};
+/// Opposite to the edge from `from`. Seen from a far corner, the ends of a short edge may be one.
+Cotangent cotangentOpposite(Point corner, Point from, Point to) {
+  const Point u = from - corner, v = to - corner, edge = to - from;
+  const double twice_area = std::abs(cross(edge, u));
+  const double sides = length(u) * length(v) / twice_area, turned = length(edge) * length(u) / twice_area;
+  return {dot(u, v) / twice_area, 16 * epsilon * sides * (1 + turned)};
 }
 
 /// What weights add to the cotangent at the corner of[2] of a triangle, so that half of it is still how far
@@ -62,7 +63,7 @@ bool isInsideCircle(const CheckedCells& run, std::array<std::uint32_t, 4> of) {
   const Point from = run.site(of[0]), to = run.site(of[1]);
   Cotangent sum{0, 0};
   for (const auto opposite : {of[2], of[3]}) {
-    const Cotangent part = cotangentAt(run.site(opposite), from, to);
+    const Cotangent part = cotangentOpposite(run.site(opposite), from, to);
     const Cotangent more = run.weighted ? weighed(run, {of[0], of[1], opposite}) : Cotangent{0, 0};
     sum = {sum.value + (part.value + more.value), sum.rounding + (part.rounding + more.rounding)};
   }
