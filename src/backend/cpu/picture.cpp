@@ -150,8 +150,9 @@ class Centers {
         columns_(static_cast<std::size_t>(view.width)) {}
 
   [[nodiscard]] Point at(std::size_t pixel) const {
-    return {view_.box.xmin + (static_cast<double>(pixel % columns_) + 0.5) / view_.width * width_,
-            view_.box.ymin + (static_cast<double>(pixel / columns_) + 0.5) / view_.height * height_};
+    const std::size_t row = pixel / columns_, column = pixel % columns_;
+    return {view_.box.xmin + (static_cast<double>(column) + 0.5) / view_.width * width_,
+            view_.box.ymin + (static_cast<double>(row) + 0.5) / view_.height * height_};
   }
 
  private:

@@ -12,8 +12,9 @@ Result<InsideSites> insideOf(const Sites& sites, const Box& domain, Periodic per
   return InsideSites{std::move(*inside)};
 }
 
-Result<std::array<Point, 2>> placedCorners(const Box& box, Periodic periodic) {
-  const auto corners = wrapped({{box.xmin, box.xmax}, {box.ymin, box.ymax}, {}}, box, periodic);
+Result<std::array<Point, 2>> placedCorners(const Box& domain, Periodic periodic) {
+  const auto corners =
+      wrapped({{domain.xmin, domain.xmax}, {domain.ymin, domain.ymax}, {}}, domain, periodic);
   if (!corners) return tl::unexpected(corners.error());
   return std::array{Point{corners->x[0], corners->y[0]}, Point{corners->x[1], corners->y[1]}};
 }

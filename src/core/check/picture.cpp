@@ -10,11 +10,13 @@ namespace checks {
 namespace {
 
 constexpr std::uint64_t sampled_pixels = std::uint64_t{1} << 22;
+
 /// As run.site counts places.
 Point centerOf(const CheckedSites& run, const Image& image, std::size_t pixel) {
   const auto columns = static_cast<std::size_t>(image.width);
-  const double right = (static_cast<double>(pixel % columns) + 0.5) / image.width;
-  const double down = (static_cast<double>(pixel / columns) + 0.5) / image.height;
+  const std::size_t row = pixel / columns, column = pixel % columns;
+  const double right = (static_cast<double>(column) + 0.5) / image.width;
+  const double down = (static_cast<double>(row) + 0.5) / image.height;
   const Box& box = run.domain;
   return {box.xmin + right * (box.xmax - box.xmin), box.ymax - down * (box.ymax - box.ymin)};
 }

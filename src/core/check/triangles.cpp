@@ -171,11 +171,10 @@ bool areCollinear(const CheckedCells& run) {
     const Point to = run.site(i) - first;
     if (length(to) > length(line)) line = to;
   }
-  for (const auto i : sites) {
+  return std::ranges::all_of(sites, [&](std::size_t i) {
     const Point to = run.site(i) - first;
-    if (std::abs(cross(line, to)) > predicate_slack * length(line) * length(to)) return false;
-  }
-  return true;
+    return std::abs(cross(line, to)) <= predicate_slack * length(line) * length(to);
+  });
 }
 
 }  // namespace
