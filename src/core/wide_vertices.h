@@ -11,8 +11,8 @@ struct WideVertices {
   std::vector<std::uint32_t> quite;   ///< these need finer ties, if all of them are exact
 };
 
-/// Where a corner that ties have joined to a vertex is farther from its place than the check of polygons allows,
-/// or half as far.
+/// Where a corner that ties have joined to a vertex is farther from its place than the check of polygons
+/// allows, or half as far.
 WideVertices findWideVertices(const ProposedCells& proposed, const TiedCells& tied, const Fineness& fineness);
 
 }  // namespace vorpipe
