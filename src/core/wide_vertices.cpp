@@ -86,7 +86,7 @@ class Measuring {
     return reach;
   }
 
-  /// Those around vertices that are wider than so much of a reach.
+  /// The cells around vertices from which a corner is farther than the part `most` of its cell's reach.
   std::vector<std::uint32_t> cellsAt(double most) {
     std::vector<std::uint32_t> cells;
     for (std::size_t v = 0; v < width_.size(); ++v) {
@@ -104,8 +104,8 @@ class Measuring {
   const SiteSet& sites_;
   const TiedCells& tied_;
   const Fineness& fineness_;
-  std::vector<std::uint32_t> ties_;  ///< by vertex, twice
-  std::vector<double> width_;        ///< by vertex: how far corners are from it, of the reach of their cells
+  std::vector<std::uint32_t> ties_;  ///< by vertex: how many, each counted in both of its cells
+  std::vector<double> width_;        ///< by vertex: how far its farthest corner is, in reaches of that cell
 };
 
 }  // namespace

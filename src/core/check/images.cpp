@@ -32,7 +32,8 @@ Point SitePlaces::at(std::size_t i) const {
 
 namespace {
 
-/// A place from where sites are looked for, so many periods before p.
+/// A place from which the nearest site is asked for in place of p: p, less `shift` periods. An image of what
+/// is found, moved by `shift`, is as far from p.
 struct Frame {
   Point from;
   Shift shift;

@@ -28,7 +28,7 @@ class SitePlaces {
   const CheckedSites& run_;
 };
 
-/// An image of a site, so many periods further.
+/// An image of `site`, which stands `shift` periods from it, at `place`.
 struct NearImage {
   std::uint32_t site;
   Shift shift;

@@ -19,7 +19,7 @@ namespace vorpipe::checks {
 
 inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// How many periods further an image stands.
+/// How many periods an image stands from its site, along x and along y.
 using Shift = std::array<std::int32_t, 2>;
 
 inline Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
@@ -77,7 +77,7 @@ struct CheckedSites {
   [[nodiscard]] Point site(std::size_t i) const {
     return {sites.x[i] * scale - base.x, sites.y[i] * scale - base.y};
   }
-  /// The way from site i to site j, or to its image so many periods further. Of sites near each other it is
+  /// The way from site i to the image of site j at `shift` periods from it. Of sites near each other it is
   /// exact, wherever places are counted from: a bisector that is turned is far off where it is far from its
   /// sites. In a periodic domain, places and periods are multiples of one quantum.
   [[nodiscard]] Point way(std::size_t i, std::size_t j, Shift shift = {0, 0}) const {
@@ -106,7 +106,7 @@ struct CheckedSites {
     constexpr double none = std::numeric_limits<double>::infinity();
     return std::min(repeats_x ? period.x : none, repeats_y ? period.y : none);
   }
-  /// p, so many periods further.
+  /// p moved by `shift` periods.
   [[nodiscard]] Point moved(Point p, Shift shift) const {
     return {p.x + shift[0] * period.x, p.y + shift[1] * period.y};
   }
