@@ -36,6 +36,31 @@ struct Viewpoint {
 #endif
 };
 
+#ifdef DRAWN
+// What floats may lose of the lines that were tried against the cell, whether they cut it or not: one that they lose
+// too much of may pass by a cell that it cuts.
+struct LinesTried {
+    real allowed;   // what may be lost of the cell, a length
+    real nearest;   // the square of the least distance of their sites
+#ifdef WEIGHTED
+    real doubtful;  // how near to the origin a line may pass of which too much is lost
+#endif
+};
+
+LinesTried lines_tried;
+
+// Of what may be lost of a cell with weights, what any line alone may take; the rest is for how far the cell reaches.
+#define LINE_SHARE 0.25
+
+void beginLines(real allowed) {
+    lines_tried.allowed = allowed;
+    lines_tried.nearest = FAR;
+#ifdef WEIGHTED
+    lines_tried.doubtful = FAR;
+#endif
+}
+#endif
+
 #define MOST_FOUND 4
 
 // The coordinates of the vertices, or of a point of the cell for a free slot: without weights, its origin.
@@ -74,6 +99,14 @@ Bisector bisectorWith(IN(Viewpoint) view, cell_int place) {
 #endif
     real wider = abs(b.n.x) * view.outset.x + abs(b.n.y) * view.outset.y;
     b.h = b.apart ? h + wider : FAR;
+#ifdef DRAWN
+    lines_tried.nearest = b.apart ? min(lines_tried.nearest, squared) : lines_tried.nearest;
+#ifdef WEIGHTED
+    real lost = weightNear(place) * real(WEIGHT_ROUNDING) * inverse + distance * (real(8.0) * ROUNDING);
+    cell_bool doubtful = b.apart && lost > real(LINE_SHARE) * lines_tried.allowed;
+    lines_tried.doubtful = doubtful ? min(lines_tried.doubtful, b.h - lost) : lines_tried.doubtful;
+#endif
+#endif
     return b;
 }
 
@@ -322,32 +355,18 @@ cell_int clipSite(INOUT(Cell) c, IN(Bins) bins, vec4 walls, vec2 outset, cell_in
 }
 
 #ifdef DRAWN
-// Whether floats may lose more of a cell than `allowed`, a length; docs/algorithm.md, "What floats lose". What is lost
-// of the place of another site turns the line between the two by that part of their distance.
-cell_bool losesTooMuch(IN(Cell) c, IN(Viewpoint) view, real allowed) {
-    real reach = sqrt(max(squaredRadius(c), real(0.0))) + abs(view.shift.x) + abs(view.shift.y);
+// Whether floats may lose more of a cell than is allowed; docs/algorithm.md, "What floats lose". What is lost of the
+// place of another site turns the line between the two by that part of their distance.
+cell_bool losesTooMuch(IN(Cell) c, vec2 shift) {
+    real farthest = sqrt(max(squaredRadius(c), real(0.0)));
+    real reach = farthest + abs(shift.x) + abs(shift.y);
+    real away = sqrt(lines_tried.nearest);
 #ifdef WEIGHTED
-    real lost = real(0.0);
-    UNROLL for (int k = 0; k < EDGE_END; k++) {
-        if (isEdge(c, k) && c.line[k] >= 0) {
-            vec2 way = offsetTo(c.line[k]);
-            real away = sqrt(way.x * way.x + way.y * way.y);
-            real of_places = real(2.0) * reach * real(PLACE_ROUNDING);
-            real of_weights = weightNear(c.line[k]) * real(WEIGHT_ROUNDING);
-            lost = max(lost, (of_places + of_weights) / away + away * (real(8.0) * ROUNDING));
-        }
-    }
-    return lost + reach * real(REACH_ROUNDING) > allowed;
+    real of_cell = reach * (real(REACH_ROUNDING) * away + real(2.0) * real(PLACE_ROUNDING));
+    cell_bool doubtful = lines_tried.doubtful < farthest;
+    return doubtful || of_cell > real(1.0 - LINE_SHARE) * lines_tried.allowed * away;
 #else
-    // h is half the distance of two sites, but for what moved the line.
-    real halfway = FAR;
-    UNROLL for (int k = 0; k < EDGE_END; k++) {
-        real moved = abs(c.nx[k]) * view.outset.x + abs(c.ny[k]) * view.outset.y;
-        real from_site = c.h[k] - moved - (c.nx[k] * view.shift.x + c.ny[k] * view.shift.y);
-        halfway = isEdge(c, k) && c.line[k] >= 0 ? min(halfway, from_site) : halfway;
-    }
-    real away = real(2.0) * halfway;
-    return reach * (real(REACH_ROUNDING) * away + real(PLACE_ROUNDING)) > allowed * away;
+    return reach * (real(REACH_ROUNDING) * away + real(PLACE_ROUNDING)) > lines_tried.allowed * away;
 #endif
 }
 #endif

@@ -50,15 +50,15 @@ int firstOfBin(int bin) { return int(texelFetch(bin_starts, bin).x); }
 #include "cell.glsl"
 #include "sites.glsl"
 
-int clipEntry(inout Cell cell, vec2 outset) { return clipSiteAt(cell, placeOf(entry_site[0]), outset); }
+int clipEntry(inout Cell cell, vec2 outset) {
+#ifdef DRAWN
+    beginLines(view.allowed);
+#endif
+    return clipSiteAt(cell, placeOf(entry_site[0]), outset);
+}
 
 #ifdef DRAWN
-bool isTooCoarse(in Cell cell) {
-    Viewpoint from;
-    from.shift = -offsetToOrigin();
-    from.outset = view.outset;
-    return losesTooMuch(cell, from, view.allowed);
-}
+bool isTooCoarse(in Cell cell) { return losesTooMuch(cell, -offsetToOrigin()); }
 #endif
 
 uint entryIndex() { return entry_index[0]; }

@@ -23,11 +23,20 @@ std::vector<Point> distinctVertices(std::span<const Point> polygon) {
 double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 Point between(Point a, Point b) { return {b.x - a.x, b.y - a.y}; }
 
-/// A vertex, and by how much at most it lies beyond an edge that was left out.
+/// A vertex, and how far at most it is from the polygon that had the edges which were left out.
 struct Corner {
   Point at;
   double excess;
 };
+
+/// From p to the nearest point between a and b. How far p is beyond the line through them would not do:
+/// beside the tip of a sliver that is next to nothing, however far p is from the sliver.
+double distance(Point p, Point a, Point b) {
+  const Point edge = between(a, b), way = between(a, p);
+  const double length = edge.x * edge.x + edge.y * edge.y;
+  const double t = std::clamp((way.x * edge.x + way.y * edge.y) / length, 0.0, 1.0);
+  return std::hypot(way.x - t * edge.x, way.y - t * edge.y);
+}
 
 /// Where the edges beside the one from b to c meet, the one from a and the one to d; excess is infinite if it
 /// is not beyond that.
@@ -36,12 +45,11 @@ Corner meetingBeyond(const Corner& a, const Corner& b, const Corner& c, const Co
   const double turn = cross(before, after);
   const double ahead = cross(edge, after) / turn;
   if (!(turn > 0) || !(ahead >= 0)) return {{}, std::numeric_limits<double>::infinity()};
-  const Point way{before.x * ahead, before.y * ahead};
-  const double height = std::abs(cross(way, edge)) / std::hypot(edge.x, edge.y);
-  return {{b.at.x + way.x, b.at.y + way.y}, height + std::max(b.excess, c.excess)};
+  const Point met{b.at.x + before.x * ahead, b.at.y + before.y * ahead};
+  return {met, distance(met, b.at, c.at) + std::max(b.excess, c.excess)};
 }
 
-/// The vertices of a polygon that is larger by no more than `tolerance` beyond any of its edges, and has none
+/// The vertices of a polygon that reaches no farther than `tolerance` beyond the given one, and has none
 /// that matter less: where many nearly parallel edges meet, a device loses track of them.
 std::vector<Point> simplified(std::span<const Point> polygon, double tolerance) {
   std::vector<Corner> corners;

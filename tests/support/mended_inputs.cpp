@@ -274,6 +274,25 @@ void addPlain(std::vector<HardInput>& all) {
       {-0.05000271780981222, -0.05000271780981222, 1.0500568156088417, 1.0500570740060564}, Periodic::none));
 }
 
+void addPictures(std::vector<HardInput>& all) {
+  all.push_back(inputOf(
+      "slivers of many edges in flat pixels",
+      {{0.0038628495661200413, 0.9925655345074141, 0.9146011251535188, 0.9075134515758919, 0.9004257779982651,
+        0.8933381044206382, 0.857899736532504, 0.8508120629548771, 0.8295490422219965, 0.8224613686443697},
+       {0.5177314265852906, 0.3823323759701708, 0.38511874300500215, 0.3853720490990777, 0.3856253551931533,
+        0.38587866128722886, 0.38714519175760675, 0.38739849785168234, 0.38815841613390906,
+        0.38841172222798465},
+       {}},
+      {-31783593.50356833, -25034669.61255737, 31783593.77348239, 25034670.438522194}, Periodic::xy, 3, 129));
+  all.push_back(
+      inputOf("a weighted site that floats see beside the domain",
+              {{1.0000000006779547e+81, 5.608652204994387e+71},
+               {1.000000001342022e+81, 1.0000000004345907e+81},
+               {1.000000002684044e+162, 1.999999999747451e+162}},
+              {9.999999968246806e+80, 1.0000000008370922e+81, 1.0000000031753193e+81, 1.0000000015948463e+81},
+              Periodic::none, 9, 20));
+}
+
 }  // namespace
 
 std::vector<HardInput> mendedInputs() {
@@ -282,6 +301,7 @@ std::vector<HardInput> mendedInputs() {
   addWeighted(all);
   addPeriodic(all);
   addOutlined(all);
+  addPictures(all);
   all.push_back(inputOf("ties in a row", twoRows(), {0, 0, 1, 1}));
   all.push_back(inputOf("ties in a row, repeated", twoRows(), {0, 0, 1, 1}, Periodic::xy));
   return all;

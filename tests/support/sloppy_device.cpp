@@ -229,13 +229,10 @@ class Device final : public SloppyDevice {
     const ViewUniform uniform = viewUniform(view_, info_.subpixel_bits, s.domain);
     const vec2 outset(uniform.outset_x, uniform.outset_y), shift(p.x - origin.x, p.y - origin.y);
     typename Clip::Cell cell;
+    clip.beginLines(uniform.allowed);
     const int found = clip.clipSite(cell, bins, boxSeen(s.domain), outset, static_cast<int>(site), shift);
-    typename Clip::Viewpoint from;
-    from.shift = shift;
-    from.outset = outset;
-    const auto status = finish(clip, cell, found, uniform, [&](const auto& drawn) {
-      return clip.losesTooMuch(drawn, from, uniform.allowed);
-    });
+    const auto status = finish(clip, cell, found, uniform,
+                               [&](const auto& drawn) { return clip.losesTooMuch(drawn, shift); });
     if (status == CellStatus::unsecured) ++unsecured_;
     if (status != CellStatus::certified) return status;
     const vec2 to_site = clip.offset(uniform.center);

@@ -57,5 +57,13 @@ TEST(Pieces, AreLargerByNoMoreThanTheTolerance) {
   }
 }
 
+TEST(Pieces, DoNotGrowBeyondTheTipOfASliver) {
+  // Without the edge between its first two vertices, it would be twice as long.
+  const std::vector<Point> sliver{{1e-8, 0.5}, {0, 0.51}, {-1e-8, 0}, {1e-8, 0}};
+  CellBatch<float> batch;
+  EXPECT_EQ(appendPieces(sliver, 100, 1e-5, batch), 1u);
+  EXPECT_LE(batch.entries[0].north, 0.51f + 2e-5f);
+}
+
 }  // namespace
 }  // namespace vorpipe
