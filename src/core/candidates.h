@@ -13,9 +13,9 @@ namespace vorpipe {
 /// the site itself. Every other site is at least reach[e] away from it: infinity, when no other can
 /// cut. Indices are those of the SiteSet; distances are in scaled units.
 ///
-/// `walls` is empty, or holds a box for each entry that its cell is known to lie in; else that is the
-/// domain. A widened cell is the cell's Minkowski sum with a small box only if its candidates are all
-/// sites near it, or if it is also clipped to its own widened bounding box.
+/// `walls` is empty, or holds a box for each entry that its cell is known to lie in, seen from the cell's
+/// origin; else that is the domain. A widened cell is the cell's Minkowski sum with a small box only if its
+/// candidates are all sites near it, or if it is also clipped to its own widened bounding box.
 struct Candidates {
   std::vector<std::uint32_t> site;
   std::vector<std::uint32_t> first{0};

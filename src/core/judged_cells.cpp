@@ -14,28 +14,30 @@ namespace {
 constexpr std::size_t grain = 512;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Calls each(p) for the corners of a cell, inside the domain: a corner that rounding moved out of it
-/// lies on its wall.
+/// Calls each(p) for the corners of a cell, seen from its origin: far from where coordinates begin, a corner
+/// need not be one of them. A corner that rounding moved out of the domain lies on its wall.
 template <class Each>
 void forCorners(const SiteSet& sites, std::uint32_t site, std::span<const std::int32_t> neighbors,
                 const Each& each) {
-  const auto& domain = sites.domain;
+  const Point origin = cellOrigin(sites, site);
+  const Box domain = domainFrom(sites, origin);
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const auto before = neighbors[k > 0 ? k - 1 : neighbors.size() - 1];
-    const auto p = positionOf(cornerPlace(sites, static_cast<std::int32_t>(site), before, neighbors[k]));
+    const auto p =
+        relativeTo(origin, cornerPlace(sites, static_cast<std::int32_t>(site), before, neighbors[k]));
     if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
     each(Point{std::clamp(p.x, domain.xmin, domain.xmax), std::clamp(p.y, domain.ymin, domain.ymax)});
   }
 }
 
-/// The domain for a cell whose corners are not numbers.
+/// Of the cell, seen from its origin. The domain for one whose corners are not numbers.
 Box boundingBox(const SiteSet& sites, std::uint32_t site, std::span<const std::int32_t> neighbors) {
   Box box{infinite, infinite, -infinite, -infinite};
   forCorners(sites, site, neighbors, [&](Point p) {
     box = {std::min(box.xmin, p.x), std::min(box.ymin, p.y), std::max(box.xmax, p.x),
            std::max(box.ymax, p.y)};
   });
-  return box.xmin <= box.xmax ? box : sites.domain;
+  return box.xmin <= box.xmax ? box : domainFrom(sites, cellOrigin(sites, site));
 }
 
 /// The sites among the neighbors, nearest first, into `out`.
@@ -86,9 +88,8 @@ Candidates boundaries(const SiteSet& sites, const JudgedCells& cells, std::span<
 
 std::vector<Point> cellPolygon(const SiteSet& sites, std::uint32_t site,
                                std::span<const std::int32_t> neighbors) {
-  const auto origin = cellOrigin(sites, site);
   std::vector<Point> polygon;
-  forCorners(sites, site, neighbors, [&](Point p) { polygon.push_back({p.x - origin.x, p.y - origin.y}); });
+  forCorners(sites, site, neighbors, [&](Point p) { polygon.push_back(p); });
   return polygon;
 }
 

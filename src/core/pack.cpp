@@ -55,6 +55,11 @@ Point cellOrigin(const SiteSet& sites, std::uint32_t site) {
           std::clamp(sites.y[site], sites.domain.ymin, sites.domain.ymax)};
 }
 
+Box domainFrom(const SiteSet& sites, Point origin) {
+  const auto& d = sites.domain;
+  return {d.xmin - origin.x, d.ymin - origin.y, d.xmax - origin.x, d.ymax - origin.y};
+}
+
 template <class Real>
 void packBatch(const SiteSet& sites, const Candidates& candidates, std::size_t begin, std::size_t end,
                int threads, CellBatch<Real>& out) {
@@ -66,15 +71,15 @@ void packBatch(const SiteSet& sites, const Candidates& candidates, std::size_t b
       const auto site = candidates.site[begin + e];
       const auto origin = cellOrigin(sites, site);
       const Point shift{sites.x[site] - origin.x, sites.y[site] - origin.y};
-      const auto& walls = candidates.walls.empty() ? sites.domain : candidates.walls[begin + e];
+      const Box walls = candidates.walls.empty() ? domainFrom(sites, origin) : candidates.walls[begin + e];
       const auto first = candidates.first[begin + e];
       const auto last = candidates.first[begin + e + 1];
       out.entries[e] = {first - first_line,
                         last - first,
-                        static_cast<Real>(walls.xmin - origin.x),
-                        static_cast<Real>(walls.ymin - origin.y),
-                        static_cast<Real>(walls.xmax - origin.x),
-                        static_cast<Real>(walls.ymax - origin.y),
+                        static_cast<Real>(walls.xmin),
+                        static_cast<Real>(walls.ymin),
+                        static_cast<Real>(walls.xmax),
+                        static_cast<Real>(walls.ymax),
                         roundedDown<Real>(candidates.reach[begin + e]),
                         roundedUp<Real>(std::min(length(shift.x, shift.y), farthest))};
       for (auto c = first; c < last; ++c) {
