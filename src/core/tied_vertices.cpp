@@ -173,19 +173,56 @@ class Making {
     }
   }
 
+  /// Of the cells at a vertex on a wall, the one of the lowest input index and the one farthest from it along
+  /// the wall: their bisector crosses the wall most steeply. No bisector of sites whose cells nearly meet at
+  /// a corner of the domain takes the vertex out of it.
+  [[nodiscard]] Place placeOnWall(std::size_t k, std::size_t e, std::int32_t wall) const {
+    const auto row = rowOf(k);
+    const auto vertex = tied_.vertex[tied_.first[k] + e];
+    const auto cells =
+        std::span(tied_.around)
+            .subspan(tied_.around_first[vertex], tied_.around_first[vertex + 1] - tied_.around_first[vertex]);
+    const auto& along = isVerticalWall(wall) ? sites_.y : sites_.x;
+    const auto first = *std::min_element(cells.begin(), cells.end(),
+                                         [&](auto a, auto b) { return sites_.id[a] < sites_.id[b]; });
+    const auto away = [&](auto cell) { return std::abs(along[cell] - along[first]); };
+    const auto second = *std::max_element(cells.begin(), cells.end(), [&](auto a, auto b) {
+      return away(a) != away(b) ? away(a) < away(b) : sites_.id[a] > sites_.id[b];
+    });
+    const auto place = away(second) > 0 ? cornerPlace(sites_, static_cast<std::int32_t>(first), wall,
+                                                      static_cast<std::int32_t>(second))
+                                        : cornerOf(k, row, e);
+    return inDomain(place);
+  }
+
+  /// The nearest place of the domain.
+  [[nodiscard]] Place inDomain(Place place) const {
+    const auto clamp = [](double low, double high, double& base, double& rest) {
+      const bool below = (base - low) + rest < 0, above = (high - base) - rest < 0;
+      if (!below && !above) return;
+      base = below ? low : high;
+      rest = 0;
+    };
+    const Box& d = sites_.domain;
+    clamp(d.xmin, d.xmax, place.base.x, place.rest.x);
+    clamp(d.ymin, d.ymax, place.base.y, place.rest.y);
+    return place;
+  }
+
   void placeAtWalls(std::size_t k) {
     const auto row = rowOf(k);
     for (std::size_t e = 0; e < row.size(); ++e) {
       const auto vertex = tied_.vertex[tied_.first[k] + e];
       auto& walls = tied_.walls[vertex];
-      if ((row[e] >= 0 && row[before(row, e)] >= 0) || (walls & wall_placed) != 0) continue;
+      const auto wall = std::min(row[e], row[before(row, e)]);
+      if (wall >= 0 || (walls & wall_placed) != 0) continue;
       const Box& domain = sites_.domain;
       if ((walls & wall_at_x) != 0 && (walls & wall_at_y) != 0) {
         tied_.place[vertex] = {{wallCoordinate(domain, (walls & 1) != 0 ? wall_xmin : wall_xmax),
                                 wallCoordinate(domain, (walls & 4) != 0 ? wall_ymin : wall_ymax)},
                                {0, 0}};
       } else {
-        tied_.place[vertex] = cornerOf(k, row, e);
+        tied_.place[vertex] = placeOnWall(k, e, wall);
       }
       walls |= wall_placed;
     }
