@@ -19,6 +19,9 @@ namespace vorpipe {
 namespace {
 
 constexpr std::size_t grain = 1024;
+/// Of a cell's size: a tie that is more hides what double gets wrong about the cell. Then its sites are far
+/// away, and their weights differ by so much that double tells little of where cells meet.
+constexpr double much_of_a_cell = 1e-4;
 /// No row of ties is this many ties long.
 constexpr double collapsed_ties = 1024;
 
@@ -95,6 +98,13 @@ class Untying {
     return !(m.area > 1e-6 * m.perimeter * m.perimeter);
   }
 
+  /// How far its corners are apart, or half of that.
+  static double sizeOf(std::span<const Place> corners) {
+    double size = 0;
+    for (const Place& corner : corners) size = std::max(size, lengthOf(wayBetween(corners[0], corner)));
+    return size;
+  }
+
   /// Marks a tied cell.
   void mark(std::int32_t cell, std::vector<std::uint8_t>& marks) {
     if (cell < 0) return;
@@ -127,8 +137,10 @@ class Untying {
     const bool may_be_none =
         !sites_.weight.empty() && disputes_ == Disputes::are_listed && isFlat(cell, corners);
     if (may_be_none && leaveNothing(sites_, cell, row)) return dispute(static_cast<std::int32_t>(cell));
+    const double much = much_of_a_cell * sizeOf(corners);
     for (std::size_t e = 0; e < row.size(); ++e) {
       const auto here = see(cell, row, e, corners[e], corners[after(row, e)]);
+      if (here.span.isTie() && here.span.slack > much) markAround(cell, row, e, unsure_);
       if (here.span.isTurned() && disputes_ == Disputes::are_listed) disputeAround(cell, row, e);
       if (row[e] < 0) {
         settle(k, row, e, here.span.isTie());

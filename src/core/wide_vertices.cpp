@@ -10,7 +10,8 @@ namespace vorpipe {
 namespace {
 
 constexpr std::size_t grain = 1024;
-/// As each of two cells sees them: with fewer ties a vertex is not wide.
+/// Each counts in both of its cells, even where only one of them has it: who has an edge that is next to
+/// nothing depends on who proposed the cell. With fewer ties a vertex is not wide.
 constexpr std::uint32_t fewest_ties = 6;
 /// Of a cell's reach, or of the domain's shorter side if that is less: how far its vertices may be from its
 /// corners. The check allows a quarter more. With weights more cells nearly meet in a point, and ties with
@@ -28,9 +29,13 @@ class Measuring {
 
   WideVertices run() {
     forEntries([&](std::size_t k) {
-      for (auto c = tied_.first[k]; c < tied_.first[k + 1]; ++c) {
-        if (tied_.tie[c] != 0)
-          std::atomic_ref(ties_[tied_.vertex[c]]).fetch_add(1, std::memory_order_relaxed);
+      const auto cell = tied_.cell[k];
+      const auto row = proposed_.cells.edges(cell);
+      for (std::size_t e = 0; e < row.size(); ++e) {
+        const auto c = tied_.first[k] + e;
+        if (tied_.tie[c] == 0) continue;
+        const std::uint32_t ties = isOfThisCellAlone(cell, row[e]) ? 2 : 1;
+        std::atomic_ref(ties_[tied_.vertex[c]]).fetch_add(ties, std::memory_order_relaxed);
       }
     });
     if (std::ranges::none_of(ties_, [](std::uint32_t ties) { return ties >= fewest_ties; })) return {};
@@ -47,6 +52,14 @@ class Measuring {
     parallelFor(tied_.cell.size(), grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
       for (auto k = begin; k < end; ++k) work(k);
     });
+  }
+
+  [[nodiscard]] bool isOfThisCellAlone(std::uint32_t cell, std::int32_t neighbor) const {
+    if (neighbor < 0) return false;
+    const auto other = static_cast<std::size_t>(neighbor);
+    const auto back =
+        proposed_.index.find(proposed_.cells.edges(other), other, static_cast<std::int32_t>(cell));
+    return back == EdgeIndex::none;
   }
 
   [[nodiscard]] bool hasMany(std::uint64_t corner) const {
@@ -104,7 +117,7 @@ class Measuring {
   const SiteSet& sites_;
   const TiedCells& tied_;
   const Fineness& fineness_;
-  std::vector<std::uint32_t> ties_;  ///< by vertex: how many, each counted in both of its cells
+  std::vector<std::uint32_t> ties_;  ///< by vertex: how many, each counted twice
   std::vector<double> width_;        ///< by vertex: how far its farthest corner is, in reaches of that cell
 };
 
