@@ -61,10 +61,11 @@ inline Circumcenter circumcenterOf(double ix, double iy, double iw, double px, d
   double exact = 8 * twice_area > larger(size, 1e-139) ? 1 : 0;
   const double near = rest_x * rest_x + rest_y * rest_y < 64 ? 1 : 0;
   if constexpr (weighted) {
-    // Of three points that are nearly on a line, or far away, the center may be near only with weights: the
-    // numerators cancel.
+    // Of three points that are nearly on a line, or one of which is far away, the center may be near only
+    // with weights: the numerators cancel.
     const double b_length = magnitude(b_x) + magnitude(b_y), c_length = magnitude(c_x) + magnitude(c_y);
-    const double length = b_length + c_length + magnitude(rest_x) + magnitude(rest_y);
+    const double shortest = b_length < c_length ? b_length : c_length;
+    const double length = shortest + magnitude(rest_x) + magnitude(rest_y);
     const double terms = (b_length * c_size + c_length * b_size) * magnitude(half);
     constexpr double farthest = 8;
     exact *= terms < most_terms * (length < farthest ? length : farthest) ? 1 : 0;

@@ -17,8 +17,9 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr Place nowhere{{not_a_number, not_a_number}, {0, 0}};
-/// What a corner may be off, as a part of its distance from the sites, and with weights of theirs from each
-/// other: circumcenterOf loses no more than three bits to cancellation.
+/// What a corner may be off, as a part of its distance from two of the three sites: circumcenterOf loses no
+/// more than three bits to cancellation, and takes the site opposite the longest side, which is one of the
+/// two that are nearest to each other.
 constexpr double relative_rounding = 0x1p-46;
 /// What is farther from a corner, in scaled units, does not make it less precise: then it is found in twice
 /// the precision.
@@ -54,13 +55,16 @@ Wide wideCrossing(const WeightedPoint& i, const WeightedPoint& j, double at) {
 }
 
 /// The same as the sum of two numbers, the first of which is i.y if the other is small. Where the bisector
-/// nearly lies in the wall, or with weights, the terms of the other may be much larger than it is.
+/// nearly lies in the wall, or with weights, the terms of the other may be much larger than the way from the
+/// nearer of the two sites.
 Wide crossing(const WeightedPoint& i, const WeightedPoint& j, double at, bool weighted) {
   const double dx = j.x - i.x, dy = j.y - i.y;
   const double way = (at - i.x) * dx;
   const double half = 0.5 * (dx * dx + dy * dy), lead = weighted ? 0.5 * (i.weight - j.weight) : 0;
   const double along = weighted ? (half + lead - way) / dy : (half - way) / dy;
-  const double length = std::abs(dx) + std::abs(dy) + std::abs(at - i.x) + std::abs(along);
+  const double from_i = std::abs(at - i.x) + std::abs(along);
+  const double from_j = std::abs(at - j.x) + std::abs((i.y - j.y) + along);
+  const double length = std::min(from_i, from_j);
   const double terms = (half + std::abs(lead) + std::abs(way)) / std::abs(dy);
   if (terms < most_terms * length && length < far) return {i.y, along};
   const Wide wide = wideCrossing(i, j, at);
@@ -79,6 +83,20 @@ Place atWall(const SiteSet& s, std::int32_t a, std::int32_t b, std::int32_t wall
   }
   const Wide x = crossing(swapped(i), swapped(j), at, weighted);
   return {{x.high, at}, {x.low, 0}};
+}
+
+/// How far the two sites that are nearest to a corner are from it at most; of a wall's corner, how far the
+/// nearer one is.
+double nearestTwo(const SiteSet& s, const std::array<std::int32_t, 3>& around, const Place& corner) {
+  double nearest = std::numeric_limits<double>::infinity(), second = nearest;
+  for (const auto i : around) {
+    if (i < 0) continue;
+    const Point way = relativeTo(siteAt(s, i), corner);
+    const double away = std::abs(way.x) + std::abs(way.y);
+    second = std::min(second, std::max(nearest, away));
+    nearest = std::min(nearest, away);
+  }
+  return std::ranges::min(around) < 0 ? nearest : second;
 }
 
 }  // namespace
@@ -142,16 +160,9 @@ EdgeSpan edgeSpan(const SiteSet& sites, std::int32_t cell, std::int32_t before, 
                   std::int32_t after, const Place& begin, const Place& end, double shortest) {
   const Point site = siteAt(sites, cell);
   const Point way = wayBetween(begin, end);
-  const Point a = relativeTo(site, begin), b = relativeTo(site, end);
-  double reach = std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y);
-  if (!sites.weight.empty()) {
-    // A corner may be nearer to one of its sites than these are to each other.
-    for (const auto other : {before, neighbor, after}) {
-      if (other < 0) continue;
-      const Point p = siteAt(sites, other);
-      reach += std::abs(p.x - site.x) + std::abs(p.y - site.y);
-    }
-  }
+  const double reach =
+      (nearestTwo(sites, {cell, before, neighbor}, begin) + nearestTwo(sites, {cell, neighbor, after}, end)) +
+      (std::abs(way.x) + std::abs(way.y));
   const double rounding = relative_rounding * std::min(reach, farthest_rounded);
   if (neighbor < 0) {
     const double outward = neighbor == wall_xmax || neighbor == wall_ymax ? 1 : -1;
