@@ -17,7 +17,8 @@ std::size_t hash(Point p) {
   return bits ^ bits >> 32;
 }
 
-/// For each site the one that owns its position: the heaviest, then the first.
+/// For each site the one that owns its position: the heaviest, then the first. In a periodic domain weights
+/// are compared as scaled, which rounds those below 1e-308.
 std::vector<std::uint32_t> ownersOfPositions(const CheckedSites& run) {
   const SitePlaces places(run);
   std::vector<std::uint32_t> slots(std::bit_ceil(2 * run.size() + 1), no_site), first(run.size());
@@ -29,10 +30,12 @@ std::vector<std::uint32_t> ownersOfPositions(const CheckedSites& run) {
     first[i] = slots[slot];
   }
   if (!run.weighted) return first;
+  const double scale = run.repeats() ? run.scale : 1;
+  const auto weight = [&](std::uint32_t i) { return run.sites.weight[i] * scale * scale; };
   std::vector<std::uint32_t> heaviest = first;
   for (std::uint32_t i = 0; i < run.size(); ++i) {
     auto& best = heaviest[first[i]];
-    if (run.sites.weight[i] > run.sites.weight[best]) best = i;
+    if (weight(i) > weight(best)) best = i;
   }
   for (auto& owner : first) owner = heaviest[owner];
   return first;
