@@ -30,14 +30,13 @@ struct Images {
 
 /// Distance in pixels from the center of a pixel to the bisector of two sites, by weight; infinite where
 /// there is no bisector. Only differences of coordinates are used, so that it holds far from the origin. Of
-/// sites in a periodic domain, which stand in it, the nearest images count.
+/// sites in a periodic domain, which stand in it, the nearest images count; they are as exact as its periods.
 class BisectorDistance {
  public:
-  BisectorDistance(const Sites& sites, const Box& domain, Periodic periodic, Grid grid)
+  BisectorDistance(const Sites& sites, const Box& domain, Grid grid, std::array<double, 2> periods = {0, 0})
       : sites_(&sites),
         domain_(domain),
-        repeats_x_(periodic == Periodic::x || periodic == Periodic::xy),
-        repeats_y_(periodic == Periodic::y || periodic == Periodic::xy),
+        periods_(periods),
         pixel_x_((domain.xmax - domain.xmin) / grid.width),
         pixel_y_((domain.ymax - domain.ymin) / grid.height),
         longer_(std::max(pixel_x_, pixel_y_)) {
@@ -62,14 +61,15 @@ class BisectorDistance {
   /// The nearest image of a site, and those that are farther by less than a pixel.
   [[nodiscard]] Images imagesNear(int row, int column, std::uint32_t i) const {
     const Point site{sites_->x[i], sites_->y[i]};
-    if (!repeats_x_ && !repeats_y_) return {{site}, 1};
+    if (periods_[0] == 0 && periods_[1] == 0) return {{site}, 1};
     const Point center{domain_.xmin + (column + 0.5) * pixel_x_, domain_.ymax - (row + 0.5) * pixel_y_};
-    const auto along = [](double from, double to, double period, bool repeats) {
+    const auto along = [](double from, double to, double period) {
+      if (period == 0) return std::array{from, none};
       const double first = from + std::floor((to - from) / period) * period;
-      return repeats ? std::array{first, first + period} : std::array{from, none};
+      return std::array{first, first + period};
     };
-    const auto xs = along(site.x, center.x, domain_.xmax - domain_.xmin, repeats_x_);
-    const auto ys = along(site.y, center.y, domain_.ymax - domain_.ymin, repeats_y_);
+    const auto xs = along(site.x, center.x, periods_[0]);
+    const auto ys = along(site.y, center.y, periods_[1]);
     const auto distance = [&](double x, double y) { return std::hypot(x - center.x, y - center.y); };
     double nearest = none;
     for (const double x : xs) {
@@ -100,7 +100,7 @@ class BisectorDistance {
 
   const Sites* sites_;
   Box domain_;
-  bool repeats_x_, repeats_y_;
+  std::array<double, 2> periods_;  ///< along x and y; 0 where the domain does not repeat
   double pixel_x_, pixel_y_, longer_;
   double metric_x_ = 1, metric_y_ = 1;
 };
@@ -169,6 +169,15 @@ int channelDifference(std::uint32_t a, std::uint32_t b) {
   return largest;
 }
 
+/// The periods of a domain whose corners are rounded as its sites are: images of twins are twins by that.
+Result<std::array<double, 2>> periodsOf(const Box& domain, Periodic periodic) {
+  const auto corners =
+      wrapped({{domain.xmin, domain.xmax}, {domain.ymin, domain.ymax}, {}}, domain, periodic);
+  if (!corners) return tl::unexpected(corners.error());
+  return std::array{periodic == Periodic::y ? 0 : corners->x[1] - corners->x[0],
+                    periodic == Periodic::x ? 0 : corners->y[1] - corners->y[0]};
+}
+
 }  // namespace
 
 IdDiff diffIds(Ids a, Ids b, int width, int height) {
@@ -183,10 +192,12 @@ Result<IdDiff> diffIds(Ids a, Ids b, int width, int height, const Sites& sites, 
     return tl::unexpected(Error{ErrorCode::input, "domain: needs finite xmin < xmax and ymin < ymax"});
   }
   const Grid grid{width, height};
-  if (periodic == Periodic::none) return compare(a, b, grid, BisectorDistance(sites, domain, periodic, grid));
+  if (periodic == Periodic::none) return compare(a, b, grid, BisectorDistance(sites, domain, grid));
   const auto inside = wrapped(sites, domain, periodic);
   if (!inside) return tl::unexpected(inside.error());
-  return compare(a, b, grid, BisectorDistance(*inside, domain, periodic, grid));
+  const auto periods = periodsOf(domain, periodic);
+  if (!periods) return tl::unexpected(periods.error());
+  return compare(a, b, grid, BisectorDistance(*inside, domain, grid, *periods));
 }
 
 ImageDiff diffImages(Ids a, Ids b, int width, int height) {

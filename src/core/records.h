@@ -33,16 +33,13 @@ inline std::int64_t outsideIndex(const SiteSet& sites, std::int32_t neighbor) {
   return neighbor < 0 ? std::int64_t{neighbor} : std::int64_t{sites.id[static_cast<std::size_t>(neighbor)]};
 }
 
-/// Where coordinates of a cell begin: its site, or the domain's point nearest to it.
-inline Point originOf(const SiteSet& sites, std::size_t cell) {
-  return {std::clamp(sites.x[cell], sites.domain.xmin, sites.domain.xmax),
-          std::clamp(sites.y[cell], sites.domain.ymin, sites.domain.ymax)};
-}
-
-/// What a cell is measured about: its origin; or with weights, where a cell may be small and far from its
-/// site, its first corner.
+/// What a cell is measured about: its site; or its first corner where it may be small and far from its site,
+/// with weights and of sites outside the domain.
 inline Point measuringOrigin(const SiteSet& sites, std::size_t cell, const Place& first_corner) {
-  return sites.weight.empty() ? originOf(sites, cell) : positionOf(first_corner);
+  const Point site{sites.x[cell], sites.y[cell]};
+  const Box& d = sites.domain;
+  const bool is_inside = site.x >= d.xmin && site.x <= d.xmax && site.y >= d.ymin && site.y <= d.ymax;
+  return sites.weight.empty() && is_inside ? site : positionOf(first_corner);
 }
 
 /// Measures the cell with these corners, counter-clockwise, about `origin`.
