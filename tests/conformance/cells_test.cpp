@@ -54,6 +54,14 @@ TEST_P(Cells, areMeasuredAsTheSquareThatTheyAre) {
   EXPECT_NEAR(diagram.second_moments[0][2], 4 * 8 / 12.0, 1e-13);
 }
 
+TEST_P(Cells, ofSitesFarFromTheDomainAreNeighborsAcrossAllOfIt) {
+  // The edge is 1e-8 of the way from one site to the other: no tie, for the domain is no longer.
+  const auto diagram = expectTiled({{-5e7, 5e7 + 0.5}, {0.5, 0.5}, {}}, {0, 0, 1, 1});
+  EXPECT_EQ(neighborSet(diagram, 0), (std::set<std::int64_t>{1, wall_xmin, wall_ymin, wall_ymax}));
+  EXPECT_EQ(neighborSet(diagram, 1), (std::set<std::int64_t>{0, wall_xmax, wall_ymin, wall_ymax}));
+  EXPECT_NEAR(diagram.area[0], 0.25, 1e-9);
+}
+
 TEST_P(Cells, ofASquareLatticeHaveFourNeighborsInside) {
   const auto diagram = expectTiled(generate(Pattern::square, 2500, 1));
   for (std::size_t i = 0; i < diagram.status.size(); ++i) {

@@ -113,6 +113,27 @@ TEST_P(HardPictures, OfPairsAmongManySites) {
   EXPECT_LT(paired.in_double, 300u);
 }
 
+// Floats lose too much of cells that reach so far; none of the grid's and none of a list's is drawn from
+// them.
+TEST_P(HardPictures, OfCellsThatReachFar) {
+  for (const auto method : {Search::grid, Search::flann}) {
+    auto options = picture(unit, 3000, 3000);
+    options.search.method = method;
+    const auto far = expectRight(scattered(unit, 5), options).report;
+    EXPECT_TRUE(isCpu() || far.in_double == 5) << far.in_double;
+  }
+}
+
+// A weight of 1e10 squared domains in two floats is off by 1e-5 of one: the bisector by a fifth of a pixel.
+TEST_P(HardPictures, OfWeightsThatTwoFloatsDoNotHold) {
+  auto sites = scattered(unit, 200);
+  for (std::size_t i = 0; i < sites.size(); ++i) sites.weight.push_back(1e10 + 1e-3 * random.uniform());
+  add(sites, {0.5, 0.5});
+  sites.weight.push_back(0);
+  const auto heavy = expectRight(sites, picture(unit, 1000, 1000)).report;
+  EXPECT_TRUE(isCpu() || heavy.in_double >= 150) << heavy.in_double;
+}
+
 TEST_P(HardPictures, OnCoarseVertexGrids) {
   for (const int bits : {4, 5}) {
     for (const std::size_t count : {2u, 30u, 900u, 20000u}) {

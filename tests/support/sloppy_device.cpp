@@ -341,4 +341,29 @@ std::unique_ptr<SloppyDevice> makeSloppyDevice(const SloppyOptions& options) {
   return std::make_unique<Device>(options);
 }
 
+BisectorLoss lossOfBisectors(const Sites& sites, Sloppiness::Way way, std::uint64_t seed) {
+  SiteSet set;
+  set.domain = {0, 0, 1, 1};
+  set.x = sites.x;
+  set.y = sites.y;
+  sloppiness() = {way, Random{seed}};
+  glsl::Even clip;
+  clip.sites = &set;
+  clip.beginLines(1.0f);
+  glsl::Even::Viewpoint from;
+  from.self = 0;
+  from.shift = from.outset = {0.0f, 0.0f};
+  BisectorLoss loss;
+  constexpr double unit = 0x1p-24;
+  for (std::size_t other = 1; other < set.x.size(); ++other) {
+    const auto b = clip.bisectorWith(from, static_cast<int>(other));
+    const double dx = set.x[other] - set.x[0], dy = set.y[other] - set.y[0], distance = std::hypot(dx, dy);
+    const double nx = b.n.x.value(), ny = b.n.y.value(), h = b.h.value();
+    loss.length = std::max(loss.length, std::abs(std::hypot(nx, ny) - 1) / unit);
+    loss.direction = std::max(loss.direction, std::abs(nx * dy - ny * dx) / distance / unit);
+    loss.distance = std::max(loss.distance, std::abs(h - distance / 2) / (distance / 2) / unit);
+  }
+  return loss;
+}
+
 }  // namespace vorpipe::test

@@ -26,4 +26,15 @@ class SloppyDevice : public Backend {
 
 std::unique_ptr<SloppyDevice> makeSloppyDevice(const SloppyOptions& options);
 
+/// What the shared text loses at most of bisectors, in parts of 2^-24.
+struct BisectorLoss {
+  double length = 0;     ///< of the normal, which should be 1
+  double direction = 0;  ///< of the normal, as an angle
+  double distance = 0;   ///< of h, as a part of it
+};
+
+/// Of those between the first of some sites of the unit square and each of the others, in numbers that are
+/// off in this way. Differences of the sites are floats.
+BisectorLoss lossOfBisectors(const Sites& sites, Sloppiness::Way way, std::uint64_t seed);
+
 }  // namespace vorpipe::test

@@ -136,6 +136,24 @@ INSTANTIATE_TEST_SUITE_P(Devices, SloppyPicture,
                                           testing::Values(Way::none, Way::up, Way::down, Way::random)),
                          nameOf);
 
+// What docs/algorithm.md, "What floats lose", builds on.
+TEST(SloppyBisectors, AreAsNearlyRightAsTheirProductsAre) {
+  Random random(7);
+  Sites sites;
+  add(sites, {0.5, 0.5});
+  for (int i = 0; i < 20000; ++i) {
+    const auto part = [&] { return static_cast<double>(random.below(1U << 20)) / (1U << 20); };
+    const double x = part(), y = part();
+    if (x != 0.5 || y != 0.5) add(sites, {x, y});
+  }
+  for (const auto way : {Way::none, Way::up, Way::down, Way::random}) {
+    const BisectorLoss loss = lossOfBisectors(sites, way, 1);
+    EXPECT_LE(loss.length, 4);
+    EXPECT_LE(loss.direction, 2);
+    EXPECT_LE(loss.distance, 4);
+  }
+}
+
 // A device whose floats are exact to the last place is left nothing to do again.
 TEST(SloppyPictureOf8Bits, OfManySitesNeedsNoneOfThis) {
   Random random(7);
