@@ -196,7 +196,8 @@ class Backend {
   virtual Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) = 0;
 
   /// Finds the site nearest to the center of each of some pixels of a view, by power, in double: its index in
-  /// the set. A pixel's number is row * width + column, from the bottom row on. The judge's alone.
+  /// the set, or no_site where all of them are hidden. A pixel's number is row * width + column, from the
+  /// bottom row on. The judge's alone.
   virtual Result<void> nearest(const View& /*view*/, std::span<const std::uint32_t> /*pixels*/,
                                std::span<std::uint32_t> /*sites*/) {
     return tl::unexpected(Error{

@@ -39,8 +39,9 @@ Result<std::uint64_t> coverRest(const NearestSites& nearest, const View& view, s
     sites.resize(pixels.size());
     if (auto found = nearest.judge.nearest(view, pixels, sites); !found) return tl::unexpected(found.error());
     for (std::size_t k = 0; k < pixels.size(); ++k) {
-      ids[pixels[k]] = nearest.sites.id[sites[k]];
-      rgba[pixels[k]] = view.palette[nearest.shade[sites[k]]];
+      const bool none = sites[k] == no_site;
+      ids[pixels[k]] = none ? no_site : nearest.sites.id[sites[k]];
+      rgba[pixels[k]] = none ? 0 : view.palette[nearest.shade[sites[k]]];
     }
     count += pixels.size();
   }

@@ -70,6 +70,17 @@ TEST_P(Picture, showsHeavySitesAlone) {
   compare(set, 1e-14 * (1 + GetParam()));
 }
 
+// As when weights leave each site less than an outline has room for.
+TEST_P(Picture, showsNoSiteWhereAllAreHidden) {
+  auto set = noise(20);
+  if (set.weight.empty()) return;
+  set.heavy = {3, 7};
+  set.hidden.assign(20, 1);
+  EXPECT_EQ(NearestSite(set).at({0, 0}, {0.1, 0.9}), no_site);
+  set.hidden[7] = 0;
+  EXPECT_EQ(NearestSite(set).at({0, 0}, {0.1, 0.9}), 7U);
+}
+
 INSTANTIATE_TEST_SUITE_P(Weights, Picture, testing::Values(0.0, 1e-3, 0.1, 100.0));
 
 }  // namespace

@@ -96,8 +96,8 @@ class CpuBackend final : public Backend {
     cpu::nearestSites(nearestSite(), view_, threads_, ids);
     parallelFor(ids.size(), 1 << 16, threads_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        rgba[i] = view_.palette[shade_[ids[i]]];
-        ids[i] = sites_->id[ids[i]];
+        rgba[i] = ids[i] == no_site ? 0 : view_.palette[shade_[ids[i]]];
+        if (ids[i] != no_site) ids[i] = sites_->id[ids[i]];
       }
     });
     return {};
