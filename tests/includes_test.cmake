@@ -32,7 +32,7 @@ set(may_include
     "^(vorpipe\\.h|(parallel|big_vector)\\.h|backend/[^/]*\\.h|backend/opengl/.*|layout\\.glsl|shaders\\.h)$"
     "^(vorpipe\\.h|(parallel|big_vector)\\.h|backend/[^/]*\\.h|layout\\.glsl)$"
     "^(vorpipe\\.h|geos\\.h|io/.*)$"
-    "^(vorpipe\\.h|(parallel|big_vector)\\.h|bench/.*|io/site_source\\.h|core/(diagram|render|stopwatch)\\.h|backend/(backend|registry)\\.h)$"
+    "^(vorpipe\\.h|(parallel|big_vector)\\.h|bench/.*|io/site_source\\.h|core/(cells_run|render|stopwatch)\\.h|backend/(backend|registry)\\.h)$"
     "^(vorpipe\\.h|vorpipe/selftest\\.h|selftest/.*)$"
     "^(vorpipe\\.h|vorpipe/selftest\\.h|io/.*|bench/.*|cli/.*)$"
     "^(vorpipe\\.h|view/.*)$")
@@ -93,23 +93,23 @@ function(vorpipe_expect expected file header quoted)
     message(FATAL_ERROR "The rules are wrong about ${file} including ${header}: ${allowed}.")
   endif()
 endfunction()
-vorpipe_expect(TRUE core/diagram.cpp backend/backend.h TRUE)
+vorpipe_expect(TRUE core/render.cpp backend/backend.h TRUE)
 vorpipe_expect(TRUE core/flann_search.cpp flann/flann.hpp FALSE)
 vorpipe_expect(TRUE backend/registry.cpp backend/cpu/cpu.h TRUE)
 vorpipe_expect(TRUE backend/vulkan/device.cpp backend/capabilities.h TRUE)
 vorpipe_expect(TRUE cli/render.cpp io/png.h TRUE)
-vorpipe_expect(FALSE core/diagram.cpp backend/cpu/cpu.h TRUE)
+vorpipe_expect(FALSE core/render.cpp backend/cpu/cpu.h TRUE)
 vorpipe_expect(FALSE bench/lab.cpp core/judge.h TRUE)
-vorpipe_expect(FALSE core/diagram.cpp flann/flann.hpp FALSE)
+vorpipe_expect(FALSE core/render.cpp flann/flann.hpp FALSE)
 vorpipe_expect(TRUE parallel.cpp tbb/parallel_for.h FALSE)
-vorpipe_expect(FALSE core/diagram.cpp tbb/parallel_for.h FALSE)
-vorpipe_expect(FALSE core/diagram.cpp ../backend/cpu/cpu.h TRUE)
+vorpipe_expect(FALSE core/render.cpp tbb/parallel_for.h FALSE)
+vorpipe_expect(FALSE core/render.cpp ../backend/cpu/cpu.h TRUE)
 vorpipe_expect(FALSE backend/opengl/draw.cpp backend/vulkan/device.h TRUE)
 vorpipe_expect(FALSE backend/opengl/draw.cpp backend/registry.h TRUE)
 vorpipe_expect(FALSE backend/backend.h volk.h FALSE)
 vorpipe_expect(FALSE backend/cpu/cpu.cpp epoxy/gl.h FALSE)
-vorpipe_expect(FALSE io/png.cpp core/diagram.h TRUE)
-vorpipe_expect(FALSE cli/render.cpp core/diagram.h TRUE)
+vorpipe_expect(FALSE io/png.cpp core/cells_run.h TRUE)
+vorpipe_expect(FALSE cli/render.cpp core/cells_run.h TRUE)
 vorpipe_expect(FALSE vorpipe.h glm/vec2.hpp FALSE)
 vorpipe_expect(FALSE elsewhere/file.cpp vorpipe.h TRUE)
 

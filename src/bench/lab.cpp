@@ -10,7 +10,7 @@
 
 #include "backend/registry.h"
 #include "bench/driver_threads.h"
-#include "core/diagram.h"
+#include "core/cells_run.h"
 #include "core/render.h"
 #include "core/stopwatch.h"
 #include "io/site_source.h"

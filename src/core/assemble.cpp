@@ -245,6 +245,16 @@ void writeEdges(const ProposedCells& proposed, const TiedCells& tied, Detail det
   });
 }
 
+void dropPolygons(Diagram& diagram) {
+  // To be assigned nothing would leave them their memory.
+  const auto release = [](auto& array) { std::remove_reference_t<decltype(array)>().swap(array); };
+  release(diagram.perimeter);
+  release(diagram.second_moments);
+  release(diagram.vertices);
+  release(diagram.edge_lengths);
+  release(diagram.ring_starts);
+}
+
 double areaGap(const Diagram& diagram, const Box& domain, int threads) {
   return gapOf(
       diagram.area.size(), [&](std::size_t i) { return diagram.area[i]; }, domain, threads);

@@ -18,6 +18,9 @@ void takeRecords(std::span<const CellRecord> records, Detail detail, int threads
 void writeEdges(const ProposedCells& proposed, const TiedCells& tied, Detail detail, const Unscale& unscale,
                 Diagram& diagram);
 
+/// Leaves of a diagram what Detail::measures has.
+void dropPolygons(Diagram& diagram);
+
 /// Of the domain's area, what the areas may miss or exceed it by: what double leaves, and what no diagram of
 /// cells that agree has ever come near.
 inline constexpr double area_rounding = 1e-12, area_wrong = 1e-6;

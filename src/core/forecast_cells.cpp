@@ -1,4 +1,4 @@
-/// What Session::cells takes, array by array: each line stands for one of diagram.cpp and of what it calls.
+/// What Session::cells takes, array by array: each line stands for one of cells_run.cpp and of what it calls.
 #include <algorithm>
 
 #include "core/forecast.h"
@@ -118,7 +118,7 @@ void planClipping(MemoryPlan& plan, const Workload& work, Arrays& arrays) {
   plan.drop({arrays[0], arrays[1], arrays[4], arrays[7], first, fate});
 }
 
-/// Plans cellsOn for all sites, images among them.
+/// Plans boxDiagramOn for all sites, images among them.
 Arrays planRun(MemoryPlan& plan, const Workload& work, std::uint64_t sites, Detail detail) {
   PlannedSet set = planPrepare(plan, sites, work.weighted);
   Arrays working = planTopology(plan, work, sites);

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "core/density.h"
+#include "core/flann_search.h"
 #include "core/outline.h"
 #include "core/periodic.h"
 #include "core/prepare.h"
@@ -13,6 +14,13 @@
 namespace vorpipe {
 
 namespace {
+
+Result<void> checkSearch(const SearchOptions& search) {
+  constexpr auto fewest = FlannSearch::fewest_neighbors, most = FlannSearch::most_neighbors;
+  if (search.neighbors >= fewest && search.neighbors <= most) return {};
+  return tl::unexpected(
+      Error{ErrorCode::input, fmt::format("{} neighbors: must be {} to {}", search.neighbors, fewest, most)});
+}
 
 Result<void> checkArea(const Box& domain) {
   // A cell may have 1e-7 of the least: it still has all digits.

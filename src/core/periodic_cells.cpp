@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/assemble.h"
-#include "core/diagram.h"
+#include "core/box_diagram.h"
 #include "core/periodic_band.h"
 #include "core/periodic_proof.h"
 #include "core/periodic_records.h"
@@ -58,10 +58,10 @@ class Runs {
     imaged = withImages(placed_, band);
     times.order = std::max(times.order, 0.0) + 1e3 * order_watch.seconds();
     options_.domain = imaged.box;
-    auto run = cellsOn(backend_, judge_, threads_, imaged.sites, options_, &callers_);
+    auto run = boxDiagramOn(backend_, judge_, threads_, imaged.sites, options_, &callers_);
     if (!run) return tl::unexpected(run.error());
     auto messages = std::move(diagram.report.validation_messages);
-    diagram = std::move(*run);
+    diagram = std::move(run->diagram);
     auto& said = diagram.report.validation_messages;
     said.insert(said.begin(), messages.begin(), messages.end());
     addTimes(diagram.report.time_ms, times);

@@ -5,7 +5,8 @@
 
 namespace vorpipe {
 
-/// What Session::cells does where options.periodic names an axis. Errors: those of cellsOn and placeSites.
+/// What Session::cells does where options.periodic names an axis. Errors: those of boxDiagramOn and
+/// placeSites.
 Result<Diagram> periodicCellsOn(Backend& backend, Backend& judge_backend, int threads, const Sites& sites,
                                 const CellsOptions& options);
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "core/diagram.h"
+#include "core/assemble.h"
 #include "core/records.h"
 #include "parallel.h"
 

@@ -7,7 +7,6 @@
 #include <limits>
 #include <utility>
 
-#include "core/flann_search.h"
 #include "core/grid.h"
 #include "core/near_sites.h"
 #include "core/order.h"
@@ -129,13 +128,6 @@ Box gridBox(const Box& sites, const Box& near) {
 }
 
 }  // namespace
-
-Result<void> checkSearch(const SearchOptions& search) {
-  constexpr auto fewest = FlannSearch::fewest_neighbors;
-  constexpr auto most = FlannSearch::most_neighbors;
-  if (search.neighbors >= fewest && search.neighbors <= most) return {};
-  return refuse(fmt::format("{} neighbors: must be {} to {}", search.neighbors, fewest, most));
-}
 
 int scaleExponent(const Box& domain) {
   int exponent = 0;

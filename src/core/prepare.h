@@ -37,7 +37,4 @@ struct CallersSites {
 Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads,
                          const CallersSites* callers = nullptr);
 
-/// Checks the number of neighbors. Error (input): fewer than 3 or more than 1024.
-Result<void> checkSearch(const SearchOptions& search);
-
 }  // namespace vorpipe

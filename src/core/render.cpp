@@ -7,7 +7,7 @@
 
 #include "core/cell_drawing.h"
 #include "core/colormap.h"
-#include "core/diagram.h"
+#include "core/cells_run.h"
 #include "core/order.h"
 #include "core/outline_index.h"
 #include "core/outline_mask.h"

@@ -1,17 +1,14 @@
-#include "core/diagram.h"
+#include "core/box_diagram.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <type_traits>
 
 #include "core/assemble.h"
 #include "core/corners.h"
 #include "core/dual.h"
-#include "core/outline_cells.h"
-#include "core/periodic_cells.h"
 #include "core/prepare.h"
 #include "core/stopwatch.h"
 #include "core/topology.h"
@@ -56,22 +53,10 @@ void keepSitesWithoutCells(const Sites& sites, int threads, Diagram& diagram) {
 
 }  // namespace
 
-void dropPolygons(Diagram& diagram) {
-  // To be assigned nothing would leave them their memory.
-  const auto release = [](auto& array) { std::remove_reference_t<decltype(array)>().swap(array); };
-  release(diagram.perimeter);
-  release(diagram.second_moments);
-  release(diagram.vertices);
-  release(diagram.edge_lengths);
-  release(diagram.ring_starts);
-}
-
-Result<Diagram> cellsOn(Backend& backend, Backend& judge_backend, int threads, const Sites& sites,
-                        const CellsOptions& options, const CallersSites* callers) {
-  if (options.periodic != Periodic::none) {
-    return periodicCellsOn(backend, judge_backend, threads, sites, options);
-  }
-  Diagram diagram;
+Result<BoxDiagram> boxDiagramOn(Backend& backend, Backend& judge_backend, int threads, const Sites& sites,
+                                const CellsOptions& options, const CallersSites* callers) {
+  BoxDiagram box;
+  Diagram& diagram = box.diagram;
   auto& times = diagram.report.time_ms;
   Stopwatch order_watch;
   auto prepared = prepare(sites, options.domain, threads, callers);
@@ -84,38 +69,31 @@ Result<Diagram> cellsOn(Backend& backend, Backend& judge_backend, int threads, c
   const TopologyInput input{backend, judge, prepared->set, options.search, threads, options.progress};
   auto topology = findTopology(input, diagram.report);
   if (!topology) return tl::unexpected(topology.error());
-  // To clip cells takes their polygons, whether they are wanted or not.
-  const Detail detail = options.outline.empty() ? options.detail : std::max(options.detail, Detail::polygons);
   auto by_input = makeRecords(*prepared, sites);
   const Records records{prepared->set, Unscale(prepared->exponent), by_input};
   const auto tied = agree(input, *topology, records, options.domain, diagram.report);
   if (!tied) return tl::unexpected(tied.error());
-  takeRecords(by_input, detail, threads, diagram);
+  takeRecords(by_input, options.detail, threads, diagram);
   BigVector<CellRecord>().swap(by_input);  // to be assigned nothing would leave it its memory
   if (diagram.report.empty > 0) keepSitesWithoutCells(sites, threads, diagram);
   if (!prepared->set.weight.empty()) diagram.report.hidden = diagram.report.empty;
   {
     const EdgeIndex index(*topology, threads);
     const ProposedCells agreed{prepared->set, *topology, index, threads};
-    writeEdges(agreed, *tied, detail, records.unscale, diagram);
-    if (detail == Detail::everything) diagram.triangles = dualTriangles(agreed, *tied, mesh);
-  }
-  if (!options.outline.empty()) {
-    const ClippedRun run{sites, options.domain, prepared->set.id, prepared->exponent, threads};
-    if (auto clipped = clipToOutline(run, options.outline, diagram); !clipped) {
-      return tl::unexpected(clipped.error());
-    }
-    if (options.detail == Detail::measures) dropPolygons(diagram);
+    writeEdges(agreed, *tied, options.detail, records.unscale, diagram);
+    if (options.detail == Detail::everything) diagram.triangles = dualTriangles(agreed, *tied, mesh);
   }
   times.cells = 1e3 * cells_watch.seconds() - std::max(times.upload, 0.0) - std::max(times.search, 0.0);
 
   diagram.owner = std::move(prepared->owner);
+  box.order = std::move(prepared->set.id);
+  box.exponent = prepared->exponent;
   const auto& device = backend.info().device;
   diagram.report.backend = device.backend;
   diagram.report.device = device.name;
   diagram.report.driver = device.driver;
   diagram.report.validation_messages = backend.validationMessages();
-  return diagram;
+  return box;
 }
 
 }  // namespace vorpipe
