@@ -6,8 +6,8 @@
 #include <atomic>
 
 #include "core/cell_drawing.h"
-#include "core/colormap.h"
 #include "core/cells_run.h"
+#include "core/colormap.h"
 #include "core/order.h"
 #include "core/outline_index.h"
 #include "core/outline_mask.h"
