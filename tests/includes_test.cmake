@@ -6,8 +6,7 @@ cmake_minimum_required(VERSION 3.25)
 # a file's path holds for it.
 set(kinds
     "^vorpipe(\\.h$|/)"
-    "^(parallel|big_vector)\\.h$"
-    "^parallel\\.cpp$"
+    "^base/"
     "^geos\\.h$"
     "^core/"
     "^backend/registry\\."
@@ -22,17 +21,16 @@ set(kinds
     "^view/")
 set(may_include
     "^vorpipe/"
-    "^$"
-    "^parallel\\.h$"
+    "^(vorpipe\\.h|base/.*)$"
     "^vorpipe\\.h$"
-    "^(vorpipe\\.h|(parallel|big_vector)\\.h|geos\\.h|core/.*|backend/(backend|collect|device_needs|precision|registry|tie)\\.h)$"
+    "^(vorpipe\\.h|base/.*|geos\\.h|core/.*|backend/(backend|collect|device_needs|precision|registry|tie)\\.h)$"
     "^(vorpipe\\.h|backend/[^/]*\\.h|backend/cpu/cpu\\.h|backend/vulkan/vulkan_backend\\.h|backend/opengl/opengl_backend\\.h)$"
-    "^(vorpipe\\.h|(parallel|big_vector)\\.h|backend/[^/]*\\.h|backend/cpu/.*|(layout|bins|cell|grid|list)\\.glsl)$"
-    "^(vorpipe\\.h|(parallel|big_vector)\\.h|backend/[^/]*\\.h|backend/vulkan/.*|layout\\.glsl|shaders\\.h)$"
-    "^(vorpipe\\.h|(parallel|big_vector)\\.h|backend/[^/]*\\.h|backend/opengl/.*|layout\\.glsl|shaders\\.h)$"
-    "^(vorpipe\\.h|(parallel|big_vector)\\.h|backend/[^/]*\\.h|layout\\.glsl)$"
+    "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/cpu/.*|(layout|bins|cell|grid|list)\\.glsl)$"
+    "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/vulkan/.*|layout\\.glsl|shaders\\.h)$"
+    "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/opengl/.*|layout\\.glsl|shaders\\.h)$"
+    "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl)$"
     "^(vorpipe\\.h|geos\\.h|io/.*)$"
-    "^(vorpipe\\.h|(parallel|big_vector)\\.h|bench/.*|io/site_source\\.h|core/(cells_run|render|stopwatch)\\.h|backend/(backend|registry)\\.h)$"
+    "^(vorpipe\\.h|base/.*|bench/.*|io/site_source\\.h|core/(cells_run|render|stopwatch)\\.h|backend/(backend|registry)\\.h)$"
     "^(vorpipe\\.h|vorpipe/selftest\\.h|selftest/.*)$"
     "^(vorpipe\\.h|vorpipe/selftest\\.h|io/.*|bench/.*|cli/.*)$"
     "^(vorpipe\\.h|view/.*)$")
@@ -63,7 +61,7 @@ set(users
     "^(core/outline_check|io/hole_triangles)\\."
     "^core/outline_"
     "^cli/"
-    "^parallel\\.cpp$")
+    "^base/parallel\\.cpp$")
 
 # Sets allowed to whether file (relative to src) may include header, quoted or in angle brackets.
 function(vorpipe_may_include file header quoted allowed)
@@ -101,7 +99,7 @@ vorpipe_expect(TRUE cli/render.cpp io/png.h TRUE)
 vorpipe_expect(FALSE core/render.cpp backend/cpu/cpu.h TRUE)
 vorpipe_expect(FALSE bench/lab.cpp core/judge.h TRUE)
 vorpipe_expect(FALSE core/render.cpp flann/flann.hpp FALSE)
-vorpipe_expect(TRUE parallel.cpp tbb/parallel_for.h FALSE)
+vorpipe_expect(TRUE base/parallel.cpp tbb/parallel_for.h FALSE)
 vorpipe_expect(FALSE core/render.cpp tbb/parallel_for.h FALSE)
 vorpipe_expect(FALSE core/render.cpp ../backend/cpu/cpu.h TRUE)
 vorpipe_expect(FALSE backend/opengl/draw.cpp backend/vulkan/device.h TRUE)

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "big_vector.h"
+#include "base/big_vector.h"
 #include "vorpipe.h"
 
 namespace vorpipe {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/parallel.h"
 #include "layout.glsl"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

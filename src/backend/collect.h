@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "backend/backend.h"
-#include "parallel.h"
+#include "base/parallel.h"
 
 namespace vorpipe {
 

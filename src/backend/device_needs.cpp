@@ -4,8 +4,8 @@
 
 #include "backend/cell_answers.h"
 #include "backend/site_texels.h"
+#include "base/parallel.h"
 #include "layout.glsl"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

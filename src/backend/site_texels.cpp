@@ -8,8 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/parallel.h"
 #include "layout.glsl"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "parallel.h"
+#include "base/parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -9,12 +9,12 @@
 #include <numeric>
 
 #include "backend/registry.h"
+#include "base/parallel.h"
+#include "base/stopwatch.h"
 #include "bench/driver_threads.h"
 #include "core/cells_run.h"
 #include "core/render.h"
-#include "core/stopwatch.h"
 #include "io/site_source.h"
-#include "parallel.h"
 
 namespace vorpipe::bench {
 namespace {

@@ -1,6 +1,6 @@
 #include "bench/timed_backend.h"
 
-#include "core/stopwatch.h"
+#include "base/stopwatch.h"
 
 namespace vorpipe::bench {
 namespace {

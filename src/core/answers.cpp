@@ -6,9 +6,9 @@
 #include <atomic>
 #include <limits>
 
+#include "base/parallel.h"
 #include "core/cell_rows.h"
 #include "core/walls.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -5,10 +5,10 @@
 #include <functional>
 #include <utility>
 
+#include "base/parallel.h"
+#include "base/wide.h"
 #include "core/corner_batch.h"
 #include "core/size_order.h"
-#include "core/wide.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "backend/precision.h"
+#include "base/parallel.h"
+#include "base/stopwatch.h"
 #include "core/answers.h"
 #include "core/pack.h"
-#include "core/stopwatch.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/parallel.h"
+#include "base/stopwatch.h"
 #include "core/assemble.h"
 #include "core/corners.h"
 #include "core/dual.h"
 #include "core/prepare.h"
-#include "core/stopwatch.h"
 #include "core/topology.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -3,9 +3,9 @@
 #include <array>
 #include <atomic>
 
+#include "base/parallel.h"
 #include "core/corner_batch.h"
 #include "core/size_order.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "base/stopwatch.h"
 #include "core/pieces.h"
-#include "core/stopwatch.h"
 #include "core/triage.h"
 
 namespace vorpipe {

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <mutex>
 
-#include "parallel.h"
+#include "base/parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "base/stopwatch.h"
 #include "core/assemble.h"
 #include "core/box_diagram.h"
 #include "core/outline_cells.h"
 #include "core/periodic_cells.h"
-#include "core/stopwatch.h"
 
 namespace vorpipe {
 

@@ -1,6 +1,6 @@
 #include "core/center_batch.h"
 
-#include "core/processors.h"
+#include "base/processors.h"
 #include "core/wide_center.h"
 
 namespace vorpipe {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "base/parallel.h"
 #include "core/tied_vertices.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -1,7 +1,7 @@
 /// Edges for which ties leave no room.
 #pragma once
 
-#include "core/disjoint_sets.h"
+#include "base/disjoint_sets.h"
 #include "core/ties.h"
 
 namespace vorpipe {

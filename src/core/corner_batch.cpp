@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "base/processors.h"
 #include "core/circumcenter.h"
-#include "core/processors.h"
 
 namespace vorpipe {
 

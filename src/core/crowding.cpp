@@ -3,7 +3,7 @@
 #include <atomic>
 #include <iterator>
 
-#include "parallel.h"
+#include "base/parallel.h"
 
 namespace vorpipe {
 namespace {

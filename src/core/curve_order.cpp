@@ -8,7 +8,7 @@
 #include <span>
 #include <utility>
 
-#include "parallel.h"
+#include "base/parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -12,8 +12,8 @@
 #include <span>
 #include <utility>
 
+#include "base/parallel.h"
 #include "core/insertion.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

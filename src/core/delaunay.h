@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "big_vector.h"
+#include "base/big_vector.h"
 #include "vorpipe.h"
 
 namespace vorpipe {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "core/density_rows.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -5,10 +5,10 @@
 #include <atomic>
 #include <utility>
 
+#include "base/parallel.h"
 #include "core/measure.h"
 #include "core/outer_triangles.h"
 #include "core/predicates.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "parallel.h"
+#include "base/parallel.h"
 
 namespace vorpipe {
 

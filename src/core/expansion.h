@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "core/wide.h"
+#include "base/wide.h"
 
 namespace vorpipe {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "parallel.h"
+#include "base/parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "base/pace.h"
 #include "core/answers.h"
-#include "core/pace.h"
 #include "core/sample.h"
 
 namespace vorpipe {

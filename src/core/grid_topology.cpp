@@ -3,11 +3,11 @@
 #include <utility>
 
 #include "backend/collect.h"
+#include "base/pace.h"
+#include "base/parallel.h"
 #include "core/answers.h"
-#include "core/pace.h"
 #include "core/sample.h"
 #include "core/upload.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "base/parallel.h"
 #include "core/expansion.h"
 #include "core/place.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

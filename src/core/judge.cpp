@@ -4,9 +4,9 @@
 
 #include <numeric>
 
+#include "base/pace.h"
 #include "core/answers.h"
 #include "core/mesh_cells.h"
-#include "core/pace.h"
 
 namespace vorpipe {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "base/parallel.h"
 #include "core/pack.h"
 #include "core/place.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "core/pace.h"
+#include "base/pace.h"
 
 namespace vorpipe {
 namespace {

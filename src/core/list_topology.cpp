@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "backend/collect.h"
+#include "base/pace.h"
 #include "core/answers.h"
 #include "core/flann_search.h"
-#include "core/pace.h"
 #include "core/pack.h"
 
 namespace vorpipe {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "parallel.h"
+#include "base/parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "big_vector.h"
+#include "base/big_vector.h"
+#include "base/parallel.h"
 #include "core/grid.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/wide.h"
 #include "core/predicates.h"
-#include "core/wide.h"
 
 namespace vorpipe {
 namespace {

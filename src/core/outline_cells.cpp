@@ -6,10 +6,10 @@
 #include <cmath>
 #include <memory>
 
+#include "base/parallel.h"
 #include "core/assemble.h"
 #include "core/outline_clip.h"
 #include "core/outline_records.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

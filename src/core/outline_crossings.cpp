@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/wide.h"
+#include "base/wide.h"
 
 namespace vorpipe {
 namespace {

@@ -5,8 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "base/parallel.h"
 #include "core/measure.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
+#include "base/wide.h"
 #include "core/order.h"
 #include "core/prepare.h"
-#include "core/wide.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

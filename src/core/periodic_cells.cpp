@@ -4,13 +4,13 @@
 
 #include <cmath>
 
+#include "base/stopwatch.h"
 #include "core/assemble.h"
 #include "core/box_diagram.h"
 #include "core/periodic_band.h"
 #include "core/periodic_proof.h"
 #include "core/periodic_records.h"
 #include "core/periodic_seam.h"
-#include "core/stopwatch.h"
 
 namespace vorpipe {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "core/periodic_band.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

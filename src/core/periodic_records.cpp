@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/parallel.h"
 #include "core/assemble.h"
 #include "core/records.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

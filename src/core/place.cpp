@@ -6,10 +6,10 @@
 #include <limits>
 #include <utility>
 
+#include "base/processors.h"
+#include "base/wide.h"
 #include "core/circumcenter.h"
 #include "core/measure.h"
-#include "core/processors.h"
-#include "core/wide.h"
 #include "core/wide_center.h"
 
 namespace vorpipe {

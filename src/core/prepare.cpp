@@ -7,11 +7,11 @@
 #include <limits>
 #include <utility>
 
+#include "base/parallel.h"
 #include "core/grid.h"
 #include "core/near_sites.h"
 #include "core/order.h"
 #include "core/weights.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <atomic>
 
+#include "base/parallel.h"
+#include "base/stopwatch.h"
 #include "core/cell_drawing.h"
 #include "core/cells_run.h"
 #include "core/colormap.h"
@@ -14,10 +16,8 @@
 #include "core/overlay.h"
 #include "core/periodic_picture.h"
 #include "core/shade.h"
-#include "core/stopwatch.h"
 #include "core/uncovered.h"
 #include "core/weights.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

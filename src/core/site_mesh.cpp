@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/parallel.h"
 #include "core/curve_order.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

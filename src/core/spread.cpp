@@ -7,9 +7,9 @@
 #include <tuple>
 #include <utility>
 
+#include "base/parallel.h"
 #include "core/delaunay.h"
 #include "core/grid.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

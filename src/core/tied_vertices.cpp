@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "core/walls.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -1,7 +1,7 @@
 /// The vertices that ties make.
 #pragma once
 
-#include "core/disjoint_sets.h"
+#include "base/disjoint_sets.h"
 #include "core/ties.h"
 
 namespace vorpipe {

@@ -8,12 +8,12 @@
 #include <cstring>
 #include <limits>
 
+#include "base/disjoint_sets.h"
+#include "base/parallel.h"
 #include "core/collapsed_edges.h"
-#include "core/disjoint_sets.h"
 #include "core/hidden.h"
 #include "core/tied_vertices.h"
 #include "core/wide_vertices.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -3,7 +3,7 @@
 #include <numeric>
 #include <utility>
 
-#include "core/distinct.h"
+#include "base/distinct.h"
 #include "core/grid_topology.h"
 #include "core/hidden.h"
 #include "core/list_topology.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "parallel.h"
+#include "base/parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <vector>
 
-#include "parallel.h"
+#include "base/parallel.h"
 
 namespace vorpipe {
 namespace {

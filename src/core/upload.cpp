@@ -1,6 +1,6 @@
 #include "core/upload.h"
 
-#include "core/stopwatch.h"
+#include "base/stopwatch.h"
 
 namespace vorpipe {
 

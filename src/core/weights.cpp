@@ -9,9 +9,9 @@
 #include <limits>
 #include <numeric>
 
+#include "base/parallel.h"
+#include "base/wide.h"
 #include "core/heaviest.h"
-#include "core/wide.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

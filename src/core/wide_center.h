@@ -4,8 +4,8 @@
 #include <bit>
 #include <cstdint>
 
+#include "base/wide.h"
 #include "core/place.h"
-#include "core/wide.h"
 
 namespace vorpipe {
 

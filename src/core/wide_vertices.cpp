@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <atomic>
 
+#include "base/parallel.h"
 #include "core/measure.h"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

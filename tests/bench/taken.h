@@ -3,7 +3,7 @@
 
 #include <ctime>
 
-#include "core/stopwatch.h"
+#include "base/stopwatch.h"
 
 namespace vorpipe::test {
 

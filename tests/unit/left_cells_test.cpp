@@ -4,7 +4,7 @@
 #include <numeric>
 #include <random>
 
-#include "core/distinct.h"
+#include "base/distinct.h"
 #include "core/sample.h"
 
 namespace vorpipe::test {

@@ -5,7 +5,7 @@
 
 #include "backend/collect.h"
 #include "backend/cpu/clipper.h"
-#include "parallel.h"
+#include "base/parallel.h"
 
 namespace vorpipe::cpu {
 namespace {

@@ -14,8 +14,8 @@
 #include "backend/cpu/picture.h"
 #include "backend/cpu/tree_cells.h"
 #include "backend/view_uniform.h"
+#include "base/parallel.h"
 #include "layout.glsl"
-#include "parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "backend/cpu/grid_lanes.h"
+#include "base/parallel.h"
 #include "layout.glsl"
-#include "parallel.h"
 
 namespace vorpipe::cpu {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "backend/collect.h"
-#include "parallel.h"
+#include "base/parallel.h"
 
 namespace vorpipe::cpu {
 namespace {

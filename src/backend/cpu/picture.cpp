@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "backend/cpu/double_double.h"
-#include "parallel.h"
+#include "base/parallel.h"
 
 namespace vorpipe::cpu {
 namespace {

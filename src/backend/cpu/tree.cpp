@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "parallel.h"
+#include "base/parallel.h"
 
 namespace vorpipe::cpu {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "backend/cell_answers.h"
 #include "backend/vulkan/error.h"
-#include "parallel.h"
+#include "base/parallel.h"
 
 namespace vorpipe::vulkan {
 namespace {

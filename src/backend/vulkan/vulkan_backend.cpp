@@ -8,7 +8,7 @@
 #include "backend/vulkan/instance.h"
 #include "backend/vulkan/lanes.h"
 #include "backend/vulkan/physical.h"
-#include "parallel.h"
+#include "base/parallel.h"
 
 namespace vorpipe {
 namespace {

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "parallel.h"
+#include "base/parallel.h"
 #include "vorpipe.h"
 
 namespace vorpipe::checks {

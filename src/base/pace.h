@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/stopwatch.h"
+#include "base/stopwatch.h"
 #include "vorpipe.h"
 
 namespace vorpipe {

@@ -1,4 +1,4 @@
-#include "parallel.h"
+#include "base/parallel.h"
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
