@@ -8,7 +8,7 @@
 
 #include "base/parallel.h"
 #include "core/cell_rows.h"
-#include "core/walls.h"
+#include "core/geometry/wall_predicates.h"
 
 namespace vorpipe {
 namespace {

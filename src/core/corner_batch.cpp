@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/processors.h"
-#include "core/circumcenter.h"
+#include "core/geometry/circumcenter.h"
 
 namespace vorpipe {
 

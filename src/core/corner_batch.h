@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <span>
 
-#include "core/center_batch.h"
-#include "core/place.h"
+#include "core/geometry/center_batch.h"
+#include "core/geometry/vertex_position.h"
 
 namespace vorpipe {
 

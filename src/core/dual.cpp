@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "core/measure.h"
+#include "core/geometry/polygon_measures.h"
+#include "core/geometry/predicates.h"
 #include "core/outer_triangles.h"
-#include "core/predicates.h"
 
 namespace vorpipe {
 namespace {

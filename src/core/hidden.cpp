@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "core/expansion.h"
-#include "core/place.h"
+#include "core/geometry/expansion.h"
+#include "core/geometry/vertex_position.h"
 
 namespace vorpipe {
 namespace {

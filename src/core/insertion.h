@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/delaunay.h"
-#include "core/predicates.h"
+#include "core/geometry/predicates.h"
 
 namespace vorpipe {
 

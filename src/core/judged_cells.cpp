@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "base/parallel.h"
+#include "core/geometry/vertex_position.h"
 #include "core/pack.h"
-#include "core/place.h"
 
 namespace vorpipe {
 namespace {

@@ -4,8 +4,8 @@
 #include <atomic>
 
 #include "backend/collect.h"
-#include "core/place.h"
-#include "core/walls.h"
+#include "core/geometry/vertex_position.h"
+#include "core/geometry/wall_predicates.h"
 
 namespace vorpipe {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/wide.h"
-#include "core/predicates.h"
+#include "core/geometry/predicates.h"
 
 namespace vorpipe {
 namespace {

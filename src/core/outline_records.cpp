@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "core/measure.h"
+#include "core/geometry/polygon_measures.h"
 
 namespace vorpipe {
 namespace {

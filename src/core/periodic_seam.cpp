@@ -8,7 +8,7 @@
 #include <unordered_map>
 
 #include "backend/tie.h"
-#include "core/measure.h"
+#include "core/geometry/polygon_measures.h"
 
 namespace vorpipe {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <span>
 
-#include "core/measure.h"
-#include "core/place.h"
+#include "core/geometry/polygon_measures.h"
+#include "core/geometry/vertex_position.h"
 
 namespace vorpipe {
 

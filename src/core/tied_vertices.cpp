@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "core/walls.h"
+#include "core/geometry/wall_predicates.h"
 
 namespace vorpipe {
 namespace {

@@ -4,7 +4,7 @@
 #include <atomic>
 
 #include "base/parallel.h"
-#include "core/measure.h"
+#include "core/geometry/polygon_measures.h"
 
 namespace vorpipe {
 namespace {

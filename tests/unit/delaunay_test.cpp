@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "core/predicates.h"
+#include "core/geometry/predicates.h"
 
 namespace vorpipe::test {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "core/place.h"
+#include "core/geometry/vertex_position.h"
 #include "support/random_sites.h"
 #include "unit/brute_force.h"
 #include "unit/proposed_cells.h"

@@ -1,4 +1,4 @@
-#include "core/place.h"
+#include "core/geometry/vertex_position.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/walls.h"
+#include "core/geometry/wall_predicates.h"
 
 #include <gtest/gtest.h>
 

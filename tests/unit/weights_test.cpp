@@ -6,10 +6,10 @@
 #include <array>
 #include <limits>
 
+#include "core/geometry/vertex_position.h"
 #include "core/heaviest.h"
 #include "core/hidden.h"
 #include "core/order.h"
-#include "core/place.h"
 #include "core/prepare.h"
 #include "core/refine.h"
 #include "core/tiles.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/place.h"
+#include "core/geometry/vertex_position.h"
 
 namespace vorpipe::test {
 namespace {

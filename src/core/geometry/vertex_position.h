@@ -8,7 +8,7 @@
 
 #include "backend/backend.h"
 #include "backend/tie.h"
-#include "core/predicates.h"
+#include "core/geometry/predicates.h"
 
 namespace vorpipe {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "base/wide.h"
-#include "core/place.h"
+#include "core/geometry/vertex_position.h"
 
 namespace vorpipe {
 

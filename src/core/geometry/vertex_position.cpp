@@ -1,4 +1,4 @@
-#include "core/place.h"
+#include "core/geometry/vertex_position.h"
 
 #include <algorithm>
 #include <array>
@@ -8,9 +8,9 @@
 
 #include "base/processors.h"
 #include "base/wide.h"
-#include "core/circumcenter.h"
-#include "core/measure.h"
-#include "core/wide_center.h"
+#include "core/geometry/circumcenter.h"
+#include "core/geometry/polygon_measures.h"
+#include "core/geometry/wide_center.h"
 
 namespace vorpipe {
 namespace {

@@ -1,7 +1,7 @@
-#include "core/center_batch.h"
+#include "core/geometry/center_batch.h"
 
 #include "base/processors.h"
-#include "core/wide_center.h"
+#include "core/geometry/wide_center.h"
 
 namespace vorpipe {
 

@@ -1,6 +1,6 @@
-#include "core/predicates.h"
+#include "core/geometry/predicates.h"
 
-#include "core/expansion.h"
+#include "core/geometry/expansion.h"
 
 namespace vorpipe {
 namespace {

@@ -1,9 +1,9 @@
-#include "core/walls.h"
+#include "core/geometry/wall_predicates.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/expansion.h"
+#include "core/geometry/expansion.h"
 
 namespace vorpipe {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "core/place.h"
+#include "core/geometry/vertex_position.h"
 
 namespace vorpipe {
 

@@ -1,4 +1,4 @@
-#include "core/measure.h"
+#include "core/geometry/polygon_measures.h"
 
 #include <algorithm>
 #include <cmath>

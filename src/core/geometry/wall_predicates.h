@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "core/predicates.h"
+#include "core/geometry/predicates.h"
 
 namespace vorpipe {
 
