@@ -1,7 +1,7 @@
 /// From the records of cells to the arrays of a Diagram.
 #pragma once
 
-#include "core/prepare.h"
+#include "core/sites/site_set.h"
 #include "core/ties.h"
 
 namespace vorpipe {

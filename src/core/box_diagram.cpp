@@ -11,7 +11,7 @@
 #include "core/assemble.h"
 #include "core/corners.h"
 #include "core/dual.h"
-#include "core/prepare.h"
+#include "core/sites/site_set.h"
 #include "core/topology.h"
 
 namespace vorpipe {

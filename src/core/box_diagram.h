@@ -1,7 +1,7 @@
 /// The whole way from sites to cells as data on one backend, where the domain is a box.
 #pragma once
 
-#include "core/prepare.h"
+#include "core/sites/site_set.h"
 
 namespace vorpipe {
 

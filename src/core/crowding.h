@@ -1,7 +1,7 @@
 /// Where a grid is too coarse for its sites.
 #pragma once
 
-#include "core/grid.h"
+#include "core/sites/grid.h"
 
 namespace vorpipe {
 

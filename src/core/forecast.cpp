@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/delaunay.h"
-#include "core/grid.h"
+#include "core/sites/grid.h"
 
 namespace vorpipe {
 namespace {

@@ -8,8 +8,8 @@
 #include "core/flann_search.h"
 #include "core/outline.h"
 #include "core/periodic.h"
-#include "core/prepare.h"
-#include "core/weights.h"
+#include "core/sites/site_set.h"
+#include "core/sites/weights.h"
 
 namespace vorpipe {
 

@@ -7,8 +7,8 @@
 
 #include "base/parallel.h"
 #include "base/wide.h"
-#include "core/order.h"
-#include "core/prepare.h"
+#include "core/sites/bin_sort.h"
+#include "core/sites/site_set.h"
 
 namespace vorpipe {
 namespace {

@@ -1,7 +1,7 @@
 #include "core/periodic_picture.h"
 
 #include "core/periodic_band.h"
-#include "core/weights.h"
+#include "core/sites/weights.h"
 
 namespace vorpipe {
 Result<Scene> sceneOf(const Sites& sites, const RenderOptions& options, int threads) {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "core/periodic.h"
-#include "core/prepare.h"
+#include "core/sites/site_set.h"
 
 namespace vorpipe {
 

@@ -3,8 +3,8 @@
 #include <limits>
 #include <numeric>
 
-#include "core/heaviest.h"
-#include "core/order.h"
+#include "core/sites/bin_sort.h"
+#include "core/sites/weight_pyramid.h"
 #include "core/tiles.h"
 
 namespace vorpipe {

@@ -10,14 +10,14 @@
 #include "core/cell_drawing.h"
 #include "core/cells_run.h"
 #include "core/colormap.h"
-#include "core/order.h"
 #include "core/outline_index.h"
 #include "core/outline_mask.h"
 #include "core/overlay.h"
 #include "core/periodic_picture.h"
 #include "core/shade.h"
+#include "core/sites/bin_sort.h"
+#include "core/sites/weights.h"
 #include "core/uncovered.h"
-#include "core/weights.h"
 
 namespace vorpipe {
 namespace {

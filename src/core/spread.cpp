@@ -9,7 +9,7 @@
 
 #include "base/parallel.h"
 #include "core/delaunay.h"
-#include "core/grid.h"
+#include "core/sites/grid.h"
 
 namespace vorpipe {
 namespace {

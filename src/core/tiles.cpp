@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "core/heaviest.h"
 #include "core/refine.h"
+#include "core/sites/weight_pyramid.h"
 
 namespace vorpipe {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "core/grid.h"
+#include "core/sites/grid.h"
 
 namespace vorpipe {
 

@@ -15,7 +15,7 @@
 
 #include "backend/backend.h"
 #include "backend/to_float.h"
-#include "core/prepare.h"
+#include "core/sites/site_set.h"
 #include "support/oracle.h"
 
 namespace vorpipe::test {

@@ -11,7 +11,7 @@
 
 #include "backend/registry.h"
 #include "conformance/backend_scene.h"
-#include "core/heaviest.h"
+#include "core/sites/weight_pyramid.h"
 #include "support/backends.h"
 #include "support/random_sites.h"
 #include "support/shared.h"

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <random>
 
-#include "core/prepare.h"
 #include "core/refine.h"
+#include "core/sites/site_set.h"
 
 namespace vorpipe::test {
 namespace {

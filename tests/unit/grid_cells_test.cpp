@@ -10,8 +10,8 @@
 #include "backend/cpu/clipper.h"
 #include "backend/cpu/grid_cells.h"
 #include "backend/cpu/grid_lanes.h"
-#include "core/heaviest.h"
-#include "core/prepare.h"
+#include "core/sites/site_set.h"
+#include "core/sites/weight_pyramid.h"
 
 namespace vorpipe::cpu {
 

@@ -1,6 +1,6 @@
 /// The cells of the judge where sites have weights, against brute force in rational numbers.
 #include "backend/cpu/near_cells.h"
-#include "core/prepare.h"
+#include "core/sites/site_set.h"
 #include "unit/judge_cases.h"
 
 namespace vorpipe::cpu {

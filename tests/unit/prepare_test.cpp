@@ -1,4 +1,4 @@
-#include "core/prepare.h"
+#include "core/sites/site_set.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <map>
 #include <random>
 
-#include "core/grid.h"
+#include "core/sites/grid.h"
 
 namespace vorpipe::test {
 namespace {

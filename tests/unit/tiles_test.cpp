@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "backend/cpu/cpu.h"
-#include "core/prepare.h"
+#include "core/sites/site_set.h"
 #include "core/topology.h"
 
 namespace vorpipe::test {

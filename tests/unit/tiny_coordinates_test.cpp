@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/prepare.h"
+#include "core/sites/site_set.h"
 #include "support/random_sites.h"
 #include "unit/periodic_runs.h"
 

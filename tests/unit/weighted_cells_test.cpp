@@ -8,7 +8,7 @@
 #include <numeric>
 #include <set>
 
-#include "core/prepare.h"
+#include "core/sites/site_set.h"
 #include "support/random_sites.h"
 #include "unit/brute_force.h"
 #include "unit/checked_runs.h"

@@ -1,5 +1,5 @@
 /// Weights on their way into a SiteSet and its parts, and proofs that sites are hidden.
-#include "core/weights.h"
+#include "core/sites/weights.h"
 
 #include <gtest/gtest.h>
 
@@ -7,11 +7,11 @@
 #include <limits>
 
 #include "core/geometry/vertex_position.h"
-#include "core/heaviest.h"
 #include "core/hidden.h"
-#include "core/order.h"
-#include "core/prepare.h"
 #include "core/refine.h"
+#include "core/sites/bin_sort.h"
+#include "core/sites/site_set.h"
+#include "core/sites/weight_pyramid.h"
 #include "core/tiles.h"
 #include "support/random_sites.h"
 #include "unit/brute_force.h"

@@ -1,4 +1,4 @@
-#include "core/grid.h"
+#include "core/sites/grid.h"
 
 #include <cmath>
 

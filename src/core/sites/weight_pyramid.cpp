@@ -1,4 +1,4 @@
-#include "core/heaviest.h"
+#include "core/sites/weight_pyramid.h"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "core/weights.h"
+#include "core/sites/weights.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 
 #include "base/parallel.h"
 #include "base/wide.h"
-#include "core/heaviest.h"
+#include "core/sites/weight_pyramid.h"
 
 namespace vorpipe {
 namespace {

@@ -1,7 +1,7 @@
 /// The largest weights in the bins of a grid and in blocks of bins: Grid::heaviest.
 #pragma once
 
-#include "core/grid.h"
+#include "core/sites/grid.h"
 
 namespace vorpipe {
 

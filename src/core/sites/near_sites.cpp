@@ -1,4 +1,4 @@
-#include "core/near_sites.h"
+#include "core/sites/near_sites.h"
 
 #include <algorithm>
 #include <atomic>

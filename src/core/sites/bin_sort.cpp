@@ -1,11 +1,11 @@
-#include "core/order.h"
+#include "core/sites/bin_sort.h"
 
 #include <cmath>
 #include <numeric>
 
 #include "base/big_vector.h"
 #include "base/parallel.h"
-#include "core/grid.h"
+#include "core/sites/grid.h"
 
 namespace vorpipe {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/prepare.h"
+#include "core/sites/site_set.h"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "core/grid.h"
-#include "core/near_sites.h"
-#include "core/order.h"
-#include "core/weights.h"
+#include "core/sites/bin_sort.h"
+#include "core/sites/grid.h"
+#include "core/sites/near_sites.h"
+#include "core/sites/weights.h"
 
 namespace vorpipe {
 namespace {
