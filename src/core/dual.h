@@ -1,7 +1,7 @@
 /// The triangulation that is dual to the cells.
 #pragma once
 
-#include "core/site_mesh.h"
+#include "core/delaunay/site_mesh.h"
 #include "core/ties.h"
 
 namespace vorpipe {

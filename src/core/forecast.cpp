@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/delaunay.h"
+#include "core/delaunay/triangulation.h"
 #include "core/sites/grid.h"
 
 namespace vorpipe {

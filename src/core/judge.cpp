@@ -6,7 +6,7 @@
 
 #include "base/pace.h"
 #include "core/answers.h"
-#include "core/mesh_cells.h"
+#include "core/delaunay/mesh_cells.h"
 
 namespace vorpipe {
 namespace {

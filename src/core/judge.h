@@ -6,7 +6,7 @@
 
 #include "backend/backend.h"
 #include "core/cell_rows.h"
-#include "core/site_mesh.h"
+#include "core/delaunay/site_mesh.h"
 
 namespace vorpipe {
 

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "core/delaunay.h"
+#include "core/delaunay/triangulation.h"
 
 namespace vorpipe {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "core/delaunay.h"
+#include "core/delaunay/triangulation.h"
 #include "core/sites/grid.h"
 
 namespace vorpipe {

@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "core/delaunay.h"
+#include "core/delaunay/triangulation.h"
 #include "unit/agreed_cells.h"
 
 namespace vorpipe::test {

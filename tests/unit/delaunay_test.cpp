@@ -1,4 +1,4 @@
-#include "core/delaunay.h"
+#include "core/delaunay/triangulation.h"
 
 #include <gtest/gtest.h>
 

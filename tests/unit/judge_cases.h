@@ -12,7 +12,7 @@
 
 #include "backend/cpu/exact_cells.h"
 #include "backend/cpu/tree_cells.h"
-#include "core/mesh_cells.h"
+#include "core/delaunay/mesh_cells.h"
 #include "unit/brute_force.h"
 
 namespace vorpipe::cpu {

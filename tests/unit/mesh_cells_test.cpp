@@ -1,6 +1,6 @@
 /// What the cells of the mesh are for: they agree, in every tie, and no device wastes time on their sites.
 /// judge_test compares them with brute force.
-#include "core/mesh_cells.h"
+#include "core/delaunay/mesh_cells.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/site_mesh.h"
+#include "core/delaunay/site_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "core/curve_order.h"
+#include "core/delaunay/hilbert_order.h"
 
 namespace vorpipe {
 namespace {

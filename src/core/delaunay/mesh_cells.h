@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "core/site_mesh.h"
+#include "core/delaunay/site_mesh.h"
 
 namespace vorpipe {
 

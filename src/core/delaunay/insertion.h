@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/delaunay.h"
+#include "core/delaunay/triangulation.h"
 #include "core/geometry/predicates.h"
 
 namespace vorpipe {

@@ -1,4 +1,4 @@
-#include "core/insertion.h"
+#include "core/delaunay/insertion.h"
 
 #include <algorithm>
 #include <utility>

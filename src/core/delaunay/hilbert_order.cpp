@@ -1,4 +1,4 @@
-#include "core/curve_order.h"
+#include "core/delaunay/hilbert_order.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 /// Bowyer 1981, Watson 1981, by weight Edelsbrunner and Shah 1996, inserting in rounds of growing size
 /// (Amenta, Choi, Rote 2003). In large rounds the points of one part of the order are inserted beside those
 /// of the others, and what reaches beyond a part is inserted after them.
-#include "core/delaunay.h"
+#include "core/delaunay/triangulation.h"
 
 #include <algorithm>
 #include <bit>
@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "core/insertion.h"
+#include "core/delaunay/insertion.h"
 
 namespace vorpipe {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/mesh_cells.h"
+#include "core/delaunay/mesh_cells.h"
 
 #include <algorithm>
 #include <atomic>
