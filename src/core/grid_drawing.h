@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/judge.h"
-#include "core/tiles.h"
+#include "core/tiles/tiles.h"
 #include "core/upload.h"
 
 namespace vorpipe {

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t grain = std::size_t{1} << 16;
 /// With fewer sites it hardly matters.
 constexpr std::size_t worth_looking = 10'000;
-/// Where more stand in a bin, it is a crowd, as core/crowding.h has it for nine bins.
+/// Where more stand in a bin, it is a crowd, as core/tiles/dense_regions.h has it for nine bins.
 constexpr std::uint32_t crowd = 14;
 /// Of the 16 parts of a bin with a crowd, one that fills an area has sites in 10 or more, on average.
 constexpr int parts_of_area = 8;

@@ -1,7 +1,7 @@
 /// Which sites a device holds.
 #pragma once
 
-#include "core/tiles.h"
+#include "core/tiles/tiles.h"
 
 namespace vorpipe {
 

@@ -1,4 +1,4 @@
-#include "core/crowding.h"
+#include "core/tiles/dense_regions.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <numeric>
 #include <random>
 
-#include "core/refine.h"
 #include "core/sites/site_set.h"
+#include "core/tiles/refine.h"
 
 namespace vorpipe::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/tiles.h"
+#include "core/tiles/tiles.h"
 
 #include <gtest/gtest.h>
 

@@ -8,11 +8,11 @@
 
 #include "core/geometry/vertex_position.h"
 #include "core/hidden.h"
-#include "core/refine.h"
 #include "core/sites/bin_sort.h"
 #include "core/sites/site_set.h"
 #include "core/sites/weight_pyramid.h"
-#include "core/tiles.h"
+#include "core/tiles/refine.h"
+#include "core/tiles/tiles.h"
 #include "support/random_sites.h"
 #include "unit/brute_force.h"
 #include "unit/proposed_cells.h"

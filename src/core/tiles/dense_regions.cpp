@@ -1,4 +1,4 @@
-#include "core/crowding.h"
+#include "core/tiles/dense_regions.h"
 
 #include <atomic>
 #include <iterator>

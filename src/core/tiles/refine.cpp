@@ -1,11 +1,11 @@
-#include "core/refine.h"
+#include "core/tiles/refine.h"
 
 #include <limits>
 #include <numeric>
 
 #include "core/sites/bin_sort.h"
 #include "core/sites/weight_pyramid.h"
-#include "core/tiles.h"
+#include "core/tiles/tiles.h"
 
 namespace vorpipe {
 namespace {

@@ -1,7 +1,7 @@
 /// A finer grid for a crowded region.
 #pragma once
 
-#include "core/crowding.h"
+#include "core/tiles/dense_regions.h"
 
 namespace vorpipe {
 

@@ -1,10 +1,10 @@
-#include "core/tiles.h"
+#include "core/tiles/tiles.h"
 
 #include <algorithm>
 #include <numeric>
 
-#include "core/refine.h"
 #include "core/sites/weight_pyramid.h"
+#include "core/tiles/refine.h"
 
 namespace vorpipe {
 namespace {
