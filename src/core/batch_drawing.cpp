@@ -5,7 +5,7 @@
 #include "backend/precision.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
-#include "core/answers.h"
+#include "core/judge/answers.h"
 #include "core/pack.h"
 
 namespace vorpipe {

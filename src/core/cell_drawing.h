@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "core/answers.h"
 #include "core/grid_drawing.h"
-#include "core/judge.h"
+#include "core/judge/answers.h"
+#include "core/judge/judge.h"
 #include "core/judged_cells.h"
 #include "core/list_drawing.h"
 

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "core/hidden.h"
+#include "core/judge/hidden_cells.h"
 #include "core/tied_records.h"
 
 namespace vorpipe {

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/cell_rows.h"
+#include "core/judge/neighbor_rows.h"
 
 #if defined(__SSE2__)
 #include <emmintrin.h>

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "base/pace.h"
-#include "core/answers.h"
+#include "core/judge/answers.h"
 #include "core/sample.h"
 
 namespace vorpipe {

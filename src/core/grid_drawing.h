@@ -1,7 +1,7 @@
 /// Draws cells by the search over the grid on the device.
 #pragma once
 
-#include "core/judge.h"
+#include "core/judge/judge.h"
 #include "core/tiles/tiles.h"
 #include "core/upload.h"
 

@@ -5,7 +5,7 @@
 #include "backend/collect.h"
 #include "base/pace.h"
 #include "base/parallel.h"
-#include "core/answers.h"
+#include "core/judge/answers.h"
 #include "core/sample.h"
 #include "core/upload.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/candidates.h"
-#include "core/cell_rows.h"
+#include "core/judge/neighbor_rows.h"
 
 namespace vorpipe {
 

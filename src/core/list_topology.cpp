@@ -4,8 +4,8 @@
 
 #include "backend/collect.h"
 #include "base/pace.h"
-#include "core/answers.h"
 #include "core/flann_search.h"
+#include "core/judge/answers.h"
 #include "core/pack.h"
 
 namespace vorpipe {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/cell_rows.h"
+#include "core/judge/neighbor_rows.h"
 
 namespace vorpipe {
 

@@ -114,7 +114,7 @@ class Looking {
   }
 
   /// The judge takes a tree for more than one cell in 256, and the mesh of all for one in 16, or 64 with
-  /// weights. (core/judge.cpp, backend/cpu/cpu.cpp)
+  /// weights. (core/judge/judge.cpp, backend/cpu/cpu.cpp)
   void noteCrowds(Spread& spread) const {
     std::size_t crowded = 0, lined = 0;
     for (const Occupancy& bin : bins_) {

@@ -11,7 +11,7 @@
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
 #include "core/collapsed_edges.h"
-#include "core/hidden.h"
+#include "core/judge/hidden_cells.h"
 #include "core/tied_vertices.h"
 #include "core/wide_vertices.h"
 

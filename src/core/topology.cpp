@@ -5,7 +5,7 @@
 
 #include "base/distinct.h"
 #include "core/grid_topology.h"
-#include "core/hidden.h"
+#include "core/judge/hidden_cells.h"
 #include "core/list_topology.h"
 #include "core/triage.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/backend.h"
-#include "core/judge.h"
+#include "core/judge/judge.h"
 
 namespace vorpipe {
 

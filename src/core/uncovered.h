@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "core/judge.h"
+#include "core/judge/judge.h"
 
 namespace vorpipe {
 

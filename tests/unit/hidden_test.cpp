@@ -1,5 +1,5 @@
 /// Proofs that cells are empty, and corners of cells with weights, against rational numbers.
-#include "core/hidden.h"
+#include "core/judge/hidden_cells.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

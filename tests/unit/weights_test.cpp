@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/geometry/vertex_position.h"
-#include "core/hidden.h"
+#include "core/judge/hidden_cells.h"
 #include "core/sites/bin_sort.h"
 #include "core/sites/site_set.h"
 #include "core/sites/weight_pyramid.h"

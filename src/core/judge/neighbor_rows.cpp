@@ -1,4 +1,4 @@
-#include "core/cell_rows.h"
+#include "core/judge/neighbor_rows.h"
 
 #include <algorithm>
 #include <iterator>

@@ -1,4 +1,4 @@
-#include "core/answers.h"
+#include "core/judge/answers.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "base/parallel.h"
-#include "core/cell_rows.h"
 #include "core/geometry/wall_predicates.h"
+#include "core/judge/neighbor_rows.h"
 
 namespace vorpipe {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "core/cell_rows.h"
+#include "core/judge/neighbor_rows.h"
 
 namespace vorpipe {
 

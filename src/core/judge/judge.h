@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "backend/backend.h"
-#include "core/cell_rows.h"
 #include "core/delaunay/site_mesh.h"
+#include "core/judge/neighbor_rows.h"
 
 namespace vorpipe {
 

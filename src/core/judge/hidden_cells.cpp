@@ -1,4 +1,4 @@
-#include "core/hidden.h"
+#include "core/judge/hidden_cells.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
-#include "core/judge.h"
+#include "core/judge/judge.h"
 
 #include <fmt/format.h>
 
 #include <numeric>
 
 #include "base/pace.h"
-#include "core/answers.h"
 #include "core/delaunay/mesh_cells.h"
+#include "core/judge/answers.h"
 
 namespace vorpipe {
 namespace {
