@@ -55,7 +55,7 @@ set(users
     "^backend/opengl/"
     "^backend/cpu/"
     "^view/"
-    "^core/flann_"
+    "^core/search/flann_"
     "^io/"
     "^geos\\.h$"
     "^(core/outline_check|io/hole_triangles)\\."
@@ -92,7 +92,7 @@ function(vorpipe_expect expected file header quoted)
   endif()
 endfunction()
 vorpipe_expect(TRUE core/render.cpp backend/backend.h TRUE)
-vorpipe_expect(TRUE core/flann_search.cpp flann/flann.hpp FALSE)
+vorpipe_expect(TRUE core/search/flann_search.cpp flann/flann.hpp FALSE)
 vorpipe_expect(TRUE backend/registry.cpp backend/cpu/cpu.h TRUE)
 vorpipe_expect(TRUE backend/vulkan/device.cpp backend/capabilities.h TRUE)
 vorpipe_expect(TRUE cli/render.cpp io/png.h TRUE)

@@ -6,7 +6,7 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "core/judge/answers.h"
-#include "core/pack.h"
+#include "core/search/bisectors.h"
 
 namespace vorpipe {
 namespace {

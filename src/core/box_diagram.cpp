@@ -11,8 +11,8 @@
 #include "core/assemble.h"
 #include "core/corners.h"
 #include "core/dual.h"
+#include "core/search/neighbor_search.h"
 #include "core/sites/site_set.h"
-#include "core/topology.h"
 
 namespace vorpipe {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "base/stopwatch.h"
 #include "core/pieces.h"
-#include "core/triage.h"
+#include "core/search/device_eligible.h"
 
 namespace vorpipe {
 namespace {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/records.h"
+#include "core/search/neighbor_search.h"
 #include "core/ties.h"
-#include "core/topology.h"
 
 namespace vorpipe {
 

@@ -4,7 +4,7 @@
 
 #include "base/pace.h"
 #include "core/judge/answers.h"
-#include "core/sample.h"
+#include "core/search/sample.h"
 
 namespace vorpipe {
 namespace {

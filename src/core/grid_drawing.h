@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/judge/judge.h"
+#include "core/search/uploader.h"
 #include "core/tiles/tiles.h"
-#include "core/upload.h"
 
 namespace vorpipe {
 

@@ -5,9 +5,9 @@
 #include <new>
 
 #include "core/density.h"
-#include "core/flann_search.h"
 #include "core/outline.h"
 #include "core/periodic.h"
+#include "core/search/flann_search.h"
 #include "core/sites/site_set.h"
 #include "core/sites/weights.h"
 

@@ -6,7 +6,7 @@
 
 #include "base/parallel.h"
 #include "core/geometry/vertex_position.h"
-#include "core/pack.h"
+#include "core/search/bisectors.h"
 
 namespace vorpipe {
 namespace {

@@ -1,8 +1,8 @@
 /// Cells that the judge found, as a device can draw them.
 #pragma once
 
-#include "core/candidates.h"
 #include "core/judge/neighbor_rows.h"
+#include "core/search/candidates.h"
 
 namespace vorpipe {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/batch_drawing.h"
-#include "core/flann_search.h"
+#include "core/search/flann_search.h"
 
 namespace vorpipe {
 

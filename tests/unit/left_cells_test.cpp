@@ -5,7 +5,7 @@
 #include <random>
 
 #include "base/distinct.h"
-#include "core/sample.h"
+#include "core/search/sample.h"
 
 namespace vorpipe::test {
 namespace {

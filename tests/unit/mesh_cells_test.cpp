@@ -8,8 +8,8 @@
 #include <numeric>
 
 #include "backend/cpu/cpu.h"
+#include "core/search/neighbor_search.h"
 #include "core/sites/site_set.h"
-#include "core/topology.h"
 #include "unit/proposed_cells.h"
 
 namespace vorpipe::test {

@@ -1,4 +1,4 @@
-#include "core/grid_topology.h"
+#include "core/search/grid_search.h"
 
 #include <utility>
 
@@ -6,8 +6,8 @@
 #include "base/pace.h"
 #include "base/parallel.h"
 #include "core/judge/answers.h"
-#include "core/sample.h"
-#include "core/upload.h"
+#include "core/search/sample.h"
+#include "core/search/uploader.h"
 
 namespace vorpipe {
 namespace {

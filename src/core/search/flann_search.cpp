@@ -1,4 +1,4 @@
-#include "core/flann_search.h"
+#include "core/search/flann_search.h"
 
 #include <flann/flann.hpp>
 

@@ -1,7 +1,7 @@
 /// Neighborhoods from lists of nearest neighbors, as in the thesis.
 #pragma once
 
-#include "core/topology.h"
+#include "core/search/neighbor_search.h"
 
 namespace vorpipe {
 

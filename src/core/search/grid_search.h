@@ -1,7 +1,7 @@
 /// Neighborhoods by the search over the grid on a device.
 #pragma once
 
-#include "core/topology.h"
+#include "core/search/neighbor_search.h"
 
 namespace vorpipe {
 

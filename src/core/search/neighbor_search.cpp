@@ -1,13 +1,13 @@
-#include "core/topology.h"
+#include "core/search/neighbor_search.h"
 
 #include <numeric>
 #include <utility>
 
 #include "base/distinct.h"
-#include "core/grid_topology.h"
 #include "core/judge/hidden_cells.h"
-#include "core/list_topology.h"
-#include "core/triage.h"
+#include "core/search/device_eligible.h"
+#include "core/search/grid_search.h"
+#include "core/search/list_search.h"
 
 namespace vorpipe {
 

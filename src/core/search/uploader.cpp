@@ -1,4 +1,4 @@
-#include "core/upload.h"
+#include "core/search/uploader.h"
 
 #include "base/stopwatch.h"
 

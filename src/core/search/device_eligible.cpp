@@ -1,4 +1,4 @@
-#include "core/triage.h"
+#include "core/search/device_eligible.h"
 
 #include <atomic>
 #include <cmath>

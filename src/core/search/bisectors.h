@@ -2,7 +2,7 @@
 #pragma once
 
 #include "backend/backend.h"
-#include "core/candidates.h"
+#include "core/search/candidates.h"
 
 namespace vorpipe {
 

@@ -1,4 +1,4 @@
-#include "core/pack.h"
+#include "core/search/bisectors.h"
 
 #include <algorithm>
 #include <cmath>

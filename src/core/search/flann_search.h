@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "backend/backend.h"
-#include "core/candidates.h"
+#include "core/search/candidates.h"
 
 namespace vorpipe {
 

@@ -1,12 +1,12 @@
-#include "core/list_topology.h"
+#include "core/search/list_search.h"
 
 #include <algorithm>
 
 #include "backend/collect.h"
 #include "base/pace.h"
-#include "core/flann_search.h"
 #include "core/judge/answers.h"
-#include "core/pack.h"
+#include "core/search/bisectors.h"
+#include "core/search/flann_search.h"
 
 namespace vorpipe {
 namespace {
