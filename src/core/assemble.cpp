@@ -7,8 +7,8 @@
 
 #include "base/parallel.h"
 #include "base/wide.h"
-#include "core/corner_batch.h"
-#include "core/size_order.h"
+#include "core/vertices/size_order.h"
+#include "core/vertices/vertex_batch.h"
 
 namespace vorpipe {
 namespace {

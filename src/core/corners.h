@@ -1,9 +1,9 @@
 /// From proposed cells to cells that agree with each other.
 #pragma once
 
-#include "core/records.h"
 #include "core/search/neighbor_search.h"
 #include "core/ties.h"
+#include "core/vertices/cell_record.h"
 
 namespace vorpipe {
 

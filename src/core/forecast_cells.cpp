@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "core/forecast.h"
-#include "core/records.h"
+#include "core/vertices/cell_record.h"
 
 namespace vorpipe {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "core/outline_cells.h"
 #include "core/outline_clip.h"
-#include "core/records.h"
+#include "core/vertices/cell_record.h"
 
 namespace vorpipe {
 

@@ -5,7 +5,7 @@
 
 #include "base/parallel.h"
 #include "core/assemble.h"
-#include "core/records.h"
+#include "core/vertices/cell_record.h"
 
 namespace vorpipe {
 namespace {

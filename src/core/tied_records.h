@@ -1,8 +1,8 @@
 /// The records of cells with ties.
 #pragma once
 
-#include "core/records.h"
 #include "core/ties.h"
+#include "core/vertices/cell_record.h"
 
 namespace vorpipe {
 

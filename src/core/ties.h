@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/cell_check.h"
 #include "core/fineness.h"
+#include "core/vertices/cell_check.h"
 
 namespace vorpipe {
 

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "core/corner_batch.h"
+#include "core/vertices/vertex_batch.h"
 #include "unit/proposed_cells.h"
 
 namespace vorpipe::test {

@@ -1,11 +1,11 @@
-#include "core/cell_check.h"
+#include "core/vertices/cell_check.h"
 
 #include <array>
 #include <atomic>
 
 #include "base/parallel.h"
-#include "core/corner_batch.h"
-#include "core/size_order.h"
+#include "core/vertices/size_order.h"
+#include "core/vertices/vertex_batch.h"
 
 namespace vorpipe {
 namespace {

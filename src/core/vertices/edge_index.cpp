@@ -1,4 +1,4 @@
-#include "core/edge_index.h"
+#include "core/vertices/edge_index.h"
 
 #include <algorithm>
 

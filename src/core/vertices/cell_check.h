@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "core/edge_index.h"
-#include "core/records.h"
+#include "core/vertices/cell_record.h"
+#include "core/vertices/edge_index.h"
 
 namespace vorpipe {
 

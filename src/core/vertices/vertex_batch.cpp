@@ -1,4 +1,4 @@
-#include "core/corner_batch.h"
+#include "core/vertices/vertex_batch.h"
 
 #include <algorithm>
 
