@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/sites/site_set.h"
-#include "core/ties.h"
+#include "core/ties/ties.h"
 
 namespace vorpipe {
 

@@ -9,10 +9,10 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "core/assemble.h"
-#include "core/corners.h"
 #include "core/dual.h"
 #include "core/search/neighbor_search.h"
 #include "core/sites/site_set.h"
+#include "core/ties/reconcile.h"
 
 namespace vorpipe {
 namespace {

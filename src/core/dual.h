@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/delaunay/site_mesh.h"
-#include "core/ties.h"
+#include "core/ties/ties.h"
 
 namespace vorpipe {
 

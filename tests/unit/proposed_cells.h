@@ -11,7 +11,7 @@
 #include "backend/collect.h"
 #include "core/assemble.h"
 #include "core/dual.h"
-#include "core/tied_records.h"
+#include "core/ties/tied_records.h"
 
 namespace vorpipe::test {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/search/neighbor_search.h"
-#include "core/ties.h"
+#include "core/ties/ties.h"
 #include "core/vertices/cell_record.h"
 
 namespace vorpipe {

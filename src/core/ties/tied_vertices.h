@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/disjoint_sets.h"
-#include "core/ties.h"
+#include "core/ties/ties.h"
 
 namespace vorpipe {
 

@@ -1,7 +1,7 @@
 /// Vertices that ties in a row make wide.
 #pragma once
 
-#include "core/ties.h"
+#include "core/ties/ties.h"
 
 namespace vorpipe {
 

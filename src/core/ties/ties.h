@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/fineness.h"
+#include "core/ties/fineness.h"
 #include "core/vertices/cell_check.h"
 
 namespace vorpipe {

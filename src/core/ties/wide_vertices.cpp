@@ -1,4 +1,4 @@
-#include "core/wide_vertices.h"
+#include "core/ties/wide_vertices.h"
 
 #include <algorithm>
 #include <atomic>

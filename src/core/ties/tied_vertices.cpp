@@ -1,4 +1,4 @@
-#include "core/tied_vertices.h"
+#include "core/ties/tied_vertices.h"
 
 #include <algorithm>
 #include <atomic>

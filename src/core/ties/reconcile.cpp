@@ -1,4 +1,4 @@
-#include "core/corners.h"
+#include "core/ties/reconcile.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/judge/hidden_cells.h"
-#include "core/tied_records.h"
+#include "core/ties/tied_records.h"
 
 namespace vorpipe {
 namespace {

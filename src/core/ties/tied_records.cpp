@@ -1,4 +1,4 @@
-#include "core/tied_records.h"
+#include "core/ties/tied_records.h"
 
 #include <algorithm>
 

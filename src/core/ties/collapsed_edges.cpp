@@ -1,9 +1,9 @@
-#include "core/collapsed_edges.h"
+#include "core/ties/collapsed_edges.h"
 
 #include <algorithm>
 
 #include "base/parallel.h"
-#include "core/tied_vertices.h"
+#include "core/ties/tied_vertices.h"
 
 namespace vorpipe {
 namespace {

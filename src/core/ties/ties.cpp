@@ -1,4 +1,4 @@
-#include "core/ties.h"
+#include "core/ties/ties.h"
 
 #include <fmt/format.h>
 
@@ -10,10 +10,10 @@
 
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
-#include "core/collapsed_edges.h"
 #include "core/judge/hidden_cells.h"
-#include "core/tied_vertices.h"
-#include "core/wide_vertices.h"
+#include "core/ties/collapsed_edges.h"
+#include "core/ties/tied_vertices.h"
+#include "core/ties/wide_vertices.h"
 
 namespace vorpipe {
 namespace {
