@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "base/stopwatch.h"
-#include "core/assemble.h"
-#include "core/box_diagram.h"
+#include "core/diagram/box_diagram.h"
+#include "core/diagram/diagram_writer.h"
 #include "core/outline_cells.h"
 #include "core/periodic_cells.h"
 

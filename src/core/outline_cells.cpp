@@ -7,7 +7,7 @@
 #include <memory>
 
 #include "base/parallel.h"
-#include "core/assemble.h"
+#include "core/diagram/diagram_writer.h"
 #include "core/outline_clip.h"
 #include "core/outline_records.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "base/stopwatch.h"
-#include "core/assemble.h"
-#include "core/box_diagram.h"
+#include "core/diagram/box_diagram.h"
+#include "core/diagram/diagram_writer.h"
 #include "core/periodic_band.h"
 #include "core/periodic_proof.h"
 #include "core/periodic_records.h"

@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "base/parallel.h"
-#include "core/assemble.h"
+#include "core/diagram/diagram_writer.h"
 #include "core/vertices/cell_record.h"
 
 namespace vorpipe {

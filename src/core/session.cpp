@@ -3,10 +3,10 @@
 
 #include "backend/registry.h"
 #include "core/arithmetic.h"
-#include "core/assemble.h"
 #include "core/cells_run.h"
 #include "core/density.h"
 #include "core/device_in_use.h"
+#include "core/diagram/diagram_writer.h"
 #include "core/input.h"
 #include "core/render.h"
 #include "vorpipe.h"

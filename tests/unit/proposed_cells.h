@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "backend/collect.h"
-#include "core/assemble.h"
-#include "core/dual.h"
+#include "core/diagram/diagram_writer.h"
+#include "core/diagram/dual_triangles.h"
 #include "core/ties/tied_records.h"
 
 namespace vorpipe::test {

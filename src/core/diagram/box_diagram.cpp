@@ -1,4 +1,4 @@
-#include "core/box_diagram.h"
+#include "core/diagram/box_diagram.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 
 #include "base/parallel.h"
 #include "base/stopwatch.h"
-#include "core/assemble.h"
-#include "core/dual.h"
+#include "core/diagram/diagram_writer.h"
+#include "core/diagram/dual_triangles.h"
 #include "core/search/neighbor_search.h"
 #include "core/sites/site_set.h"
 #include "core/ties/reconcile.h"

@@ -1,4 +1,4 @@
-#include "core/outer_triangles.h"
+#include "core/diagram/outer_triangles.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "core/dual.h"
+#include "core/diagram/dual_triangles.h"
 
 #include <algorithm>
 #include <array>
@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "core/diagram/outer_triangles.h"
 #include "core/geometry/polygon_measures.h"
 #include "core/geometry/predicates.h"
-#include "core/outer_triangles.h"
 
 namespace vorpipe {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/assemble.h"
+#include "core/diagram/diagram_writer.h"
 
 #include <array>
 #include <cmath>

@@ -1,7 +1,7 @@
 /// The part of the triangulation that the domain cuts off.
 #pragma once
 
-#include "core/dual.h"
+#include "core/diagram/dual_triangles.h"
 
 namespace vorpipe {
 
