@@ -58,8 +58,8 @@ set(users
     "^core/search/flann_"
     "^io/"
     "^geos\\.h$"
-    "^(core/outline_check|io/hole_triangles)\\."
-    "^core/outline_"
+    "^(core/outline/validity|io/hole_triangles)\\."
+    "^core/outline/"
     "^cli/"
     "^base/parallel\\.cpp$")
 

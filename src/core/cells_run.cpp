@@ -5,7 +5,7 @@
 #include "base/stopwatch.h"
 #include "core/diagram/box_diagram.h"
 #include "core/diagram/diagram_writer.h"
-#include "core/outline_cells.h"
+#include "core/outline/clip_diagram.h"
 #include "core/periodic_cells.h"
 
 namespace vorpipe {

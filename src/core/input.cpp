@@ -5,7 +5,7 @@
 #include <new>
 
 #include "core/density.h"
-#include "core/outline.h"
+#include "core/outline/rings.h"
 #include "core/periodic.h"
 #include "core/search/flann_search.h"
 #include "core/sites/site_set.h"

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "core/outline.h"
+#include "core/outline/rings.h"
 #include "geos.h"
 
 namespace vorpipe {

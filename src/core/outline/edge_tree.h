@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "core/outline.h"
+#include "core/outline/rings.h"
 
 namespace vorpipe {
 

@@ -1,7 +1,7 @@
 /// Pictures of a domain with an outline.
 #pragma once
 
-#include "core/outline.h"
+#include "core/outline/rings.h"
 
 namespace vorpipe {
 

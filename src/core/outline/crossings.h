@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/outline.h"
+#include "core/outline/rings.h"
 
 namespace vorpipe {
 

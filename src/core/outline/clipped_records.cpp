@@ -1,4 +1,4 @@
-#include "core/outline_records.h"
+#include "core/outline/clipped_records.h"
 
 #include <algorithm>
 #include <cmath>

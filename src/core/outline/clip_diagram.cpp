@@ -1,4 +1,4 @@
-#include "core/outline_cells.h"
+#include "core/outline/clip_diagram.h"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 
 #include "base/parallel.h"
 #include "core/diagram/diagram_writer.h"
-#include "core/outline_clip.h"
-#include "core/outline_records.h"
+#include "core/outline/clip_cell.h"
+#include "core/outline/clipped_records.h"
 
 namespace vorpipe {
 namespace {

@@ -4,8 +4,8 @@
 #include <memory>
 #include <span>
 
-#include "core/outline_cells.h"
-#include "core/outline_clip.h"
+#include "core/outline/clip_cell.h"
+#include "core/outline/clip_diagram.h"
 #include "core/vertices/cell_record.h"
 
 namespace vorpipe {

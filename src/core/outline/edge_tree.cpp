@@ -1,4 +1,4 @@
-#include "core/outline_index.h"
+#include "core/outline/edge_tree.h"
 
 #include <algorithm>
 #include <boost/geometry/geometries/box.hpp>

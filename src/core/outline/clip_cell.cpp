@@ -1,10 +1,10 @@
-#include "core/outline_clip.h"
+#include "core/outline/clip_cell.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "core/outline_crossings.h"
+#include "core/outline/crossings.h"
 
 namespace vorpipe {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/outline.h"
+#include "core/outline/rings.h"
 
 #include <fmt/format.h>
 

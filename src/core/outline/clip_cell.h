@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "core/outline_index.h"
+#include "core/outline/edge_tree.h"
 
 namespace vorpipe {
 

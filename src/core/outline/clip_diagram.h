@@ -1,7 +1,7 @@
 /// The cells of a diagram clipped to an outline.
 #pragma once
 
-#include "core/outline.h"
+#include "core/outline/rings.h"
 
 namespace vorpipe {
 

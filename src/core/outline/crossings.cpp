@@ -1,4 +1,4 @@
-#include "core/outline_crossings.h"
+#include "core/outline/crossings.h"
 
 #include <algorithm>
 #include <cmath>

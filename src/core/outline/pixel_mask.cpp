@@ -1,4 +1,4 @@
-#include "core/outline_mask.h"
+#include "core/outline/pixel_mask.h"
 
 #include <algorithm>
 #include <cmath>
