@@ -6,7 +6,7 @@
 #include "core/diagram/box_diagram.h"
 #include "core/diagram/diagram_writer.h"
 #include "core/outline/clip_diagram.h"
-#include "core/periodic_cells.h"
+#include "core/periodic/periodic_diagram.h"
 
 namespace vorpipe {
 

@@ -6,7 +6,7 @@
 
 #include "core/density.h"
 #include "core/outline/rings.h"
-#include "core/periodic.h"
+#include "core/periodic/images.h"
 #include "core/search/flann_search.h"
 #include "core/sites/site_set.h"
 #include "core/sites/weights.h"

@@ -13,7 +13,7 @@
 #include "core/outline/edge_tree.h"
 #include "core/outline/pixel_mask.h"
 #include "core/overlay.h"
-#include "core/periodic_picture.h"
+#include "core/periodic/scene.h"
 #include "core/shade.h"
 #include "core/sites/bin_sort.h"
 #include "core/sites/weights.h"

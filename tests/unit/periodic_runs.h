@@ -2,7 +2,7 @@
 #pragma once
 
 #include "checked_runs.h"
-#include "core/periodic.h"
+#include "core/periodic/images.h"
 
 namespace vorpipe::test {
 

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "core/periodic_band.h"
-#include "core/periodic_proof.h"
-#include "core/periodic_records.h"
-#include "core/periodic_seam.h"
+#include "core/periodic/band.h"
+#include "core/periodic/band_proof.h"
+#include "core/periodic/seam.h"
+#include "core/periodic/unwrap.h"
 #include "periodic_runs.h"
 
 namespace vorpipe::test {

@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include "core/periodic_band.h"
+#include "core/periodic/band.h"
 #include "periodic_runs.h"
 
 namespace vorpipe::test {

@@ -1,4 +1,4 @@
-#include "core/periodic_band.h"
+#include "core/periodic/band.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
-#include "core/periodic_picture.h"
+#include "core/periodic/scene.h"
 
-#include "core/periodic_band.h"
+#include "core/periodic/band.h"
 #include "core/sites/weights.h"
 
 namespace vorpipe {

@@ -1,7 +1,7 @@
 /// Where the cells of a periodic domain meet across its border.
 #pragma once
 
-#include "core/periodic.h"
+#include "core/periodic/images.h"
 
 namespace vorpipe {
 

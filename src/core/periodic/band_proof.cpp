@@ -1,10 +1,10 @@
-#include "core/periodic_proof.h"
+#include "core/periodic/band_proof.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "base/parallel.h"
-#include "core/periodic_band.h"
+#include "core/periodic/band.h"
 
 namespace vorpipe {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/periodic_cells.h"
+#include "core/periodic/periodic_diagram.h"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include "base/stopwatch.h"
 #include "core/diagram/box_diagram.h"
 #include "core/diagram/diagram_writer.h"
-#include "core/periodic_band.h"
-#include "core/periodic_proof.h"
-#include "core/periodic_records.h"
-#include "core/periodic_seam.h"
+#include "core/periodic/band.h"
+#include "core/periodic/band_proof.h"
+#include "core/periodic/seam.h"
+#include "core/periodic/unwrap.h"
 
 namespace vorpipe {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/periodic_seam.h"
+#include "core/periodic/seam.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,7 +1,7 @@
 /// Whether images were enough for the cells of the sites themselves.
 #pragma once
 
-#include "core/periodic.h"
+#include "core/periodic/images.h"
 
 namespace vorpipe {
 

@@ -1,7 +1,7 @@
 /// From cells of sites and images to the records of a periodic domain.
 #pragma once
 
-#include "core/periodic.h"
+#include "core/periodic/images.h"
 
 namespace vorpipe {
 

@@ -1,4 +1,4 @@
-#include "core/periodic.h"
+#include "core/periodic/images.h"
 
 #include <fmt/format.h>
 

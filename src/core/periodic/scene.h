@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "core/periodic.h"
+#include "core/periodic/images.h"
 #include "core/sites/site_set.h"
 
 namespace vorpipe {

@@ -1,7 +1,7 @@
 /// How far beyond a periodic domain images of its sites are needed.
 #pragma once
 
-#include "core/periodic.h"
+#include "core/periodic/images.h"
 
 namespace vorpipe {
 

@@ -1,4 +1,4 @@
-#include "core/periodic_records.h"
+#include "core/periodic/unwrap.h"
 
 #include <algorithm>
 #include <tuple>
