@@ -30,7 +30,7 @@ set(may_include
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/opengl/.*|layout\\.glsl|shaders\\.h)$"
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl)$"
     "^(vorpipe\\.h|geos\\.h|io/.*)$"
-    "^(vorpipe\\.h|base/.*|bench/.*|io/site_source\\.h|core/(cells_run|render|stopwatch)\\.h|backend/(backend|registry)\\.h)$"
+    "^(vorpipe\\.h|base/.*|bench/.*|io/site_source\\.h|core/(cells/cells_run|render)\\.h|backend/(backend|registry)\\.h)$"
     "^(vorpipe\\.h|vorpipe/selftest\\.h|selftest/.*)$"
     "^(vorpipe\\.h|vorpipe/selftest\\.h|io/.*|bench/.*|cli/.*)$"
     "^(vorpipe\\.h|view/.*)$")

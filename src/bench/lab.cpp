@@ -12,7 +12,7 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "bench/driver_threads.h"
-#include "core/cells_run.h"
+#include "core/cells/cells_run.h"
 #include "core/render.h"
 #include "io/site_source.h"
 

@@ -4,7 +4,7 @@
 
 #include <new>
 
-#include "core/density.h"
+#include "core/cells/cell_mass.h"
 #include "core/outline/rings.h"
 #include "core/periodic/images.h"
 #include "core/search/flann_search.h"

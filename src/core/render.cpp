@@ -8,7 +8,7 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "core/cell_drawing.h"
-#include "core/cells_run.h"
+#include "core/cells/cells_run.h"
 #include "core/colormap.h"
 #include "core/outline/edge_tree.h"
 #include "core/outline/pixel_mask.h"

@@ -3,8 +3,8 @@
 
 #include "backend/registry.h"
 #include "core/arithmetic.h"
-#include "core/cells_run.h"
-#include "core/density.h"
+#include "core/cells/cell_mass.h"
+#include "core/cells/cells_run.h"
 #include "core/device_in_use.h"
 #include "core/diagram/diagram_writer.h"
 #include "core/input.h"

@@ -1,4 +1,4 @@
-#include "core/density.h"
+#include "core/cells/cell_mass.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "backend/registry.h"
-#include "core/cells_run.h"
+#include "core/cells/cells_run.h"
 #include "core/render.h"
 #include "selftest/run_scenes.h"
 #include "unit/passing_on.h"

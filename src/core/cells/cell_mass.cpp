@@ -1,4 +1,4 @@
-#include "core/density.h"
+#include "core/cells/cell_mass.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "core/density_rows.h"
+#include "core/cells/pixel_rows.h"
 
 namespace vorpipe {
 namespace {

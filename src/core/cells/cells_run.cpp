@@ -1,4 +1,4 @@
-#include "core/cells_run.h"
+#include "core/cells/cells_run.h"
 
 #include <algorithm>
 

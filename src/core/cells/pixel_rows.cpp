@@ -1,4 +1,4 @@
-#include "core/density_rows.h"
+#include "core/cells/pixel_rows.h"
 
 #include <algorithm>
 #include <cmath>
