@@ -7,9 +7,9 @@
 
 #include "base/parallel.h"
 #include "base/stopwatch.h"
-#include "core/cell_drawing.h"
 #include "core/cells/cells_run.h"
 #include "core/colormap.h"
+#include "core/drawing/cell_drawing.h"
 #include "core/outline/edge_tree.h"
 #include "core/outline/pixel_mask.h"
 #include "core/overlay.h"

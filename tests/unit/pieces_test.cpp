@@ -1,4 +1,4 @@
-#include "core/pieces.h"
+#include "core/drawing/convex_pieces.h"
 
 #include <gtest/gtest.h>
 

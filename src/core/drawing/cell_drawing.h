@@ -3,11 +3,11 @@
 
 #include <memory>
 
-#include "core/grid_drawing.h"
+#include "core/drawing/grid_drawing.h"
+#include "core/drawing/judged_cells.h"
+#include "core/drawing/list_drawing.h"
 #include "core/judge/answers.h"
 #include "core/judge/judge.h"
-#include "core/judged_cells.h"
-#include "core/list_drawing.h"
 
 namespace vorpipe {
 

@@ -1,4 +1,4 @@
-#include "core/judged_cells.h"
+#include "core/drawing/judged_cells.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/list_drawing.h"
+#include "core/drawing/list_drawing.h"
 
 #include <algorithm>
 #include <iterator>

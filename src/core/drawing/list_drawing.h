@@ -1,7 +1,7 @@
 /// Draws cells from their nearest neighbors, as in the thesis.
 #pragma once
 
-#include "core/batch_drawing.h"
+#include "core/drawing/batch_drawing.h"
 #include "core/search/flann_search.h"
 
 namespace vorpipe {

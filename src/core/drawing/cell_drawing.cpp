@@ -1,9 +1,9 @@
-#include "core/cell_drawing.h"
+#include "core/drawing/cell_drawing.h"
 
 #include <algorithm>
 
 #include "base/stopwatch.h"
-#include "core/pieces.h"
+#include "core/drawing/convex_pieces.h"
 #include "core/search/device_eligible.h"
 
 namespace vorpipe {

@@ -1,4 +1,4 @@
-#include "core/grid_drawing.h"
+#include "core/drawing/grid_drawing.h"
 
 #include <utility>
 

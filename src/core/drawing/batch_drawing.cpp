@@ -1,4 +1,4 @@
-#include "core/batch_drawing.h"
+#include "core/drawing/batch_drawing.h"
 
 #include <cmath>
 
