@@ -30,7 +30,7 @@ set(may_include
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/opengl/.*|layout\\.glsl|shaders\\.h)$"
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl)$"
     "^(vorpipe\\.h|geos\\.h|io/.*)$"
-    "^(vorpipe\\.h|base/.*|bench/.*|io/site_source\\.h|core/(cells/cells_run|render)\\.h|backend/(backend|registry)\\.h)$"
+    "^(vorpipe\\.h|base/.*|bench/.*|io/site_source\\.h|core/(cells/cells_run|picture/picture)\\.h|backend/(backend|registry)\\.h)$"
     "^(vorpipe\\.h|vorpipe/selftest\\.h|selftest/.*)$"
     "^(vorpipe\\.h|vorpipe/selftest\\.h|io/.*|bench/.*|cli/.*)$"
     "^(vorpipe\\.h|view/.*)$")
@@ -91,17 +91,17 @@ function(vorpipe_expect expected file header quoted)
     message(FATAL_ERROR "The rules are wrong about ${file} including ${header}: ${allowed}.")
   endif()
 endfunction()
-vorpipe_expect(TRUE core/render.cpp backend/backend.h TRUE)
+vorpipe_expect(TRUE core/picture/picture.cpp backend/backend.h TRUE)
 vorpipe_expect(TRUE core/search/flann_search.cpp flann/flann.hpp FALSE)
 vorpipe_expect(TRUE backend/registry.cpp backend/cpu/cpu.h TRUE)
 vorpipe_expect(TRUE backend/vulkan/device.cpp backend/capabilities.h TRUE)
 vorpipe_expect(TRUE cli/render.cpp io/png.h TRUE)
-vorpipe_expect(FALSE core/render.cpp backend/cpu/cpu.h TRUE)
+vorpipe_expect(FALSE core/picture/picture.cpp backend/cpu/cpu.h TRUE)
 vorpipe_expect(FALSE bench/lab.cpp core/judge/judge.h TRUE)
-vorpipe_expect(FALSE core/render.cpp flann/flann.hpp FALSE)
+vorpipe_expect(FALSE core/picture/picture.cpp flann/flann.hpp FALSE)
 vorpipe_expect(TRUE base/parallel.cpp tbb/parallel_for.h FALSE)
-vorpipe_expect(FALSE core/render.cpp tbb/parallel_for.h FALSE)
-vorpipe_expect(FALSE core/render.cpp ../backend/cpu/cpu.h TRUE)
+vorpipe_expect(FALSE core/picture/picture.cpp tbb/parallel_for.h FALSE)
+vorpipe_expect(FALSE core/picture/picture.cpp ../backend/cpu/cpu.h TRUE)
 vorpipe_expect(FALSE backend/opengl/draw.cpp backend/vulkan/device.h TRUE)
 vorpipe_expect(FALSE backend/opengl/draw.cpp backend/registry.h TRUE)
 vorpipe_expect(FALSE backend/backend.h volk.h FALSE)

@@ -13,7 +13,7 @@
 #include "base/stopwatch.h"
 #include "bench/driver_threads.h"
 #include "core/cells/cells_run.h"
-#include "core/render.h"
+#include "core/picture/picture.h"
 #include "io/site_source.h"
 
 namespace vorpipe::bench {

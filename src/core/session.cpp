@@ -8,7 +8,7 @@
 #include "core/device_in_use.h"
 #include "core/diagram/diagram_writer.h"
 #include "core/input.h"
-#include "core/render.h"
+#include "core/picture/picture.h"
 #include "vorpipe.h"
 
 namespace vorpipe {

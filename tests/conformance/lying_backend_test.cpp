@@ -7,7 +7,7 @@
 #include "backend/registry.h"
 #include "conformance/cells_fixture.h"
 #include "core/cells/cells_run.h"
-#include "core/render.h"
+#include "core/picture/picture.h"
 #include "support/lying_backend.h"
 #include "support/oracle.h"
 

@@ -1,4 +1,4 @@
-#include "core/colormap.h"
+#include "core/picture/colormap.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include "backend/registry.h"
 #include "core/cells/cells_run.h"
-#include "core/render.h"
+#include "core/picture/picture.h"
 #include "selftest/run_scenes.h"
 #include "unit/passing_on.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "backend/registry.h"
-#include "core/render.h"
+#include "core/picture/picture.h"
 #include "support/oracle.h"
 #include "support/random_sites.h"
 #include "support/sloppy_device.h"

@@ -1,10 +1,10 @@
 /// Pixels that a device left, or gave to nobody.
-#include "core/uncovered.h"
+#include "core/picture/uncovered.h"
 
 #include <gtest/gtest.h>
 
 #include "backend/registry.h"
-#include "core/render.h"
+#include "core/picture/picture.h"
 #include "support/oracle.h"
 #include "support/random_sites.h"
 

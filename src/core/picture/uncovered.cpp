@@ -1,4 +1,4 @@
-#include "core/uncovered.h"
+#include "core/picture/uncovered.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,4 +1,4 @@
-#include "core/shade.h"
+#include "core/picture/shade.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/render.h"
+#include "core/picture/picture.h"
 
 #include <fmt/format.h>
 
@@ -8,16 +8,16 @@
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "core/cells/cells_run.h"
-#include "core/colormap.h"
 #include "core/drawing/cell_drawing.h"
 #include "core/outline/edge_tree.h"
 #include "core/outline/pixel_mask.h"
-#include "core/overlay.h"
 #include "core/periodic/scene.h"
-#include "core/shade.h"
+#include "core/picture/colormap.h"
+#include "core/picture/overlay.h"
+#include "core/picture/shade.h"
+#include "core/picture/uncovered.h"
 #include "core/sites/bin_sort.h"
 #include "core/sites/weights.h"
-#include "core/uncovered.h"
 
 namespace vorpipe {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/overlay.h"
+#include "core/picture/overlay.h"
 
 #include <algorithm>
 #include <cmath>
