@@ -1,4 +1,4 @@
-#include "core/forecast.h"
+#include "core/forecast/forecast.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 /// What Session::cells takes, array by array: each line stands for one of cells_run.cpp and of what it calls.
 #include <algorithm>
 
-#include "core/forecast.h"
+#include "core/forecast/forecast.h"
 #include "core/vertices/cell_record.h"
 
 namespace vorpipe {

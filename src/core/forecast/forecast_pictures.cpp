@@ -1,7 +1,7 @@
 /// What Session::render takes, array by array: each line stands for one of render.cpp and of what it calls.
 #include <algorithm>
 
-#include "core/forecast.h"
+#include "core/forecast/forecast.h"
 
 namespace vorpipe {
 namespace {
