@@ -1,5 +1,5 @@
 /// What is measured of a device's arithmetic is what it does.
-#include "core/arithmetic.h"
+#include "core/session/arithmetic.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "backend/registry.h"
-#include "core/subpixel_grid.h"
+#include "core/session/subpixel_grid.h"
 #include "unit/passing_on.h"
 
 namespace vorpipe::test {

@@ -1,4 +1,4 @@
-#include "core/input.h"
+#include "core/session/input_check.h"
 
 #include <fmt/format.h>
 

@@ -2,13 +2,13 @@
 #include <new>
 
 #include "backend/registry.h"
-#include "core/arithmetic.h"
 #include "core/cells/cell_mass.h"
 #include "core/cells/cells_run.h"
-#include "core/device_in_use.h"
 #include "core/diagram/diagram_writer.h"
-#include "core/input.h"
 #include "core/picture/picture.h"
+#include "core/session/arithmetic.h"
+#include "core/session/device_in_use.h"
+#include "core/session/input_check.h"
 #include "vorpipe.h"
 
 namespace vorpipe {

@@ -1,4 +1,4 @@
-#include "core/device_in_use.h"
+#include "core/session/device_in_use.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "core/bounded_backend.h"
+#include "core/session/bounded_backend.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "core/subpixel_grid.h"
+#include "core/session/subpixel_grid.h"
 
 #include <algorithm>
 #include <cmath>

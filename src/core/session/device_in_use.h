@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "backend/registry.h"
-#include "core/bounded_backend.h"
+#include "core/session/bounded_backend.h"
 
 namespace vorpipe {
 

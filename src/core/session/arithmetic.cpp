@@ -1,4 +1,4 @@
-#include "core/arithmetic.h"
+#include "core/session/arithmetic.h"
 
 #include <algorithm>
 #include <bit>
@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "core/subpixel_grid.h"
+#include "core/session/subpixel_grid.h"
 
 namespace vorpipe {
 namespace {
