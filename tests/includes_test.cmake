@@ -1,5 +1,6 @@
-# Who may include what: cli -> io -> vorpipe.h <- core -> backend/backend.h <- backend/*, and which
-# folder alone knows a library. cmake -D root=DIR -P includes_test.cmake
+# Who may include what: cli -> io -> vorpipe.h <- core -> backend/backend.h <- backend/*; in core, a room those
+# that src/core/CMakeLists.txt says it uses; and which folder alone knows a library.
+# cmake -D root=DIR -P includes_test.cmake
 cmake_minimum_required(VERSION 3.25)
 
 # Regular expressions of the own headers that each kind of file may include; the first that matches
@@ -8,7 +9,6 @@ set(kinds
     "^vorpipe(\\.h$|/)"
     "^base/"
     "^geos\\.h$"
-    "^core/"
     "^backend/registry\\."
     "^backend/cpu/"
     "^backend/vulkan/"
@@ -23,7 +23,6 @@ set(may_include
     "^vorpipe/"
     "^(vorpipe\\.h|base/.*)$"
     "^vorpipe\\.h$"
-    "^(vorpipe\\.h|base/.*|geos\\.h|core/.*|backend/(backend|collect|device_needs|precision|registry|tie)\\.h)$"
     "^(vorpipe\\.h|backend/[^/]*\\.h|backend/cpu/cpu\\.h|backend/vulkan/vulkan_backend\\.h|backend/opengl/opengl_backend\\.h)$"
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/cpu/.*|(layout|bins|cell|grid|list)\\.glsl)$"
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/vulkan/.*|layout\\.glsl|shaders\\.h)$"
@@ -34,6 +33,27 @@ set(may_include
     "^(vorpipe\\.h|vorpipe/selftest\\.h|selftest/.*)$"
     "^(vorpipe\\.h|vorpipe/selftest\\.h|io/.*|bench/.*|cli/.*)$"
     "^(vorpipe\\.h|view/.*)$")
+
+# Of every room: itself, those that it uses, each of which comes before it, and what all of core may know.
+file(STRINGS ${root}/src/core/CMakeLists.txt rooms REGEX "^vorpipe_room\\(")
+set(below "")
+foreach(line IN LISTS rooms)
+  if(NOT line MATCHES "^vorpipe_room\\(([a-z]+)( USES ([a-z ]+[a-z]))?")
+    message(FATAL_ERROR "src/core/CMakeLists.txt: cannot read: ${line}")
+  endif()
+  set(room ${CMAKE_MATCH_1})
+  string(REPLACE " " ";" uses "${CMAKE_MATCH_3}")
+  foreach(used IN LISTS uses)
+    if(NOT used IN_LIST below)
+      message(SEND_ERROR "src/core/CMakeLists.txt: ${room} uses ${used}, which does not come before it")
+    endif()
+  endforeach()
+  list(JOIN uses "|" uses)
+  list(APPEND kinds "^core/${room}/")
+  list(APPEND may_include
+       "^(vorpipe\\.h|base/.*|geos\\.h|core/(${room}|${uses})/.*|backend/(backend|collect|device_needs|precision|registry|tie)\\.h)$")
+  list(APPEND below ${room})
+endforeach()
 
 # Headers, most of them a library's, and the only files that may include them.
 set(guarded_headers
@@ -50,7 +70,7 @@ set(guarded_headers
     "^CLI/"
     "^(tbb|oneapi)/")
 set(users
-    "^(core/|bench/|backend/registry\\.)"
+    "^(core/session/|bench/|backend/registry\\.)"
     "^backend/vulkan/"
     "^backend/opengl/"
     "^backend/cpu/"
@@ -92,6 +112,10 @@ function(vorpipe_expect expected file header quoted)
   endif()
 endfunction()
 vorpipe_expect(TRUE core/picture/picture.cpp backend/backend.h TRUE)
+vorpipe_expect(TRUE core/ties/ties.cpp core/vertices/cell_check.h TRUE)
+vorpipe_expect(FALSE core/vertices/cell_check.cpp core/ties/ties.h TRUE)
+vorpipe_expect(FALSE core/check/run.h backend/registry.h TRUE)
+vorpipe_expect(FALSE core/check/cells.cpp core/diagram/diagram_writer.h TRUE)
 vorpipe_expect(TRUE core/search/flann_search.cpp flann/flann.hpp FALSE)
 vorpipe_expect(TRUE backend/registry.cpp backend/cpu/cpu.h TRUE)
 vorpipe_expect(TRUE backend/vulkan/device.cpp backend/capabilities.h TRUE)
@@ -106,8 +130,8 @@ vorpipe_expect(FALSE backend/opengl/draw.cpp backend/vulkan/device.h TRUE)
 vorpipe_expect(FALSE backend/opengl/draw.cpp backend/registry.h TRUE)
 vorpipe_expect(FALSE backend/backend.h volk.h FALSE)
 vorpipe_expect(FALSE backend/cpu/cpu.cpp epoxy/gl.h FALSE)
-vorpipe_expect(FALSE io/png.cpp core/cells_run.h TRUE)
-vorpipe_expect(FALSE cli/render.cpp core/cells_run.h TRUE)
+vorpipe_expect(FALSE io/png.cpp core/cells/cells_run.h TRUE)
+vorpipe_expect(FALSE cli/render.cpp core/cells/cells_run.h TRUE)
 vorpipe_expect(FALSE vorpipe.h glm/vec2.hpp FALSE)
 vorpipe_expect(FALSE elsewhere/file.cpp vorpipe.h TRUE)
 
