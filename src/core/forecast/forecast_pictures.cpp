@@ -1,4 +1,4 @@
-/// What Session::render takes, array by array: each line stands for one of render.cpp and of what it calls.
+/// What Session::render takes, array by array: each line stands for one of picture.cpp and of what it calls.
 #include <algorithm>
 
 #include "core/forecast/forecast.h"

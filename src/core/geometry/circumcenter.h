@@ -1,4 +1,4 @@
-/// Where three cells meet, the fast way; place.cpp has the slow one.
+/// Where three cells meet, the fast way; vertex_position.cpp has the slow one.
 #pragma once
 
 namespace vorpipe {
