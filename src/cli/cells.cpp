@@ -21,7 +21,7 @@ namespace {
 
 struct CellsFile {
   std::string path;
-  CellsFormat format;
+  const CellsFormat* format;
 };
 
 struct CellsCommand {
@@ -54,7 +54,7 @@ std::vector<std::string> outputPaths(const CellsCommand& command) {
 /// The parts of the cells that the outputs and the check need.
 Detail neededDetail(const CellsCommand& command) {
   Detail detail = command.check ? Detail::everything : Detail::measures;
-  for (const CellsFile& file : command.files) detail = std::max(detail, detailOf(file.format));
+  for (const CellsFile& file : command.files) detail = std::max(detail, file.format->detail);
   return detail;
 }
 
@@ -67,7 +67,7 @@ PlanRun planOf(const CellsCommand& command, std::uint64_t density_pixels) {
     planSession(plan, work);
     planCells(plan, work, detail);
     if (command.check) planCellsCheck(plan, work, detail);
-    for (const CellsFile& file : command.files) planCellsFile(plan, work, file.format);
+    for (const CellsFile& file : command.files) planCellsFile(plan, work, *file.format);
   };
 }
 
@@ -82,7 +82,7 @@ Result<void> writeFiles(const CellsCommand& command, const Input& input, const D
   std::vector<Writer> writers;
   for (const CellsFile& file : command.files) {
     writers.emplace_back([&input, &diagram, format = file.format](OutputFile& to) {
-      return writeCells(to, input.sites, diagram, format);
+      return writeCells(to, input.sites, diagram, *format);
     });
   }
   if (!command.stats.empty()) {
@@ -165,7 +165,8 @@ Subcommand addCells(CLI::App& app) {
                          "those of the power diagram");
   addInputOptions(*sub, command->input)->required();
   addRepeatable(*sub, "-o", "FILE",
-                "the cells in input order; .csv, .npz, .geojson, .svg, .obj, .ply, .vtk or .wkt; repeatable",
+                fmt::format("the cells in input order, by the extension: {}; repeatable",
+                            fmt::join(cellsExtensions(), ", ")),
                 parseCellsFile,
                 [files = &command->files](CellsFile file) { files->push_back(std::move(file)); });
   addFile(*sub, "--density", command->density, "",

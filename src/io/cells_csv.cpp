@@ -2,7 +2,7 @@
 
 #include "io/cell_records.h"
 #include "io/cell_rings.h"
-#include "io/cells_writer.h"
+#include "io/cells_file.h"
 
 namespace vorpipe {
 
@@ -32,9 +32,11 @@ std::string headerOf(const Diagram& diagram) {
                      diagram.mass.empty() ? "" : ",mass,mass_centroid_x,mass_centroid_y");
 }
 
-}  // namespace
-
-Result<void> writeCsvCells(OutputFile& file, const Sites& sites, const Diagram& diagram) {
+/// Columns site,x,y,weight,status,area,perimeter,centroid_x,centroid_y,vertices,neighbors; neighbor_shifts
+/// where the domain is periodic; rings where it has an outline; mass,mass_centroid_x,mass_centroid_y where it
+/// has a density. The weight is 0 where sites have none; `vertices` and `rings` are numbers; neighbors are
+/// separated by spaces, and so are shifts, each kx:ky.
+Result<void> write(OutputFile& file, const Sites& sites, const Diagram& diagram) {
   auto written = file.write(headerOf(diagram));
   if (!written) {
     return written;
@@ -51,5 +53,10 @@ Result<void> writeCsvCells(OutputFile& file, const Sites& sites, const Diagram& 
     text.push_back('\n');
   });
 }
+
+}  // namespace
+
+extern const CellsFormat csv_cells;
+const CellsFormat csv_cells{".csv", Detail::polygons, /*mesh=*/false, write};
 
 }  // namespace vorpipe

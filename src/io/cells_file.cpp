@@ -3,67 +3,62 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <new>
-#include <string_view>
-#include <vector>
 
-#include "io/cells_writer.h"
 #include "io/error.h"
 #include "io/extension.h"
 
 namespace vorpipe {
+
+// One line for each kind of file: the name of what cells_NAME.cpp defines, NAME_cells.
+// clang-format off
+#define CELLS_FORMATS(format) \
+  format(csv)                 \
+  format(npz)                 \
+  format(geojson)             \
+  format(svg)                 \
+  format(obj)                 \
+  format(ply)                 \
+  format(vtk)                 \
+  format(wkt)
+// clang-format on
+
+#define DECLARED(name) extern const CellsFormat name##_cells;
+CELLS_FORMATS(DECLARED)
+#undef DECLARED
+
 namespace {
 
-/// In the order of CellsFormat.
-constexpr std::array<std::string_view, 8> extensions = {".csv", ".npz", ".geojson", ".svg",
-                                                        ".obj", ".ply", ".vtk",     ".wkt"};
-
-Result<void> writeByFormat(OutputFile& file, const Sites& sites, const Diagram& diagram, CellsFormat format) {
-  switch (format) {
-    case CellsFormat::csv:
-      return writeCsvCells(file, sites, diagram);
-    case CellsFormat::npz:
-      return writeNpzCells(file, sites, diagram);
-    case CellsFormat::geojson:
-      return writeGeoJsonCells(file, sites, diagram);
-    case CellsFormat::svg:
-      return writeSvgCells(file, diagram);
-    case CellsFormat::obj:
-      return writeObjCells(file, diagram);
-    case CellsFormat::ply:
-      return writePlyCells(file, diagram);
-    case CellsFormat::vtk:
-      return writeVtkCells(file, diagram);
-    case CellsFormat::wkt:
-      break;
-  }
-  return writeWktCells(file, diagram);
-}
+#define LISTED(name) &name##_cells,
+constexpr std::array formats{CELLS_FORMATS(LISTED)};
+#undef LISTED
 
 }  // namespace
 
-Result<CellsFormat> cellsFormatOf(const std::string& path) {
+std::vector<std::string_view> cellsExtensions() {
+  std::vector<std::string_view> extensions;
+  for (const CellsFormat* format : formats) extensions.push_back(format->extension);
+  return extensions;
+}
+
+Result<const CellsFormat*> cellsFormatOf(const std::string& path) {
   const std::string extension = lowerExtension(path);
-  for (std::size_t i = 0; i < extensions.size(); ++i) {
-    if (extension == extensions[i]) {
-      return static_cast<CellsFormat>(i);
-    }
-  }
-  return inputError(
-      fmt::format("{}: unknown kind of file for cells; known are {}", path, fmt::join(extensions, ", ")));
+  const auto found = std::ranges::find_if(
+      formats, [&](const CellsFormat* format) { return format->extension == extension; });
+  if (found != formats.end()) return *found;
+  return inputError(fmt::format("{}: unknown kind of file for cells; known are {}", path,
+                                fmt::join(cellsExtensions(), ", ")));
 }
 
-Detail detailOf(CellsFormat format) {
-  return format == CellsFormat::npz ? Detail::everything : Detail::polygons;
-}
-
-Result<void> writeCells(OutputFile& file, const Sites& sites, const Diagram& diagram, CellsFormat format) {
+Result<void> writeCells(OutputFile& file, const Sites& sites, const Diagram& diagram,
+                        const CellsFormat& format) {
   assert(diagram.status.size() == sites.size() && diagram.cell_offsets.size() == sites.size() + 1);
   assert(diagram.vertices.size() == diagram.cell_offsets.back());
   try {
-    return writeByFormat(file, sites, diagram, format);
+    return format.write(file, sites, diagram);
   } catch (const std::bad_alloc&) {
     return deviceError(file.name() + ": there is not enough memory to write its cells");
   }

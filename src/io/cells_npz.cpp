@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/cells_writer.h"
+#include "io/cells_file.h"
 #include "io/npy_array.h"
 #include "io/zip_file.h"
 
@@ -34,9 +34,13 @@ ZipBody pairsOf(const Sites& sites) {
           }};
 }
 
-}  // namespace
-
-Result<void> writeNpzCells(OutputFile& file, const Sites& sites, const Diagram& diagram) {
+/// Arrays of N sites, M vertices and T triangles: sites (N, 2), weights (N) where sites have them, status
+/// uint8 (N) with 0 ok, 1 empty, 2 duplicate, owners uint32 (N), areas (N), perimeters (N), centroids
+/// (N, 2), second_moments (N, 3), cell_offsets int64 (N + 1), cell_vertices (M, 2), neighbor_offsets int64
+/// (N + 1), neighbors int64 (M), edge_lengths (M), triangles uint32 (T, 3); float64 where nothing is said.
+/// Where a diagram has them: neighbor_shifts int32 (M, 2); ring_starts int64, one for each ring; mass (N) and
+/// mass_centroids (N, 2).
+Result<void> write(OutputFile& file, const Sites& sites, const Diagram& diagram) {
   std::vector<ZipEntry> entries;
   const std::uint64_t shape[] = {sites.size(), 2};
   entries.push_back({"sites.npy", npyHeader(npyType<double>(), shape), pairsOf(sites)});
@@ -68,5 +72,10 @@ Result<void> writeNpzCells(OutputFile& file, const Sites& sites, const Diagram& 
   add<std::uint32_t, 3>(entries, "triangles", diagram.triangles);
   return writeZip(file, entries);
 }
+
+}  // namespace
+
+extern const CellsFormat npz_cells;
+const CellsFormat npz_cells{".npz", Detail::everything, /*mesh=*/false, write};
 
 }  // namespace vorpipe

@@ -1,10 +1,14 @@
 #include "io/cell_records.h"
+#include "io/cells_file.h"
 #include "io/cells_mesh.h"
-#include "io/cells_writer.h"
 
 namespace vorpipe {
 
-Result<void> writeObjCells(OutputFile& file, const Diagram& diagram) {
+namespace {
+
+/// The faces stand in the order of their sites; z is 0. A piece of a cell is a face, one with holes several
+/// triangles; where cells may have several faces, these stand in groups site_N.
+Result<void> write(OutputFile& file, const Sites& /*sites*/, const Diagram& diagram) {
   const auto mesh = cellsMesh(file, diagram);
   if (!mesh) {
     return tl::unexpected(mesh.error());
@@ -33,5 +37,10 @@ Result<void> writeObjCells(OutputFile& file, const Diagram& diagram) {
     text.push_back('\n');
   });
 }
+
+}  // namespace
+
+extern const CellsFormat obj_cells;
+const CellsFormat obj_cells{".obj", Detail::polygons, /*mesh=*/true, write};
 
 }  // namespace vorpipe

@@ -1,7 +1,7 @@
 #include "io/byte_order.h"
 #include "io/cell_records.h"
+#include "io/cells_file.h"
 #include "io/cells_mesh.h"
-#include "io/cells_writer.h"
 
 namespace vorpipe {
 namespace {
@@ -11,9 +11,9 @@ void append(Bytes& bytes, Number number) {
   appendNumber<std::endian::little>(bytes, number);
 }
 
-}  // namespace
-
-Result<void> writePlyCells(OutputFile& file, const Diagram& diagram) {
+/// Binary, little-endian, z is 0; faces, as in .obj, have vertex_indices, site and
+/// area, the whole cell's.
+Result<void> write(OutputFile& file, const Sites& /*sites*/, const Diagram& diagram) {
   const auto mesh = cellsMesh(file, diagram);
   if (!mesh) {
     return tl::unexpected(mesh.error());
@@ -46,5 +46,10 @@ Result<void> writePlyCells(OutputFile& file, const Diagram& diagram) {
     append(bytes, diagram.area[mesh->sites[face]]);
   });
 }
+
+}  // namespace
+
+extern const CellsFormat ply_cells;
+const CellsFormat ply_cells{".ply", Detail::polygons, /*mesh=*/true, write};
 
 }  // namespace vorpipe

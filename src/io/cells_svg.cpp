@@ -3,7 +3,7 @@
 
 #include "io/cell_records.h"
 #include "io/cell_rings.h"
-#include "io/cells_writer.h"
+#include "io/cells_file.h"
 
 namespace vorpipe {
 namespace {
@@ -87,9 +87,8 @@ void printCell(Bytes& text, const PixelMap& map, const Diagram& diagram, std::si
   print(text, FMT_COMPILE("\"><title>site {}, area {}</title></{}>\n"), site, diagram.area[site], shape);
 }
 
-}  // namespace
-
-Result<void> writeSvgCells(OutputFile& file, const Diagram& diagram) {
+/// The longer side is 1000 pixels, the largest y is at the top; a site's hue follows from its index.
+Result<void> write(OutputFile& file, const Sites& /*sites*/, const Diagram& diagram) {
   const PixelMap map = pixelMap(diagram);
   const std::string head = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.8g}\" height=\"{1:.8g}\" "
@@ -107,5 +106,10 @@ Result<void> writeSvgCells(OutputFile& file, const Diagram& diagram) {
   }
   return file.write("</svg>\n");
 }
+
+}  // namespace
+
+extern const CellsFormat svg_cells;
+const CellsFormat svg_cells{".svg", Detail::polygons, /*mesh=*/false, write};
 
 }  // namespace vorpipe

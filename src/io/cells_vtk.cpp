@@ -2,8 +2,8 @@
 
 #include "io/byte_order.h"
 #include "io/cell_records.h"
+#include "io/cells_file.h"
 #include "io/cells_mesh.h"
-#include "io/cells_writer.h"
 
 namespace vorpipe {
 namespace {
@@ -52,9 +52,9 @@ Result<void> writeCellData(OutputFile& file, const CellsMesh& mesh, std::string_
                    [&](Bytes& bytes, std::size_t face) { append(bytes, numberOf(mesh.sites[face])); });
 }
 
-}  // namespace
-
-Result<void> writeVtkCells(OutputFile& file, const Diagram& diagram) {
+/// Legacy format, version 3.0, binary, POLYDATA, z is 0; faces as in .obj; cell data are site, area,
+/// perimeter, neighbors (their number) and status (as in .npz), the whole cell's.
+Result<void> write(OutputFile& file, const Sites& /*sites*/, const Diagram& diagram) {
   return cellsMesh(file, diagram).and_then([&](const CellsMesh& mesh) {
     const auto data = [&](std::string_view name, std::string_view type, const auto& numberOf) {
       return [&, name, type, numberOf] { return writeCellData(file, mesh, name, type, numberOf); };
@@ -73,5 +73,10 @@ Result<void> writeVtkCells(OutputFile& file, const Diagram& diagram) {
         .and_then([&] { return file.write("\n"); });
   });
 }
+
+}  // namespace
+
+extern const CellsFormat vtk_cells;
+const CellsFormat vtk_cells{".vtk", Detail::polygons, /*mesh=*/true, write};
 
 }  // namespace vorpipe

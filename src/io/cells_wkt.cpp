@@ -1,5 +1,5 @@
 #include "io/cell_records.h"
-#include "io/cells_writer.h"
+#include "io/cells_file.h"
 #include "io/polygon_text.h"
 
 namespace vorpipe {
@@ -23,9 +23,8 @@ void printCell(Bytes& text, const Diagram& diagram, std::size_t site) {
   }
 }
 
-}  // namespace
-
-Result<void> writeWktCells(OutputFile& file, const Diagram& diagram) {
+/// Polygons begin and end at the same vertex.
+Result<void> write(OutputFile& file, const Sites& /*sites*/, const Diagram& diagram) {
   if (diagram.status.empty()) {
     return file.write("GEOMETRYCOLLECTION EMPTY\n");
   }
@@ -41,5 +40,10 @@ Result<void> writeWktCells(OutputFile& file, const Diagram& diagram) {
   }
   return file.write("\n)\n");
 }
+
+}  // namespace
+
+extern const CellsFormat wkt_cells;
+const CellsFormat wkt_cells{".wkt", Detail::polygons, /*mesh=*/false, write};
 
 }  // namespace vorpipe

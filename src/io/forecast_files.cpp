@@ -74,9 +74,8 @@ void planDensity(MemoryPlan& plan, std::uint64_t pixels) {
   plan.drop(file);
 }
 
-void planCellsFile(MemoryPlan& plan, const Workload& work, CellsFormat format) {
-  const bool mesh = format == CellsFormat::obj || format == CellsFormat::ply || format == CellsFormat::vtk;
-  if (mesh) planMesh(plan, work);
+void planCellsFile(MemoryPlan& plan, const Workload& work, const CellsFormat& format) {
+  if (format.mesh) planMesh(plan, work);
 }
 
 }  // namespace vorpipe

@@ -18,6 +18,6 @@ void planWeights(MemoryPlan& plan, const std::string& path, std::uint64_t sites)
 void planDensity(MemoryPlan& plan, std::uint64_t pixels);
 
 /// Plans writeCells.
-void planCellsFile(MemoryPlan& plan, const Workload& work, CellsFormat format);
+void planCellsFile(MemoryPlan& plan, const Workload& work, const CellsFormat& format);
 
 }  // namespace vorpipe
