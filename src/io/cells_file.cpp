@@ -19,6 +19,7 @@ namespace vorpipe {
   format(csv)                 \
   format(npz)                 \
   format(geojson)             \
+  format(geojsonl)            \
   format(svg)                 \
   format(obj)                 \
   format(ply)                 \

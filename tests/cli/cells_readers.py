@@ -34,7 +34,7 @@ from cells_readers_data import Cells, equal, near, program, shoelace
 from cells_readers_mesh import assimp_meshes, python_obj, python_ply, vtk_meshes
 
 WORDS = ["ok", "empty", "duplicate"]
-FORMATS = ["npz", "csv", "geojson", "wkt", "svg", "obj", "ply", "vtk"]
+FORMATS = ["npz", "csv", "geojson", "geojsonl", "wkt", "svg", "obj", "ply", "vtk"]
 
 
 def numpy_npz(cells):
@@ -105,8 +105,18 @@ def python_csv(cells):
 def python_geojson(cells):
     with open("c.geojson") as file:
         collection = json.load(file)
-    assert collection["type"] == "FeatureCollection" and len(collection["features"]) == cells.count
-    for site, feature in enumerate(collection["features"]):
+    assert collection["type"] == "FeatureCollection"
+    check_features(collection["features"], cells)
+
+
+def python_geojsonl(cells):
+    with open("c.geojsonl") as file:
+        check_features([json.loads(line) for line in file], cells)
+
+
+def check_features(features, cells):
+    assert len(features) == cells.count, f"{len(features)} features"
+    for site, feature in enumerate(features):
         properties, geometry = feature["properties"], feature["geometry"]
         assert feature["type"] == "Feature" and feature["id"] == site
         assert properties["status"] == WORDS[cells.status[site]]
@@ -128,8 +138,15 @@ def python_geojson(cells):
 
 
 def ogr_geojson(cells):
+    for name in ["c.geojson", "GeoJSONSeq:c.geojsonl"]:
+        if missing := ogr(name, cells):
+            return missing
+    return None
+
+
+def ogr(name, cells):
     query = "SELECT status, area, OGR_GEOM_AREA AS measured, OGR_GEOMETRY AS kind FROM c"
-    text = program("ogr2ogr", "-f", "CSV", "/vsistdout/", "c.geojson", "c", "-dialect", "OGRSQL", "-sql", query)
+    text = program("ogr2ogr", "-f", "CSV", "/vsistdout/", name, "c", "-dialect", "OGRSQL", "-sql", query)
     if text is None:
         return "ogr2ogr"
     rows = list(csv.DictReader(text.splitlines()))
@@ -199,7 +216,8 @@ def librsvg_svg(_):
     return "rsvg-convert" if program("rsvg-convert", "c.svg", "--output", "c.png") is None else None
 
 
-CHECKS = [numpy_npz, python_csv, python_geojson, ogr_geojson, geos_wkt, python_svg, libxml_svg, librsvg_svg]
+CHECKS = [numpy_npz, python_csv, python_geojson, python_geojsonl, ogr_geojson, geos_wkt]
+CHECKS += [python_svg, libxml_svg, librsvg_svg]
 CHECKS += [python_obj, python_ply, assimp_meshes, vtk_meshes]
 
 
