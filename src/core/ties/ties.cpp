@@ -186,6 +186,7 @@ class Untying {
     const auto back = proposed_.index.find(other_row, other, static_cast<std::int32_t>(cell));
     if (back == EdgeIndex::none) {
       if (!here.span.isTie()) disputeBoth(cell, row[e]);
+      if (here.span.isAboutATie()) markAround(cell, row, e, unsure_);
       return settle(k, row, e, true);
     }
     const auto back_end = after(other_row, back);
@@ -203,9 +204,13 @@ class Untying {
     sets_.join(cornerNumber(k, e), cornerNumber(other_k, back_end));
     sets_.join(cornerNumber(k, after(row, e)), cornerNumber(other_k, back));
     if (alike || !isWellFormed(sites_, cells_, other)) return;
-    const bool tie = compare(
-        cell, row[e], here,
-        see(other, other_row, back, cornerOf(other, other_row, back), cornerOf(other, other_row, back_end)));
+    const Seen there =
+        see(other, other_row, back, cornerOf(other, other_row, back), cornerOf(other, other_row, back_end));
+    if (here.span.isAboutATie() || there.span.isAboutATie()) {
+      markAround(cell, row, e, unsure_);
+      markAround(other, other_row, back, unsure_);
+    }
+    const bool tie = compare(cell, row[e], here, there);
     settle(k, row, e, tie);
     settle(other_k, other_row, back, tie);
   }
