@@ -65,6 +65,11 @@ void addPeriodic(std::vector<HardInput>& all) {
       "duplicates whose weights are denormal",
       {{0.9615753317538984, 0.9615753317538984}, {0.3000000009246271, 0.3000000009246271}, {5e-324, 2e-323}},
       {-2.0797129941883346, -1.8120067127780886, 4.002863657696132, 2.412006714627343}, Periodic::x));
+  all.push_back(inputOf("a tie of which copies see one end and the other",
+                        {{0.49999988531657474, 0.5000000383027335, 0.5000008961655542, 0.5000009533963911},
+                         {0.24999900659791147, 0.249999000733823, 0.2499995562801635, 0.24999969827940172},
+                         {}},
+                        {0.25, 0.25, 0.5, 0.75}, Periodic::xy));
 }
 
 void addOutlined(std::vector<HardInput>& all) {

@@ -15,7 +15,7 @@ namespace {
 
 /// Of the distance of a corner from its site: what copies of it may differ by because of rounding, and
 /// because of ties, a few of which may stand in a row.
-constexpr double rounding = 0x1p-44, ties = 1e-4;
+constexpr double rounding = 0x1p-50, ties = 1e-4;
 /// Of the largest coordinate.
 constexpr double place_rounding = 0x1p-50;
 constexpr std::uint32_t none = ~std::uint32_t{0};
