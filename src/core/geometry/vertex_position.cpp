@@ -167,16 +167,16 @@ EdgeSpan edgeSpan(const SiteSet& sites, std::int32_t cell, std::int32_t before, 
   if (neighbor < 0) {
     const double outward = neighbor == wall_xmax || neighbor == wall_ymax ? 1 : -1;
     const double along = outward * (isVerticalWall(neighbor) ? way.y : -way.x);
-    return {along - rounding, 2 * rounding, 2 * rounding};
+    return {along - rounding, 2 * rounding, 2 * rounding, false};
   }
   const Point other = siteAt(sites, neighbor);
   const double dx = other.x - site.x, dy = other.y - site.y;
   const double distance = lengthOf({dx, dy});
   const double shorter_side = shorterSide(sites.domain);
-  const double slack = shortest * tieScale(distance, shorter_side) + rounding;
+  const double tie = shortest * tieScale(distance, shorter_side), slack = tie + rounding;
   const double excess = shortest < shortest_edge ? (dx * way.y - dy * way.x) - slack * distance
                                                  : excessLength(dx, dy, way.x, way.y, shorter_side);
-  return {excess, slack * distance, slack};
+  return {excess, slack * distance, slack, rounding > tie};
 }
 
 }  // namespace vorpipe

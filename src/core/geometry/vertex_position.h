@@ -71,6 +71,7 @@ struct EdgeSpan {
   double excess;     ///< as excessLength, or a length along a wall; a tie where it is not positive
   double tolerance;  ///< below minus this, or not a number, the edge is turned around: no tie, but wrong
   double slack;      ///< how far apart one end may be in the two cells: the shortest edge, and rounding
+  bool is_coarse;    ///< rounding is longer than a tie
   [[nodiscard]] bool isTie() const { return !(excess > 0); }
   /// Whether it is a hundredth of a tie to nine ties long: where its cells differ about which sites meet at
   /// its ends, by ties that one of them does not have, it may come out as one or as none.

@@ -141,6 +141,7 @@ class Untying {
     for (std::size_t e = 0; e < row.size(); ++e) {
       const auto here = see(cell, row, e, corners[e], corners[after(row, e)]);
       if (here.span.isTie() && here.span.slack > much) markAround(cell, row, e, unsure_);
+      if (here.span.is_coarse && here.span.isAboutATie()) markAround(cell, row, e, unsure_);
       if (here.span.isTurned() && disputes_ == Disputes::are_listed) disputeAround(cell, row, e);
       if (row[e] < 0) {
         settle(k, row, e, here.span.isTie());
@@ -206,7 +207,7 @@ class Untying {
     if (alike || !isWellFormed(sites_, cells_, other)) return;
     const Seen there =
         see(other, other_row, back, cornerOf(other, other_row, back), cornerOf(other, other_row, back_end));
-    if (here.span.isAboutATie() || there.span.isAboutATie()) {
+    if (here.span.isAboutATie() || there.span.isAboutATie() || here.span.is_coarse) {
       markAround(cell, row, e, unsure_);
       markAround(other, other_row, back, unsure_);
     }
