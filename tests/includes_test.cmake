@@ -17,8 +17,7 @@ set(kinds
     "^io/"
     "^bench/"
     "^selftest/"
-    "^cli/"
-    "^view/")
+    "^cli/")
 set(may_include
     "^vorpipe/"
     "^(vorpipe\\.h|base/.*)$"
@@ -31,8 +30,7 @@ set(may_include
     "^(vorpipe\\.h|geos\\.h|io/.*)$"
     "^(vorpipe\\.h|base/.*|bench/.*|io/site_source\\.h|core/(cells/cells_run|picture/picture)\\.h|backend/(backend|registry)\\.h)$"
     "^(vorpipe\\.h|vorpipe/selftest\\.h|selftest/.*)$"
-    "^(vorpipe\\.h|vorpipe/selftest\\.h|io/.*|bench/.*|cli/.*)$"
-    "^(vorpipe\\.h|view/.*)$")
+    "^(vorpipe\\.h|vorpipe/selftest\\.h|io/.*|bench/.*|cli/.*)$")
 
 # Of every room: itself, those that it uses, each of which comes before it, and what all of core may know.
 file(STRINGS ${root}/src/core/CMakeLists.txt rooms REGEX "^vorpipe_room\\(")
@@ -61,7 +59,6 @@ set(guarded_headers
     "^(vulkan/|volk\\.h)"
     "^(epoxy|GL|GLES.|EGL|OpenGL)/"
     "^glm/"
-    "^GLFW/"
     "^flann/"
     "^(csv|png|zip)\\.h$"
     "^geos_c\\.h$"
@@ -74,7 +71,6 @@ set(users
     "^backend/vulkan/"
     "^backend/opengl/"
     "^backend/cpu/"
-    "^view/"
     "^core/search/flann_"
     "^io/"
     "^geos\\.h$"

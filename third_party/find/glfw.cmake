@@ -1,5 +1,0 @@
-find_package(glfw3 CONFIG QUIET)
-if(TARGET glfw)
-  add_library(dep::glfw INTERFACE IMPORTED)
-  target_link_libraries(dep::glfw INTERFACE glfw)
-endif()
