@@ -8,6 +8,7 @@ namespace vorpipe {
 /// Runs from its construction.
 class Stopwatch {
  public:
+  [[nodiscard]] double milliseconds() const { return 1e3 * seconds(); }
   [[nodiscard]] double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <numeric>
 
+#include "base/stopwatch.h"
 #include "bench/driver_threads.h"
 #include "cli/command.h"
 #include "cli/forecast.h"

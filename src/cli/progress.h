@@ -61,15 +61,4 @@ class ProgressBar {
 /// Prints a line on standard error, if that is a terminal.
 void printNote(std::string_view text);
 
-/// Milliseconds since it was made.
-class Stopwatch {
- public:
-  [[nodiscard]] double milliseconds() const {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
 }  // namespace vorpipe::cli

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "base/stopwatch.h"
 #include "bench/driver_threads.h"
 #include "cli/command.h"
 #include "cli/forecast.h"

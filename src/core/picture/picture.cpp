@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "base/inside.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "core/cells/cells_run.h"
@@ -85,8 +86,7 @@ bool areInside(const Sites& sites, const Box& domain, const Rings& rings, int ex
   parallelFor(sites.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end && all; ++i) {
       const double x = sites.x[i], y = sites.y[i];
-      const bool in_domain = x >= domain.xmin && x <= domain.xmax && y >= domain.ymin && y <= domain.ymax;
-      if (!in_domain || !index.contains({scale(x), scale(y)})) all = false;
+      if (!isInside(domain, x, y) || !index.contains({scale(x), scale(y)})) all = false;
     }
   });
   return all;

@@ -4,17 +4,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/inside.h"
 #include "base/parallel.h"
 
 namespace vorpipe {
 namespace {
 
 constexpr std::size_t grain = std::size_t{1} << 16;
-
-bool isInside(const SiteSet& sites, std::size_t i) {
-  const auto& box = sites.domain;
-  return sites.x[i] >= box.xmin && sites.x[i] <= box.xmax && sites.y[i] >= box.ymin && sites.y[i] <= box.ymax;
-}
 
 bool fitsFloat(const SiteSet& sites, std::size_t i) {
   constexpr double most_distance = 1e15, most_weight = 1e18;
@@ -31,7 +27,7 @@ Triage sortOut(const SiteSet& sites, int threads) {
     std::size_t count = 0;
     bool all_fit = true;
     for (auto i = begin; i < end; ++i) {
-      count += isInside(sites, i) ? 0u : 1u;
+      count += isInside(sites.domain, sites.x[i], sites.y[i]) ? 0u : 1u;
       all_fit = all_fit && fitsFloat(sites, i);
     }
     outside += count;
@@ -51,7 +47,7 @@ Triage sortOut(const SiteSet& sites, int threads) {
   triage.inside.reserve(sites.size() - outside);
   triage.outside.reserve(outside);
   for (std::uint32_t i = 0; i < sites.size(); ++i) {
-    (isInside(sites, i) ? triage.inside : triage.outside).push_back(i);
+    (isInside(sites.domain, sites.x[i], sites.y[i]) ? triage.inside : triage.outside).push_back(i);
   }
   return triage;
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 
+#include "base/inside.h"
 #include "base/parallel.h"
 #include "core/vertices/size_order.h"
 #include "core/vertices/vertex_batch.h"
@@ -170,10 +171,6 @@ void checkSome(const ProposedCells& proposed, std::size_t count, const CellAt& c
         forCellsBySize(proposed.cells, begin, end, cellAt, [&](std::uint32_t cell) { checking.check(cell); });
         checking.finish();
       });
-}
-
-bool isInside(const Box& box, double x, double y) {
-  return x >= box.xmin && x <= box.xmax && y >= box.ymin && y <= box.ymax;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "base/inside.h"
 #include "core/geometry/polygon_measures.h"
 #include "core/geometry/vertex_position.h"
 
@@ -37,9 +38,8 @@ inline std::int64_t outsideIndex(const SiteSet& sites, std::int32_t neighbor) {
 /// with weights and of sites outside the domain.
 inline Point measuringOrigin(const SiteSet& sites, std::size_t cell, const Place& first_corner) {
   const Point site{sites.x[cell], sites.y[cell]};
-  const Box& d = sites.domain;
-  const bool is_inside = site.x >= d.xmin && site.x <= d.xmax && site.y >= d.ymin && site.y <= d.ymax;
-  return sites.weight.empty() && is_inside ? site : positionOf(first_corner);
+  const bool holds_site = sites.weight.empty() && isInside(sites.domain, site.x, site.y);
+  return holds_site ? site : positionOf(first_corner);
 }
 
 /// Measures the cell with these corners, counter-clockwise, about `origin`.
