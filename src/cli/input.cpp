@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/stopwatch.h"
 #include "cli/progress.h"
 #include "io/error.h"
 #include "io/outline_file.h"
@@ -106,27 +107,13 @@ tl::unexpected<Error> named(std::string_view option, Error error) {
 }
 
 tl::unexpected<Error> asOption(Error error, const InputOptions& options) {
-  // How messages begin, and how much of that the option stands for.
-  struct Subject {
-    std::string_view begin, option;
-    bool replaced = false;
-  };
-  const std::array<Subject, 11> subjects = {{{"outline: ", "--domain", true},
-                                             {"density: ", "--density", true},
-                                             {"search by FLANN: ", "--search", true},
-                                             {"domain: ", "--domain", true},
-                                             {"the domain ", "--domain"},
-                                             {"the weight of ", weightsOption(options)},
-                                             {"the cells of the periodic domain ", "--periodic"},
-                                             {"the cells of ", "--sites"},
-                                             {"the areas of ", "--sites"},
-                                             {"sites ", "--sites"},
-                                             {"site ", "--sites"}}};
-  const auto* const subject = std::ranges::find_if(
-      subjects, [&](const Subject& each) { return error.message.starts_with(each.begin); });
-  if (subject == subjects.end()) return tl::unexpected(std::move(error));
-  if (subject->replaced) error.message.erase(0, subject->begin.size());
-  return named(subject->option, std::move(error));
+  const std::array<std::string_view, 8> option{
+      "", "--sites", weightsOption(options), "--domain", "--domain", "--periodic", "--density", "--search"};
+  if (error.subject == Subject::none) return tl::unexpected(std::move(error));
+  // The option stands for the subject's name.
+  const std::string name = fmt::format("{}: ", nameOf(error.subject));
+  if (error.message.starts_with(name)) error.message.erase(0, name.size());
+  return named(option[static_cast<std::size_t>(error.subject)], std::move(error));
 }
 
 Result<void> checkInput(const InputOptions& options, const Input& input, const CellsOptions& cells,

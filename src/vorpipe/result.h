@@ -18,11 +18,18 @@ enum class ErrorCode : std::uint8_t {
   cancelled,  ///< the caller's Progress asked to stop
 };
 
+/// What of the input an error is about.
+enum class Subject : std::uint8_t { none, sites, weights, domain, outline, period, density, search };
+
+/// Its name, as messages begin that do not name it otherwise: "outline", as in "outline: it crosses itself".
+std::string_view nameOf(Subject subject);
+
 /// What went wrong outside the program: one line that names the thing, the place and what to do.
 struct Error {
   ErrorCode code;
   std::string message;
   bool out_of_memory{};  ///< of a device: it has no memory for so much at a time
+  Subject subject{};     ///< of an input
 };
 
 template <class T>

@@ -61,6 +61,29 @@ TEST(Input, IsInARangeThatAreasHave) {
   }
 }
 
+TEST(Input, SaysWhatOfItIsWrong) {
+  const auto subject = [](const Sites& sites, const CellsOptions& options) {
+    const auto checked = checkInput(sites, options);
+    return checked ? Subject::none : checked.error().subject;
+  };
+  const Sites sites{{0.25, 0.75}, {0.5, 0.5}, {}};
+  EXPECT_EQ(subject(sites, unit_cells), Subject::none);
+  EXPECT_EQ(subject({{0.25, NAN}, {0.5, 0.5}, {}}, unit_cells), Subject::sites);
+  EXPECT_EQ(subject({{0.25, 0.75}, {0.5, 0.5}, {1, NAN}}, unit_cells), Subject::weights);
+  CellsOptions options = unit_cells;
+  options.domain = {0, 0, 0, 1};
+  EXPECT_EQ(subject(sites, options), Subject::domain);
+  options = unit_cells;
+  options.search.neighbors = 2;
+  EXPECT_EQ(subject(sites, options), Subject::search);
+  options = unit_cells;
+  options.density = {2, 2, {1, 1, -1, 1}};
+  EXPECT_EQ(subject(sites, options), Subject::density);
+  options = unit_cells;
+  options.outline = {{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {0, 4}, {0, 1}};
+  EXPECT_EQ(subject(sites, options), Subject::outline);
+}
+
 TEST(Input, FlannTakesNoWeights) {
   Sites sites = mixedSites();
   CellsOptions options = unit_cells;
@@ -68,7 +91,7 @@ TEST(Input, FlannTakesNoWeights) {
   sites.weight.assign(sites.size(), 3);
   EXPECT_EQ(refusalOf(sites, options), "accepted");
   sites.weight[5] = 4;
-  EXPECT_THAT(refusalOf(sites, options), HasSubstr("search by FLANN"));
+  EXPECT_THAT(refusalOf(sites, options), HasSubstr("search: of sites with weights"));
 }
 
 RenderOptions pictureOf(const CellsOptions& cells) {

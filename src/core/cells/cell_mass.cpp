@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "base/refusal.h"
 #include "core/cells/pixel_rows.h"
 
 namespace vorpipe {
@@ -14,7 +15,7 @@ namespace {
 constexpr std::size_t grain = 256;
 
 tl::unexpected<Error> refuse(const std::string& what) {
-  return tl::unexpected(Error{ErrorCode::input, "density: " + what});
+  return tl::unexpected(refusalOf(Subject::density, what));
 }
 
 /// The rings of a cell, as ranges of a diagram's vertices.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/refusal.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -189,7 +190,7 @@ Result<IdDiff> diffIds(Ids a, Ids b, int width, int height, const Sites& sites, 
   const bool valid = std::isfinite(domain.xmax - domain.xmin) && domain.xmin < domain.xmax &&
                      std::isfinite(domain.ymax - domain.ymin) && domain.ymin < domain.ymax;
   if (!valid) {
-    return tl::unexpected(Error{ErrorCode::input, "domain: needs finite xmin < xmax and ymin < ymax"});
+    return tl::unexpected(refusalOf(Subject::domain, "needs finite xmin < xmax and ymin < ymax"));
   }
   const Grid grid{width, height};
   if (periodic == Periodic::none) return compare(a, b, grid, BisectorDistance(sites, domain, grid));

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/parallel.h"
+#include "base/refusal.h"
 #include "base/stopwatch.h"
 #include "core/diagram/diagram_writer.h"
 #include "core/diagram/dual_triangles.h"
@@ -34,10 +35,10 @@ Result<TiedCells> agree(const TopologyInput& input, Topology& topology, const Re
   if (!tied) return tied;
   const double gap = areaGap(records.by_input, domain, input.threads);
   if (std::abs(gap) <= area_wrong) return tied;
-  return tl::unexpected(
-      Error{ErrorCode::input,
-            fmt::format("the areas of all cells add up to {} of the domain's, beyond what rounding explains",
-                        1 + gap)});
+  return tl::unexpected(refusal(
+      Subject::sites,
+      fmt::format("the areas of all cells add up to {} of the domain's, beyond what rounding explains",
+                  1 + gap)));
 }
 
 /// The centroid of a site without a cell is the site, as the caller has it to the last bit: scaled ones may

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "base/parallel.h"
+#include "base/refusal.h"
 #include "core/diagram/diagram_writer.h"
 #include "core/outline/clip_cell.h"
 #include "core/outline/clipped_records.h"
@@ -98,10 +99,10 @@ Result<void> checkAreas(const ScaledDiagram& cells, const Rings& rings, const Di
   const double largest =
       std::max({std::abs(box.xmin), std::abs(box.xmax), std::abs(box.ymin), std::abs(box.ymax)});
   if (std::abs(sum - area) <= area_wrong * area + line_rounding * largest * (1 + length)) return {};
-  return tl::unexpected(Error{
-      ErrorCode::input, fmt::format("outline: the areas of all cells add up to {} of that inside it, beyond "
-                                    "what rounding explains",
-                                    sum / area)});
+  return tl::unexpected(
+      refusalOf(Subject::outline, fmt::format("the areas of all cells add up to {} of that inside it, beyond "
+                                              "what rounding explains",
+                                              sum / area)));
 }
 
 }  // namespace

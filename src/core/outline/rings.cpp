@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/refusal.h"
 #include "base/wide.h"
 #include "core/geometry/predicates.h"
 
@@ -68,8 +69,8 @@ Result<Rings> ringsOf(const Outline& outline, int exponent) {
         const Point from = outline.points[p];
         const Point point{std::ldexp(from.x, exponent), std::ldexp(from.y, exponent)};
         if (std::max(std::abs(point.x), std::abs(point.y)) > farthest) {
-          return tl::unexpected(Error{
-              ErrorCode::input, fmt::format("outline: ({}, {}) is too far from the domain", from.x, from.y)});
+          return tl::unexpected(refusalOf(
+              Subject::outline, fmt::format("({}, {}) is too far from the domain", from.x, from.y)));
         }
         if (rings.size() == begin || rings.points.back() != point) rings.points.push_back(point);
       }

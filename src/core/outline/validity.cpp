@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "base/refusal.h"
 #include "core/outline/rings.h"
 #include "geos.h"
 
@@ -15,7 +16,7 @@ namespace {
 constexpr std::size_t most_points = std::numeric_limits<std::int32_t>::max();
 
 tl::unexpected<Error> refuse(const std::string& what) {
-  return tl::unexpected(Error{ErrorCode::input, "outline: " + what});
+  return tl::unexpected(refusalOf(Subject::outline, what));
 }
 
 GeosGeometry polygonAs(const Geos& geos, const Outline& outline, std::size_t polygon) {

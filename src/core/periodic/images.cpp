@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "base/refusal.h"
 #include "base/wide.h"
 #include "core/sites/bin_sort.h"
 #include "core/sites/site_set.h"
@@ -160,9 +161,9 @@ Result<PeriodicSites> placeSites(const Sites& sites, const Box& domain, Periodic
     placing.put(begin, end, outside[begin / grain], too_far[begin / grain]);
   });
   if (const auto i = *std::ranges::min_element(too_far); i < sites.size()) {
-    return tl::unexpected(Error{
-        ErrorCode::input, fmt::format("site {} is too far from the domain to be wrapped into it: {}, {}", i,
-                                      sites.x[i], sites.y[i])});
+    return tl::unexpected(refusal(
+        Subject::sites, fmt::format("site {} is too far from the domain to be wrapped into it: {}, {}", i,
+                                    sites.x[i], sites.y[i])));
   }
   placed.all_inside = std::ranges::find(outside, 1) == outside.end();
   placed.sites.weight = sites.weight;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/refusal.h"
 #include "base/stopwatch.h"
 #include "core/diagram/box_diagram.h"
 #include "core/diagram/diagram_writer.h"
@@ -84,11 +85,11 @@ class Runs {
     times.cells = std::max(times.cells, 0.0) + 1e3 * watch.seconds();
     if (!whole && !(settled && std::abs(gap) <= area_rounding)) return wholeBand(placed_, band);
     if (settled && std::abs(gap) <= area_wrong) return band;
-    return tl::unexpected(
-        Error{ErrorCode::input,
-              fmt::format("the cells of the periodic domain do not agree across its border, and add up to {} "
-                          "of it, beyond what rounding explains",
-                          1 + gap)});
+    return tl::unexpected(refusal(
+        Subject::period,
+        fmt::format("the cells of the periodic domain do not agree across its border, and add up to {} "
+                    "of it, beyond what rounding explains",
+                    1 + gap)));
   }
 
   ImagedSites imaged;

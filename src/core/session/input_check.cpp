@@ -4,6 +4,7 @@
 
 #include <new>
 
+#include "base/refusal.h"
 #include "core/cells/cell_mass.h"
 #include "core/outline/rings.h"
 #include "core/periodic/images.h"
@@ -18,8 +19,8 @@ namespace {
 Result<void> checkSearch(const SearchOptions& search) {
   constexpr auto fewest = FlannSearch::fewest_neighbors, most = FlannSearch::most_neighbors;
   if (search.neighbors >= fewest && search.neighbors <= most) return {};
-  return tl::unexpected(
-      Error{ErrorCode::input, fmt::format("{} neighbors: must be {} to {}", search.neighbors, fewest, most)});
+  return tl::unexpected(refusalOf(
+      Subject::search, fmt::format("{} neighbors: must be {} to {}", search.neighbors, fewest, most)));
 }
 
 Result<void> checkArea(const Box& domain) {
@@ -29,11 +30,11 @@ Result<void> checkArea(const Box& domain) {
   const bool is_box = width > 0 && height > 0;
   const double area = width * height;
   if (!is_box || (area >= least && area <= most)) return {};
-  return tl::unexpected(
-      Error{ErrorCode::input,
-            fmt::format("the domain is {} wide and {} high: areas need one whose own lies between {:.0e} and "
-                        "{:.0e}, such as sides of 1e-150 to 1e150; scale the sites",
-                        width, height, least, most)});
+  return tl::unexpected(refusal(
+      Subject::domain,
+      fmt::format("the domain is {} wide and {} high: areas need one whose own lies between {:.0e} and "
+                  "{:.0e}, such as sides of 1e-150 to 1e150; scale the sites",
+                  width, height, least, most)));
 }
 
 }  // namespace
@@ -41,9 +42,9 @@ Result<void> checkArea(const Box& domain) {
 Result<void> checkOptions(const Sites& sites, const CellsOptions& options) {
   if (auto checked = checkSearch(options.search); !checked) return checked;
   if (options.search.method == Search::flann && hasWeights(sites)) {
-    return tl::unexpected(Error{ErrorCode::input,
-                                "search by FLANN: of sites with weights, those beyond the nearest may cut a "
-                                "cell as well; take the grid"});
+    return tl::unexpected(refusalOf(Subject::search,
+                                    "of sites with weights, those beyond the nearest that FLANN finds may "
+                                    "cut a cell as well; take the grid"));
   }
   if (!options.density.values.empty()) {
     if (auto checked = checkDensity(options.density); !checked) return checked;

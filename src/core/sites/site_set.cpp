@@ -7,7 +7,9 @@
 #include <limits>
 #include <utility>
 
+#include "base/inside.h"
 #include "base/parallel.h"
+#include "base/refusal.h"
 #include "core/sites/bin_sort.h"
 #include "core/sites/grid.h"
 #include "core/sites/near_sites.h"
@@ -22,8 +24,8 @@ constexpr double farthest = 0x1p300;  ///< in domains
 constexpr std::size_t most_sites = std::numeric_limits<std::int32_t>::max();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-tl::unexpected<Error> refuse(std::string message) {
-  return tl::unexpected(Error{ErrorCode::input, std::move(message)});
+tl::unexpected<Error> refuse(Subject subject, std::string message) {
+  return tl::unexpected(refusal(subject, std::move(message)));
 }
 
 Result<void> checkDomain(const Box& domain) {
@@ -31,7 +33,8 @@ Result<void> checkDomain(const Box& domain) {
                       std::isfinite(domain.xmax) && std::isfinite(domain.ymax) &&
                       std::isfinite(domain.xmax - domain.xmin) && std::isfinite(domain.ymax - domain.ymin);
   if (!finite || !(domain.xmin < domain.xmax) || !(domain.ymin < domain.ymax)) {
-    return refuse(fmt::format("the domain {},{},{},{} is not a rectangle with xmin < xmax and ymin < ymax",
+    return refuse(Subject::domain,
+                  fmt::format("the domain {},{},{},{} is not a rectangle with xmin < xmax and ymin < ymax",
                               domain.xmin, domain.ymin, domain.xmax, domain.ymax));
   }
   return {};
@@ -45,7 +48,7 @@ struct Extent {
 
   void add(double x, double y, const Box& near) {
     box = {std::min(box.xmin, x), std::min(box.ymin, y), std::max(box.xmax, x), std::max(box.ymax, y)};
-    inside += x >= near.xmin && x <= near.xmax && y >= near.ymin && y <= near.ymax ? 1 : 0;
+    inside += isInside(near, x, y) ? 1U : 0U;
     usable = usable && std::abs(x) <= farthest && std::abs(y) <= farthest;
   }
   void add(const Extent& other) {
@@ -75,32 +78,33 @@ Error unusableSite(const Sites& sites, const PowerOfTwo& scale) {
   std::size_t i = 0;
   while (isUsable(sites.x[i]) && isUsable(sites.y[i])) ++i;
   const bool finite = std::isfinite(sites.x[i]) && std::isfinite(sites.y[i]);
-  return {ErrorCode::input,
-          fmt::format("site {} {}: {}, {}", i, finite ? "is too far from the domain" : "is not finite",
-                      sites.x[i], sites.y[i])};
+  return refusal(Subject::sites,
+                 fmt::format("site {} {}: {}, {}", i, finite ? "is too far from the domain" : "is not finite",
+                             sites.x[i], sites.y[i]));
 }
 
 Error nearSites(const Sites& sites, std::uint32_t a, std::uint32_t b) {
   if (a > b) std::swap(a, b);
   if (a == b) {
-    return {ErrorCode::input, fmt::format("the domain is too narrow: site {} is nearer to its own image than "
-                                          "{:.0e} of the domain's longer side",
-                                          a, least_distance)};
+    return refusal(Subject::domain,
+                   fmt::format("the domain is too narrow: site {} is nearer to its own image than "
+                               "{:.0e} of the domain's longer side",
+                               a, least_distance));
   }
-  return {
-      ErrorCode::input,
+  return refusal(
+      Subject::sites,
       fmt::format("sites {} and {}: {}, {} and {}, {} are not equal, but nearer to each other than {:.0e} of "
                   "the domain's longer side: make them equal, or move one",
-                  a, b, sites.x[a], sites.y[a], sites.x[b], sites.y[b], least_distance)};
+                  a, b, sites.x[a], sites.y[a], sites.x[b], sites.y[b], least_distance));
 }
 
 Result<void> checkNumber(const Sites& sites) {
-  if (sites.size() == 0) return refuse("there are no sites");
+  if (sites.size() == 0) return refuse(Subject::sites, "there are no sites");
   if (sites.y.size() != sites.size() || (!sites.weight.empty() && sites.weight.size() != sites.size())) {
-    return refuse("x, y and weight differ in length");
+    return refuse(Subject::sites, "x, y and weight differ in length");
   }
   if (sites.size() > most_sites)
-    return refuse(fmt::format("{} sites are more than {}", sites.size(), most_sites));
+    return refuse(Subject::sites, fmt::format("{} sites are more than {}", sites.size(), most_sites));
   return {};
 }
 

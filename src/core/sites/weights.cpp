@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "base/parallel.h"
+#include "base/refusal.h"
 #include "base/wide.h"
 #include "core/sites/weight_pyramid.h"
 
@@ -49,9 +50,9 @@ Range rangeOf(const std::vector<double>& weights, int threads) {
 Error unusableWeight(const Sites& sites, const std::vector<double>& scaled) {
   const auto first = std::find_if_not(scaled.begin(), scaled.end(), isUsable) - scaled.begin();
   const double weight = sites.weight[static_cast<std::size_t>(first)];
-  return {ErrorCode::input,
-          fmt::format("the weight of site {} is {}: {}", first,
-                      std::isfinite(weight) ? "too large for the domain" : "not finite", weight)};
+  return refusal(Subject::weights,
+                 fmt::format("the weight of site {} is {}: {}", first,
+                             std::isfinite(weight) ? "too large for the domain" : "not finite", weight));
 }
 
 void subtractIfExact(double least, int threads, std::vector<double>& weights) {

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <utility>
 
+#include "base/refusal.h"
 #include "core/judge/hidden_cells.h"
 #include "core/ties/tied_records.h"
 
@@ -209,10 +210,9 @@ class Agreeing {
 
   Result<bool> takeResort(const std::vector<std::uint32_t>& doubtful) {
     if (resort_ == Resort::ties) {
-      return tl::unexpected(
-          Error{ErrorCode::input,
-                fmt::format("the cells of {} sites around site {} disagree beyond exact arithmetic",
-                            doubtful.size(), sites_.id[doubtful[0]])});
+      return tl::unexpected(refusal(
+          Subject::sites, fmt::format("the cells of {} sites around site {} disagree beyond exact arithmetic",
+                                      doubtful.size(), sites_.id[doubtful[0]])));
     }
     if (resort_ == Resort::judge && findAllInMesh(input_, topology_)) {
       report_.exact += sites_.size();

@@ -10,6 +10,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/parallel.h"
+#include "base/refusal.h"
 #include "core/judge/hidden_cells.h"
 #include "core/ties/collapsed_edges.h"
 #include "core/ties/tied_vertices.h"
@@ -278,7 +279,7 @@ Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std:
   }
   if (tied.first.back() >= std::numeric_limits<std::uint32_t>::max()) {
     return tl::unexpected(
-        Error{ErrorCode::input, fmt::format("{} tied corners are more than 4294967294", tied.first.back())});
+        refusal(Subject::sites, fmt::format("{} tied corners are more than 4294967294", tied.first.back())));
   }
   if (!tied.cell.empty()) Untying(proposed, fineness, disputes, tied).run();
   return tied;
