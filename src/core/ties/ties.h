@@ -47,7 +47,8 @@ enum class Disputes : std::uint8_t { are_listed, are_ties };
 /// An edge whose two ends ties join is a tie as well, and so are all edges of cells that ties enclose; see
 /// collapsed_edges.h. Vertices that many ties make wide are for the caller to make finer. What is unsure is
 /// no dispute: cells differ about the ends of an edge at a wall, of whose edges those count that are far
-/// shorter than ties, or a vertex is wide.
+/// shorter than ties; or about those of an edge that is about as long as a tie, or that rounding is longer
+/// than; a tie is much of a cell; or a vertex is wide.
 ///
 /// Error (input): more than 2^32 - 2 corners.
 ///
