@@ -143,6 +143,8 @@ class Untying {
       const auto here = see(cell, row, e, corners[e], corners[after(row, e)]);
       if (here.span.isTie() && here.span.slack > much) markAround(cell, row, e, unsure_);
       if (here.span.is_coarse && here.span.isAboutATie()) markAround(cell, row, e, unsure_);
+      // Of a wall, rounding alone may say that a cell between two that nearly meet reaches it.
+      if (row[e] < 0 && here.span.isTie()) markAround(cell, row, e, unsure_);
       if (here.span.isTurned() && disputes_ == Disputes::are_listed) disputeAround(cell, row, e);
       if (row[e] < 0) {
         settle(k, row, e, here.span.isTie());
