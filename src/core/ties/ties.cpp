@@ -210,13 +210,22 @@ class Untying {
     if (alike || !isWellFormed(sites_, cells_, other)) return;
     const Seen there =
         see(other, other_row, back, cornerOf(other, other_row, back), cornerOf(other, other_row, back_end));
-    if (here.span.isAboutATie() || there.span.isAboutATie() || here.span.is_coarse) {
+    if (here.span.isAboutATie() || there.span.isAboutATie() || here.span.is_coarse || areApart(here, there)) {
       markAround(cell, row, e, unsure_);
       markAround(other, other_row, back, unsure_);
     }
     const bool tie = compare(cell, row[e], here, there);
     settle(k, row, e, tie);
     settle(other_k, other_row, back, tie);
+  }
+
+  /// Whether two cells see the ends of their edge at places so far apart that an edge which is no tie may be
+  /// between them, and both cells lack it.
+  static bool areApart(const Seen& here, const Seen& there) {
+    constexpr double share = 0.01;
+    const double apart =
+        std::max(lengthOf(wayBetween(here.begin, there.end)), lengthOf(wayBetween(here.end, there.begin)));
+    return apart > share * here.span.slack;
   }
 
   void settle(std::size_t k, std::span<const std::int32_t> row, std::size_t e, bool tie) {
