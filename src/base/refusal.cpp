@@ -1,14 +1,29 @@
 #include "base/refusal.h"
 
-#include <array>
 #include <utility>
 
 namespace vorpipe {
 
 std::string_view nameOf(Subject subject) {
-  constexpr std::array<std::string_view, 8> names{"",        "sites",  "weights", "domain",
-                                                  "outline", "period", "density", "search"};
-  return names[static_cast<std::size_t>(subject)];
+  switch (subject) {
+    case Subject::none:
+      break;
+    case Subject::sites:
+      return "sites";
+    case Subject::weights:
+      return "weights";
+    case Subject::domain:
+      return "domain";
+    case Subject::outline:
+      return "outline";
+    case Subject::period:
+      return "period";
+    case Subject::density:
+      return "density";
+    case Subject::search:
+      return "search";
+  }
+  return {};
 }
 
 Error refusal(Subject subject, std::string message) {

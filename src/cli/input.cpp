@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -85,6 +84,27 @@ std::string_view weightsOption(const InputOptions& options) {
   return options.weights.empty() ? "--sites" : "--weights";
 }
 
+std::string_view optionOf(Subject subject, const InputOptions& options) {
+  switch (subject) {
+    case Subject::none:
+      break;
+    case Subject::sites:
+      return "--sites";
+    case Subject::weights:
+      return weightsOption(options);
+    case Subject::domain:
+    case Subject::outline:
+      return "--domain";
+    case Subject::period:
+      return "--periodic";
+    case Subject::density:
+      return "--density";
+    case Subject::search:
+      return "--search";
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<Input> loadInput(const InputOptions& options) {
@@ -107,13 +127,11 @@ tl::unexpected<Error> named(std::string_view option, Error error) {
 }
 
 tl::unexpected<Error> asOption(Error error, const InputOptions& options) {
-  const std::array<std::string_view, 8> option{
-      "", "--sites", weightsOption(options), "--domain", "--domain", "--periodic", "--density", "--search"};
   if (error.subject == Subject::none) return tl::unexpected(std::move(error));
   // The option stands for the subject's name.
   const std::string name = fmt::format("{}: ", nameOf(error.subject));
   if (error.message.starts_with(name)) error.message.erase(0, name.size());
-  return named(option[static_cast<std::size_t>(error.subject)], std::move(error));
+  return named(optionOf(error.subject, options), std::move(error));
 }
 
 Result<void> checkInput(const InputOptions& options, const Input& input, const CellsOptions& cells,
