@@ -11,6 +11,10 @@ using Arrays = std::vector<MemoryPlan::Array>;
 
 void append(Arrays& to, const Arrays& from) { to.insert(to.end(), from.begin(), from.end()); }
 
+/// Edges that a cell is found with: 6 on average, since cells cover the plane, and where four cells meet in a
+/// point also some that one of two cells alone has. The result has spread.edges of them, those that are no ties.
+double proposedEdges(const Spread& spread) { return 6 + 0.3 * spread.tied; }
+
 /// Plans findTopology; returns what remains of it.
 Arrays planTopology(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
   const DeviceNeeds needs = needsOf(work);
@@ -27,7 +31,7 @@ Arrays planTopology(MemoryPlan& plan, const Workload& work, std::uint64_t sites)
     plan.take("answers of the device", slices * answer + step * needs.entry);
   }
   // Where a device has only a part of its answers at a time, rows are put together from them.
-  const auto row = partOf(word, work.spread.edges);
+  const auto row = partOf(word, proposedEdges(work.spread));
   for (std::uint64_t done = 0; done < sites; done += step) {
     const auto here = std::min(step, sites - done);
     const auto status = plan.take(search, here * (number + 1));
@@ -61,11 +65,12 @@ Arrays planTopology(MemoryPlan& plan, const Workload& work, std::uint64_t sites)
   return kept;
 }
 
-/// Plans agreeOnCells: a cell has a corner for each edge, and each vertex has three corners, or more at ties.
+/// Plans agreeOnCells: a tied cell has a corner for each edge, and each vertex has three corners, or more at
+/// ties.
 Arrays planTies(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
   const std::string_view what = "vertices at ties";
   const auto cells = partOf(sites, work.spread.tied);
-  const auto corners = partOf(cells, work.spread.edges + 1);
+  const auto corners = partOf(cells, proposedEdges(work.spread) + 0.7);
   const auto vertices = partOf(cells, std::max(1.3, work.spread.edges / 2 - 1));
   const auto rough = plan.take("the check of cells", sites);
   Arrays kept{plan.take(what, sites * word)};
@@ -74,7 +79,7 @@ Arrays planTies(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
   kept.push_back(plan.take(what, cells * number));
   kept.push_back(plan.take(what, cells * word));
   plan.drop(shorter);
-  const auto sets = plan.take(what, corners * word + cells);
+  const auto sets = plan.take(what, corners * word + 2 * cells);
   for (const auto bytes : {1 * corners, word * corners, 33 * vertices, word * vertices, word * corners}) {
     kept.push_back(plan.take(what, bytes));
   }
