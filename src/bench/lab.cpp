@@ -212,10 +212,10 @@ Result<void> Lab::run(Outcome& outcome, bool counts) {
     const int threads = (*opened)->threads;
     auto done = job.side > 0 ? timeRun(picture,
                                        [&](const auto& options) {
-                                         return renderOn(backend, judge, threads, data.sites, options);
+                                         return core::renderOn(backend, judge, threads, data.sites, options);
                                        })
                              : timeRun(cells, [&](const auto& options) {
-                                 return cellsOn(backend, judge, threads, data.sites, options);
+                                 return core::cellsOn(backend, judge, threads, data.sites, options);
                                });
     if (!done) return tl::unexpected(std::move(done.error()));
     if (const auto& said = done->report.validation_messages; !said.empty()) {

@@ -20,6 +20,8 @@
 
 namespace vorpipe::test {
 
+using namespace core;
+
 inline constexpr Box unit_square{0, 0, 1, 1};
 
 /// Defined by the tests of each device backend: opens it, or fails the test and returns null.

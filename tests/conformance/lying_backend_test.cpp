@@ -12,6 +12,9 @@
 #include "support/oracle.h"
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 constexpr std::size_t count = 4000;

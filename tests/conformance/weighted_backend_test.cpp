@@ -18,6 +18,9 @@
 #include "unit/brute_force.h"
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 struct Weighted {

@@ -13,6 +13,9 @@
 #include "unit/passing_on.h"
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 /// Computes as the host does, but for what `change` makes of it.

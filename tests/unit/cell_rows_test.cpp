@@ -6,6 +6,9 @@
 #include <numeric>
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 using enum CellStatus;

@@ -5,6 +5,9 @@
 #include <set>
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 TEST(Colormap, EveryNameHasAnOpaquePalette) {

@@ -6,6 +6,9 @@
 #include "unit/agreed_cells.h"
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 TEST(Cells, ofTwoSitesMeetTheWalls) {

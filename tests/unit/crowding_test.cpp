@@ -10,6 +10,9 @@
 #include "core/tiles/refine.h"
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 std::vector<std::uint32_t> allOf(const SiteSet& sites) {

@@ -10,6 +10,9 @@
 #include "core/geometry/predicates.h"
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 TEST(Orientation, isExactOnALine) {

@@ -12,6 +12,9 @@
 #include "outlines.h"
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 Density randomDensity(int width, int height, std::uint64_t seed) {

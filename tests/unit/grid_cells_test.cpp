@@ -15,6 +15,8 @@
 
 namespace vorpipe::cpu {
 
+using namespace core;
+
 void findIn4Lanes(const LaneJob& job, bool roomy);
 void findWeightedIn4Lanes(const LaneJob& job, bool roomy);
 

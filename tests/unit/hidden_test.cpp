@@ -12,6 +12,9 @@
 #include "unit/proposed_cells.h"
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 std::vector<std::int32_t> someOf(const SiteSet& set, std::uint32_t cell, Random& random, std::uint64_t most) {

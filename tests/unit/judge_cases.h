@@ -17,6 +17,8 @@
 
 namespace vorpipe::cpu {
 
+using namespace core;
+
 inline SiteSet setOf(const std::vector<Point>& points, const Box& domain = {0, 0, 1, 1}) {
   constexpr double far = std::numeric_limits<double>::infinity();
   SiteSet set;

@@ -4,6 +4,9 @@
 #include "unit/judge_cases.h"
 
 namespace vorpipe::cpu {
+
+using namespace core;
+
 namespace {
 
 struct WeightedJudge : Judge {

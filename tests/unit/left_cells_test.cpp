@@ -8,6 +8,9 @@
 #include "core/search/sample.h"
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 TEST(SortDistinct, SortsFewAndMany) {

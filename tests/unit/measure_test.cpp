@@ -7,6 +7,9 @@
 #include <vector>
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 TEST(MeasurePolygon, aRectangleHasItsTextbookMoments) {

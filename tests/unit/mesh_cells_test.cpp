@@ -13,6 +13,9 @@
 #include "unit/proposed_cells.h"
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 SiteSet prepared(Sites sites, const Box& domain = {0, 0, 1, 1}) { return prepare(sites, domain, 2)->set; }

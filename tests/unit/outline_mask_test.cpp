@@ -10,6 +10,9 @@
 #include "outlines.h"
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 RenderOptions picture(const Outline& outline, int width, int height) {

@@ -6,6 +6,8 @@
 
 namespace vorpipe::test {
 
+using namespace core;
+
 inline constexpr Box unit{0, 0, 1, 1};
 
 inline PeriodicSites placed(const Sites& sites, const Box& domain = unit, Periodic periodic = Periodic::xy) {

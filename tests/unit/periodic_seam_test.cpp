@@ -9,6 +9,9 @@
 #include "periodic_runs.h"
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 using ::testing::IsEmpty;

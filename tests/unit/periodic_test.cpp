@@ -10,6 +10,9 @@
 #include "periodic_runs.h"
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 TEST(PeriodicAxis, HasExactImages) {

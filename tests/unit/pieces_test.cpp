@@ -5,6 +5,9 @@
 #include <cmath>
 
 namespace vorpipe {
+
+using namespace core;
+
 namespace {
 
 /// How far a point is beyond the lines of an entry.

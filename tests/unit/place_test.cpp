@@ -12,6 +12,9 @@
 #include "unit/proposed_cells.h"
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 bool same(const Place& a, const Place& b) {

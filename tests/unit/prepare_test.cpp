@@ -10,6 +10,9 @@
 #include "core/sites/grid.h"
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 constexpr Box unit{0, 0, 1, 1};

@@ -15,6 +15,8 @@
 
 namespace vorpipe::test {
 
+using namespace core;
+
 using Rows = std::vector<std::vector<std::int32_t>>;
 
 inline SiteSet sitesAt(std::vector<double> x, std::vector<double> y) {

@@ -11,6 +11,9 @@
 #include "unit/passing_on.h"
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 using selftests::Runs;

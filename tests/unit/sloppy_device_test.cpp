@@ -12,6 +12,9 @@
 #include "support/sloppy_device.h"
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 using Way = Sloppiness::Way;

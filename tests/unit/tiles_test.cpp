@@ -12,6 +12,9 @@
 #include "core/sites/site_set.h"
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();

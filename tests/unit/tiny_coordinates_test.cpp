@@ -9,6 +9,9 @@
 #include "unit/periodic_runs.h"
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 using ::testing::IsEmpty;

@@ -9,6 +9,9 @@
 #include "support/random_sites.h"
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 constexpr std::uint32_t left_color = 0x01020304;

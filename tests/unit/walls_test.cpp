@@ -5,6 +5,9 @@
 #include <cmath>
 
 namespace vorpipe {
+
+using namespace core;
+
 namespace {
 
 constexpr std::uint8_t xmin = 1, xmax = 2, ymin = 4, ymax = 8;

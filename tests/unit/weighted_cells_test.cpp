@@ -14,6 +14,9 @@
 #include "unit/checked_runs.h"
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 constexpr double shortest = 1e-12;  ///< squared

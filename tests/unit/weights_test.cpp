@@ -18,6 +18,9 @@
 #include "unit/proposed_cells.h"
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 constexpr Box unit{0, 0, 1, 1};

@@ -9,7 +9,7 @@
 #include "base/refusal.h"
 #include "core/cells/pixel_rows.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 256;
@@ -152,4 +152,4 @@ void measureMass(const Density& density, const Box& domain, Periodic periodic, i
   });
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -3,7 +3,7 @@
 
 #include "vorpipe.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Refuses sizes below 1, another number of values than pixels, and values that are negative or not finite.
 /// Error (input): names the row and column, from 0.
@@ -18,4 +18,4 @@ Result<void> checkDensity(const Density& density);
 /// large is subtracted. The time is that of the pixels that cells touch, each for each of its cells.
 void measureMass(const Density& density, const Box& domain, Periodic periodic, int threads, Diagram& diagram);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -8,7 +8,7 @@
 #include "core/outline/clip_diagram.h"
 #include "core/periodic/periodic_diagram.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 Result<Diagram> cellsOn(Backend& backend, Backend& judge_backend, int threads, const Sites& sites,
                         const CellsOptions& options) {
@@ -33,4 +33,4 @@ Result<Diagram> cellsOn(Backend& backend, Backend& judge_backend, int threads, c
   return std::move(diagram);
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -3,11 +3,11 @@
 
 #include "backend/backend.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// What Session::cells does, on an open backend, but for the mass; checkOptions found nothing to refuse.
 /// Errors: those of prepare; as Session::cells'.
 Result<Diagram> cellsOn(Backend& backend, Backend& judge_backend, int threads, const Sites& sites,
                         const CellsOptions& options);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

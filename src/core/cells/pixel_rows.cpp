@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 /// Of a height of 1 pixel, or of a lower polygon's: so few that those of 100,000 edges in a row can be added.
@@ -121,4 +121,4 @@ PixelIntegrals PixelRows::pixelOf(std::int64_t column, std::int64_t row, Carry& 
   return pixel;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -7,7 +7,7 @@
 
 #include "vorpipe.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Integrals of 1, x and y.
 struct PixelIntegrals {
@@ -83,4 +83,4 @@ class PixelRows {
   std::vector<Part> parts_;
 };
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -6,8 +6,7 @@
 
 #include "core/check/outline.h"
 
-namespace vorpipe {
-namespace checks {
+namespace vorpipe::core::checks {
 namespace {
 
 /// Of the domain's area: cells are measured in double.
@@ -135,7 +134,9 @@ void checkMeasures(const CheckedCells& run, double domain, double slack, Broken&
                                   sum / domain - 1));
 }
 
-}  // namespace checks
+}  // namespace vorpipe::core::checks
+
+namespace vorpipe {
 
 /// Neumaier's summation: what an addition rounds off is added up apart.
 double areaSum(const Diagram& diagram) {
@@ -151,9 +152,9 @@ double areaSum(const Diagram& diagram) {
 Result<std::vector<std::string>> check(const Sites& sites, const CellsOptions& options,
                                        const Diagram& diagram, int threads) {
   try {
-    const auto inside = checks::insideOf(sites, options.domain, options.periodic, threads);
+    const auto inside = core::checks::insideOf(sites, options.domain, options.periodic, threads);
     if (!inside) return tl::unexpected(inside.error());
-    return checks::brokenBy(checks::CheckedCells(inside->of(sites), options, diagram, threads));
+    return core::checks::brokenBy(core::checks::CheckedCells(inside->of(sites), options, diagram, threads));
   } catch (const std::bad_alloc&) {
     return tl::unexpected(Error{ErrorCode::device, "there is not enough memory to check the cells"});
   }

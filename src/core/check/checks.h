@@ -9,7 +9,7 @@
 #include "core/check/nearest_site.h"
 #include "core/check/run.h"
 
-namespace vorpipe::checks {
+namespace vorpipe::core::checks {
 
 /// Statuses and owners, as cells and pictures have them.
 struct Outcome {
@@ -60,4 +60,4 @@ void checkPolygons(const CheckedCells& run, Broken& broken);
 /// nearest site.
 void checkNearest(const CheckedCells& run, const NearestSite& nearest, Broken& broken);
 
-}  // namespace vorpipe::checks
+}  // namespace vorpipe::core::checks

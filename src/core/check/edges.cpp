@@ -6,7 +6,7 @@
 
 #include "core/check/checks.h"
 
-namespace vorpipe::checks {
+namespace vorpipe::core::checks {
 namespace {
 
 constexpr std::size_t grain = 4096;
@@ -223,4 +223,4 @@ void checkPartition(const CheckedCells& run, const Twins& twins, Broken& broken)
   }
 }
 
-}  // namespace vorpipe::checks
+}  // namespace vorpipe::core::checks

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vorpipe::checks {
+namespace vorpipe::core::checks {
 
 Result<InsideSites> insideOf(const Sites& sites, const Box& domain, Periodic periodic, int threads) {
   if (periodic == Periodic::none) return InsideSites{};
@@ -120,4 +120,4 @@ NearImage imageNear(const CheckedSites& run, std::uint32_t i, Point p) {
                  {periods(run.repeats_x, way.x, run.period.x), periods(run.repeats_y, way.y, run.period.y)});
 }
 
-}  // namespace vorpipe::checks
+}  // namespace vorpipe::core::checks

@@ -7,7 +7,7 @@
 #include "core/check/nearest_site.h"
 #include "core/check/run.h"
 
-namespace vorpipe::checks {
+namespace vorpipe::core::checks {
 
 /// The sites of a run as its domain takes them: the caller's, but in a periodic domain.
 struct InsideSites {
@@ -49,4 +49,4 @@ inline Point wayTo(const CheckedSites& run, const NearImage& from, const NearIma
 /// The site or image of i of least distance to p.
 NearImage imageNear(const CheckedSites& run, std::uint32_t i, Point p);
 
-}  // namespace vorpipe::checks
+}  // namespace vorpipe::core::checks

@@ -5,7 +5,7 @@
 
 #include "core/check/checks.h"
 
-namespace vorpipe::checks {
+namespace vorpipe::core::checks {
 namespace {
 
 /// Of a mass: what adding up pixels rounds off.
@@ -80,4 +80,4 @@ void checkMass(const CheckedCells& run, Broken& broken) {
   if (!right) broken.add("masses", fmt::format("they add up to {}, the density to {}", sum, whole));
 }
 
-}  // namespace vorpipe::checks
+}  // namespace vorpipe::core::checks

@@ -6,7 +6,7 @@
 
 #include "core/check/checks.h"
 
-namespace vorpipe::checks {
+namespace vorpipe::core::checks {
 namespace {
 
 constexpr std::size_t sampled_cells = 10'000;
@@ -124,4 +124,4 @@ void checkNearest(const CheckedCells& run, const NearestSite& nearest, Broken& b
   });
 }
 
-}  // namespace vorpipe::checks
+}  // namespace vorpipe::core::checks

@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-namespace vorpipe::checks {
+namespace vorpipe::core::checks {
 namespace {
 
 /// The sites among `index`, lifted where they have weights: then, for a place of the plane, the squared
@@ -134,4 +134,4 @@ std::vector<std::uint32_t> NearestSite::allAt(Point p) const {
   return sites;
 }
 
-}  // namespace vorpipe::checks
+}  // namespace vorpipe::core::checks

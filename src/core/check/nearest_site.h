@@ -7,7 +7,7 @@
 
 #include "core/check/run.h"
 
-namespace vorpipe::checks {
+namespace vorpipe::core::checks {
 
 /// Of a squared distance: two or three differences, squares and sums, of each of two sites, with some room.
 inline constexpr double squared_rounding = 16 * epsilon;
@@ -33,4 +33,4 @@ class NearestSite {
   std::unique_ptr<Tree> tree_;
 };
 
-}  // namespace vorpipe::checks
+}  // namespace vorpipe::core::checks

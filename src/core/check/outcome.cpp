@@ -5,7 +5,7 @@
 
 #include "core/check/checks.h"
 
-namespace vorpipe::checks {
+namespace vorpipe::core::checks {
 namespace {
 
 std::size_t hash(Point p) {
@@ -76,4 +76,4 @@ bool checkOutcome(const CheckedSites& run, const Outcome& outcome, Broken& broke
   return owned;
 }
 
-}  // namespace vorpipe::checks
+}  // namespace vorpipe::core::checks

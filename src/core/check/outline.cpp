@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-namespace vorpipe::checks {
+namespace vorpipe::core::checks {
 namespace {
 
 constexpr std::size_t sampled_places = 20'000;
@@ -299,4 +299,4 @@ void checkClipped(const CheckedCells& run, const CheckedOutline& outline, const 
                 [&](std::size_t k) { return wrongPlace(run, outline, nearest, places[k]); });
 }
 
-}  // namespace vorpipe::checks
+}  // namespace vorpipe::core::checks

@@ -5,7 +5,7 @@
 
 #include "core/check/checks.h"
 
-namespace vorpipe::checks {
+namespace vorpipe::core::checks {
 
 /// An outline in scaled coordinates, which shares nothing with what clips cells.
 class CheckedOutline {
@@ -40,4 +40,4 @@ class CheckedOutline {
 void checkClipped(const CheckedCells& run, const CheckedOutline& outline, const NearestSite& nearest,
                   Broken& broken);
 
-}  // namespace vorpipe::checks
+}  // namespace vorpipe::core::checks

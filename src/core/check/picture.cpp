@@ -5,8 +5,7 @@
 
 #include "core/check/outline.h"
 
-namespace vorpipe {
-namespace checks {
+namespace vorpipe::core::checks {
 namespace {
 
 constexpr std::uint64_t sampled_pixels = std::uint64_t{1} << 22;
@@ -134,17 +133,19 @@ std::vector<std::string> brokenBy(const CheckedSites& run, const RenderOptions& 
 }
 
 }  // namespace
-}  // namespace checks
+}  // namespace vorpipe::core::checks
+
+namespace vorpipe {
 
 Result<std::vector<std::string>> check(const Sites& sites, const RenderOptions& options,
                                        const Rendering& rendering, int threads) {
   try {
-    const auto inside = checks::insideOf(sites, options.domain, options.periodic, threads);
+    const auto inside = core::checks::insideOf(sites, options.domain, options.periodic, threads);
     if (!inside) return tl::unexpected(inside.error());
-    checks::CheckedSites run(inside->of(sites), options.domain, options.periodic, threads);
+    core::checks::CheckedSites run(inside->of(sites), options.domain, options.periodic, threads);
     run.countFromCorner();
     if (!options.outline.empty()) run.outline = &options.outline;
-    return checks::brokenBy(run, options, rendering);
+    return core::checks::brokenBy(run, options, rendering);
   } catch (const std::bad_alloc&) {
     return tl::unexpected(Error{ErrorCode::device, "there is not enough memory to check the picture"});
   }

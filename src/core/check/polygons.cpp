@@ -5,7 +5,7 @@
 
 #include "core/check/checks.h"
 
-namespace vorpipe::checks {
+namespace vorpipe::core::checks {
 namespace {
 
 /// Of a sum of a cell's own numbers.
@@ -209,4 +209,4 @@ void checkPolygons(const CheckedCells& run, Broken& broken) {
   });
 }
 
-}  // namespace vorpipe::checks
+}  // namespace vorpipe::core::checks

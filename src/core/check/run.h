@@ -15,7 +15,7 @@
 #include "base/parallel.h"
 #include "vorpipe.h"
 
-namespace vorpipe::checks {
+namespace vorpipe::core::checks {
 
 inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
@@ -279,4 +279,4 @@ class Broken {
   std::vector<std::string> lines_;
 };
 
-}  // namespace vorpipe::checks
+}  // namespace vorpipe::core::checks

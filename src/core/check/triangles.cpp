@@ -5,7 +5,7 @@
 
 #include "core/check/checks.h"
 
-namespace vorpipe::checks {
+namespace vorpipe::core::checks {
 namespace {
 
 /// Of what the terms of a predicate add up to.
@@ -195,4 +195,4 @@ void checkTriangles(const CheckedCells& run, Broken& broken) {
   if (delaunay) checkHull(run, sides, broken);
 }
 
-}  // namespace vorpipe::checks
+}  // namespace vorpipe::core::checks

@@ -10,7 +10,7 @@
 
 #include "base/parallel.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 4096;
@@ -97,4 +97,4 @@ Indices orderAlongCurve(const SiteSet& sites, int threads) {
   return order;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

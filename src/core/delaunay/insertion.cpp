@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr auto none = GrowingMesh::none;
@@ -197,4 +197,4 @@ void Insertion::fill(std::int32_t p, std::int32_t room) {
   for (auto c = rim_.size(); c < cavity_.size(); ++c) leaveEmpty(cavity_[c]);
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

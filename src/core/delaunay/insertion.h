@@ -8,7 +8,7 @@
 #include "core/delaunay/triangulation.h"
 #include "core/geometry/predicates.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Regions are numbered from 0; a triangle is of that region which all of its corners but `beyond` are of.
 using Region = std::uint8_t;
@@ -81,4 +81,4 @@ class Insertion {
   std::int32_t last_;  ///< the triangle made last, or where to set out from; or none
 };
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

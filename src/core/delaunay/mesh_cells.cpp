@@ -7,7 +7,7 @@
 #include "core/geometry/vertex_position.h"
 #include "core/geometry/wall_predicates.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 /// Stands in a ring for what is infinitely far away.
@@ -206,4 +206,4 @@ Neighborhoods meshCells(const SiteSet& sites, const Mesh& mesh, std::span<const 
   return cells;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

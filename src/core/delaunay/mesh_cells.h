@@ -5,7 +5,7 @@
 
 #include "core/delaunay/site_mesh.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// The cells of the sites `which`, from a mesh of the set: entry e, certified or empty, is that of which[e].
 ///
@@ -16,4 +16,4 @@ namespace vorpipe {
 Neighborhoods meshCells(const SiteSet& sites, const Mesh& mesh, std::span<const std::uint32_t> which,
                         int threads);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

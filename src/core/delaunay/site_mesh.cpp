@@ -8,7 +8,7 @@
 #include "base/parallel.h"
 #include "core/delaunay/hilbert_order.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 /// Two triangles for each site are numbered by 32 bits with a sign.
@@ -79,4 +79,4 @@ const Mesh* SiteMesh::get() {
   return mesh_->triangles.empty() ? nullptr : &*mesh_;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

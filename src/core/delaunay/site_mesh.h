@@ -6,7 +6,7 @@
 #include "backend/backend.h"
 #include "core/delaunay/triangulation.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Triangulates the sites of a set when it is first asked to, on one thread. The set outlives it.
 class SiteMesh {
@@ -29,4 +29,4 @@ class SiteMesh {
   std::optional<Mesh> mesh_;  ///< empty where there is none
 };
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

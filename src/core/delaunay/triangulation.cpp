@@ -15,7 +15,7 @@
 #include "base/parallel.h"
 #include "core/delaunay/insertion.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr auto none = GrowingMesh::none;
@@ -243,4 +243,4 @@ Mesh delaunay(std::vector<Point> points, std::vector<double> weights, int thread
   return Triangulation(points, weights, threads).build();
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

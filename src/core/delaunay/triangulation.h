@@ -8,7 +8,7 @@
 #include "base/big_vector.h"
 #include "vorpipe.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// A triangle's corners, counter-clockwise, and the triangles beyond the edges that face them. One corner of
 /// triangles outside the hull is `beyond`.
@@ -35,4 +35,4 @@ struct Mesh {
 /// then.
 Mesh delaunay(std::vector<Point> points, std::vector<double> weights = {}, int threads = 1);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

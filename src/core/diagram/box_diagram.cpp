@@ -15,7 +15,7 @@
 #include "core/sites/site_set.h"
 #include "core/ties/reconcile.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 /// Agrees on cells whose areas add up to that of the domain. That they do not although neighbors agree
@@ -97,4 +97,4 @@ Result<BoxDiagram> boxDiagramOn(Backend& backend, Backend& judge_backend, int th
   return box;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

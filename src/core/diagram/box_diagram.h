@@ -3,7 +3,7 @@
 
 #include "core/sites/site_set.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 struct BoxDiagram {
   Diagram diagram;
@@ -17,4 +17,4 @@ struct BoxDiagram {
 Result<BoxDiagram> boxDiagramOn(Backend& backend, Backend& judge_backend, int threads, const Sites& sites,
                                 const CellsOptions& options, const CallersSites* callers = nullptr);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

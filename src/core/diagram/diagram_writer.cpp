@@ -10,7 +10,7 @@
 #include "core/vertices/size_order.h"
 #include "core/vertices/vertex_batch.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 4096;
@@ -265,4 +265,4 @@ double areaGap(std::span<const CellRecord> records, const Box& domain, int threa
       records.size(), [&](std::size_t i) { return records[i].area; }, domain, threads);
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

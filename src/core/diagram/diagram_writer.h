@@ -4,7 +4,7 @@
 #include "core/sites/site_set.h"
 #include "core/ties/ties.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Records for all input sites; those of sites without a cell of their own, duplicates, are written.
 BigVector<CellRecord> makeRecords(const Prepared& prepared, const Sites& sites);
@@ -30,4 +30,4 @@ inline constexpr double area_rounding = 1e-12, area_wrong = 1e-6;
 double areaGap(const Diagram& diagram, const Box& domain, int threads);
 double areaGap(std::span<const CellRecord> records, const Box& domain, int threads);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -10,7 +10,7 @@
 #include "core/geometry/polygon_measures.h"
 #include "core/geometry/predicates.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 4096;
@@ -189,4 +189,4 @@ Triangles dualTriangles(const ProposedCells& agreed, const TiedCells& tied, Site
   return triangles;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -4,7 +4,7 @@
 #include "core/delaunay/site_mesh.h"
 #include "core/ties/ties.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
@@ -14,4 +14,4 @@ using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 /// lowest index.
 Triangles dualTriangles(const ProposedCells& agreed, const TiedCells& tied, SiteMesh& mesh);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -6,7 +6,7 @@
 
 #include "core/delaunay/triangulation.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 bool isOutside(const MeshTriangle& t) {
@@ -167,4 +167,4 @@ Triangles allTriangles(SiteMesh& mesh) {
   return triangles;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

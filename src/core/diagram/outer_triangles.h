@@ -3,7 +3,7 @@
 
 #include "core/diagram/dual_triangles.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Completes the triangles of the vertices inside the domain to the Delaunay triangulation of all sites.
 void addOuterTriangles(const ProposedCells& agreed, const TiedCells& tied, SiteMesh& mesh,
@@ -12,4 +12,4 @@ void addOuterTriangles(const ProposedCells& agreed, const TiedCells& tied, SiteM
 /// The Delaunay triangulation of all sites without the help of cells, on one thread.
 Triangles allTriangles(SiteMesh& mesh);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -8,7 +8,7 @@
 #include "core/judge/answers.h"
 #include "core/search/bisectors.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = std::size_t{1} << 14;
@@ -104,4 +104,4 @@ Result<void> BatchDrawing::drawBatch(const View& view, const CellBatch<float>& b
   return {};
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

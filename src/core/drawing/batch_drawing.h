@@ -4,7 +4,7 @@
 #include "backend/backend.h"
 #include "core/search/candidates.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// What a drawing works with; all of it outlives the drawing.
 struct Canvas {
@@ -45,4 +45,4 @@ class BatchDrawing {
   double seconds_ = 0;
 };
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -6,7 +6,7 @@
 #include "core/drawing/convex_pieces.h"
 #include "core/search/device_eligible.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t lines_per_batch = std::size_t{1} << 21;
@@ -147,4 +147,4 @@ void CellDrawing::describe(Report& report) const {
   times.draw = 1e3 * (batches_.seconds() + (grid_ ? grid_->seconds() : lists_->drawSeconds()));
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

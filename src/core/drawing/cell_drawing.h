@@ -9,7 +9,7 @@
 #include "core/judge/answers.h"
 #include "core/judge/judge.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// What a drawing works with; all of it outlives the drawing.
 struct DrawingInput {
@@ -67,4 +67,4 @@ class CellDrawing {
   double judge_seconds_ = 0;
 };
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 /// Vertices nearer to each other than this part of the domain are one: no picture shows it, and the
@@ -110,4 +110,4 @@ std::size_t appendPieces(std::span<const Point> polygon, std::size_t most_edges,
   return pieces;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -3,7 +3,7 @@
 
 #include "backend/backend.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Appends the pieces of one polygon (vertices counter-clockwise, relative to its origin) to out: a fan
 /// from the first vertex, each piece with at most `most_edges` edges, three at least; none for a polygon
@@ -11,4 +11,4 @@ namespace vorpipe {
 std::size_t appendPieces(std::span<const Point> polygon, std::size_t most_edges, double tolerance,
                          CellBatch<float>& out);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

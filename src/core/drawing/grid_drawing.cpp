@@ -6,7 +6,7 @@
 #include "core/judge/answers.h"
 #include "core/search/sample.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 /// Fewer cells than this are clipped with room from the start: that costs less than a second pipeline.
@@ -95,4 +95,4 @@ Result<GridDrawing::Indices> GridDrawing::drawSites(const Indices& which, Effort
   return undrawn;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

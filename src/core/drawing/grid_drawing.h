@@ -5,7 +5,7 @@
 #include "core/search/uploader.h"
 #include "core/tiles/tiles.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Tries each cell fast, then with more room; tile by tile where the sites do not fit the device. Leaves what
 /// is left to try once most of a sample fail. Views after the first try at once what the first one came to.
@@ -44,4 +44,4 @@ class GridDrawing {
   double seconds_ = 0;
 };
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

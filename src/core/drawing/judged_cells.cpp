@@ -8,7 +8,7 @@
 #include "core/geometry/vertex_position.h"
 #include "core/search/bisectors.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 512;
@@ -93,4 +93,4 @@ std::vector<Point> cellPolygon(const SiteSet& sites, std::uint32_t site,
   return polygon;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -4,7 +4,7 @@
 #include "core/judge/neighbor_rows.h"
 #include "core/search/candidates.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// The cells of some sites; entry e of `found`, certified or empty, is the cell of which[e].
 struct JudgedCells {
@@ -20,4 +20,4 @@ Candidates boundaries(const SiteSet& sites, const JudgedCells& cells, std::span<
 std::vector<Point> cellPolygon(const SiteSet& sites, std::uint32_t site,
                                std::span<const std::int32_t> neighbors);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

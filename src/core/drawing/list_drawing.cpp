@@ -6,7 +6,7 @@
 
 #include "base/pace.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t lines_per_batch = std::size_t{1} << 21;
@@ -103,4 +103,4 @@ Result<ListDrawing::Indices> ListDrawing::drawAgain(const View& view, std::span<
   return left;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -4,7 +4,7 @@
 #include "core/drawing/batch_drawing.h"
 #include "core/search/flann_search.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Rounds: k neighbors for all; more room for those that overflow; twice the neighbors for those that
 /// other sites might still cut, as long as that certifies at least half of them
@@ -50,4 +50,4 @@ class ListDrawing {
   double search_seconds_ = 0;
 };
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

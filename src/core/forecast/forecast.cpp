@@ -6,7 +6,7 @@
 #include "core/delaunay/triangulation.h"
 #include "core/sites/grid.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 /// The tree of backend/cpu/tree.h: twice as many nodes as leaves, of which there are a power of two, each of
@@ -113,8 +113,12 @@ std::vector<MemoryPlan::Array> planJudge(MemoryPlan& plan, const Workload& work,
   return {};
 }
 
+}  // namespace vorpipe::core
+
+namespace vorpipe {
+
 void planSession(MemoryPlan& plan, const Workload& work) {
-  plan.take("the program, its libraries and the driver", needsOf(work).program);
+  plan.take("the program, its libraries and the driver", core::needsOf(work).program);
 }
 
 }  // namespace vorpipe

@@ -4,7 +4,7 @@
 #include "backend/device_needs.h"
 #include "vorpipe.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// The arrays of a Prepared with its grid, by what they are for.
 struct PlannedSet {
@@ -37,4 +37,4 @@ inline DeviceNeeds needsOf(const Workload& work) { return deviceNeeds(work.backe
 
 inline constexpr std::uint64_t word = 4, number = 8, point = 16;
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -5,6 +5,9 @@
 #include "core/vertices/cell_record.h"
 
 namespace vorpipe {
+
+using namespace core;
+
 namespace {
 
 using Arrays = std::vector<MemoryPlan::Array>;
@@ -12,7 +15,8 @@ using Arrays = std::vector<MemoryPlan::Array>;
 void append(Arrays& to, const Arrays& from) { to.insert(to.end(), from.begin(), from.end()); }
 
 /// Edges that a cell is found with: 6 on average, since cells cover the plane, and where four cells meet in a
-/// point also some that one of two cells alone has. The result has spread.edges of them, those that are no ties.
+/// point also some that one of two cells alone has. The result has spread.edges of them, those that are no
+/// ties.
 double proposedEdges(const Spread& spread) { return 6 + 0.3 * spread.tied; }
 
 /// Plans findTopology; returns what remains of it.

@@ -4,6 +4,9 @@
 #include "core/forecast/forecast.h"
 
 namespace vorpipe {
+
+using namespace core;
+
 namespace {
 
 using Arrays = std::vector<MemoryPlan::Array>;

@@ -12,6 +12,9 @@
 #include "core/sites/grid.h"
 
 namespace vorpipe {
+
+using namespace core;
+
 namespace {
 
 constexpr std::size_t grain = std::size_t{1} << 16;

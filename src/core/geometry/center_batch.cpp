@@ -3,7 +3,7 @@
 #include "base/processors.h"
 #include "core/geometry/wide_center.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 void CenterBatch::add(std::size_t corner, const Triple& triple) {
   corner_[size_] = corner;
@@ -23,4 +23,4 @@ FOR_WIDE_TOO void CenterBatch::place() {
   }
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -6,7 +6,7 @@
 
 #include "core/geometry/vertex_position.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 class CenterBatch {
  public:
@@ -44,4 +44,4 @@ class CenterBatch {
   Numbers base_x_, base_y_, rest_x_, rest_y_;
 };
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

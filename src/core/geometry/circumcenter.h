@@ -1,7 +1,7 @@
 /// Where three cells meet, the fast way; vertex_position.cpp has the slow one.
 #pragma once
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 struct Circumcenter {
   double base_x, base_y, rest_x, rest_y;
@@ -74,4 +74,4 @@ inline Circumcenter circumcenterOf(double ix, double iy, double iw, double px, d
           (at_i + at_p + at_j) * exact * near};
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

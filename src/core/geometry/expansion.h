@@ -7,7 +7,7 @@
 
 #include "base/wide.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// A sum of doubles none of which overlap, ascending by magnitude, without zeros.
 template <std::size_t most>
@@ -93,4 +93,4 @@ inline Expansion<2> difference(double a, double b) {
   return result;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

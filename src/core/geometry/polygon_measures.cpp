@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 Point meanOf(std::span<const Point> points) {
@@ -70,4 +70,4 @@ Measures measurePolygon(std::span<const Point> vertices) {
   return m;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

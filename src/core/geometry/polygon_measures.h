@@ -6,7 +6,7 @@
 
 #include "vorpipe.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 struct Measures {
   double area = 0, perimeter = 0;
@@ -21,4 +21,4 @@ double lengthOf(Point way);
 /// point near it. A polygon without area has its centroid in the mean of its vertices.
 Measures measurePolygon(std::span<const Point> vertices);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -2,7 +2,7 @@
 
 #include "core/geometry/expansion.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 /// A point from d: the ways along x and y, and the square of its distance.
@@ -53,4 +53,4 @@ int inInterval(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoi
   return (lifted_a.squared * at_b - lifted_b.squared * at_a).sign() * (at_b - at_a).sign();
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -10,7 +10,7 @@
 
 #include "vorpipe.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 struct WeightedPoint : Point {
   double weight;
@@ -70,4 +70,4 @@ inline int inCircle(const WeightedPoint& a, const WeightedPoint& b, const Weight
 /// point where these are equal; 0 if it is equal to them.
 int inInterval(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& p);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -12,7 +12,7 @@
 #include "core/geometry/polygon_measures.h"
 #include "core/geometry/wide_center.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -179,4 +179,4 @@ EdgeSpan edgeSpan(const SiteSet& sites, std::int32_t cell, std::int32_t before, 
   return {excess, slack * distance, slack, rounding > tie};
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

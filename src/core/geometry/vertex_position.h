@@ -10,7 +10,7 @@
 #include "backend/tie.h"
 #include "core/geometry/predicates.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// A position as the sum of a point and what it is away from there. Kept apart, the two tell positions
 /// near each other apart to the precision of their distance, wherever in the domain they lie.
@@ -86,4 +86,4 @@ struct EdgeSpan {
 EdgeSpan edgeSpan(const SiteSet& sites, std::int32_t cell, std::int32_t before, std::int32_t neighbor,
                   std::int32_t after, const Place& begin, const Place& end, double shortest = shortest_edge);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -5,7 +5,7 @@
 
 #include "core/geometry/expansion.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 /// Of a sum of products of four differences, more than twice what rounding can make of it.
@@ -76,4 +76,4 @@ int middleSide(const WeightedPoint& a, const WeightedPoint& b, double x) {
   return sum.sign() * way.sign();
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -6,7 +6,7 @@
 
 #include "core/geometry/predicates.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// One bit for each wall: 1, 2, 4, 8 for xmin, xmax, ymin, ymax; 0 for what is none.
 constexpr std::uint8_t wallBit(std::int32_t wall) {
@@ -24,4 +24,4 @@ int nearerOf(const WeightedPoint& a, const WeightedPoint& b, Point p);
 /// For two points that differ in x alone, and in weight: the sign of their bisector's x, less a given one.
 int middleSide(const WeightedPoint& a, const WeightedPoint& b, double x);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -7,7 +7,7 @@
 #include "base/wide.h"
 #include "core/geometry/vertex_position.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// A power of two, as a double, by its biased exponent, 1 to 2046.
 inline double powerOfBiased(std::int64_t biased) { return std::bit_cast<double>(biased << 52); }
@@ -39,4 +39,4 @@ inline double powerOfBiased(std::int64_t biased) { return std::bit_cast<double>(
   return {{x.high, y.high}, {x.low, y.low}};
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -10,7 +10,7 @@
 #include "core/geometry/wall_predicates.h"
 #include "core/judge/neighbor_rows.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = std::size_t{1} << 15;
@@ -156,4 +156,4 @@ void PixelCheck::apply(std::span<const CellStatus> status, const Palette& palett
   });
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -10,7 +10,7 @@
 
 #include "backend/backend.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// backend.cells(which, effort, out), where `sites` is the number of the sites that it was given.
 Result<void> askCells(Backend& backend, std::size_t sites, std::span<const std::uint32_t> which,
@@ -45,4 +45,4 @@ class PixelCheck {
   std::vector<std::uint16_t> shown_;  ///< by id: one more than the shade of its site, or 0 without a cell
 };
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

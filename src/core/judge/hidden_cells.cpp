@@ -8,7 +8,7 @@
 #include "core/geometry/expansion.h"
 #include "core/geometry/vertex_position.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 4096;
@@ -156,4 +156,4 @@ void proveEmpty(const SiteSet& sites, std::span<const std::uint32_t> which, int 
   });
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -5,7 +5,7 @@
 
 #include "core/judge/neighbor_rows.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Whether the bisectors of `cell` with the sites among `lines` leave nothing of the domain that has an area.
 /// Exact, but for coordinates of the range that predicates.h names; beyond it the answer is no.
@@ -17,4 +17,4 @@ bool leaveNothing(const SiteSet& sites, std::uint32_t cell, std::span<const std:
 /// A wrong cell disagrees with its neighbors, but if it is missing they agree as well.
 void proveEmpty(const SiteSet& sites, std::span<const std::uint32_t> which, int threads, CellRows& cells);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

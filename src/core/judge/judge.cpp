@@ -8,7 +8,7 @@
 #include "core/delaunay/mesh_cells.h"
 #include "core/judge/answers.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 /// The mesh of all sites takes as long as to find one cell in so many, and exactly one in so many: about 1 us
@@ -112,4 +112,4 @@ Result<std::vector<std::uint32_t>> Judge::findSome(std::span<const std::uint32_t
   return open;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

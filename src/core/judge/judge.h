@@ -8,7 +8,7 @@
 #include "core/delaunay/site_mesh.h"
 #include "core/judge/neighbor_rows.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Gives the sites to the backend when it is first asked: most runs on even data never ask.
 class Judge {
@@ -51,4 +51,4 @@ class Judge {
   bool ready_ = false;
 };
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

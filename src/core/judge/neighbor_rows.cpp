@@ -6,7 +6,7 @@
 
 #include "base/parallel.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = std::size_t{1} << 15;
@@ -69,4 +69,4 @@ std::vector<std::uint32_t> CellRows::large() const {
   return cells;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -5,7 +5,7 @@
 
 #include "backend/backend.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 inline bool isDone(CellStatus status) {
   return status == CellStatus::certified || status == CellStatus::empty;
@@ -73,4 +73,4 @@ std::vector<std::uint32_t> withStatus(std::span<const std::uint32_t> which,
   return found;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

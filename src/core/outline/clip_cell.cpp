@@ -6,7 +6,7 @@
 
 #include "core/outline/crossings.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 /// A ring of a clipped cell in the making.
@@ -235,4 +235,4 @@ OutlineClip::Outcome OutlineClip::clip(std::span<const Point> vertices,
   return Outcome::cut;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -5,7 +5,7 @@
 
 #include "core/outline/edge_tree.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// What is left of a cell: rings one after another, outer ones counter-clockwise, each followed by its holes,
 /// clockwise. Edge k runs from vertex k to the next of its ring.
@@ -42,4 +42,4 @@ class OutlineClip {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

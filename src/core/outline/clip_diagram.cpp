@@ -12,7 +12,7 @@
 #include "core/outline/clip_cell.h"
 #include "core/outline/clipped_records.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 /// Cells that ask for the edges near them together: most are far from all edges.
@@ -125,4 +125,4 @@ Result<void> clipToOutline(const ClippedRun& run, const Outline& outline, Diagra
   return checkAreas(cells, *rings, diagram);
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -3,7 +3,7 @@
 
 #include "core/outline/rings.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// The sites of a diagram and its domain, and where things are in it.
 struct ClippedRun {
@@ -23,4 +23,4 @@ struct ClippedRun {
 /// Errors (input): the outline is too far from the domain; areas that do not add up to the outline's.
 Result<void> clipToOutline(const ClippedRun& run, const Outline& outline, Diagram& diagram);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -8,7 +8,7 @@
 #include "base/parallel.h"
 #include "core/geometry/polygon_measures.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 4096;
@@ -259,4 +259,4 @@ void writeClipped(const ScaledDiagram& cells, const ClippedCells& clipped, Diagr
   diagram.edge_lengths = std::move(arrays.edge_lengths);
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

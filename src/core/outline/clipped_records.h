@@ -8,7 +8,7 @@
 #include "core/outline/clip_diagram.h"
 #include "core/vertices/cell_record.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// A diagram's cells, in units in which the domain is about 1.
 class ScaledDiagram {
@@ -65,4 +65,4 @@ struct ClippedCells {
 /// Replaces the records in `diagram`, of which `cells` is, as clipToOutline says.
 void writeClipped(const ScaledDiagram& cells, const ClippedCells& clipped, Diagram& diagram);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

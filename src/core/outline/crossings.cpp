@@ -6,7 +6,7 @@
 
 #include "base/wide.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 Box boxAround(Point a, Point b) {
@@ -171,4 +171,4 @@ bool Crossings::order(bool inside) {
   return inside == began_inside;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -6,7 +6,7 @@
 
 #include "core/outline/rings.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// A polygon, counter-clockwise; side k runs from vertex k to the next.
 struct Polygon {
@@ -69,4 +69,4 @@ class Crossings {
   Arc open_;
 };
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

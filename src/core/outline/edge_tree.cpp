@@ -7,7 +7,7 @@
 #include <iterator>
 #include <utility>
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 namespace index = boost::geometry::index;
@@ -61,4 +61,4 @@ bool OutlineIndex::contains(Point p) const {
   return inside;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -5,7 +5,7 @@
 
 #include "core/outline/rings.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Can be asked by several threads at a time.
 class OutlineIndex {
@@ -30,4 +30,4 @@ class OutlineIndex {
   std::unique_ptr<Tree> tree_;
 };
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -5,7 +5,7 @@
 
 #include "base/parallel.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 /// Rows that one thread masks at a time.
@@ -113,4 +113,4 @@ void maskOutside(const Rings& rings, const Box& domain, int exponent, int thread
   });
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -9,7 +9,7 @@
 #include "base/wide.h"
 #include "core/geometry/predicates.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr double farthest = 0x1p200;  ///< what predicates stand
@@ -112,4 +112,4 @@ bool crossesRay(Point p, Point q, Point a) {
   return (sideOfEdge(p, q, a) > 0) == up;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

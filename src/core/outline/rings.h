@@ -7,7 +7,7 @@
 
 #include "vorpipe.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// An order of points, by x and then by y.
 inline bool isLess(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
@@ -55,4 +55,4 @@ int sideOfEdge(Point p, Point q, Point a);
 /// Whether the edge from p to q of a ring crosses the ray from a, a point of none, to the right.
 bool crossesRay(Point p, Point q, Point a);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -10,7 +10,7 @@
 #include "core/outline/rings.h"
 #include "geos.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t most_points = std::numeric_limits<std::int32_t>::max();
@@ -128,4 +128,4 @@ Result<void> checkOutline(const Outline& outline, Periodic periodic) {
   return checkPolygons(outline);
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

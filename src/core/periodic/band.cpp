@@ -8,7 +8,7 @@
 #include "backend/backend.h"
 #include "base/parallel.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -156,4 +156,4 @@ Band likelyBandForCells(const PeriodicSites& placed, int threads) {
   return band;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

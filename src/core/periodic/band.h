@@ -3,7 +3,7 @@
 
 #include "core/periodic/images.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// A band so wide that, for every place in the domain, an image beyond it is no nearer than the nearest
 /// site or image within: all that a picture of the domain needs.
@@ -20,4 +20,4 @@ inline bool isWhole(const Band& band, const PeriodicSites& placed, std::size_t a
   return !placed.axis[a].periodic || band.width[a] >= placed.axis[a].length;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -6,7 +6,7 @@
 #include "base/parallel.h"
 #include "core/periodic/band.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 1 << 14;
@@ -91,4 +91,4 @@ bool isClosed(const ImagedSites& imaged, const Diagram& diagram) {
   return true;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -3,7 +3,7 @@
 
 #include "core/periodic/images.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// The cells of sites and images, `diagram`, as far as they show which band their sites' own cells need: a
 /// cell is right if no image that was left out can lie nearer to one of its vertices v than its site. Along
@@ -19,4 +19,4 @@ Band bandThatProves(const PeriodicSites& placed, const ImagedSites& imaged, cons
 /// this proves that they fill the domain: a hidden site has no cell far away from itself.
 bool isClosed(const ImagedSites& imaged, const Diagram& diagram);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

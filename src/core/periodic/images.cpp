@@ -11,7 +11,7 @@
 #include "core/sites/bin_sort.h"
 #include "core/sites/site_set.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 1 << 16;
@@ -209,11 +209,15 @@ ImagedSites withImages(const PeriodicSites& placed, const Band& band) {
   return out;
 }
 
+}  // namespace vorpipe::core
+
+namespace vorpipe {
+
 Result<Sites> wrapped(const Sites& sites, const Box& domain, Periodic periodic, int threads) {
   if (periodic == Periodic::none) return sites;
-  const auto placed = placeSites(sites, domain, periodic, threads);
+  const auto placed = core::placeSites(sites, domain, periodic, threads);
   if (!placed) return tl::unexpected(placed.error());
-  const PowerOfTwo unscale(-placed->exponent);
+  const core::PowerOfTwo unscale(-placed->exponent);
   Sites out{{}, {}, sites.weight};
   for (std::size_t i = 0; i < sites.size(); ++i) {
     const auto [x, y] = placed->home[i];

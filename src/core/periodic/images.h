@@ -8,7 +8,7 @@
 
 #include "vorpipe.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// One axis of a domain, in scaled units. Where it is periodic, places are whole multiples of a quantum,
 /// and so is the period, so that images are exact copies: what is computed of two copies is the same.
@@ -87,4 +87,4 @@ void eachImage(const PeriodicSites& placed, const Band& band,
 
 ImagedSites withImages(const PeriodicSites& placed, const Band& band);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -13,7 +13,7 @@
 #include "core/periodic/seam.h"
 #include "core/periodic/unwrap.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 /// Adds up the times of all runs; a stage that none had stays negative.
@@ -129,15 +129,20 @@ Result<Diagram> periodicCellsOn(Backend& backend, Backend& judge_backend, int th
   return std::move(runs.diagram);
 }
 
+}  // namespace vorpipe::core
+
+namespace vorpipe {
+
 Result<std::uint64_t> sitesAndImages(const Sites& sites, const Box& domain, Periodic periodic,
                                      ImagesFor purpose, int threads) {
   if (periodic == Periodic::none) return sites.size();
-  const auto placed = placeSites(sites, domain, periodic, threads);
+  const auto placed = core::placeSites(sites, domain, periodic, threads);
   if (!placed) return tl::unexpected(placed.error());
   const bool pictures = purpose == ImagesFor::pictures;
-  const Band band = pictures ? bandForPlaces(*placed, threads) : likelyBandForCells(*placed, threads);
+  const core::Band band =
+      pictures ? core::bandForPlaces(*placed, threads) : core::likelyBandForCells(*placed, threads);
   std::uint64_t count = sites.size();
-  eachImage(*placed, band, [&](const SiteImage&) { ++count; });
+  core::eachImage(*placed, band, [&](const core::SiteImage&) { ++count; });
   return count;
 }
 

@@ -3,11 +3,11 @@
 
 #include "backend/backend.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// What Session::cells does where options.periodic names an axis. Errors: those of boxDiagramOn and
 /// placeSites.
 Result<Diagram> periodicCellsOn(Backend& backend, Backend& judge_backend, int threads, const Sites& sites,
                                 const CellsOptions& options);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

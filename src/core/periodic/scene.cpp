@@ -3,7 +3,7 @@
 #include "core/periodic/band.h"
 #include "core/sites/weights.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 Result<Scene> sceneOf(const Sites& sites, const RenderOptions& options, int threads) {
   if (options.periodic == Periodic::none) {
     return Scene{{}, sites.size(), {}, options.domain, options.domain};
@@ -26,4 +26,4 @@ void nameSites(const Scene& scene, std::span<std::uint32_t> ids) {
   }
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -6,7 +6,7 @@
 #include "core/periodic/images.h"
 #include "core/sites/site_set.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// The sites to draw: the caller's, or these with images.
 struct Scene {
@@ -28,4 +28,4 @@ Result<Scene> sceneOf(const Sites& sites, const RenderOptions& options, int thre
 /// Names images by their sites.
 void nameSites(const Scene& scene, std::span<std::uint32_t> ids);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

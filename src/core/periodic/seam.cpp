@@ -10,7 +10,7 @@
 #include "backend/tie.h"
 #include "core/geometry/polygon_measures.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 /// Of the distance of a corner from its site: what copies of it may differ by because of rounding, and
@@ -257,4 +257,4 @@ bool settleSeam(const PeriodicSites& placed, const ImagedSites& imaged, Diagram&
   return Settling(placed, imaged, diagram).run();
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -3,7 +3,7 @@
 
 #include "core/periodic/images.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Makes the cells of the sites agree across the border. Each edge between a site's cell and an image's
 /// has a copy, between the other site's cell and an image of the first; copies were found apart, and which
@@ -15,4 +15,4 @@ namespace vorpipe {
 /// `imaged`. Returns false, and changes nothing, where copies differ by more than ties may explain.
 bool settleSeam(const PeriodicSites& placed, const ImagedSites& imaged, Diagram& diagram);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -7,7 +7,7 @@
 #include "core/diagram/diagram_writer.h"
 #include "core/vertices/cell_record.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 1 << 14;
@@ -123,4 +123,4 @@ void finishRecords(const PeriodicSites& placed, const ImagedSites& imaged, Detai
   if (detail == Detail::measures) dropPolygons(diagram);
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

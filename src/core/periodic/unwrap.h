@@ -3,7 +3,7 @@
 
 #include "core/periodic/images.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Leaves of a diagram only the cells of the sites themselves, not yet their neighbors' names.
 void keepSites(const ImagedSites& imaged, Diagram& diagram);
@@ -13,4 +13,4 @@ void keepSites(const ImagedSites& imaged, Diagram& diagram);
 void finishRecords(const PeriodicSites& placed, const ImagedSites& imaged, Detail detail, int threads,
                    Diagram& diagram);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

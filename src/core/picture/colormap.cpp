@@ -11,7 +11,7 @@
 #include <string>
 #include <tuple>
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 // Each map is a few control points, 0xRRGGBB, at equal distances; between them it is linear in sRGB.
@@ -63,13 +63,21 @@ std::uint32_t colorAt(std::span<const std::uint32_t> points, std::size_t index) 
 
 }  // namespace
 
+}  // namespace vorpipe::core
+
+namespace vorpipe {
+
 std::vector<std::string> colormaps() {
   std::vector<std::string> names;
-  for (const Colormap& map : maps) {
+  for (const core::Colormap& map : core::maps) {
     names.emplace_back(map.name);
   }
   return names;
 }
+
+}  // namespace vorpipe
+
+namespace vorpipe::core {
 
 Result<Palette> paletteByName(std::string_view name) {
   for (const Colormap& map : maps) {
@@ -85,4 +93,4 @@ Result<Palette> paletteByName(std::string_view name) {
                                                             name, fmt::join(colormaps(), ", "))});
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -6,9 +6,9 @@
 #include "backend/backend.h"
 #include "vorpipe.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// The palette of one of colormaps(), opaque. Error (input): no color map has this name.
 Result<Palette> paletteByName(std::string_view name);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

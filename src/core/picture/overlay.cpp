@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::uint32_t edge_color = 0xFF181818u;
@@ -61,4 +61,4 @@ void drawSites(Image& image, const Sites& sites, std::size_t count, const Box& d
   }
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -4,7 +4,7 @@
 
 #include "vorpipe.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Darkens each pixel whose right or lower neighbor belongs to another cell, and each beside one without a
 /// site.
@@ -13,4 +13,4 @@ void drawEdges(Image& image);
 /// Draws a dot at each site in a pixel that has a site; its size follows the mean spacing of `count` sites.
 void drawSites(Image& image, const Sites& sites, std::size_t count, const Box& domain);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -20,7 +20,7 @@
 #include "core/sites/bin_sort.h"
 #include "core/sites/weights.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr int largest_side = 32768;
@@ -185,6 +185,10 @@ void beginReport(const Report& cells, Report& report) {
 
 }  // namespace
 
+}  // namespace vorpipe::core
+
+namespace vorpipe {
+
 CellsOptions cellsOptions(const RenderOptions& picture) {
   CellsOptions cells{};
   cells.domain = picture.domain;
@@ -195,6 +199,10 @@ CellsOptions cellsOptions(const RenderOptions& picture) {
   cells.progress = picture.progress;
   return cells;
 }
+
+}  // namespace vorpipe
+
+namespace vorpipe::core {
 
 Result<Rendering> renderOn(Backend& backend, Backend& judge, int threads, const Sites& sites,
                            const RenderOptions& options) {
@@ -256,4 +264,4 @@ Result<Rendering> renderOn(Backend& backend, Backend& judge, int threads, const 
   return rendering;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -3,10 +3,10 @@
 
 #include "backend/backend.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// What Session::render does, on an open backend; checkOptions found nothing to refuse.
 Result<Rendering> renderOn(Backend& backend, Backend& judge, int threads, const Sites& sites,
                            const RenderOptions& options);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

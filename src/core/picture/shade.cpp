@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 /// How many sites a cell has as neighbors; with an outline, one may have several edges.
@@ -49,4 +49,4 @@ Result<std::vector<std::uint8_t>> shadesOf(ColorBy color, const Sites& sites,
   return scaledToPalette(values);
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

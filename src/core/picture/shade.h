@@ -3,7 +3,7 @@
 
 #include "vorpipe.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Returns a palette index for each of `ids`, indices in the input. By site: 256 i / (n + 1), as in the
 /// thesis (Listing A.2), i the input index of n. By area, neighbors or weight: linear from the least to the
@@ -12,4 +12,4 @@ namespace vorpipe {
 Result<std::vector<std::uint8_t>> shadesOf(ColorBy color, const Sites& sites,
                                            std::span<const std::uint32_t> ids, const Diagram& cells);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -6,7 +6,7 @@
 
 #include "base/parallel.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = std::size_t{1} << 16;
@@ -48,4 +48,4 @@ Result<std::uint64_t> coverRest(const NearestSites& nearest, const View& view, s
   return count;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -6,7 +6,7 @@
 
 #include "core/judge/judge.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// What pixels without a site get theirs from; all of it outlives this.
 struct NearestSites {
@@ -23,4 +23,4 @@ struct NearestSites {
 Result<std::uint64_t> coverRest(const NearestSites& nearest, const View& view, std::span<std::uint32_t> rgba,
                                 std::span<std::uint32_t> ids);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -6,7 +6,7 @@
 
 #include "base/parallel.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 4096;
@@ -93,4 +93,4 @@ void packBatch(const SiteSet& sites, const Candidates& candidates, std::size_t b
 template void packBatch(const SiteSet&, const Candidates&, std::size_t, std::size_t, int, CellBatch<float>&);
 template void packBatch(const SiteSet&, const Candidates&, std::size_t, std::size_t, int, CellBatch<double>&);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -4,7 +4,7 @@
 #include "backend/backend.h"
 #include "core/search/candidates.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// The origin of a site's cell: the site, or the point of the domain nearest to it.
 Point cellOrigin(const SiteSet& sites, std::uint32_t site);
@@ -18,4 +18,4 @@ template <class Real>
 void packBatch(const SiteSet& sites, const Candidates& candidates, std::size_t begin, std::size_t end,
                int threads, CellBatch<Real>& out);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -7,7 +7,7 @@
 
 #include "vorpipe.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// The candidates of `site[e]` are index[first[e]] .. index[first[e + 1] - 1], nearest first, without
 /// the site itself. Every other site is at least reach[e] away from it: infinity, when no other can
@@ -24,4 +24,4 @@ struct Candidates {
   std::vector<Box> walls;
 };
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -7,7 +7,7 @@
 #include "base/inside.h"
 #include "base/parallel.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = std::size_t{1} << 16;
@@ -52,4 +52,4 @@ Triage sortOut(const SiteSet& sites, int threads) {
   return triage;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

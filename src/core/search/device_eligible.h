@@ -3,7 +3,7 @@
 
 #include "backend/backend.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 struct Triage {
   std::vector<std::uint32_t> inside;   ///< sites whose cells a device is asked for, ascending
@@ -16,4 +16,4 @@ struct Triage {
 /// cell.
 Triage sortOut(const SiteSet& sites, int threads);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

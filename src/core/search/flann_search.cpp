@@ -8,7 +8,7 @@
 
 #include "base/parallel.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 2048;
@@ -93,4 +93,4 @@ Candidates FlannSearch::neighbors(std::span<const std::uint32_t> which, std::siz
   return candidates;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -6,7 +6,7 @@
 #include "backend/backend.h"
 #include "core/search/candidates.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 class FlannSearch {
  public:
@@ -27,4 +27,4 @@ class FlannSearch {
   std::unique_ptr<Tree> tree_;
 };
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -9,7 +9,7 @@
 #include "core/search/sample.h"
 #include "core/search/uploader.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = std::size_t{1} << 16;
@@ -131,4 +131,4 @@ Result<Indices> findByGrid(const TopologyInput& input, std::span<const std::uint
   return std::move(finding.left);
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

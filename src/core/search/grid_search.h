@@ -3,7 +3,7 @@
 
 #include "core/search/neighbor_search.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Finds the cells of `which` (ascending) on the backend, fast, then with more room those that overflow,
 /// tile by tile where the sites do not fit. Adds what is certified; returns the other cells, ascending.
@@ -11,4 +11,4 @@ Result<std::vector<std::uint32_t>> findByGrid(const TopologyInput& input,
                                               std::span<const std::uint32_t> which, Topology& topology,
                                               Report& report);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -8,7 +8,7 @@
 #include "core/search/bisectors.h"
 #include "core/search/flann_search.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t lines_per_batch = std::size_t{1} << 20;
@@ -88,4 +88,4 @@ Result<Indices> findByLists(const TopologyInput& input, std::span<const std::uin
   return Finding(input, topology, report).find({which.begin(), which.end()});
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -3,7 +3,7 @@
 
 #include "core/search/neighbor_search.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Finds the cells of `which` (ascending) on the backend from their nearest neighbors by FLANN: twice as many
 /// for those that other sites might still cut, as long as that certifies at least half of them
@@ -13,4 +13,4 @@ Result<std::vector<std::uint32_t>> findByLists(const TopologyInput& input,
                                                std::span<const std::uint32_t> which, Topology& topology,
                                                Report& report);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -9,7 +9,7 @@
 #include "core/search/grid_search.h"
 #include "core/search/list_search.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 Result<void> findAgain(const TopologyInput& input, const std::vector<std::uint32_t>& which, Effort effort,
                        Topology& topology) {
@@ -50,4 +50,4 @@ Result<Topology> findTopology(const TopologyInput& input, Report& report) {
   return topology;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

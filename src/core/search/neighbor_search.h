@@ -4,7 +4,7 @@
 #include "backend/backend.h"
 #include "core/judge/judge.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// The rows of all cells of a SiteSet, each certified or empty. With weights, those that were empty without
 /// proof are open.
@@ -33,4 +33,4 @@ Result<void> findAgain(const TopologyInput& input, const std::vector<std::uint32
 /// Replaces all cells by those of the judge's mesh; false, and nothing is changed, where there is none.
 bool findAllInMesh(const TopologyInput& input, Topology& topology);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 struct Sample {
   std::vector<std::uint32_t> cells, rest;  ///< together `which`, both ascending
@@ -33,4 +33,4 @@ struct Sample {
   [[nodiscard]] bool isHopeless(std::size_t failed) const { return 4 * failed > 3 * cells.size(); }
 };
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

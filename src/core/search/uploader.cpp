@@ -2,7 +2,7 @@
 
 #include "base/stopwatch.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 Result<void> Upload::give(const Tile& tile) {
   const bool all = tile.whole.empty();
@@ -20,4 +20,4 @@ Result<void> Upload::give(const Tile& tile) {
   return {};
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -3,7 +3,7 @@
 
 #include "core/tiles/tiles.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 class Upload {
  public:
@@ -23,4 +23,4 @@ class Upload {
   double seconds_ = 0;
 };
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

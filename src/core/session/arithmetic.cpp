@@ -8,7 +8,7 @@
 
 #include "core/session/subpixel_grid.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t rows_of_a_kind = 16384;
@@ -110,4 +110,4 @@ Result<Arithmetic> measureArithmetic(Backend& backend) {
   return measured;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -3,9 +3,9 @@
 
 #include "backend/backend.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// What Session::arithmetic does, on an open backend.
 Result<Arithmetic> measureArithmetic(Backend& backend);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <new>
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 /// Views smaller than this take so little that there must be less of something else.
@@ -110,4 +110,4 @@ std::optional<Bounds> BoundedBackend::smaller() const {
   return any ? std::optional(bounds) : std::nullopt;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

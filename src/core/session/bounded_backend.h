@@ -6,7 +6,7 @@
 
 #include "backend/backend.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// The most that a device is given at a time.
 struct Bounds {
@@ -66,4 +66,4 @@ class BoundedBackend final : public Backend {
   Call failed_ = Call::upload;
 };
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

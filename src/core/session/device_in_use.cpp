@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 std::string lessText(const std::string& backend, const Bounds& bounds) {
@@ -82,4 +82,4 @@ Error DeviceInUse::withEarlier(Error error, const std::vector<std::string>& note
   return error;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

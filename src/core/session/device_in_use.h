@@ -10,7 +10,7 @@
 #include "backend/registry.h"
 #include "core/session/bounded_backend.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 class DeviceInUse {
  public:
@@ -61,4 +61,4 @@ class DeviceInUse {
   std::string choice_;
 };
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

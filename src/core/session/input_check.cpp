@@ -12,7 +12,7 @@
 #include "core/sites/site_set.h"
 #include "core/sites/weights.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 namespace {
 
@@ -53,11 +53,15 @@ Result<void> checkOptions(const Sites& sites, const CellsOptions& options) {
   return checkArea(options.domain);
 }
 
+}  // namespace vorpipe::core
+
+namespace vorpipe {
+
 Result<void> checkInput(const Sites& sites, const CellsOptions& options, int threads) {
   try {
-    if (auto checked = checkOptions(sites, options); !checked) return checked;
-    if (options.periodic == Periodic::none) return checkSites(sites, options.domain, threads);
-    const auto placed = placeSites(sites, options.domain, options.periodic, threads);
+    if (auto checked = core::checkOptions(sites, options); !checked) return checked;
+    if (options.periodic == Periodic::none) return core::checkSites(sites, options.domain, threads);
+    const auto placed = core::placeSites(sites, options.domain, options.periodic, threads);
     return placed ? Result<void>{} : tl::unexpected(placed.error());
   } catch (const std::bad_alloc&) {
     return tl::unexpected(Error{ErrorCode::device, "there is not enough memory to look at the sites"});

@@ -3,10 +3,10 @@
 
 #include "vorpipe.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// The part of checkInput that prepare and placeSites leave to it: search, outline, density, and a domain
 /// whose area, or those of cells in it, a double does not hold: they would be infinite, or 0.
 Result<void> checkOptions(const Sites& sites, const CellsOptions& options);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

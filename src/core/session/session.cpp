@@ -13,6 +13,8 @@
 
 namespace vorpipe {
 
+using namespace core;
+
 namespace {
 
 Error outOfMemory() {

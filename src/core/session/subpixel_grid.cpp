@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 /// Pixels along a side of the view, and from one shape to the next.
@@ -79,4 +79,4 @@ Result<std::optional<int>> measureSubpixelBits(Backend& backend) {
   return std::min(most_subpixel_bits, static_cast<int>(std::lround(-std::log2(step))));
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -5,7 +5,7 @@
 
 #include "backend/backend.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Draws edges at places that differ by little, and counts on how many of them they come to lie: how many
 /// bits of a place inside a pixel the device keeps, most_subpixel_bits at most; 0 where edges do not move as
@@ -13,4 +13,4 @@ namespace vorpipe {
 /// failed.
 Result<std::optional<int>> measureSubpixelBits(Backend& backend);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -7,7 +7,7 @@
 #include "base/parallel.h"
 #include "core/sites/grid.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t least_block = std::size_t{1} << 15;
@@ -242,4 +242,4 @@ void orderByBins(const Sites& sites, const PowerOfTwo& scale, int threads, SiteS
   Ordering(sites, scale, threads, set, owner).run();
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -3,7 +3,7 @@
 
 #include "backend/backend.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// A factor that is a power of two, as two factors: one alone may not be a double.
 class PowerOfTwo {
@@ -21,4 +21,4 @@ class PowerOfTwo {
 void orderByBins(const Sites& sites, const PowerOfTwo& scale, int threads, SiteSet& set,
                  std::vector<std::uint32_t>& owner);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

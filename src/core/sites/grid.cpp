@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 /// Keeps bin numbers within the integers of every device.
@@ -39,4 +39,4 @@ std::uint64_t sitesIn(const Grid& grid, const BinBlock& block) {
   return count;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -6,7 +6,7 @@
 
 #include "backend/backend.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// What the walk over the grid is fastest with.
 inline constexpr double sites_per_bin = 2;
@@ -59,4 +59,4 @@ inline std::pair<BinBlock, BinBlock> halves(const BinBlock& block) {
 /// The number of sites in a block.
 std::uint64_t sitesIn(const Grid& grid, const BinBlock& block);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -7,7 +7,7 @@
 
 #include "base/parallel.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = std::size_t{1} << 16;
@@ -57,4 +57,4 @@ std::optional<Pair> tooNear(const SiteSet& set, int threads) {
   return pair ? pair : nearInRows(set, sites, 0.5);
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -7,7 +7,7 @@
 
 #include "backend/backend.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// In scaled units. Products of the distances of farther sites are in the range of double, and the judge's
 /// numbers have digits enough for where their bisectors meet.
@@ -17,4 +17,4 @@ inline constexpr double least_distance = 0x1p-80;
 /// such that it does not find, but none that differ by less than half of it in y.
 std::optional<std::pair<std::uint32_t, std::uint32_t>> tooNear(const SiteSet& set, int threads);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -15,7 +15,7 @@
 #include "core/sites/near_sites.h"
 #include "core/sites/weights.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 1 << 16;
@@ -178,4 +178,4 @@ Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads, con
   return prepared;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -5,7 +5,7 @@
 
 #include "backend/backend.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 struct Prepared {
   SiteSet set;
@@ -37,4 +37,4 @@ struct CallersSites {
 Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads,
                          const CallersSites* callers = nullptr);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

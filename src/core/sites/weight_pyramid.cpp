@@ -5,7 +5,7 @@
 
 #include "base/parallel.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = std::size_t{1} << 14;
@@ -135,4 +135,4 @@ void countBeyond(const SiteSet& set, const BinBlock& of, SiteSet& part) {
   }
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

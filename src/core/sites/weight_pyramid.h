@@ -3,7 +3,7 @@
 
 #include "core/sites/grid.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Fills grid.heaviest with the number of each bin, from the weights of its sites.
 void noteHeaviest(SiteSet& sites, int threads);
@@ -19,4 +19,4 @@ double heaviestIn(const Grid& grid, const BinBlock& block);
 /// stand in. part.grid.heaviest has the numbers of the bins; the pyramid is to be made after this.
 void countBeyond(const SiteSet& set, const BinBlock& of, SiteSet& part);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

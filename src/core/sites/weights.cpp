@@ -14,7 +14,7 @@
 #include "base/wide.h"
 #include "core/sites/weight_pyramid.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 1 << 16;
@@ -119,4 +119,4 @@ void giveWeights(const std::vector<double>& by_input, int threads, SiteSet& set)
   buildPyramid(set.grid);
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

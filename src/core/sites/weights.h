@@ -3,7 +3,7 @@
 
 #include "backend/backend.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Whether not all weights are equal.
 bool hasWeights(const Sites& sites);
@@ -18,4 +18,4 @@ Result<std::vector<double>> scaledWeights(const Sites& sites, int exponent, int 
 /// None if those of the set's sites are equal.
 void giveWeights(const std::vector<double>& by_input, int threads, SiteSet& set);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

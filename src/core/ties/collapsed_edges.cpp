@@ -5,7 +5,7 @@
 #include "base/parallel.h"
 #include "core/ties/tied_vertices.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 1024;
@@ -134,4 +134,4 @@ void dropCollapsed(const ProposedCells& proposed, DisjointSets& corners, TiedCel
   }
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -4,7 +4,7 @@
 #include "base/disjoint_sets.h"
 #include "core/ties/ties.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Makes ties of all edges whose two ends are one vertex, since ties join them. Where sites have weights,
 /// ties may go around cells that have longer edges among each other, because their sites are nearer to each
@@ -15,4 +15,4 @@ namespace vorpipe {
 /// every cell is joined to the domain's walls by others.
 void dropCollapsed(const ProposedCells& proposed, DisjointSets& corners, TiedCells& tied);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -8,7 +8,7 @@
 
 #include "backend/tie.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Ties in a row could join vertices that are far apart: where they would, ties are what is much shorter. An
 /// edge is as fine as the finer of its two cells.
@@ -37,4 +37,4 @@ class Fineness {
   std::vector<std::uint8_t> by_cell_;  ///< empty until some cell is finer than others
 };
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -10,7 +10,7 @@
 #include "core/judge/hidden_cells.h"
 #include "core/ties/tied_records.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 /// The last effort that a disputed cell was found with.
@@ -245,4 +245,4 @@ Result<TiedCells> agreeOnCells(const TopologyInput& input, Topology& topology, c
   return Agreeing(input, topology, records, report).run();
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

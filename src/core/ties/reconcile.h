@@ -5,7 +5,7 @@
 #include "core/ties/ties.h"
 #include "core/vertices/cell_record.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Checks all cells and writes their records. Those in dispute are found again, in double and at last
 /// exactly, until none is left; `topology` changes accordingly, and `report` counts them. What comes
@@ -14,4 +14,4 @@ namespace vorpipe {
 Result<TiedCells> agreeOnCells(const TopologyInput& input, Topology& topology, const Records& records,
                                Report& report);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -4,7 +4,7 @@
 
 #include "base/parallel.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 1024;
@@ -57,4 +57,4 @@ void recordTiedCells(const ProposedCells& proposed, const TiedCells& tied, const
   });
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -7,7 +7,7 @@
 #include "base/parallel.h"
 #include "core/geometry/wall_predicates.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 1024;
@@ -241,4 +241,4 @@ void makeVertices(const ProposedCells& proposed, DisjointSets& corners, TiedCell
   Making(proposed, corners, tied).run();
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -4,10 +4,10 @@
 #include "base/disjoint_sets.h"
 #include "core/ties/ties.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Makes one vertex of each set of corners: numbers them, finds out which cells meet there, and places
 /// them, as untieCells says.
 void makeVertices(const ProposedCells& proposed, DisjointSets& corners, TiedCells& tied);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

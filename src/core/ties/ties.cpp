@@ -16,7 +16,7 @@
 #include "core/ties/tied_vertices.h"
 #include "core/ties/wide_vertices.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 1024;
@@ -308,4 +308,4 @@ void keptEdges(const ProposedCells& proposed, const TiedCells& tied, std::size_t
   std::rotate(edges.begin(), lowest, edges.end());
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

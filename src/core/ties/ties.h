@@ -8,7 +8,7 @@
 #include "core/ties/fineness.h"
 #include "core/vertices/cell_check.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// The cells that ties make differ from what their neighbors alone say. Corners of these cells that
 /// ties join are one vertex, with one place for all of them. Corner first[k] + e begins edge e of
@@ -72,4 +72,4 @@ inline const Place& tiedPlace(const TiedCells& tied, std::size_t k, std::size_t 
   return tied.place[tied.vertex[tied.first[k] + e]];
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

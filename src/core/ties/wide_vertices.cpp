@@ -6,7 +6,7 @@
 #include "base/parallel.h"
 #include "core/geometry/polygon_measures.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 1024;
@@ -128,4 +128,4 @@ WideVertices findWideVertices(const ProposedCells& proposed, const TiedCells& ti
   return Measuring(proposed, tied, fineness).run();
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

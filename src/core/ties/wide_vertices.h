@@ -3,7 +3,7 @@
 
 #include "core/ties/ties.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// The cells around wide vertices, ascending, without those whose ties are as fine as can be.
 struct WideVertices {
@@ -15,4 +15,4 @@ struct WideVertices {
 /// allows, or half as far.
 WideVertices findWideVertices(const ProposedCells& proposed, const TiedCells& tied, const Fineness& fineness);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -5,7 +5,7 @@
 
 #include "base/parallel.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t rows_at_once = 16;
@@ -146,4 +146,4 @@ Crowding sortByCrowding(const Grid& grid, std::span<const std::uint32_t> which, 
   return Sorting(grid, which, threads).run();
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

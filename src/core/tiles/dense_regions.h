@@ -3,7 +3,7 @@
 
 #include "core/sites/grid.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// A rectangle of bins, much of it crowded, that is worth a grid of its own.
 struct CrowdedRegion {
@@ -21,4 +21,4 @@ struct Crowding {
 /// the three.
 Crowding sortByCrowding(const Grid& grid, std::span<const std::uint32_t> which, int threads);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

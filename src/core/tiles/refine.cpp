@@ -7,7 +7,7 @@
 #include "core/sites/weight_pyramid.h"
 #include "core/tiles/tiles.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 /// Bins of the old grid around a region: in a crowd, cells are much smaller than bins.
@@ -74,4 +74,4 @@ RefinedRegion refine(const SiteSet& sites, const CrowdedRegion& region, int thre
   return refined;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

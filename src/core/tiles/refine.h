@@ -3,7 +3,7 @@
 
 #include "core/tiles/dense_regions.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// The sites of a region, and of the bins around it, in a grid that fits the region's own sites.
 struct RefinedRegion {
@@ -16,4 +16,4 @@ struct RefinedRegion {
 /// border. All sites whose cells are asked for lie within the grid.
 RefinedRegion refine(const SiteSet& sites, const CrowdedRegion& region, int threads);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

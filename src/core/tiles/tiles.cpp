@@ -6,7 +6,7 @@
 #include "core/sites/weight_pyramid.h"
 #include "core/tiles/refine.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 /// On each side of a tile, in bins: with evenly spread sites nearly every flower ends in it.
@@ -195,4 +195,4 @@ Result<std::vector<std::uint32_t>> forTiles(const SiteSet& sites, const BackendI
   return std::move(parts.left);
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -5,7 +5,7 @@
 
 #include "core/sites/grid.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// What a device is given at a time: all sites, or those of a rectangle of bins and of a halo around it.
 struct Tile {
@@ -42,4 +42,4 @@ Result<std::vector<std::uint32_t>> forTiles(const SiteSet& sites, const BackendI
                                             const std::function<Result<void>(const Tile&)>& work,
                                             const std::function<bool()>& is_over);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

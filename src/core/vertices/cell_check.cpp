@@ -8,7 +8,7 @@
 #include "core/vertices/size_order.h"
 #include "core/vertices/vertex_batch.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t most_at_once = 4096;
@@ -204,4 +204,4 @@ void checkCells(const ProposedCells& proposed, const Records& records, std::span
   checkSome(proposed, proposed.sites.size(), all, records, rough);
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

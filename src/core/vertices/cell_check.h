@@ -7,7 +7,7 @@
 #include "core/vertices/cell_record.h"
 #include "core/vertices/edge_index.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Cells and what is needed to look at them; all of it outlives the use.
 struct ProposedCells {
@@ -37,4 +37,4 @@ bool isWellFormed(const SiteSet& sites, const CellRows& cells, std::size_t cell)
 /// weights hide it, which proveEmpty has proved.
 bool isRightlyEmpty(const SiteSet& sites, const CellRows& cells, std::size_t cell);
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

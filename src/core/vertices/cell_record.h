@@ -9,7 +9,7 @@
 #include "core/geometry/polygon_measures.h"
 #include "core/geometry/vertex_position.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// From scaled units to the caller's, by a power of two: nothing is rounded.
 class Unscale {
@@ -85,4 +85,4 @@ struct Records {
   }
 };
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -4,7 +4,7 @@
 
 #include "base/parallel.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 EdgeIndex::EdgeIndex(const CellRows& cells, int threads) {
   for (const auto cell : cells.large()) large_.push_back({cell, {}});
@@ -27,4 +27,4 @@ std::size_t EdgeIndex::findInLarge(std::size_t cell, std::int32_t neighbor) cons
   return found != large->edges.end() && found->first == neighbor ? found->second : none;
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

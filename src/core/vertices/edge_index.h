@@ -12,7 +12,7 @@
 #include <emmintrin.h>
 #endif
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Looks neighbors up in cells of any number of edges. Cells outlive it unchanged.
 class EdgeIndex {
@@ -68,4 +68,4 @@ class EdgeIndex {
   std::vector<Large> large_;  ///< ascending
 };
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -8,7 +8,7 @@
 
 #include "core/judge/neighbor_rows.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Calls each(cell) for cellAt(begin) to cellAt(end - 1), those with few edges first. In such an order a
 /// processor foresees where the loops over edges end, and cells of one number of edges can be worked on side
@@ -28,4 +28,4 @@ void forCellsBySize(const CellRows& cells, std::size_t begin, std::size_t end, c
   for (const auto cell : order) each(cell);
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -5,7 +5,7 @@
 #include "base/processors.h"
 #include "core/geometry/circumcenter.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 void CornerBatch::takeShape(std::size_t edges) {
   constexpr std::size_t side_by_side = 8;
@@ -156,4 +156,4 @@ void CornerBatch::measure() {
   measureAbout(origin_x_, origin_y_);
 }
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

@@ -9,7 +9,7 @@
 #include "core/geometry/center_batch.h"
 #include "core/geometry/vertex_position.h"
 
-namespace vorpipe {
+namespace vorpipe::core {
 
 /// Cells without walls around sites inside the domain, all of the same number of edges. Corner e of a cell
 /// is where its edge e begins.
@@ -79,4 +79,4 @@ class CornerBatch {
   CenterBatch unsure_;
 };
 
-}  // namespace vorpipe
+}  // namespace vorpipe::core

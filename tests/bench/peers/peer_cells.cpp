@@ -9,6 +9,9 @@
 #include "core/geometry/vertex_position.h"
 
 namespace vorpipe::test {
+
+using namespace core;
+
 namespace {
 
 constexpr std::size_t usual_neighbors = 6;
