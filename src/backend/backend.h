@@ -21,7 +21,7 @@ namespace vorpipe {
 /// `bound` is a lower bound of the distance from the site at which this and every later line of the
 /// same entry come from: once it reaches the security radius, the rest of the list cannot cut.
 template <class Real>
-struct Line {
+struct HalfPlane {
   Real nx, ny, h, bound;
 };
 
@@ -76,7 +76,7 @@ struct CellBatch {
     Real shift;                     ///< distance from the origin to the site, rounded up
   };
   std::vector<Entry> entries;
-  std::vector<Line<Real>> lines;
+  std::vector<HalfPlane<Real>> lines;
 };
 
 /// What a shader found out about one entry; the numbers are shared with shaders/glsl/layout.glsl.

@@ -52,13 +52,13 @@ inline void packLists(Scene& scene) {
   const std::vector<double>& y = scene.set.y;
   const Box& domain = scene.set.domain;
   for (std::size_t i = 0; i < x.size(); i++) {
-    std::vector<Line<double>> lines;
+    std::vector<HalfPlane<double>> lines;
     for (std::size_t j = 0; j < x.size(); j++) {
       const double distance = std::hypot(x[j] - x[i], y[j] - y[i]);
       if (j != i)
         lines.push_back({(x[j] - x[i]) / distance, (y[j] - y[i]) / distance, distance / 2, distance});
     }
-    std::ranges::sort(lines, {}, &Line<double>::bound);
+    std::ranges::sort(lines, {}, &HalfPlane<double>::bound);
     const auto first = static_cast<std::uint32_t>(scene.batch.lines.size());
     scene.batch.entries.push_back({first, static_cast<std::uint32_t>(lines.size()), domain.xmin - x[i],
                                    domain.ymin - y[i], domain.xmax - x[i], domain.ymax - y[i],

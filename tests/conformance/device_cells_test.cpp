@@ -11,13 +11,13 @@
 namespace vorpipe::test {
 namespace {
 
-using LineOf = std::function<Line<double>(std::int32_t)>;
+using LineOf = std::function<HalfPlane<double>(std::int32_t)>;
 
 struct Vertex {
   double x, y;
 };
 
-Vertex crossing(const Line<double>& a, const Line<double>& b) {
+Vertex crossing(const HalfPlane<double>& a, const HalfPlane<double>& b) {
   const double sine = a.nx * b.ny - a.ny * b.nx;
   return {(a.h * b.ny - b.h * a.ny) / sine, (b.h * a.nx - a.h * b.nx) / sine};
 }
@@ -49,8 +49,8 @@ void expectRowsFromSmallest(const Neighborhoods& cells) {
   }
 }
 
-Line<double> wallOf(const CellBatch<double>::Entry& entry, std::int32_t wall) {
-  const Line<double> walls[] = {
+HalfPlane<double> wallOf(const CellBatch<double>::Entry& entry, std::int32_t wall) {
+  const HalfPlane<double> walls[] = {
       {-1, 0, -entry.west, 0}, {1, 0, entry.east, 0}, {0, -1, -entry.south, 0}, {0, 1, entry.north, 0}};
   return walls[-1 - wall];
 }
@@ -114,7 +114,7 @@ void expectSitesToTile(Backend& backend, const Scene& scene) {
         const double dx = set.x[static_cast<std::size_t>(other)] - set.x[site];
         const double dy = set.y[static_cast<std::size_t>(other)] - set.y[site];
         const double distance = std::hypot(dx, dy);
-        return Line<double>{dx / distance, dy / distance, distance / 2, 0};
+        return HalfPlane<double>{dx / distance, dy / distance, distance / 2, 0};
       });
     }
     wanted = overflown(wanted, effort, cells.status);

@@ -171,10 +171,10 @@ TEST(Strip, visitsEveryVertexOnceFromBothSides) {
 
 TYPED_TEST(Cut, certifiesOnlyWithinReach) {
   // A lattice neighborhood: the cell is [-0.5, 0.5]^2, its radius of security sqrt(2).
-  const Line<TypeParam> lines[] = {{1, 0, TypeParam(0.5), TypeParam(0.999)},
-                                   {-1, 0, TypeParam(0.5), TypeParam(0.999)},
-                                   {0, 1, TypeParam(0.5), TypeParam(0.999)},
-                                   {0, -1, TypeParam(0.5), TypeParam(0.999)}};
+  const HalfPlane<TypeParam> lines[] = {{1, 0, TypeParam(0.5), TypeParam(0.999)},
+                                        {-1, 0, TypeParam(0.5), TypeParam(0.999)},
+                                        {0, 1, TypeParam(0.5), TypeParam(0.999)},
+                                        {0, -1, TypeParam(0.5), TypeParam(0.999)}};
   const auto statusWithReach = [&](TypeParam reach, TypeParam shift) {
     this->clip.lines = lines;
     typename TestFixture::Cell cell;
@@ -186,7 +186,7 @@ TYPED_TEST(Cut, certifiesOnlyWithinReach) {
 }
 
 TYPED_TEST(Cut, anOutsetMovesEveryLineOutward) {
-  const Line<TypeParam> lines[] = {{1, 0, TypeParam(0.5), 0}};
+  const HalfPlane<TypeParam> lines[] = {{1, 0, TypeParam(0.5), 0}};
   this->clip.lines = lines;
   typename TestFixture::Cell cell;
   this->clip.clipCell(cell, {-1, -1, 1, 1}, {TypeParam(0.25), TypeParam(0.125)}, 0, 1, 100, 0);

@@ -17,7 +17,7 @@ struct Clipper {
   static constexpr int MAX_EDGES = static_cast<int>(Room);
   static_assert(MAX_EDGES % 4 == 0);
 
-  const Line<Real>* lines = nullptr;
+  const HalfPlane<Real>* lines = nullptr;
   const SiteSet* sites = nullptr;
   double site_x = 0, site_y = 0;  ///< the site whose cell is clipped
   int used_edges = MAX_EDGES;     ///< a multiple of 4; heeded where Room is large

@@ -30,7 +30,7 @@ constexpr std::uint64_t bytes_of_entry = 48;
 using Entry = CellBatch<float>::Entry;
 static_assert(sizeof(Entry) == 8 * sizeof(float));
 static_assert(sizeof(DrawMark) == 4 * sizeof(float));
-constexpr std::size_t line_bytes = sizeof(Line<float>);
+constexpr std::size_t line_bytes = sizeof(HalfPlane<float>);
 
 constexpr VkShaderStageFlags compute = VK_SHADER_STAGE_COMPUTE_BIT;
 

@@ -13,7 +13,7 @@ namespace vorpipe::vulkan {
 namespace {
 
 using Entry = CellBatch<float>::Entry;
-constexpr std::size_t line_bytes = sizeof(Line<float>);
+constexpr std::size_t line_bytes = sizeof(HalfPlane<float>);
 static_assert(line_bytes == 4 * sizeof(float));
 
 }  // namespace

@@ -75,7 +75,7 @@ std::vector<Point> simplified(std::span<const Point> polygon, double tolerance) 
 }
 
 /// The line through a and b with the polygon on its left.
-void appendLine(Point a, Point b, std::vector<Line<float>>& lines) {
+void appendLine(Point a, Point b, std::vector<HalfPlane<float>>& lines) {
   const double length = std::hypot(b.x - a.x, b.y - a.y);
   const double nx = (b.y - a.y) / length;
   const double ny = (a.x - b.x) / length;

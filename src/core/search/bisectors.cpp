@@ -33,7 +33,7 @@ double length(double x, double y) {
 /// The bisector of two sites, seen from an origin that lies at (-shift.x, -shift.y) from the first. With
 /// weights, a site's distance bounds nothing.
 template <class Real>
-Line<Real> bisector(const SiteSet& sites, std::uint32_t site, std::uint32_t other, Point shift) {
+HalfPlane<Real> bisector(const SiteSet& sites, std::uint32_t site, std::uint32_t other, Point shift) {
   const double x = sites.x[other] - sites.x[site], y = sites.y[other] - sites.y[site];
   const double distance = length(x, y);
   const double nx = x / distance;
