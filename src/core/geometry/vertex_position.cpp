@@ -8,8 +8,8 @@
 
 #include "base/processors.h"
 #include "base/wide.h"
-#include "core/geometry/circumcenter.h"
 #include "core/geometry/polygon_measures.h"
+#include "core/geometry/power_center.h"
 #include "core/geometry/wide_center.h"
 
 namespace vorpipe::core {
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr Place nowhere{{not_a_number, not_a_number}, {0, 0}};
-/// What a corner may be off, as a part of its distance from two of the three sites: circumcenterOf loses no
+/// What a corner may be off, as a part of its distance from two of the three sites: powerCenter loses no
 /// more than three bits to cancellation, and takes the site opposite the longest side, which is one of the
 /// two that are nearest to each other.
 constexpr double relative_rounding = 0x1p-46;
@@ -124,8 +124,8 @@ Place cornerPlace(const SiteSet& sites, std::int32_t cell, std::int32_t before, 
   }
   const auto i = weightedSite(sites, cell), p = weightedSite(sites, before), j = weightedSite(sites, after);
   const auto center = sites.weight.empty()
-                          ? circumcenterOf<false>(i.x, i.y, 0, p.x, p.y, 0, j.x, j.y, 0)
-                          : circumcenterOf<true>(i.x, i.y, i.weight, p.x, p.y, p.weight, j.x, j.y, j.weight);
+                          ? powerCenter<false>(i.x, i.y, 0, p.x, p.y, 0, j.x, j.y, 0)
+                          : powerCenter<true>(i.x, i.y, i.weight, p.x, p.y, p.weight, j.x, j.y, j.weight);
   if (center.sure != 0) return {{center.base_x, center.base_y}, {center.rest_x, center.rest_y}};
   return wideCenterOf(tripleOf(sites, cell, before, after));
 }

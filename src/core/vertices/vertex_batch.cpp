@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/processors.h"
-#include "core/geometry/circumcenter.h"
+#include "core/geometry/power_center.h"
 
 namespace vorpipe::core {
 
@@ -50,9 +50,9 @@ template <bool weighted>
   for (std::size_t e = 0; e < edges_; ++e) {
     const auto p = before(e) * width_, q = e * width_;
     for (std::size_t k = 0; k < cells_; ++k) {
-      const auto c = circumcenterOf<weighted>(
-          site_x_[k], site_y_[k], weighted ? site_w_[k] : 0, other_x_[p + k], other_y_[p + k],
-          weighted ? other_w_[p + k] : 0, other_x_[q + k], other_y_[q + k], weighted ? other_w_[q + k] : 0);
+      const auto c = powerCenter<weighted>(site_x_[k], site_y_[k], weighted ? site_w_[k] : 0, other_x_[p + k],
+                                           other_y_[p + k], weighted ? other_w_[p + k] : 0, other_x_[q + k],
+                                           other_y_[q + k], weighted ? other_w_[q + k] : 0);
       base_x_[q + k] = c.base_x;
       base_y_[q + k] = c.base_y;
       rest_x_[q + k] = c.rest_x;

@@ -3,7 +3,7 @@
 
 namespace vorpipe::core {
 
-struct Circumcenter {
+struct PowerCenter {
   double base_x, base_y, rest_x, rest_y;
   double sure;  ///< 0: it must be found another way; else 1
 };
@@ -22,8 +22,8 @@ inline constexpr double most_terms = 16;
 /// Choices are products with 0 and 1, which are exact, and which compilers do in loops on several
 /// triples at once.
 template <bool weighted>
-inline Circumcenter circumcenterOf(double ix, double iy, double iw, double px, double py, double pw,
-                                   double jx, double jy, double jw) {
+inline PowerCenter powerCenter(double ix, double iy, double iw, double px, double py, double pw, double jx,
+                               double jy, double jw) {
   const auto larger = [](double a, double b) { return a > b ? a : b; };
   const auto magnitude = [](double a) { return a < 0 ? -a : a; };
   const double ip_x = px - ix, ip_y = py - iy;
