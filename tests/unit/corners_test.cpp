@@ -90,7 +90,7 @@ Triangles exactTriangles(const SiteSet& set) {
   for (std::size_t i = 0; i < set.size(); ++i) points.push_back({set.x[i], set.y[i]});
   Triangles triangles;
   for (const auto& t : delaunay(points).triangles) {
-    if (std::find(t.corner.begin(), t.corner.end(), beyond) != t.corner.end()) continue;
+    if (std::find(t.corner.begin(), t.corner.end(), ghost) != t.corner.end()) continue;
     Triangles::value_type ids{};
     for (std::size_t k = 0; k < 3; ++k) ids[k] = set.id[static_cast<std::size_t>(t.corner[k])];
     std::rotate(ids.begin(), std::min_element(ids.begin(), ids.end()), ids.end());

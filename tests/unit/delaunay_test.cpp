@@ -61,23 +61,23 @@ std::string broken(const std::vector<Point>& points, const Mesh& made,
   std::set<std::int32_t> used;
   for (std::size_t t = 0; t < mesh.size(); ++t) {
     const auto& c = mesh[t].corner;
-    const bool is_outside = std::count(c.begin(), c.end(), beyond) == 1;
+    const bool is_outside = std::count(c.begin(), c.end(), ghost) == 1;
     (is_outside ? hull : inside) += 1;
     used.insert(c.begin(), c.end());
     const auto at = [&](std::int32_t i) { return points[static_cast<std::size_t>(i)]; };
     if (!is_outside && orientation(at(c[0]), at(c[1]), at(c[2])) <= 0) return "a triangle is turned";
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto& other = mesh[static_cast<std::size_t>(mesh[t].across[k])];
-      const auto back = std::find(other.across.begin(), other.across.end(), static_cast<std::int32_t>(t));
-      if (back == other.across.end()) return "triangles across an edge do not know each other";
-      const auto far = other.corner[static_cast<std::size_t>(back - other.across.begin())];
-      if (is_outside || far == beyond) continue;
+      const auto& other = mesh[static_cast<std::size_t>(mesh[t].neighbor[k])];
+      const auto back = std::find(other.neighbor.begin(), other.neighbor.end(), static_cast<std::int32_t>(t));
+      if (back == other.neighbor.end()) return "triangles across an edge do not know each other";
+      const auto far = other.corner[static_cast<std::size_t>(back - other.neighbor.begin())];
+      if (is_outside || far == ghost) continue;
       if (inCircle(weighted(c[0]), weighted(c[1]), weighted(c[2]), weighted(far)) > 0) {
         return "an edge should be flipped";
       }
     }
   }
-  used.erase(beyond);
+  used.erase(ghost);
   for (std::int32_t i = 0; i < static_cast<std::int32_t>(points.size()); ++i) {
     const auto& c = mesh[static_cast<std::size_t>(made.at[static_cast<std::size_t>(i)])].corner;
     if (used.contains(i) != (std::count(c.begin(), c.end(), i) == 1))
@@ -158,7 +158,7 @@ std::vector<Point> inRows(std::vector<Point> points) {
 bool areSame(const Mesh& a, const Mesh& b) {
   return a.at == b.at && std::equal(a.triangles.begin(), a.triangles.end(), b.triangles.begin(),
                                     b.triangles.end(), [](const MeshTriangle& s, const MeshTriangle& t) {
-                                      return s.corner == t.corner && s.across == t.across;
+                                      return s.corner == t.corner && s.neighbor == t.neighbor;
                                     });
 }
 

@@ -44,7 +44,7 @@ bool Insertion::mayLookAt(std::int32_t t) const {
 bool Insertion::conflicts(std::int32_t t, std::int32_t i) {
   const auto& corner = triangle(t).corner;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (corner[k] != beyond) continue;
+    if (corner[k] != ghost) continue;
     const auto a = corner[next(k)], b = corner[next(next(k))];
     const int side = orientation(at(a), at(b), at(i));
     return side > 0 || (side == 0 && conflictsOnLine(a, b, i));
@@ -68,7 +68,7 @@ std::int32_t Insertion::nearby(std::int32_t i) {
   constexpr std::int32_t most_looked_at = 64;
   const auto first = std::max(i >= first_ ? first_ : 0, i - most_looked_at);
   while (--i >= first) {
-    if (spoke(i) != none) return spoke(i);
+    if (incident(i) != none) return incident(i);
   }
   return last_;
 }
@@ -78,11 +78,11 @@ std::int32_t Insertion::locate(std::int32_t i) {
   auto t = nearby(i), from = none;
   while (t != none && mayLookAt(t)) {
     const auto& here = triangle(t);
-    const auto k = static_cast<std::size_t>(std::find(here.corner.begin(), here.corner.end(), beyond) -
+    const auto k = static_cast<std::size_t>(std::find(here.corner.begin(), here.corner.end(), ghost) -
                                             here.corner.begin());
     const bool is_outside = k < here.corner.size();
     if (is_outside && conflicts(t, i)) return t;
-    const auto to = is_outside ? here.across[k] : acrossTowards(p, t, from);
+    const auto to = is_outside ? here.neighbor[k] : neighborTowards(p, t, from);
     if (to == t) return t;
     from = std::exchange(t, to);
   }
@@ -91,11 +91,11 @@ std::int32_t Insertion::locate(std::int32_t i) {
 
 /// The triangle across an edge of t that has p on its other side; t if there is none. The way here came from
 /// the triangle `from`, on whose side p is not.
-std::int32_t Insertion::acrossTowards(Point p, std::int32_t t, std::int32_t from) {
+std::int32_t Insertion::neighborTowards(Point p, std::int32_t t, std::int32_t from) {
   const auto& here = triangle(t);
   for (std::size_t k = 0; k < 3; ++k) {
-    if (here.across[k] == from) continue;
-    if (orientation(at(here.corner[next(k)]), at(here.corner[next(next(k))]), p) < 0) return here.across[k];
+    if (here.neighbor[k] == from) continue;
+    if (orientation(at(here.corner[next(k)]), at(here.corner[next(next(k))]), p) < 0) return here.neighbor[k];
   }
   return t;
 }
@@ -134,7 +134,7 @@ bool Insertion::findCavity(std::int32_t i, std::int32_t first) {
   for (std::size_t c = 0; c < cavity_.size(); ++c) {
     const auto here = triangle(cavity_[c]);
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto other = here.across[k];
+      const auto other = here.neighbor[k];
       if (!mayChange(other)) return false;
       if (isInCavity(other) != 0) continue;
       if (conflicts(other, i)) {
@@ -157,7 +157,7 @@ void Insertion::noteCorners() {
 /// Hides those of the noted corners that no triangle is at any more.
 void Insertion::hideCorners() {
   for (const auto corner : corners_) {
-    auto& at_corner = spoke(corner);
+    auto& at_corner = incident(corner);
     if (at_corner == none) continue;
     const auto& left = triangle(at_corner).corner;
     if (std::find(left.begin(), left.end(), corner) != left.end()) continue;
@@ -178,22 +178,22 @@ void Insertion::fill(std::int32_t p, std::int32_t room) {
     const auto [from, to, outer] = rim_[r];
     const auto t = r < cavity_.size() ? cavity_[r] : newTriangle();
     isInCavity(t) = 0;
-    triangle(t) = {{p, from, to}, {outer, beyond, beyond}};
+    triangle(t) = {{p, from, to}, {outer, ghost, ghost}};
     auto& back = triangle(outer);
     for (std::size_t k = 0; k < 3; ++k) {
-      if (back.corner[next(k)] == to && back.corner[next(next(k))] == from) back.across[k] = t;
+      if (back.corner[next(k)] == to && back.corner[next(next(k))] == from) back.neighbor[k] = t;
     }
-    spoke(from) = t;
+    incident(from) = t;
     rim_[r].outer = t;
   }
   for (const auto& edge : rim_) {
     // The triangle after this one around p begins where this one ends.
-    const auto after = spoke(edge.to);
-    triangle(edge.outer).across[1] = after;
-    triangle(after).across[2] = edge.outer;
+    const auto after = incident(edge.to);
+    triangle(edge.outer).neighbor[1] = after;
+    triangle(after).neighbor[2] = edge.outer;
   }
   last_ = rim_[0].outer;
-  spoke(p) = last_;
+  incident(p) = last_;
   for (auto c = rim_.size(); c < cavity_.size(); ++c) leaveEmpty(cavity_[c]);
 }
 

@@ -10,7 +10,7 @@
 
 namespace vorpipe::core {
 
-/// Regions are numbered from 0; a triangle is of that region which all of its corners but `beyond` are of.
+/// Regions are numbered from 0; a triangle is of that region which all of its corners but `ghost` are of.
 using Region = std::uint8_t;
 inline constexpr Region of_several = 254;  ///< of a triangle: of no one region
 inline constexpr Region anywhere = 255;    ///< of an Insertion: all triangles are its own
@@ -19,10 +19,10 @@ inline constexpr Region anywhere = 255;    ///< of an Insertion: all triangles a
 struct GrowingMesh {
   const std::vector<Point>& points;
   const std::vector<double>& weights;      ///< empty, or by point
-  BigVector<MeshTriangle> triangles;       ///< those that are none have `beyond` for all corners
+  BigVector<MeshTriangle> triangles;       ///< those that are none have `ghost` for all corners
   BigVector<Region> region;                ///< by triangle; read only by insertions into regions
   std::vector<std::uint8_t> is_in_cavity;  ///< by triangle
-  std::vector<std::int32_t> spoke;         ///< by point: a triangle there, or `none`
+  std::vector<std::int32_t> incident;      ///< by point: a triangle there, or `none`
 
   static constexpr std::int32_t none = -1;
 };
@@ -58,18 +58,18 @@ class Insertion {
   [[nodiscard]] bool mayLookAt(std::int32_t t) const;
   MeshTriangle& triangle(std::int32_t t) { return mesh_.triangles[static_cast<std::size_t>(t)]; }
   std::uint8_t& isInCavity(std::int32_t t) { return mesh_.is_in_cavity[static_cast<std::size_t>(t)]; }
-  std::int32_t& spoke(std::int32_t corner) {
-    return corner == beyond ? spoke_of_beyond_ : mesh_.spoke[static_cast<std::size_t>(corner)];
+  std::int32_t& incident(std::int32_t corner) {
+    return corner == ghost ? incident_to_ghost_ : mesh_.incident[static_cast<std::size_t>(corner)];
   }
   bool conflicts(std::int32_t t, std::int32_t i);
   bool conflictsOnLine(std::int32_t a, std::int32_t b, std::int32_t i);
   std::int32_t nearby(std::int32_t i);
-  std::int32_t acrossTowards(Point p, std::int32_t t, std::int32_t from);
+  std::int32_t neighborTowards(Point p, std::int32_t t, std::int32_t from);
   bool findCavity(std::int32_t i, std::int32_t first);
   void noteCorners();
   void hideCorners();
   void fill(std::int32_t p, std::int32_t room);
-  void leaveEmpty(std::int32_t t) { triangle(t).corner = {beyond, beyond, beyond}; }
+  void leaveEmpty(std::int32_t t) { triangle(t).corner = {ghost, ghost, ghost}; }
 
   GrowingMesh& mesh_;
   Region region_;
@@ -77,7 +77,7 @@ class Insertion {
   std::vector<std::int32_t> cavity_;
   std::vector<RimEdge> rim_;
   std::vector<std::int32_t> corners_;  ///< of the cavity, if some go with it
-  std::int32_t spoke_of_beyond_ = GrowingMesh::none;
+  std::int32_t incident_to_ghost_ = GrowingMesh::none;
   std::int32_t last_;  ///< the triangle made last, or where to set out from; or none
 };
 

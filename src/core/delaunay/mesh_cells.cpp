@@ -97,14 +97,14 @@ class Extracting {
       const auto k = cornerOf(triangle, cell_);
       const auto before = triangle.corner[next(k)], after = triangle.corner[next(next(k))];
       std::uint8_t reached = 0;
-      if (before == beyond || after == beyond) {
+      if (before == ghost || after == ghost) {
         reached_ = all_walls;
       } else {
         reached = walls_.of(t, [&] { return wallsReached(sites_.domain, at(cell_), at(before), at(after)); });
         reached_ |= reached;
       }
-      ring_.push_back({after == beyond ? infinity : after, reached});
-      t = triangle.across[next(k)];
+      ring_.push_back({after == ghost ? infinity : after, reached});
+      t = triangle.neighbor[next(k)];
     } while (t != first);
   }
 

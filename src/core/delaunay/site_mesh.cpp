@@ -53,7 +53,7 @@ Mesh triangulate(const SiteSet& sites, int threads) {
   parallelFor(mesh.triangles.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto t = begin; t < end; ++t) {
       for (auto& corner : mesh.triangles[t].corner) {
-        if (corner != beyond) corner = static_cast<std::int32_t>(order[static_cast<std::size_t>(corner)]);
+        if (corner != ghost) corner = static_cast<std::int32_t>(order[static_cast<std::size_t>(corner)]);
       }
     }
   });

@@ -109,15 +109,15 @@ class Triangulation {
     mesh_.triangles.resize(2 * count - 2);
     mesh_.region.resize(mesh_.triangles.size());
     mesh_.is_in_cavity.resize(mesh_.triangles.size());
-    mesh_.spoke.assign(count, none);
+    mesh_.incident.assign(count, none);
     auto a = order[0], b = order[1];
     const auto c = order[2];
     if (orientation(at(0), at(1), at(2)) < 0) std::swap(a, b);
     mesh_.triangles[0] = {{a, b, c}, {2, 3, 1}};
-    mesh_.triangles[1] = {{b, a, beyond}, {3, 2, 0}};
-    mesh_.triangles[2] = {{c, b, beyond}, {1, 3, 0}};
-    mesh_.triangles[3] = {{a, c, beyond}, {2, 1, 0}};
-    for (const auto corner : {a, b, c}) mesh_.spoke[static_cast<std::size_t>(corner)] = 0;
+    mesh_.triangles[1] = {{b, a, ghost}, {3, 2, 0}};
+    mesh_.triangles[2] = {{c, b, ghost}, {1, 3, 0}};
+    mesh_.triangles[3] = {{a, c, ghost}, {2, 1, 0}};
+    for (const auto corner : {a, b, c}) mesh_.incident[static_cast<std::size_t>(corner)] = 0;
     return true;
   }
 
@@ -125,7 +125,7 @@ class Triangulation {
   static std::int32_t roomOf(std::size_t k) { return static_cast<std::int32_t>(2 * k - 2); }
 
   [[nodiscard]] std::int32_t anyTriangle() const {
-    return *std::find_if(mesh_.spoke.begin(), mesh_.spoke.end(), [](auto t) { return t != none; });
+    return *std::find_if(mesh_.incident.begin(), mesh_.incident.end(), [](auto t) { return t != none; });
   }
 
   /// Does the insertions begin to end - 1. Where many reach beyond their part, as across the wide gaps
@@ -173,7 +173,7 @@ class Triangulation {
                     const auto& corner = mesh_.triangles[t].corner;
                     const auto part = parts.of(*std::max_element(corner.begin(), corner.end()));
                     const bool one = std::all_of(corner.begin(), corner.end(),
-                                                 [&](auto c) { return c == beyond || parts.of(c) == part; });
+                                                 [&](auto c) { return c == ghost || parts.of(c) == part; });
                     mesh_.region[t] = one ? static_cast<Region>(part) : of_several;
                   }
                 });
@@ -189,7 +189,7 @@ class Triangulation {
     // The parts came in any order.
     std::sort(hidden_.begin(), hidden_.end());
     Insertion insertion(mesh_, anyTriangle());
-    for (const auto i : hidden_) mesh_.spoke[static_cast<std::size_t>(i)] = insertion.locate(i);
+    for (const auto i : hidden_) mesh_.incident[static_cast<std::size_t>(i)] = insertion.locate(i);
   }
 
   /// Closes the gaps between the triangles.
@@ -200,17 +200,17 @@ class Triangulation {
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       const auto& corner = triangles[t].corner;
       moved[t] = count;
-      count += *std::max_element(corner.begin(), corner.end()) != beyond ? 1 : 0;
+      count += *std::max_element(corner.begin(), corner.end()) != ghost ? 1 : 0;
     }
     const auto now = [&](std::int32_t t) { return moved[static_cast<std::size_t>(t)]; };
     for (std::size_t t = 0; t < triangles.size(); ++t) {
       auto here = triangles[t];
-      if (*std::max_element(here.corner.begin(), here.corner.end()) == beyond) continue;
-      for (auto& across : here.across) across = now(across);
+      if (*std::max_element(here.corner.begin(), here.corner.end()) == ghost) continue;
+      for (auto& neighbor : here.neighbor) neighbor = now(neighbor);
       triangles[static_cast<std::size_t>(moved[t])] = here;
     }
     triangles.resize(static_cast<std::size_t>(count));
-    for (auto& t : mesh_.spoke) t = now(t);
+    for (auto& t : mesh_.incident) t = now(t);
   }
 
   Mesh finish() {
@@ -218,7 +218,7 @@ class Triangulation {
       placeHidden();
       closeGaps();
     }
-    return {std::move(mesh_.triangles), std::move(mesh_.spoke)};
+    return {std::move(mesh_.triangles), std::move(mesh_.incident)};
   }
 
   GrowingMesh mesh_;

@@ -11,14 +11,14 @@
 namespace vorpipe::core {
 
 /// A triangle's corners, counter-clockwise, and the triangles beyond the edges that face them. One corner of
-/// triangles outside the hull is `beyond`.
+/// triangles outside the hull is `ghost`.
 struct MeshTriangle {
   std::array<std::int32_t, 3> corner;
-  std::array<std::int32_t, 3> across;
+  std::array<std::int32_t, 3> neighbor;
 };
 
 /// Stands for a point at infinity: a mesh closes over the hull.
-inline constexpr std::int32_t beyond = -1;
+inline constexpr std::int32_t ghost = -1;
 
 struct Mesh {
   BigVector<MeshTriangle> triangles;

@@ -10,7 +10,7 @@ namespace vorpipe::core {
 namespace {
 
 bool isOutside(const MeshTriangle& t) {
-  return std::find(t.corner.begin(), t.corner.end(), beyond) != t.corner.end();
+  return std::find(t.corner.begin(), t.corner.end(), ghost) != t.corner.end();
 }
 
 /// A triangle whose corner k is the site siteOf(k), by input index, the lowest first.
@@ -74,7 +74,7 @@ class OuterMesh {
       for (std::size_t k = 0; k < 3; ++k) {
         const Edge seen_from_there{here.corner[(k + 2) % 3], here.corner[(k + 1) % 3]};
         if (!std::binary_search(known.begin(), known.end(), seen_from_there)) {
-          reach(static_cast<std::size_t>(here.across[k]));
+          reach(static_cast<std::size_t>(here.neighbor[k]));
         }
       }
     }
@@ -85,11 +85,11 @@ class OuterMesh {
     }
   }
 
-  /// The number of each site in this mesh by input index, or `beyond`.
+  /// The number of each site in this mesh by input index, or `ghost`.
   [[nodiscard]] std::vector<std::int32_t> numbers() const {
     std::vector<std::int32_t> number;
     const auto most = std::max_element(sites_.id.begin(), sites_.id.end());
-    number.assign(*most + std::size_t{1}, beyond);
+    number.assign(*most + std::size_t{1}, ghost);
     for (std::size_t k = 0; k < cells_.size(); ++k)
       number[sites_.id[cells_[k]]] = static_cast<std::int32_t>(k);
     return number;
@@ -108,7 +108,7 @@ std::vector<Edge> knownEdges(const OuterMesh& mesh, const Triangles& triangles) 
   for (const auto& triangle : triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const Edge edge{number[triangle[k]], number[triangle[(k + 1) % 3]]};
-      if (edge.first != beyond && edge.second != beyond) known.push_back(edge);
+      if (edge.first != ghost && edge.second != ghost) known.push_back(edge);
     }
   }
   std::sort(known.begin(), known.end());

@@ -34,11 +34,11 @@ std::vector<MemoryPlan::Array> planMesh(MemoryPlan& plan, const Workload& work, 
   const auto triangles = plan.take(what, 2 * sites * sizeof(MeshTriangle));
   const auto region = plan.take(what, 2 * sites);
   const auto cavity = plan.take(what, 2 * sites);
-  const auto spoke = plan.take(what, sites * word);
+  const auto incident = plan.take(what, sites * word);
   const auto left = plan.take(what, sites * word + sites * word / 2);
   plan.drop({left, cavity, region, inserted, weights, points});
   const auto at = plan.take(what, sites * word);
-  plan.drop({spoke, order});
+  plan.drop({incident, order});
   return {triangles, at};
 }
 

@@ -235,10 +235,10 @@ class Looking {
   static void noteTie(const Mesh& mesh, const std::vector<Point>& places, std::size_t t, std::size_t k,
                       std::vector<std::uint8_t>& tied, Ties& ties) {
     const auto& here = mesh.triangles[t];
-    const auto other = static_cast<std::size_t>(here.across[k]);
+    const auto other = static_cast<std::size_t>(here.neighbor[k]);
     const auto& there = mesh.triangles[other];
     const auto isWhole = [](const MeshTriangle& each) {
-      return std::ranges::find(each.corner, beyond) == each.corner.end();
+      return std::ranges::find(each.corner, ghost) == each.corner.end();
     };
     if (other < t || !isWhole(here) || !isWhole(there)) return;
     const auto p = here.corner[(k + 1) % 3], q = here.corner[(k + 2) % 3], a = here.corner[k];
