@@ -136,14 +136,14 @@ TEST(WeightedCorner, isTheSameForEveryOrderAndPrecise) {
       const double x = set.x[i] - 0.3, y = set.y[i] - 0.6;
       set.weight.push_back(x * x + y * y + (round % 2 == 0 ? 0.01 * flat * random.uniform() : 0));
     }
-    const auto first = cornerPlace(set, 0, 1, 2);
+    const auto first = cornerPosition(set, 0, 1, 2);
     const auto exact = radicalCenter(set, 0, 1, 2);
     const double reach = std::abs(set.x[0] - set.x[1]) + std::abs(set.x[0] - set.x[2]) + 1;
     EXPECT_NEAR(positionOf(first).x, exact[0], 1e-13 * (reach + std::abs(exact[0]))) << round;
     EXPECT_NEAR(positionOf(first).y, exact[1], 1e-13 * (reach + std::abs(exact[1]))) << round;
     std::array<std::int32_t, 3> order{0, 1, 2};
     do {
-      const auto place = cornerPlace(set, order[0], order[1], order[2]);
+      const auto place = cornerPosition(set, order[0], order[1], order[2]);
       ASSERT_EQ(place.base.x, first.base.x);
       ASSERT_EQ(place.base.y, first.base.y);
       ASSERT_EQ(place.rest.x, first.rest.x);
@@ -162,13 +162,13 @@ TEST(WeightedCorner, atAWallIsWhereThePowersAreEqual) {
       const double x = set.x[i] - 1, y = set.y[i] - 0.25;
       set.weight.push_back(x * x + y * y);
     }
-    const auto place = cornerPlace(set, 0, 1, wall_xmax);
+    const auto place = cornerPosition(set, 0, 1, wall_xmax);
     EXPECT_EQ(positionOf(place).x, 1);
     const Rational dx = Rational(set.x[1]) - set.x[0], dy = Rational(set.y[1]) - set.y[0];
     const Rational half = (dx * dx + dy * dy + set.weight[0] - set.weight[1]) / 2;
     const Rational y = (half - (1 - Rational(set.x[0])) * dx) / dy + set.y[0];
     EXPECT_NEAR(positionOf(place).y, static_cast<double>(y), 1e-13 * (2 + std::abs(static_cast<double>(y))));
-    const auto other = cornerPlace(set, 1, wall_xmax, 0);
+    const auto other = cornerPosition(set, 1, wall_xmax, 0);
     EXPECT_EQ(place.rest.y, other.rest.y);
   }
 }

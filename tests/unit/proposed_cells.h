@@ -163,7 +163,7 @@ inline Assembled assemble(const SiteSet& set, Neighborhoods found, int threads =
   result.rough = static_cast<std::size_t>(std::count(rough.begin(), rough.end(), 1));
   const auto tied = untieCells(proposed, rough, Fineness{}, Disputes::are_listed);
   result.disputed = tied->disputed;
-  result.tied_vertices = tied->place.size();
+  result.tied_vertices = tied->position.size();
   if (!tied->disputed.empty()) return result;
   recordTiedCells(proposed, *tied, records);
   takeRecords(by_input, detail, threads, result.diagram);

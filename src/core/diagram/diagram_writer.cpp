@@ -99,7 +99,7 @@ class Writing {
     places_.clear();
     kept_.clear();
     for (const auto e : edges_) {
-      places_.push_back(tiedPlace(tied_, k, e));
+      places_.push_back(tiedPosition(tied_, k, e));
       kept_.push_back(row[e]);
     }
     writePolygon(cell, kept_);
@@ -124,7 +124,7 @@ class Writing {
   }
 
   /// Writes the second moments of the cell with these corners, before ties join them.
-  void writeMoments(std::size_t cell, std::span<const Place> corners) {
+  void writeMoments(std::size_t cell, std::span<const AnchoredPoint> corners) {
     const auto id = sites_.id[cell];
     const auto m = measureCell(measuringOrigin(sites_, cell, corners.front()), corners);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -141,7 +141,7 @@ class Writing {
   CornerBatch batch_;
   std::vector<std::uint32_t> edges_;
   std::vector<std::int32_t> kept_;
-  std::vector<Place> places_;
+  std::vector<AnchoredPoint> places_;
 };
 
 /// Gives the arrays that `detail` asks for their lengths. To touch memory for the first time takes long, so

@@ -33,8 +33,8 @@ bool turnsLess(Point a, Point b) {
 
 /// Which vertices of tied cells are the meeting of just one triple.
 std::vector<std::uint8_t> plainVertices(const ProposedCells& agreed, const TiedCells& tied) {
-  std::vector<std::uint8_t> plain(tied.place.size(), 1);
-  std::vector<Triple> seen(tied.place.size());
+  std::vector<std::uint8_t> plain(tied.position.size(), 1);
+  std::vector<Triple> seen(tied.position.size());
   for (std::size_t k = 0; k < tied.cell.size(); ++k) {
     const auto row = agreed.cells.edges(tied.cell[k]);
     for (std::size_t e = 0; e < row.size(); ++e) {
@@ -84,7 +84,7 @@ bool cellsAround(const ProposedCells& agreed, const TiedCells& tied, std::size_t
                 tied.around.begin() + tied.around_first[vertex + 1]);
   around.erase(std::unique(around.begin(), around.end()), around.end());
   const auto way = [&](std::uint32_t cell) {
-    return relativeTo({sites.x[cell], sites.y[cell]}, tied.place[vertex]);
+    return relativeTo({sites.x[cell], sites.y[cell]}, tied.position[vertex]);
   };
   if (sites.weight.empty()) {
     std::sort(around.begin(), around.end(), [&](auto a, auto b) { return turnsLess(way(a), way(b)); });
@@ -99,14 +99,14 @@ bool cellsAround(const ProposedCells& agreed, const TiedCells& tied, std::size_t
 
 /// Whether the circle through three sites is about a vertex that ties make, give or take a few ties of the
 /// nearest two of them: that vertex may have ties that are much longer.
-bool isAbout(const SiteSet& sites, const std::array<std::uint32_t, 3>& cells, const Place& vertex) {
+bool isAbout(const SiteSet& sites, const std::array<std::uint32_t, 3>& cells, const AnchoredPoint& vertex) {
   constexpr double ties = 4;
   const auto way = [&](std::uint32_t a, std::uint32_t b) {
     return lengthOf({sites.x[b] - sites.x[a], sites.y[b] - sites.y[a]});
   };
   const auto [a, b, c] = cells;
-  const Place center = cornerPlace(sites, static_cast<std::int32_t>(a), static_cast<std::int32_t>(b),
-                                   static_cast<std::int32_t>(c));
+  const AnchoredPoint center = cornerPosition(sites, static_cast<std::int32_t>(a),
+                                              static_cast<std::int32_t>(b), static_cast<std::int32_t>(c));
   return lengthOf(wayBetween(vertex, center)) <=
          ties * shortest_edge * std::min({way(a, b), way(b, c), way(c, a)});
 }
@@ -115,7 +115,7 @@ bool isAbout(const SiteSet& sites, const std::array<std::uint32_t, 3>& cells, co
 /// false where that is no Delaunay triangulation: some sites lie on one line, or are as near to each other as
 /// ties of others are long.
 template <class Put>
-bool forFan(const SiteSet& sites, const std::vector<std::uint32_t>& around, const Place& vertex,
+bool forFan(const SiteSet& sites, const std::vector<std::uint32_t>& around, const AnchoredPoint& vertex,
             const Put& put) {
   const auto at = [&](std::size_t k) { return Point{sites.x[around[k]], sites.y[around[k]]}; };
   bool proper = true;
@@ -181,7 +181,8 @@ Triangles dualTriangles(const ProposedCells& agreed, const TiedCells& tied, Site
   append(plain.size(), agreed.threads, triangles, [&](std::size_t vertex, const auto& put) {
     if (plain[vertex] != 0 || tied.walls[vertex] != 0) return;
     std::vector<std::uint32_t> around;
-    if (!cellsAround(agreed, tied, vertex, around) || !forFan(agreed.sites, around, tied.place[vertex], put))
+    if (!cellsAround(agreed, tied, vertex, around) ||
+        !forFan(agreed.sites, around, tied.position[vertex], put))
       proper = false;
   });
   if (!proper) return allTriangles(mesh);

@@ -24,7 +24,7 @@ void forCorners(const SiteSet& sites, std::uint32_t site, std::span<const std::i
   for (std::size_t k = 0; k < neighbors.size(); ++k) {
     const auto before = neighbors[k > 0 ? k - 1 : neighbors.size() - 1];
     const auto p =
-        relativeTo(origin, cornerPlace(sites, static_cast<std::int32_t>(site), before, neighbors[k]));
+        relativeTo(origin, cornerPosition(sites, static_cast<std::int32_t>(site), before, neighbors[k]));
     if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
     each(Point{std::clamp(p.x, domain.xmin, domain.xmax), std::clamp(p.y, domain.ymin, domain.ymax)});
   }

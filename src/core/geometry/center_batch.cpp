@@ -15,7 +15,7 @@ void CenterBatch::add(std::size_t corner, const Triple& triple) {
 
 FOR_WIDE_TOO void CenterBatch::place() {
   for (std::size_t n = 0; n < size_; ++n) {
-    const Place center = wideCenterOf(i_.at(n), j_.at(n), k_.at(n));
+    const AnchoredPoint center = wideCenterOf(i_.at(n), j_.at(n), k_.at(n));
     base_x_[n] = center.base.x;
     base_y_[n] = center.base.y;
     rest_x_[n] = center.rest.x;

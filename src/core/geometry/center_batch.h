@@ -22,7 +22,7 @@ class CenterBatch {
   void place();
 
   [[nodiscard]] std::size_t corner(std::size_t k) const { return corner_[k]; }
-  [[nodiscard]] Place center(std::size_t k) const {
+  [[nodiscard]] AnchoredPoint center(std::size_t k) const {
     return {{base_x_[k], base_y_[k]}, {rest_x_[k], rest_y_[k]}};
   }
 

@@ -16,7 +16,7 @@ namespace vorpipe::core {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-constexpr Place nowhere{{not_a_number, not_a_number}, {0, 0}};
+constexpr AnchoredPoint nowhere{{not_a_number, not_a_number}, {0, 0}};
 /// What a corner may be off, as a part of its distance from two of the three sites: powerCenter loses no
 /// more than three bits to cancellation, and takes the site opposite the longest side, which is one of the
 /// two that are nearest to each other.
@@ -43,7 +43,7 @@ double squaredDistance(Point a, Point b) {
   return dx * dx + dy * dy;
 }
 
-FOR_FUSED_TOO Place wideCenterOf(const Triple& t) { return wideCenterOf(t.i, t.j, t.k); }
+FOR_FUSED_TOO AnchoredPoint wideCenterOf(const Triple& t) { return wideCenterOf(t.i, t.j, t.k); }
 
 /// Where on a wall its bisector with the sites i and j meets that, in twice the precision. Here and below `x`
 /// is across the wall, which is at `at`.
@@ -72,7 +72,7 @@ Wide crossing(const WeightedPoint& i, const WeightedPoint& j, double at, bool we
 }
 
 /// Where the bisector of two sites meets a wall.
-Place atWall(const SiteSet& s, std::int32_t a, std::int32_t b, std::int32_t wall) {
+AnchoredPoint atWall(const SiteSet& s, std::int32_t a, std::int32_t b, std::int32_t wall) {
   const auto i = weightedSite(s, a), j = weightedSite(s, b);
   const double at = wallCoordinate(s.domain, wall);
   const bool weighted = !s.weight.empty();
@@ -87,7 +87,7 @@ Place atWall(const SiteSet& s, std::int32_t a, std::int32_t b, std::int32_t wall
 
 /// How far the two sites that are nearest to a corner are from it at most; of a wall's corner, how far the
 /// nearer one is.
-double nearestTwo(const SiteSet& s, const std::array<std::int32_t, 3>& around, const Place& corner) {
+double nearestTwo(const SiteSet& s, const std::array<std::int32_t, 3>& around, const AnchoredPoint& corner) {
   double nearest = std::numeric_limits<double>::infinity(), second = nearest;
   for (const auto i : around) {
     if (i < 0) continue;
@@ -109,7 +109,8 @@ double wallCoordinate(const Box& domain, std::int32_t wall) {
   return wall == wall_ymin ? domain.ymin : domain.ymax;
 }
 
-Place cornerPlace(const SiteSet& sites, std::int32_t cell, std::int32_t before, std::int32_t after) {
+AnchoredPoint cornerPosition(const SiteSet& sites, std::int32_t cell, std::int32_t before,
+                             std::int32_t after) {
   if (before < 0 && after < 0) {
     if (isVerticalWall(before) == isVerticalWall(after)) return nowhere;
     const auto vertical = isVerticalWall(before) ? before : after;
@@ -147,17 +148,17 @@ Triple tripleOf(const SiteSet& sites, std::int32_t a, std::int32_t b, std::int32
 }
 
 void placeCorners(const SiteSet& sites, std::size_t cell, std::span<const std::int32_t> row,
-                  std::vector<Place>& corners) {
+                  std::vector<AnchoredPoint>& corners) {
   corners.clear();
   auto before = row.empty() ? 0 : row.back();
   for (const auto neighbor : row) {
-    corners.push_back(cornerPlace(sites, static_cast<std::int32_t>(cell), before, neighbor));
+    corners.push_back(cornerPosition(sites, static_cast<std::int32_t>(cell), before, neighbor));
     before = neighbor;
   }
 }
 
 EdgeSpan edgeSpan(const SiteSet& sites, std::int32_t cell, std::int32_t before, std::int32_t neighbor,
-                  std::int32_t after, const Place& begin, const Place& end, double shortest) {
+                  std::int32_t after, const AnchoredPoint& begin, const AnchoredPoint& end, double shortest) {
   const Point site = siteAt(sites, cell);
   const Point way = wayBetween(begin, end);
   const double reach =

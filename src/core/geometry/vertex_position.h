@@ -14,18 +14,18 @@ namespace vorpipe::core {
 
 /// A position as the sum of a point and what it is away from there. Kept apart, the two tell positions
 /// near each other apart to the precision of their distance, wherever in the domain they lie.
-struct Place {
+struct AnchoredPoint {
   Point base, rest;
 };
 
-inline Point positionOf(const Place& p) { return {p.base.x + p.rest.x, p.base.y + p.rest.y}; }
+inline Point positionOf(const AnchoredPoint& p) { return {p.base.x + p.rest.x, p.base.y + p.rest.y}; }
 
-inline Point relativeTo(Point origin, const Place& p) {
+inline Point relativeTo(Point origin, const AnchoredPoint& p) {
   return {(p.base.x - origin.x) + p.rest.x, (p.base.y - origin.y) + p.rest.y};
 }
 
 /// The way from a to b; from b to a it is the same with the other sign, to the bit.
-inline Point wayBetween(const Place& a, const Place& b) {
+inline Point wayBetween(const AnchoredPoint& a, const AnchoredPoint& b) {
   return {(b.base.x - a.base.x) + (b.rest.x - a.rest.x), (b.base.y - a.base.y) + (b.rest.y - a.rest.y)};
 }
 
@@ -38,7 +38,8 @@ double wallCoordinate(const Box& domain, std::int32_t wall);
 /// three sites that meet there, or two sites and a wall, and is the same to the bit for any order of
 /// them; of sites that could stand for each other the lower input index goes first. Not a number where
 /// the three do not meet.
-Place cornerPlace(const SiteSet& sites, std::int32_t cell, std::int32_t before, std::int32_t after);
+AnchoredPoint cornerPosition(const SiteSet& sites, std::int32_t cell, std::int32_t before,
+                             std::int32_t after);
 
 /// Three sites, the first opposite the longest side. The order does not depend on how they are named: of
 /// sites that could stand for each other the lower input index goes first.
@@ -49,7 +50,7 @@ Triple tripleOf(const SiteSet& sites, std::int32_t a, std::int32_t b, std::int32
 
 /// The corners where the edges of `cell` to the neighbors `row` begin, ties among them or not.
 void placeCorners(const SiteSet& sites, std::size_t cell, std::span<const std::int32_t> row,
-                  std::vector<Place>& corners);
+                  std::vector<AnchoredPoint>& corners);
 
 /// How much longer than a tie an edge is, times the distance between its sites, where that is no longer than
 /// the domain's shorter side: (dx, dy) is the way from the cell's site to its neighbor's, (ex, ey) that from
@@ -84,6 +85,7 @@ struct EdgeSpan {
 /// `shortest` is the part of the sites' distance, or of the domain's shorter side, that is a tie:
 /// shortest_edge, or less where ties in a row would make a vertex wide (wide_vertices.h).
 EdgeSpan edgeSpan(const SiteSet& sites, std::int32_t cell, std::int32_t before, std::int32_t neighbor,
-                  std::int32_t after, const Place& begin, const Place& end, double shortest = shortest_edge);
+                  std::int32_t after, const AnchoredPoint& begin, const AnchoredPoint& end,
+                  double shortest = shortest_edge);
 
 }  // namespace vorpipe::core

@@ -14,8 +14,8 @@ inline double powerOfBiased(std::int64_t biased) { return std::bit_cast<double>(
 
 /// The point whose powers to i, j and k are equal; i lies opposite the longest side. No branches, so that
 /// compilers work on several triples at once.
-[[gnu::always_inline]] inline Place wideCenterOf(const WeightedPoint& i, const WeightedPoint& j,
-                                                 const WeightedPoint& k) {
+[[gnu::always_inline]] inline AnchoredPoint wideCenterOf(const WeightedPoint& i, const WeightedPoint& j,
+                                                         const WeightedPoint& k) {
   constexpr std::int64_t bias = 1023, most = 2 * bias - 2;
   const auto larger = [](double a, double b) { return a > b ? a : b; };
   const auto magnitude = [](double a) { return a < 0 ? -a : a; };

@@ -38,7 +38,7 @@ class Enclosing {
   /// wall three, and the only cell in a corner of the domain six; a tie between two sites is three for each
   /// of them.
   void countRings() {
-    excess_.assign(tied_.place.size(), one_corner);
+    excess_.assign(tied_.position.size(), one_corner);
     for (std::size_t k = 0; k < tied_.cell.size(); ++k) {
       const auto row = cells_.edges(tied_.cell[k]);
       for (std::size_t e = 0; e < row.size(); ++e) {

@@ -22,7 +22,7 @@ Point centroidInDomain(const SiteSet& sites, Point origin, Point centroid) {
 void recordUnedged(const ProposedCells& proposed, std::uint32_t cell, const Records& records) {
   const auto& sites = proposed.sites;
   const auto row = proposed.cells.edges(cell);
-  std::vector<Place> corners;
+  std::vector<AnchoredPoint> corners;
   placeCorners(sites, cell, row, corners);
   const auto origin = measuringOrigin(sites, cell, corners.front());
   const auto m = measureCell(origin, corners);
@@ -37,7 +37,7 @@ void recordUnedged(const ProposedCells& proposed, std::uint32_t cell, const Reco
 void recordTiedCells(const ProposedCells& proposed, const TiedCells& tied, const Records& records) {
   parallelFor(tied.cell.size(), grain, proposed.threads, [&](std::size_t begin, std::size_t end) {
     std::vector<std::uint32_t> edges;
-    std::vector<Place> corners;
+    std::vector<AnchoredPoint> corners;
     for (auto k = begin; k < end; ++k) {
       const auto cell = tied.cell[k];
       if (proposed.cells.status(cell) == CellStatus::empty) {

@@ -42,8 +42,9 @@ class Making {
     return proposed_.cells.edges(tied_.cell[k]);
   }
 
-  [[nodiscard]] Place cornerOf(std::size_t k, std::span<const std::int32_t> row, std::size_t e) const {
-    return cornerPlace(sites_, static_cast<std::int32_t>(tied_.cell[k]), row[before(row, e)], row[e]);
+  [[nodiscard]] AnchoredPoint cornerOf(std::size_t k, std::span<const std::int32_t> row,
+                                       std::size_t e) const {
+    return cornerPosition(sites_, static_cast<std::int32_t>(tied_.cell[k]), row[before(row, e)], row[e]);
   }
 
   /// Numbers the sets in the order of their roots.
@@ -67,7 +68,7 @@ class Making {
         if (root != c) tied_.vertex[c] = tied_.vertex[root];
       }
     });
-    tied_.place.resize(roots.back());
+    tied_.position.resize(roots.back());
     tied_.walls.assign(roots.back(), 0);
   }
 
@@ -75,7 +76,7 @@ class Making {
 
   /// Lists the cells at each vertex, ascending.
   void gather() {
-    const auto vertices = tied_.place.size();
+    const auto vertices = tied_.position.size();
     auto& first = tied_.around_first;
     first.assign(vertices + 1, 0);
     forEntries([&](std::size_t k) {
@@ -103,7 +104,7 @@ class Making {
       for (std::size_t e = 0; e < row.size(); ++e) {
         const auto c = tied_.first[k] + e;
         wall = wall || row[e] < 0;
-        if (isRoot(c)) tied_.place[tied_.vertex[c]] = cornerOf(k, row, e);
+        if (isRoot(c)) tied_.position[tied_.vertex[c]] = cornerOf(k, row, e);
       }
       if (wall) at_wall_[k / grain].push_back(static_cast<std::uint32_t>(k));
     });
@@ -113,13 +114,13 @@ class Making {
   /// it, and the one farthest from the line through both; where it is too near to that, vertices stay at
   /// their root.
   void placeInside() {
-    parallelFor(tied_.place.size(), grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
+    parallelFor(tied_.position.size(), grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
       for (auto v = begin; v < end; ++v) {
         const auto cells =
             std::span(tied_.around)
                 .subspan(tied_.around_first[v], tied_.around_first[v + 1] - tied_.around_first[v]);
         std::sort(cells.begin(), cells.end());
-        placeBetween(cells, tied_.place[v]);
+        placeBetween(cells, tied_.position[v]);
       }
     });
   }
@@ -131,7 +132,7 @@ class Making {
     return std::abs(line.x * to_third.y - line.y * to_third.x) <= share * (line.x * line.x + line.y * line.y);
   }
 
-  void placeBetween(std::span<const std::uint32_t> cells, Place& place) const {
+  void placeBetween(std::span<const std::uint32_t> cells, AnchoredPoint& place) const {
     const auto first = *std::min_element(cells.begin(), cells.end(),
                                          [&](auto a, auto b) { return sites_.id[a] < sites_.id[b]; });
     const auto wayTo = [&](std::uint32_t cell) {
@@ -152,8 +153,8 @@ class Making {
     const auto third = farthest([line](Point p) { return std::abs(line.x * p.y - line.y * p.x); });
     if (second == first || third == first || third == second) return;
     if (!sites_.weight.empty() && isFlat(line, wayTo(third))) return;
-    place = cornerPlace(sites_, static_cast<std::int32_t>(first), static_cast<std::int32_t>(second),
-                        static_cast<std::int32_t>(third));
+    place = cornerPosition(sites_, static_cast<std::int32_t>(first), static_cast<std::int32_t>(second),
+                           static_cast<std::int32_t>(third));
   }
 
   void placeAtWalls() {
@@ -176,7 +177,7 @@ class Making {
   /// Of the cells at a vertex on a wall, the one of the lowest input index and the one farthest from it along
   /// the wall: their bisector crosses the wall most steeply. No bisector of sites whose cells nearly meet at
   /// a corner of the domain takes the vertex out of it.
-  [[nodiscard]] Place placeOnWall(std::size_t k, std::size_t e, std::int32_t wall) const {
+  [[nodiscard]] AnchoredPoint placeOnWall(std::size_t k, std::size_t e, std::int32_t wall) const {
     const auto row = rowOf(k);
     const auto vertex = tied_.vertex[tied_.first[k] + e];
     const auto cells =
@@ -189,14 +190,14 @@ class Making {
     const auto second = *std::max_element(cells.begin(), cells.end(), [&](auto a, auto b) {
       return away(a) != away(b) ? away(a) < away(b) : sites_.id[a] > sites_.id[b];
     });
-    const auto place = away(second) > 0 ? cornerPlace(sites_, static_cast<std::int32_t>(first), wall,
-                                                      static_cast<std::int32_t>(second))
+    const auto place = away(second) > 0 ? cornerPosition(sites_, static_cast<std::int32_t>(first), wall,
+                                                         static_cast<std::int32_t>(second))
                                         : cornerOf(k, row, e);
     return inDomain(place);
   }
 
   /// The nearest place of the domain.
-  [[nodiscard]] Place inDomain(Place place) const {
+  [[nodiscard]] AnchoredPoint inDomain(AnchoredPoint place) const {
     const auto clamp = [](double low, double high, double& base, double& rest) {
       const bool below = (base - low) + rest < 0, above = (high - base) - rest < 0;
       if (!below && !above) return;
@@ -218,11 +219,11 @@ class Making {
       if (wall >= 0 || (walls & wall_placed) != 0) continue;
       const Box& domain = sites_.domain;
       if ((walls & wall_at_x) != 0 && (walls & wall_at_y) != 0) {
-        tied_.place[vertex] = {{wallCoordinate(domain, (walls & 1) != 0 ? wall_xmin : wall_xmax),
-                                wallCoordinate(domain, (walls & 4) != 0 ? wall_ymin : wall_ymax)},
-                               {0, 0}};
+        tied_.position[vertex] = {{wallCoordinate(domain, (walls & 1) != 0 ? wall_xmin : wall_xmax),
+                                   wallCoordinate(domain, (walls & 4) != 0 ? wall_ymin : wall_ymax)},
+                                  {0, 0}};
       } else {
-        tied_.place[vertex] = placeOnWall(k, e, wall);
+        tied_.position[vertex] = placeOnWall(k, e, wall);
       }
       walls |= wall_placed;
     }

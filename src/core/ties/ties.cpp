@@ -44,7 +44,7 @@ class Untying {
 
   void run() {
     parallelFor(tied_.cell.size(), grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
-      std::vector<Place> corners;
+      std::vector<AnchoredPoint> corners;
       for (auto k = begin; k < end; ++k) join(k, corners);
     });
     listDisputed();
@@ -64,7 +64,7 @@ class Untying {
  private:
   /// One edge as one of its two cells has it.
   struct Seen {
-    Place begin, end;
+    AnchoredPoint begin, end;
     EdgeSpan span;
   };
 
@@ -82,27 +82,29 @@ class Untying {
     return e > 0 ? e - 1 : row.size() - 1;
   }
 
-  [[nodiscard]] Place cornerOf(std::size_t cell, std::span<const std::int32_t> row, std::size_t e) const {
-    return cornerPlace(sites_, static_cast<std::int32_t>(cell), row[before(row, e)], row[e]);
+  [[nodiscard]] AnchoredPoint cornerOf(std::size_t cell, std::span<const std::int32_t> row,
+                                       std::size_t e) const {
+    return cornerPosition(sites_, static_cast<std::int32_t>(cell), row[before(row, e)], row[e]);
   }
 
   [[nodiscard]] Seen see(std::size_t cell, std::span<const std::int32_t> row, std::size_t e,
-                         const Place& begin, const Place& end) const {
+                         const AnchoredPoint& begin, const AnchoredPoint& end) const {
     return {begin, end,
             edgeSpan(sites_, static_cast<std::int32_t>(cell), row[before(row, e)], row[e], row[after(row, e)],
                      begin, end, fineness_.shortestEdge(cell, row[e]))};
   }
 
   /// Whether it takes exact numbers to tell that a cell has an area: with many edges that takes long.
-  [[nodiscard]] bool isFlat(std::size_t cell, std::span<const Place> corners) const {
+  [[nodiscard]] bool isFlat(std::size_t cell, std::span<const AnchoredPoint> corners) const {
     const auto m = measureCell(measuringOrigin(sites_, cell, corners.front()), corners);
     return !(m.area > 1e-6 * m.perimeter * m.perimeter);
   }
 
   /// How far its corners are apart, or half of that.
-  static double sizeOf(std::span<const Place> corners) {
+  static double sizeOf(std::span<const AnchoredPoint> corners) {
     double size = 0;
-    for (const Place& corner : corners) size = std::max(size, lengthOf(wayBetween(corners[0], corner)));
+    for (const AnchoredPoint& corner : corners)
+      size = std::max(size, lengthOf(wayBetween(corners[0], corner)));
     return size;
   }
 
@@ -129,7 +131,7 @@ class Untying {
     return here != there && std::min(here, there) < 0;
   }
 
-  void join(std::size_t k, std::vector<Place>& corners) {
+  void join(std::size_t k, std::vector<AnchoredPoint>& corners) {
     const auto cell = tied_.cell[k];
     if (isRightlyEmpty(sites_, cells_, cell)) return;
     const auto row = cells_.edges(cell);
@@ -246,7 +248,7 @@ class Untying {
   bool compare(std::size_t cell, std::int32_t neighbor, const Seen& here, const Seen& there) {
     if (here.span.isTie() != there.span.isTie()) disputeBoth(cell, neighbor);
     if (here.span.isTie() || there.span.isTie()) return true;
-    const auto apart = [](const Place& a, const Place& b) {
+    const auto apart = [](const AnchoredPoint& a, const AnchoredPoint& b) {
       const Point way = wayBetween(a, b);
       return lengthOf(way);
     };

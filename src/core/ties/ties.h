@@ -19,8 +19,8 @@ struct TiedCells {
   std::vector<std::uint64_t> first;   ///< size: tied cells + 1
   std::vector<std::uint32_t> vertex;  ///< of each corner
   std::vector<std::uint8_t> tie;      ///< whether the edge that a corner begins is too short to count
-  std::vector<Place> place;           ///< of each vertex
-  std::vector<std::uint8_t> walls;    ///< of each vertex; 0: it lies on no wall
+  std::vector<AnchoredPoint> position;  ///< of each vertex
+  std::vector<std::uint8_t> walls;      ///< of each vertex; 0: it lies on no wall
   std::vector<std::uint32_t> around_first,
       around;                           ///< the tied cells of each vertex, as often as they meet it
   std::vector<std::uint32_t> disputed;  ///< cells that no tie excuses, ascending; else all of this is right
@@ -68,8 +68,8 @@ void keptEdges(const ProposedCells& proposed, const TiedCells& tied, std::size_t
                std::vector<std::uint32_t>& edges);
 
 /// The place where edge e of tied cell k begins.
-inline const Place& tiedPlace(const TiedCells& tied, std::size_t k, std::size_t e) {
-  return tied.place[tied.vertex[tied.first[k] + e]];
+inline const AnchoredPoint& tiedPosition(const TiedCells& tied, std::size_t k, std::size_t e) {
+  return tied.position[tied.vertex[tied.first[k] + e]];
 }
 
 }  // namespace vorpipe::core

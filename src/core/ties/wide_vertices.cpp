@@ -25,7 +25,7 @@ class Measuring {
         sites_(proposed.sites),
         tied_(tied),
         fineness_(fineness),
-        ties_(tied.place.size()) {}
+        ties_(tied.position.size()) {}
 
   WideVertices run() {
     forEntries([&](std::size_t k) {
@@ -40,7 +40,7 @@ class Measuring {
     });
     if (std::ranges::none_of(ties_, [](std::uint32_t ties) { return ties >= fewest_ties; })) return {};
     width_.assign(ties_.size(), 0);
-    std::vector<Place> corners;
+    std::vector<AnchoredPoint> corners;
     for (std::size_t k = 0; k < tied_.cell.size(); ++k) measure(k, corners);
     const double most = sites_.weight.empty() ? wide : wide_with_weights;
     return {cellsAt(nearly * most), cellsAt(most)};
@@ -66,7 +66,7 @@ class Measuring {
     return ties_[tied_.vertex[corner]] >= fewest_ties;
   }
 
-  void measure(std::size_t k, std::vector<Place>& corners) {
+  void measure(std::size_t k, std::vector<AnchoredPoint>& corners) {
     const auto first = tied_.first[k], count = tied_.first[k + 1] - first;
     bool any = false;
     for (std::uint64_t e = 0; e < count && !any; ++e) any = hasMany(first + e);
@@ -79,17 +79,17 @@ class Measuring {
       if (!hasMany(first + e)) continue;
       const auto vertex = tied_.vertex[first + e];
       width_[vertex] =
-          std::max(width_[vertex], lengthOf(wayBetween(tied_.place[vertex], corners[e])) / reach);
+          std::max(width_[vertex], lengthOf(wayBetween(tied_.position[vertex], corners[e])) / reach);
     }
   }
 
   /// How far what determines the corners of a cell may be from its site: its corners, or with weights its
   /// neighbors.
   [[nodiscard]] double reachOf(std::size_t cell, std::span<const std::int32_t> row,
-                               const std::vector<Place>& corners) const {
+                               const std::vector<AnchoredPoint>& corners) const {
     const Point site{sites_.x[cell], sites_.y[cell]};
     double reach = 0;
-    for (const Place& corner : corners) reach = std::max(reach, lengthOf(relativeTo(site, corner)));
+    for (const AnchoredPoint& corner : corners) reach = std::max(reach, lengthOf(relativeTo(site, corner)));
     if (sites_.weight.empty()) return reach;
     for (const auto neighbor : row) {
       if (neighbor < 0) continue;

@@ -141,7 +141,7 @@ class Checking {
   const Records& records_;
   std::span<std::uint8_t> rough_;
   CornerBatch batch_;
-  std::vector<Place> places_;
+  std::vector<AnchoredPoint> places_;
 };
 
 /// Says that the cells a row of bins beyond a cell will be read soon: cells come row by row, so that they

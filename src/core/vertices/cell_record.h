@@ -36,14 +36,14 @@ inline std::int64_t outsideIndex(const SiteSet& sites, std::int32_t neighbor) {
 
 /// What a cell is measured about: its site; or its first corner where it may be small and far from its site,
 /// with weights and of sites outside the domain.
-inline Point measuringOrigin(const SiteSet& sites, std::size_t cell, const Place& first_corner) {
+inline Point measuringOrigin(const SiteSet& sites, std::size_t cell, const AnchoredPoint& first_corner) {
   const Point site{sites.x[cell], sites.y[cell]};
   const bool holds_site = sites.weight.empty() && isInside(sites.domain, site.x, site.y);
   return holds_site ? site : positionOf(first_corner);
 }
 
 /// Measures the cell with these corners, counter-clockwise, about `origin`.
-inline Measures measureCell(Point origin, std::span<const Place> corners) {
+inline Measures measureCell(Point origin, std::span<const AnchoredPoint> corners) {
   thread_local std::vector<Point> polygon;
   polygon.clear();
   for (const auto& corner : corners) polygon.push_back(relativeTo(origin, corner));

@@ -116,7 +116,7 @@ void CornerBatch::placeUnsure() {
   unsure_.place();
   for (std::size_t n = 0; n < unsure_.size(); ++n) {
     const auto c = unsure_.corner(n);
-    const Place center = unsure_.center(n);
+    const AnchoredPoint center = unsure_.center(n);
     base_x_[c] = center.base.x;
     base_y_[c] = center.base.y;
     rest_x_[c] = center.rest.x;

@@ -42,7 +42,7 @@ class CornerBatch {
   [[nodiscard]] std::span<const std::int32_t> row(std::size_t k) const { return row_[k]; }
 
   [[nodiscard]] double excess(std::size_t k, std::size_t e) const { return excess_[at(k, e)]; }
-  [[nodiscard]] Place placeOf(std::size_t k, std::size_t e) const {
+  [[nodiscard]] AnchoredPoint placeOf(std::size_t k, std::size_t e) const {
     const auto c = at(k, e);
     return {{base_x_[c], base_y_[c]}, {rest_x_[c], rest_y_[c]}};
   }

@@ -17,7 +17,7 @@ using namespace core;
 
 namespace {
 
-bool same(const Place& a, const Place& b) {
+bool same(const AnchoredPoint& a, const AnchoredPoint& b) {
   return a.base.x == b.base.x && a.base.y == b.base.y && a.rest.x == b.rest.x && a.rest.y == b.rest.y;
 }
 
@@ -26,7 +26,7 @@ template <class Check>
 void forOrders(const SiteSet& set, const Check& check) {
   std::array<std::int32_t, 3> order{0, 1, 2};
   do {
-    check(cornerPlace(set, order[0], order[1], order[2]));
+    check(cornerPosition(set, order[0], order[1], order[2]));
   } while (std::next_permutation(order.begin(), order.end()));
 }
 
@@ -39,9 +39,9 @@ TEST(CornerPlace, isTheSameForEveryOrderOfItsSites) {
                        {0.5 + flat * unit(random), 0.5 + flat * unit(random), 0.5 + flat * unit(random)});
     if (round % 5 == 0) set.x[1] = set.x[0];
     std::shuffle(set.id.begin(), set.id.end(), random);
-    const auto first = cornerPlace(set, 0, 1, 2);
-    forOrders(set, [&](const Place& place) { EXPECT_TRUE(same(first, place)); });
-    EXPECT_TRUE(same(cornerPlace(set, 0, 1, wall_ymin), cornerPlace(set, 1, wall_ymin, 0)));
+    const auto first = cornerPosition(set, 0, 1, 2);
+    forOrders(set, [&](const AnchoredPoint& place) { EXPECT_TRUE(same(first, place)); });
+    EXPECT_TRUE(same(cornerPosition(set, 0, 1, wall_ymin), cornerPosition(set, 1, wall_ymin, 0)));
   }
 }
 
@@ -49,7 +49,7 @@ TEST(CornerPlace, ofEqualSidesFollowsFromTheInputOrderAlone) {
   auto set = sitesAt({0, 1, 0.5}, {0, 0, 0.5 * std::sqrt(3.0)});
   auto turned = sitesAt({set.x[2], set.x[0], set.x[1]}, {set.y[2], set.y[0], set.y[1]});
   turned.id = {2, 0, 1};
-  EXPECT_TRUE(same(cornerPlace(set, 0, 1, 2), cornerPlace(turned, 0, 1, 2)));
+  EXPECT_TRUE(same(cornerPosition(set, 0, 1, 2), cornerPosition(turned, 0, 1, 2)));
 }
 
 TEST(CornerBatch, placesCornersWhereCornerPlaceDoes) {
@@ -79,7 +79,7 @@ TEST(CornerBatch, placesCornersWhereCornerPlaceDoes) {
       for (std::size_t k = 0; k < batch.size(); ++k) {
         for (std::size_t e = 0; e < edges; ++e) {
           const auto before = rows[k][(e + edges - 1) % edges];
-          const auto alone = cornerPlace(set, static_cast<std::int32_t>(2 * k), before, rows[k][e]);
+          const auto alone = cornerPosition(set, static_cast<std::int32_t>(2 * k), before, rows[k][e]);
           EXPECT_TRUE(same(batch.placeOf(k, e), alone)) << edges << " edges, cell " << k << ", " << e;
         }
       }
@@ -91,7 +91,7 @@ TEST(CornerBatch, placesCornersWhereCornerPlaceDoes) {
 TEST(CornerPlace, ofSitesNearlyOnALineKeepsItsPrecision) {
   const double h = 0x1p-30;
   const auto set = sitesAt({0, 0.5, 1}, {0, h, 0});
-  const auto place = cornerPlace(set, 0, 1, 2);
+  const auto place = cornerPosition(set, 0, 1, 2);
   EXPECT_DOUBLE_EQ(positionOf(place).x, 0.5);
   EXPECT_DOUBLE_EQ(positionOf(place).y, (h * h - 0.25) / (2 * h));
 }
@@ -100,7 +100,7 @@ TEST(CornerPlace, keepsWhatPositionsWouldRoundOff) {
   // Three sites 2^-40 apart, far from the origin: their distances are exact, and so is the center.
   const double d = 0x1p-40;
   const auto set = sitesAt({1, 1 + d, 1}, {1, 1, 1 + d});
-  const auto place = cornerPlace(set, 0, 1, 2);
+  const auto place = cornerPosition(set, 0, 1, 2);
   const auto way = relativeTo({1, 1}, place);
   EXPECT_EQ(way.x, d / 2);
   EXPECT_EQ(way.y, d / 2);
@@ -108,13 +108,13 @@ TEST(CornerPlace, keepsWhatPositionsWouldRoundOff) {
 
 TEST(CornerPlace, ofWallsThatDoNotMeetIsNowhere) {
   const auto set = sitesAt({0.5}, {0.5});
-  EXPECT_TRUE(std::isnan(cornerPlace(set, 0, wall_xmin, wall_xmax).base.x));
-  EXPECT_EQ(cornerPlace(set, 0, wall_xmin, wall_ymax).base.y, 1);
+  EXPECT_TRUE(std::isnan(cornerPosition(set, 0, wall_xmin, wall_xmax).base.x));
+  EXPECT_EQ(cornerPosition(set, 0, wall_xmin, wall_ymax).base.y, 1);
 }
 
 TEST(EdgeSpan, isTheSameFromBothSides) {
   const auto set = jitteredSites(4, 0.4);
-  const auto a = cornerPlace(set, 5, 6, 9), b = cornerPlace(set, 5, 6, 1);
+  const auto a = cornerPosition(set, 5, 6, 9), b = cornerPosition(set, 5, 6, 1);
   const auto here = edgeSpan(set, 5, 9, 6, 1, a, b), there = edgeSpan(set, 6, 1, 5, 9, b, a);
   EXPECT_EQ(here.excess, there.excess);
   EXPECT_EQ(here.isTie(), there.isTie());
