@@ -111,7 +111,7 @@ struct View {
 /// entry of a batch, or one of the walls -1..-4. An entry that is not `certified` has none; but one that is
 /// `empty` in a set with weights has the sites and walls that leave nothing of it, in any order, some perhaps
 /// twice.
-struct Neighborhoods {
+struct CellNeighbors {
   std::vector<CellStatus> status;
   BigVector<std::uint64_t> first;  ///< size: entries + 1
   BigVector<std::int32_t> neighbor;
@@ -171,10 +171,10 @@ class Backend {
   /// Finds the cells of the sites `which` (indices in the set) by the search over the grid, or by
   /// the judge's over a tree. `out` is replaced, with an entry for each. In float, a neighborhood is
   /// what rounding lets through: neighbors across an edge of nearly no length may be there or not.
-  virtual Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) = 0;
+  virtual Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) = 0;
 
   /// Clips each entry of a batch and returns its neighborhood, with the most room there is.
-  virtual Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) = 0;
+  virtual Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) = 0;
 
   /// Clears the picture: every pixel has no_site and color 0.
   virtual Result<void> begin(const View& view) = 0;

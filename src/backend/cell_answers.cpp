@@ -29,13 +29,13 @@ CellStatus statusIn(std::uint32_t word) {
   return status <= CELL_OPEN ? static_cast<CellStatus>(status) : CellStatus::missing;
 }
 
-void reserve(std::size_t entries, std::size_t room, Neighborhoods& out) {
+void reserve(std::size_t entries, std::size_t room, CellNeighbors& out) {
   out.status.reserve(entries);
   out.first.reserve(entries + 1);
   out.neighbor.reserve(entries * room);
 }
 
-void append(const CellAnswers& answers, Neighborhoods& out) {
+void append(const CellAnswers& answers, CellNeighbors& out) {
   if (out.first.empty()) out.first.push_back(0);
   const std::size_t before = out.status.size();
   out.status.resize(before + answers.count);
@@ -72,7 +72,7 @@ void append(const CellAnswers& answers, Neighborhoods& out) {
   });
 }
 
-void append(const Neighborhoods& part, Neighborhoods& out) {
+void append(const CellNeighbors& part, CellNeighbors& out) {
   if (out.first.empty()) out.first.push_back(0);
   const std::uint64_t before = out.first.back();
   out.status.insert(out.status.end(), part.status.begin(), part.status.end());

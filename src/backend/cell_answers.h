@@ -28,12 +28,12 @@ CellStatus statusIn(std::uint32_t word);
 
 /// Makes room in an empty `out` for so many entries with rows of `room` numbers, so that none of it moves
 /// later.
-void reserve(std::size_t entries, std::size_t room, Neighborhoods& out);
+void reserve(std::size_t entries, std::size_t room, CellNeighbors& out);
 
 /// Appends the entries to out, on all threads. A word that makes no sense is an entry that is `missing`.
-void append(const CellAnswers& answers, Neighborhoods& out);
+void append(const CellAnswers& answers, CellNeighbors& out);
 
 /// Appends the entries of part to out.
-void append(const Neighborhoods& part, Neighborhoods& out);
+void append(const CellNeighbors& part, CellNeighbors& out);
 
 }  // namespace vorpipe

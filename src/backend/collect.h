@@ -1,4 +1,4 @@
-/// Neighborhoods found on all threads, put together in order.
+/// CellNeighbors found on all threads, put together in order.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ inline void beginAtFirst(std::span<std::int32_t> neighbors) {
 
 /// Gives the sites or lines among the neighbors of entry e other numbers.
 template <class NumberOf>
-void renumber(Neighborhoods& cells, std::size_t e, const NumberOf& numberOf) {
+void renumber(CellNeighbors& cells, std::size_t e, const NumberOf& numberOf) {
   const auto neighbors =
       std::span(cells.neighbor).subspan(cells.first[e], cells.first[e + 1] - cells.first[e]);
   for (auto& neighbor : neighbors) {
@@ -31,7 +31,7 @@ constexpr std::size_t collect_grain = 1024;
 /// Replaces `out` with `count` neighborhoods. make() is called for every range of entries and returns
 /// what finds one: find(e, neighbors) appends the neighbors of entry e and returns its status.
 template <class Make>
-void collect(std::size_t count, int threads, Neighborhoods& out, const Make& make) {
+void collect(std::size_t count, int threads, CellNeighbors& out, const Make& make) {
   constexpr std::size_t usual_neighbors = 8;
   std::vector<std::vector<std::int32_t>> found((count + collect_grain - 1) / collect_grain);
   out.status.resize(count);

@@ -20,7 +20,7 @@ std::uint64_t bytesOf(const SiteSet& sites) {
          bytesOf(sites.grid.heaviest);
 }
 
-std::uint64_t bytesOf(const Neighborhoods& found) {
+std::uint64_t bytesOf(const CellNeighbors& found) {
   return bytesOf(found.status) + bytesOf(found.first) + bytesOf(found.neighbor);
 }
 
@@ -43,13 +43,13 @@ Result<void> TimedBackend::upload(const SiteSet& sites, std::span<const std::uin
   return timed(Stage::upload, bytesOf(sites) + bytesOf(shade), [&] { return timed_.upload(sites, shade); });
 }
 
-Result<void> TimedBackend::cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) {
+Result<void> TimedBackend::cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) {
   auto done = timed(Stage::clip, bytesOf(which), [&] { return timed_.cells(which, effort, out); });
   at(Stage::clip).received += bytesOf(out);
   return done;
 }
 
-Result<void> TimedBackend::cells(const CellBatch<double>& batch, Neighborhoods& out) {
+Result<void> TimedBackend::cells(const CellBatch<double>& batch, CellNeighbors& out) {
   auto done = timed(Stage::clip, bytesOf(batch), [&] { return timed_.cells(batch, out); });
   at(Stage::clip).received += bytesOf(out);
   return done;

@@ -31,8 +31,8 @@ class TimedBackend final : public Backend {
 
   const BackendInfo& info() const override { return timed_.info(); }
   Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override;
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) override;
-  Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) override;
+  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override;
+  Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override;
   Result<void> begin(const View& view) override;
   Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
                     std::span<CellStatus> status) override;

@@ -76,7 +76,7 @@ class BothPlacings : public testing::Test {
 
 class OfSites : public BothPlacings, public testing::WithParamInterface<Pattern> {};
 
-std::vector<std::int32_t> sortedRow(const Neighborhoods& cells, std::size_t entry) {
+std::vector<std::int32_t> sortedRow(const CellNeighbors& cells, std::size_t entry) {
   const auto at = [&](std::uint64_t k) { return cells.neighbor.begin() + static_cast<std::ptrdiff_t>(k); };
   std::vector<std::int32_t> row(at(cells.first[entry]), at(cells.first[entry + 1]));
   std::ranges::sort(row);
@@ -84,7 +84,7 @@ std::vector<std::int32_t> sortedRow(const Neighborhoods& cells, std::size_t entr
 }
 
 // Expects the same sets of neighbors wherever the statuses are the same; returns how many are not.
-std::size_t differingStatuses(const Neighborhoods& a, const Neighborhoods& b) {
+std::size_t differingStatuses(const CellNeighbors& a, const CellNeighbors& b) {
   EXPECT_EQ(a.status.size(), b.status.size());
   std::size_t count = 0;
   for (std::size_t entry = 0; entry < a.status.size(); entry++) {
@@ -106,8 +106,8 @@ TEST_P(OfSites, GiveTheSameCells) {
     ASSERT_TRUE(host_->upload(set, {}).has_value());
     ASSERT_TRUE(device_->upload(set, {}).has_value());
     for (const Effort effort : {Effort::fast, Effort::roomy}) {
-      Neighborhoods by_host;
-      Neighborhoods by_device;
+      CellNeighbors by_host;
+      CellNeighbors by_device;
       const auto all = range(0, set.size());
       ASSERT_TRUE(host_->cells(all, effort, by_host).has_value());
       ASSERT_TRUE(device_->cells(all, effort, by_device).has_value());
@@ -148,12 +148,12 @@ TEST(ComputeBackend, FindsCellsAfterDrawingLists) {
   ASSERT_TRUE(backend);
   const Scene scene = makeScene(200);
   ASSERT_TRUE(backend->upload(scene.set, scene.shade).has_value());
-  Neighborhoods before;
+  CellNeighbors before;
   ASSERT_TRUE(backend->cells(range(0, 200), Effort::roomy, before).has_value());
   ASSERT_TRUE(backend->begin(makeView(64, 64)).has_value());
   drawSites(*backend, range(0, 200), Effort::fast);
   drawLists(*backend, scene, range(0, 200), Effort::roomy);
-  Neighborhoods after;
+  CellNeighbors after;
   ASSERT_TRUE(backend->cells(range(0, 200), Effort::roomy, after).has_value());
   EXPECT_EQ(before.status, after.status);
   EXPECT_EQ(before.neighbor, after.neighbor);
@@ -168,7 +168,7 @@ TEST(ComputeBackend, TakesItsSitesFromTheStorageRangeWhereTheDevicePlacesThem) {
   EXPECT_EQ(backend->info().max_entries, 128U);
   const SiteSet set = prepared(generate(Pattern::random, 256, 7));
   ASSERT_TRUE(backend->upload(set, {}).has_value());
-  Neighborhoods cells;
+  CellNeighbors cells;
   ASSERT_TRUE(backend->cells(range(0, 128), Effort::roomy, cells).has_value());
   EXPECT_EQ(cells.status, std::vector(128, CellStatus::certified));
   EXPECT_EQ(backend->validationMessages(), std::vector<std::string>());

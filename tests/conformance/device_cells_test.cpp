@@ -37,12 +37,12 @@ double areaOf(std::span<const std::int32_t> neighbors, const LineOf& line_of) {
   return area;
 }
 
-std::span<const std::int32_t> neighborsOf(const Neighborhoods& cells, std::size_t entry) {
+std::span<const std::int32_t> neighborsOf(const CellNeighbors& cells, std::size_t entry) {
   return std::span(cells.neighbor).subspan(cells.first[entry], cells.first[entry + 1] - cells.first[entry]);
 }
 
 // Expects each row to begin at its smallest number.
-void expectRowsFromSmallest(const Neighborhoods& cells) {
+void expectRowsFromSmallest(const CellNeighbors& cells) {
   for (std::size_t entry = 0; entry < cells.status.size(); entry++) {
     const auto row = neighborsOf(cells, entry);
     ASSERT_TRUE(row.empty() || row.front() == *std::min_element(row.begin(), row.end())) << "entry " << entry;
@@ -57,7 +57,7 @@ HalfPlane<double> wallOf(const CellBatch<double>::Entry& entry, std::int32_t wal
 
 // Expects the lists of a scene to become cells that fill the domain.
 void expectListsToTile(Backend& backend, const Scene& scene) {
-  Neighborhoods cells;
+  CellNeighbors cells;
   const Result<void> done = backend.cells(scene.batch, cells);
   ASSERT_TRUE(done.has_value()) << done.error().message;
   ASSERT_EQ(cells.status, std::vector(scene.set.size(), CellStatus::certified));
@@ -79,12 +79,12 @@ void expectListsToTile(Backend& backend, const Scene& scene) {
 }
 
 // The cells of sites, asked for in as many calls as the device's limits ask for.
-Neighborhoods cellsInCalls(Backend& backend, std::span<const std::uint32_t> which, Effort effort) {
-  Neighborhoods all;
+CellNeighbors cellsInCalls(Backend& backend, std::span<const std::uint32_t> which, Effort effort) {
+  CellNeighbors all;
   all.first.push_back(0);
   for (std::size_t begin = 0; begin < which.size(); begin += backend.info().max_entries) {
     const std::size_t count = std::min<std::size_t>(backend.info().max_entries, which.size() - begin);
-    Neighborhoods part;
+    CellNeighbors part;
     const Result<void> done = backend.cells(which.subspan(begin, count), effort, part);
     EXPECT_TRUE(done.has_value()) << done.error().message;
     all.status.insert(all.status.end(), part.status.begin(), part.status.end());
@@ -102,7 +102,7 @@ void expectSitesToTile(Backend& backend, const Scene& scene) {
   double area = 0;
   auto wanted = range(0, set.size());
   for (const Effort effort : {Effort::fast, Effort::roomy}) {
-    const Neighborhoods cells = cellsInCalls(backend, wanted, effort);
+    const CellNeighbors cells = cellsInCalls(backend, wanted, effort);
     ASSERT_EQ(cells.status.size(), wanted.size());
     ASSERT_EQ(cells.first.size(), wanted.size() + 1);
     expectRowsFromSmallest(cells);
@@ -158,10 +158,10 @@ TEST(DeviceCells, ComeInTheOrderAskedFor) {
   ASSERT_TRUE(backend);
   const Scene scene = makeScene(200);
   ASSERT_TRUE(backend->upload(scene.set, {}).has_value());
-  Neighborhoods all;
+  CellNeighbors all;
   ASSERT_TRUE(backend->cells(range(0, 200), Effort::roomy, all).has_value());
   const std::vector<std::uint32_t> wanted = {150, 3, 199, 0, 3};
-  Neighborhoods some;
+  CellNeighbors some;
   ASSERT_TRUE(backend->cells(wanted, Effort::roomy, some).has_value());
   ASSERT_EQ(some.status.size(), wanted.size());
   for (std::size_t k = 0; k < wanted.size(); k++) {
@@ -180,7 +180,7 @@ TEST(DeviceCells, AreUnsecuredWhereUnknownSitesMayCut) {
   Scene scene = makeScene(400);
   scene.set.known = {0.25, 0.25, 0.75, 0.75};
   ASSERT_TRUE(backend->upload(scene.set, {}).has_value());
-  Neighborhoods cells;
+  CellNeighbors cells;
   ASSERT_TRUE(backend->cells(range(0, 400), Effort::roomy, cells).has_value());
   int certified = 0;
   for (std::size_t i = 0; i < 400; i++) {
@@ -206,7 +206,7 @@ TEST(DeviceCells, OfSitesThatFloatsCannotTellApartAreNotCertified) {
   const SiteSet set = prepared(sites);
   ASSERT_EQ(set.size(), 52U);
   ASSERT_TRUE(backend->upload(set, {}).has_value());
-  Neighborhoods cells;
+  CellNeighbors cells;
   ASSERT_TRUE(backend->cells(range(0, 52), Effort::roomy, cells).has_value());
   for (std::size_t k = 0; k < 52; k++) {
     EXPECT_EQ(cells.status[k] == CellStatus::certified, set.id[k] < 50) << "site " << set.id[k];
@@ -224,21 +224,21 @@ TEST(DeviceCells, GiveUpInACrowd) {
   sites.y.insert(sites.y.end(), {0.0, 1.0});
   const SiteSet set = prepared(sites);
   ASSERT_TRUE(backend->upload(set, {}).has_value());
-  Neighborhoods cells;
+  CellNeighbors cells;
   ASSERT_TRUE(backend->cells(range(0, 100), Effort::fast, cells).has_value());
   for (std::size_t k = 1; k < 100; k++) EXPECT_EQ(cells.status[k], CellStatus::unsecured) << "site " << k;
 }
 
 TEST(DeviceCells, DoNotDependOnTheNumberOfThreads) {
   const SiteSet set = prepared(generate(Pattern::random, 70000, 7));
-  std::vector<Neighborhoods> found;
+  std::vector<CellNeighbors> found;
   for (const int threads : {1, 2, 3}) {
     const auto backend = openBackend({}, threads);
     ASSERT_TRUE(backend);
     ASSERT_TRUE(backend->upload(set, {}).has_value());
     ASSERT_TRUE(backend->cells(range(0, set.size()), Effort::fast, found.emplace_back()).has_value());
   }
-  for (const Neighborhoods& cells : found) {
+  for (const CellNeighbors& cells : found) {
     EXPECT_EQ(cells.status, found[0].status);
     EXPECT_EQ(cells.first, found[0].first);
     EXPECT_EQ(cells.neighbor, found[0].neighbor);

@@ -32,12 +32,12 @@ Result<void> pictureOfSites(Backend& backend, const Scene& scene) {
 }
 
 Result<void> cells(Backend& backend, const Scene& scene) {
-  Neighborhoods found;
+  CellNeighbors found;
   return backend.cells(scene.batch, found);
 }
 
 Result<void> cellsOfSites(Backend& backend, const Scene& scene) {
-  Neighborhoods found;
+  CellNeighbors found;
   const auto all = range(0, scene.set.size());
   return backend.upload(scene.set, {}).and_then([&] { return backend.cells(all, Effort::fast, found); });
 }

@@ -23,13 +23,13 @@ class Device final : public Backend {
     uploads_.push_back(sites.id);
     return {};
   }
-  Result<void> cells(std::span<const std::uint32_t> which, Effort, Neighborhoods& out) override {
+  Result<void> cells(std::span<const std::uint32_t> which, Effort, CellNeighbors& out) override {
     out.status.resize(which.size());
     std::transform(which.begin(), which.end(), out.status.begin(), [&](auto site) { return of(site); });
     out.first.assign(which.size() + 1, 0);
     return {};
   }
-  Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) override {
+  Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override {
     out.status.assign(batch.entries.size(), CellStatus::certified);
     out.first.assign(batch.entries.size() + 1, 0);
     return {};
@@ -100,7 +100,7 @@ TEST_F(LanesTest, EachHasTheSitesOfTheLastUploadWhenAsked) {
   for (const std::uint32_t first_id : {0u, 70'000u}) {
     const auto sites = sitesFrom(first_id);
     ASSERT_TRUE(lanes->upload(sites, {}));
-    Neighborhoods found;
+    CellNeighbors found;
     ASSERT_TRUE(lanes->cells(which, Effort::fast, found));
     EXPECT_EQ(found.status, all_certified);
     std::vector<CellStatus> status(enough_for_two);

@@ -143,7 +143,7 @@ TEST_P(WeightedBackend, FindsTheCellsOfBruteForce) {
     ASSERT_TRUE(backend().upload(set, {}).has_value());
     std::vector<std::uint32_t> wanted = range(0, set.size());
     for (const Effort effort : {Effort::fast, Effort::roomy}) {
-      Neighborhoods cells;
+      CellNeighbors cells;
       ASSERT_TRUE(backend().cells(wanted, effort, cells).has_value());
       std::vector<std::uint32_t> again;
       for (std::size_t k = 0; k < wanted.size(); k++) {
@@ -225,7 +225,7 @@ TEST_P(WeightedBackend, ForgetsWeights) {
   plain.weight.clear();
   plain.heavy.clear();
   plain.grid.heaviest.clear();
-  std::vector<Neighborhoods> found;
+  std::vector<CellNeighbors> found;
   for (const auto& set : {std::cref<SiteSet>(plain), std::cref(heavy), std::cref<SiteSet>(plain)}) {
     ASSERT_TRUE(backend().upload(set, {}).has_value());
     ASSERT_TRUE(backend().cells(range(0, 200), Effort::roomy, found.emplace_back()).has_value());
@@ -254,7 +254,7 @@ TEST_P(WeightedBackend, AreUnsecuredWhereUnknownSitesMayCut) {
   set.grid.heaviest.resize(std::size_t{grid.columns} * grid.rows);
   buildPyramid(set.grid);
   ASSERT_TRUE(backend().upload(set, {}).has_value());
-  Neighborhoods cells;
+  CellNeighbors cells;
   ASSERT_TRUE(backend().cells(range(0, 2000), Effort::roomy, cells).has_value());
   for (std::size_t i = 0; i < 2000; i++) {
     const double to_unknown = 0.25 - std::max(std::abs(set.x[i] - 0.5), std::abs(set.y[i] - 0.5));

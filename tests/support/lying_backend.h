@@ -33,12 +33,12 @@ class LyingBackend final : public Backend {
   Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override {
     return honest_.upload(sites, shade);
   }
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) override {
+  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
     auto done = honest_.cells(which, effort, out);
     if (done) spoil(out);
     return done;
   }
-  Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) override {
+  Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override {
     auto done = honest_.cells(batch, out);
     if (done) spoil(out);
     return done;
@@ -98,7 +98,7 @@ class LyingBackend final : public Backend {
     }
   }
 
-  void spoil(Neighborhoods& cells) {
+  void spoil(CellNeighbors& cells) {
     switch (lie_) {
       case Lie::statuses:
         return spoil(std::span(cells.status));
@@ -128,7 +128,7 @@ class LyingBackend final : public Backend {
     }
   }
 
-  void turn(Neighborhoods& cells) {
+  void turn(CellNeighbors& cells) {
     for (std::size_t e = 0; e < cells.status.size(); ++e) {
       const auto row = std::span(cells.neighbor).subspan(cells.first[e], cells.first[e + 1] - cells.first[e]);
       if (row.empty() || !now()) continue;
@@ -142,7 +142,7 @@ class LyingBackend final : public Backend {
     }
   }
 
-  void cutOrGrow(Neighborhoods& cells) {
+  void cutOrGrow(CellNeighbors& cells) {
     if (!now()) return;
     const auto change = [&](auto& array) {
       array.resize(random_() % 2 == 0 ? array.size() / (2 + random_() % 3)

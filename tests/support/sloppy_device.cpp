@@ -146,10 +146,10 @@ class Device final : public SloppyDevice {
     shade_ = shade;
     return cpu_->upload(sites, shade);
   }
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) override {
+  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
     return cpu_->cells(which, effort, out);
   }
-  Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) override {
+  Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override {
     return cpu_->cells(batch, out);
   }
   Result<void> begin(const View& view) override {

@@ -19,8 +19,8 @@ using Indices = std::vector<std::uint32_t>;
 
 TEST(CellRows, PutLaterAnswersInThePlaceOfEarlierOnes) {
   CellRows cells(4, 2);
-  cells.add(Indices{2, 0}, Neighborhoods{{certified, overflow}, {0, 3, 3}, {-2, 0, -1}});
-  cells.add(Indices{0, 3}, Neighborhoods{{certified, empty}, {0, 2, 2}, {-4, 2}});
+  cells.add(Indices{2, 0}, CellNeighbors{{certified, overflow}, {0, 3, 3}, {-2, 0, -1}});
+  cells.add(Indices{0, 3}, CellNeighbors{{certified, empty}, {0, 2, 2}, {-4, 2}});
   EXPECT_EQ(cells.status(0), certified);
   EXPECT_EQ(cells.status(1), missing);
   EXPECT_EQ(cells.status(2), certified);
@@ -32,8 +32,8 @@ TEST(CellRows, PutLaterAnswersInThePlaceOfEarlierOnes) {
 }
 
 /// The entries begin, begin + step, ... of `count`: entry e has e % 5 neighbors, all of them e.
-Neighborhoods everySome(std::uint32_t begin, std::uint32_t count, std::uint32_t step, Indices& which) {
-  Neighborhoods found{{}, {0}, {}};
+CellNeighbors everySome(std::uint32_t begin, std::uint32_t count, std::uint32_t step, Indices& which) {
+  CellNeighbors found{{}, {0}, {}};
   for (auto cell = begin; cell < count; cell += step) {
     which.push_back(cell);
     found.status.push_back(certified);
@@ -94,7 +94,7 @@ TEST(CellRows, CanBeReadBeyondTheirEnd) {
 
 TEST(CellRows, RememberLargeCells) {
   CellRows cells(5, 2);
-  Neighborhoods found{{certified, certified, certified}, {0}, {}};
+  CellNeighbors found{{certified, certified, certified}, {0}, {}};
   for (const std::size_t edges :
        {CellRows::usual_edges + 1, CellRows::usual_edges, CellRows::usual_edges + 9}) {
     found.neighbor.resize(found.neighbor.size() + edges, 0);

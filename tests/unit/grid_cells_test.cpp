@@ -124,7 +124,7 @@ template <class Clip>
 void compare(const SiteSet& set, Effort effort) {
   std::vector<std::uint32_t> all(set.size());
   std::iota(all.begin(), all.end(), 0U);
-  Neighborhoods found;
+  CellNeighbors found;
   findOnGrid(set, all, effort, 2, found);
   std::vector<CellStatus> widened(set.size());
   statusesOnGrid(set, all, effort, 1e-3F, 2e-3F, 2, widened);

@@ -96,7 +96,7 @@ TEST(LeaveNothing, ofAnyRange) {
 TEST(ProveEmpty, takesTheProofAndOpensWhatHasNone) {
   SiteSet set = sitesAt({0.5, 0.4, 0.6, 0.5}, {0.5, 0.4, 0.4, 0.7});
   set.weight = {0, 1, 1, 1};
-  Neighborhoods found;
+  CellNeighbors found;
   found.status = {CellStatus::empty, CellStatus::certified, CellStatus::empty, CellStatus::empty};
   found.first = {0, 3, 6, 8, 8};
   found.neighbor = {1, 2, 3, wall_xmin, 2, 3, 1, 3};

@@ -42,18 +42,18 @@ inline std::vector<std::uint32_t> allOf(const SiteSet& set) {
 }
 
 using Finder =
-    std::function<void(const SiteSet&, const SiteTree&, std::span<const std::uint32_t>, int, Neighborhoods&)>;
+    std::function<void(const SiteSet&, const SiteTree&, std::span<const std::uint32_t>, int, CellNeighbors&)>;
 
-inline Neighborhoods find(const Finder& finder, const SiteSet& set, int threads = 2) {
+inline CellNeighbors find(const Finder& finder, const SiteSet& set, int threads = 2) {
   const SiteTree tree(set, threads);
-  Neighborhoods out;
+  CellNeighbors out;
   finder(set, tree, allOf(set), threads, out);
   return out;
 }
 
 /// From the mesh; of sites that have none, exactly.
 inline void findFromMesh(const SiteSet& set, const SiteTree& tree, std::span<const std::uint32_t> which,
-                         int threads, Neighborhoods& out) {
+                         int threads, CellNeighbors& out) {
   SiteMesh mesh(set, threads);
   if (const auto* made = mesh.get(); made != nullptr) {
     out = meshCells(set, *made, which, threads);

@@ -221,8 +221,8 @@ TEST_F(WeightedJudge, cellsFoundNearby) {
   std::vector<std::uint32_t> some;
   for (std::uint32_t i = 0; i < count; i += 97) some.push_back(i);
   some.insert(some.end(), set.heavy.begin(), set.heavy.end());
-  Neighborhoods over_tree;
-  Neighborhoods nearby;
+  CellNeighbors over_tree;
+  CellNeighbors nearby;
   findInDouble(set, SiteTree(set, 2), some, 2, over_tree);
   findNearby(set, some, findInDouble, 2, nearby);
   std::size_t unsecured = 0;
@@ -232,7 +232,7 @@ TEST_F(WeightedJudge, cellsFoundNearby) {
       continue;
     }
     EXPECT_EQ(nearby.status[e], over_tree.status[e]);
-    const auto rowOf = [e](const Neighborhoods& found) {
+    const auto rowOf = [e](const CellNeighbors& found) {
       return std::set<std::int32_t>(found.neighbor.begin() + static_cast<std::ptrdiff_t>(found.first[e]),
                                     found.neighbor.begin() + static_cast<std::ptrdiff_t>(found.first[e + 1]));
     };

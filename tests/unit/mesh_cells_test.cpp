@@ -26,7 +26,7 @@ std::vector<std::uint32_t> allOf(const SiteSet& sites) {
   return all;
 }
 
-Neighborhoods cellsFromMesh(const SiteSet& sites, int threads = 2) {
+CellNeighbors cellsFromMesh(const SiteSet& sites, int threads = 2) {
   SiteMesh mesh(sites, threads);
   return meshCells(sites, *mesh.get(), allOf(sites), threads);
 }
@@ -73,11 +73,11 @@ class Counting final : public Backend {
   Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override {
     return cpu_->upload(sites, shade);
   }
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) override {
+  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
     asked += which.size();
     return cpu_->cells(which, effort, out);
   }
-  Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) override {
+  Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override {
     return cpu_->cells(batch, out);
   }
   Result<void> begin(const View& view) override { return cpu_->begin(view); }

@@ -17,10 +17,10 @@ class PassingOn : public Backend {
   Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override {
     return real_->upload(sites, shade);
   }
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) override {
+  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
     return real_->cells(which, effort, out);
   }
-  Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) override {
+  Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override {
     return real_->cells(batch, out);
   }
   Result<void> begin(const View& view) override { return real_->begin(view); }

@@ -122,8 +122,8 @@ inline Rows rowsOfJittered(const SiteSet& set, std::size_t side) {
   });
 }
 
-inline Neighborhoods cellsOf(const Rows& rows) {
-  Neighborhoods cells;
+inline CellNeighbors cellsOf(const Rows& rows) {
+  CellNeighbors cells;
   cells.first.push_back(0);
   for (const auto& row : rows) {
     cells.status.push_back(row.empty() ? CellStatus::empty : CellStatus::certified);
@@ -142,7 +142,7 @@ struct Assembled {
   std::vector<std::uint32_t> disputed;
 };
 
-inline Assembled assemble(const SiteSet& set, Neighborhoods found, int threads = 1,
+inline Assembled assemble(const SiteSet& set, CellNeighbors found, int threads = 1,
                           Detail detail = Detail::everything) {
   Assembled result;
   std::vector<std::uint32_t> all(set.size());

@@ -45,10 +45,10 @@ class Small final : public Backend {
     EXPECT_LE(sites.grid.first.size() - 1, info_.max_bins);
     return cpu_->upload(sites, shade);
   }
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) override {
+  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
     return cpu_->cells(which, effort, out);
   }
-  Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) override {
+  Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override {
     return cpu_->cells(batch, out);
   }
   Result<void> begin(const View& view) override { return cpu_->begin(view); }

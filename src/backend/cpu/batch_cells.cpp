@@ -65,7 +65,7 @@ void clipStatuses(const CellBatch<float>& batch, float outset_x, float outset_y,
   }
 }
 
-void clipNeighborhoods(const CellBatch<double>& batch, int threads, Neighborhoods& out) {
+void clipBatch(const CellBatch<double>& batch, int threads, CellNeighbors& out) {
   collect(batch.entries.size(), threads, out, [&] {
     return [&](std::size_t e, std::vector<std::int32_t>& neighbors) {
       const auto status = clipNeighborhood<edges_in_double>(batch, batch.entries[e], neighbors);

@@ -12,6 +12,6 @@ void clipStatuses(const CellBatch<float>& batch, float outset_x, float outset_y,
 
 /// Clips each entry in double, with room for as many edges as the entry has lines, up to 2^17 in all.
 /// `certified` tells of the shape: of lines that are parallel within rounding, any may carry an edge.
-void clipNeighborhoods(const CellBatch<double>& batch, int threads, Neighborhoods& out);
+void clipBatch(const CellBatch<double>& batch, int threads, CellNeighbors& out);
 
 }  // namespace vorpipe::cpu

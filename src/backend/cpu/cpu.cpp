@@ -56,7 +56,7 @@ class CpuBackend final : public Backend {
     return {};
   }
 
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) override {
+  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
     assert(sites_ != nullptr);
     if (effort == Effort::fast || effort == Effort::roomy) {
       cpu::findOnGrid(*sites_, which, effort, threads_, out);
@@ -66,8 +66,8 @@ class CpuBackend final : public Backend {
     return {};
   }
 
-  Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) override {
-    cpu::clipNeighborhoods(batch, threads_, out);
+  Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override {
+    cpu::clipBatch(batch, threads_, out);
     return {};
   }
 
@@ -129,7 +129,7 @@ class CpuBackend final : public Backend {
   }
 
   /// Finds cells over the tree. For a few, among many sites, the tree would take longer than they do.
-  void judge(std::span<const std::uint32_t> which, cpu::FindOverTree find, Neighborhoods& out) {
+  void judge(std::span<const std::uint32_t> which, cpu::FindOverTree find, CellNeighbors& out) {
     std::vector<std::uint32_t> left;
     const bool few = !tree_ && which.size() < sites_->size() / sites_per_few;
     if (few) {
@@ -142,7 +142,7 @@ class CpuBackend final : public Backend {
     }
     if (!tree_) tree_.emplace(*sites_, threads_);
     if (!few) return find(*sites_, *tree_, which, threads_, out);
-    Neighborhoods anew;
+    CellNeighbors anew;
     find(*sites_, *tree_, which, threads_, anew);
     cpu::replaceUnsecured(anew, out);
   }

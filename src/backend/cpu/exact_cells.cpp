@@ -74,7 +74,7 @@ class ExactFinder {
 }  // namespace
 
 void findExactly(const SiteSet& sites, const SiteTree& tree, std::span<const std::uint32_t> which,
-                 int threads, Neighborhoods& out) {
+                 int threads, CellNeighbors& out) {
   collect(which.size(), threads, out, [&] {
     return [&, finder = std::make_unique<ExactFinder>(sites, tree)](std::size_t e,
                                                                     std::vector<std::int32_t>& neighbors) {

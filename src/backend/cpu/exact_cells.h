@@ -10,6 +10,6 @@ namespace vorpipe::cpu {
 /// Finds the neighborhoods of the sites `which`. Every one is certified or empty (or unsecured, where the
 /// set is a tile). What a thousand bits do not tell apart are ties.
 void findExactly(const SiteSet& sites, const SiteTree& tree, std::span<const std::uint32_t> which,
-                 int threads, Neighborhoods& out);
+                 int threads, CellNeighbors& out);
 
 }  // namespace vorpipe::cpu

@@ -50,7 +50,7 @@ LaneJob jobOf(const SiteSet& sites, std::span<const std::uint32_t> which, Effort
 }  // namespace
 
 void findOnGrid(const SiteSet& sites, std::span<const std::uint32_t> which, Effort effort, int threads,
-                Neighborhoods& out) {
+                CellNeighbors& out) {
   const bool roomy = effort == Effort::roomy;
   const bool weighted = !sites.weight.empty();
   const std::size_t edges = roomy ? EDGES_MOST : EDGES_FAST;

@@ -9,7 +9,7 @@ namespace vorpipe::cpu {
 
 /// Finds the neighborhoods of the sites `which`; effort is fast or roomy.
 void findOnGrid(const SiteSet& sites, std::span<const std::uint32_t> which, Effort effort, int threads,
-                Neighborhoods& out);
+                CellNeighbors& out);
 
 /// Finds the cells of the sites `which`, widened by outset (scaled units along x and y), and writes what
 /// became of each.

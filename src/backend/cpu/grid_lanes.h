@@ -19,7 +19,7 @@ struct LaneJob {
   const std::uint32_t* which;     ///< the cells' sites
   std::size_t count;              ///< of cells
   std::uint8_t* status;           ///< out: CellStatus of each
-  std::int32_t* neighbors;        ///< out, unless null: those of each cell as in Neighborhoods
+  std::int32_t* neighbors;        ///< out, unless null: those of each cell as in CellNeighbors
   std::uint8_t* neighbor_counts;  ///< out, unless null: how many
   const double* weight;           ///< of the sites, from here on: null where they have none
   const double* heaviest;         ///< as in Grid

@@ -89,7 +89,7 @@ CellStatus findWithin(std::int64_t reach, const SiteSet& sites, std::uint32_t si
   const auto at = std::find(near.id.begin(), near.id.end(), site) - near.id.begin();
   const auto self = static_cast<std::uint32_t>(at);
   if (self == near.size()) return CellStatus::unsecured;  // or it lies outside the domain, far from its cell
-  Neighborhoods found;
+  CellNeighbors found;
   find(near, SiteTree(near, 1), {&self, 1}, 1, found);
   renumber(found, 0, [&](std::uint32_t place) { return near.id[place]; });
   neighbors.assign(found.neighbor.begin(), found.neighbor.end());
@@ -108,7 +108,7 @@ CellStatus findOne(const SiteSet& sites, std::uint32_t site, FindOverTree find,
 }  // namespace
 
 void findNearby(const SiteSet& sites, std::span<const std::uint32_t> which, FindOverTree find, int threads,
-                Neighborhoods& out) {
+                CellNeighbors& out) {
   std::vector<std::vector<std::int32_t>> neighbors(which.size());
   out.status.resize(which.size());
   parallelFor(which.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
@@ -122,12 +122,12 @@ void findNearby(const SiteSet& sites, std::span<const std::uint32_t> which, Find
   }
 }
 
-void replaceUnsecured(const Neighborhoods& anew, Neighborhoods& out) {
-  Neighborhoods all;
+void replaceUnsecured(const CellNeighbors& anew, CellNeighbors& out) {
+  CellNeighbors all;
   all.status = out.status;
   all.first.assign(1, 0);
   std::size_t next = 0;
-  const auto append = [&](const Neighborhoods& from, std::size_t e) {
+  const auto append = [&](const CellNeighbors& from, std::size_t e) {
     all.neighbor.insert(all.neighbor.end(),
                         from.neighbor.begin() + static_cast<std::ptrdiff_t>(from.first[e]),
                         from.neighbor.begin() + static_cast<std::ptrdiff_t>(from.first[e + 1]));

@@ -10,14 +10,14 @@ namespace vorpipe::cpu {
 
 /// Finds the neighborhoods of the sites `which` of a set, over a tree of it.
 using FindOverTree = void (*)(const SiteSet& sites, const SiteTree& tree,
-                              std::span<const std::uint32_t> which, int threads, Neighborhoods& out);
+                              std::span<const std::uint32_t> which, int threads, CellNeighbors& out);
 
 /// Finds each cell by `find` among the sites of the bins around it: unsecured where those are not enough,
 /// or too many to be worth their while.
 void findNearby(const SiteSet& sites, std::span<const std::uint32_t> which, FindOverTree find, int threads,
-                Neighborhoods& out);
+                CellNeighbors& out);
 
 /// Replaces the entries of `out` whose status is `unsecured` by those of `anew`, in order.
-void replaceUnsecured(const Neighborhoods& anew, Neighborhoods& out);
+void replaceUnsecured(const CellNeighbors& anew, CellNeighbors& out);
 
 }  // namespace vorpipe::cpu

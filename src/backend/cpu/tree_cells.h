@@ -15,7 +15,7 @@ class CellFinder {
 
   /// Appends the neighbors of a site, counter-clockwise, and returns certified, empty, unsecured, or open
   /// if rounding leaves doubts; with `decide`, those are taken for ties. Of a cell that is empty in a set
-  /// with weights it appends what leaves nothing of it, as Neighborhoods says.
+  /// with weights it appends what leaves nothing of it, as CellNeighbors says.
   CellStatus find(std::uint32_t site, std::vector<std::int32_t>& neighbors, bool decide) {
     const auto status = findEdges(site, decide);
     if (status == CellStatus::certified) {
@@ -131,6 +131,6 @@ class CellFinder {
 
 /// Finds the neighborhoods of the sites `which` in double; `open` where double does not decide.
 void findInDouble(const SiteSet& sites, const SiteTree& tree, std::span<const std::uint32_t> which,
-                  int threads, Neighborhoods& out);
+                  int threads, CellNeighbors& out);
 
 }  // namespace vorpipe::cpu

@@ -26,7 +26,7 @@ ProgramText textOf(Entries entries, bool fast) {
 
 }  // namespace
 
-Result<void> Cells::run(Entries entries, Effort effort, std::size_t count, Neighborhoods& out) {
+Result<void> Cells::run(Entries entries, Effort effort, std::size_t count, CellNeighbors& out) {
   out = {};
   out.first.push_back(0);
   const bool fast = entries != Entries::lists && effort == Effort::fast;

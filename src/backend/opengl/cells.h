@@ -18,7 +18,7 @@ class Cells {
   /// Clips the entries or sites that were sent, `count` of them, and replaces out. Lists of lines are
   /// clipped with the most room. Takes a complete framebuffer and a view that are bound, and leaves both
   /// alone. Errors (device): out of memory; the device failed; the driver refuses the shaders.
-  Result<void> run(Entries entries, Effort effort, std::size_t count, Neighborhoods& out);
+  Result<void> run(Entries entries, Effort effort, std::size_t count, CellNeighbors& out);
 
  private:
   std::array<Program, programs> made_;

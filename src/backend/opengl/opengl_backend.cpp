@@ -59,13 +59,13 @@ class OpenGlBackend final : public Backend {
     return gl_.sites.upload(sites, shade);
   }
 
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) override {
+  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
     assert(which.size() <= info_.max_entries);
     return findCells(
         gl_.sites.entries(), effort, which.size(), [&] { return gl_.sites.send(which); }, out);
   }
 
-  Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) override {
+  Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override {
     assert(batch.lines.size() <= info_.max_lines && batch.entries.size() <= info_.max_entries);
     return findCells(
         Entries::lists, Effort::roomy, batch.entries.size(),
@@ -117,7 +117,7 @@ class OpenGlBackend final : public Backend {
   // send puts `count` entries on the device.
   template <class Send>
   Result<void> findCells(Entries entries, Effort effort, std::size_t count, const Send& send,
-                         Neighborhoods& out) {
+                         CellNeighbors& out) {
     const auto scope = context_.enter();
     if (!scope) return tl::unexpected(scope.error());
     gl_.picture.bind();

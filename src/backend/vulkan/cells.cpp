@@ -20,7 +20,7 @@ constexpr std::size_t slice_entries = 65536;
 
 }  // namespace
 
-Result<void> GeometryBackend::cells(const CellBatch<double>& batch, Neighborhoods& out) {
+Result<void> GeometryBackend::cells(const CellBatch<double>& batch, CellNeighbors& out) {
   try {
     const DrawMark any{};
     VORPIPE_TRY(sendBatch(toFloat(batch), std::span(&any, 1)));
@@ -32,7 +32,7 @@ Result<void> GeometryBackend::cells(const CellBatch<double>& batch, Neighborhood
   }
 }
 
-Result<void> GeometryBackend::cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) {
+Result<void> GeometryBackend::cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) {
   assert(effort == Effort::fast || effort == Effort::roomy);
   try {
     VORPIPE_TRY(sendWhich(which));
@@ -43,7 +43,7 @@ Result<void> GeometryBackend::cells(std::span<const std::uint32_t> which, Effort
 }
 
 // Clips the entries in a vertex buffer, slice by slice.
-Result<void> GeometryBackend::findCells(const CellWork& work, Neighborhoods& out) {
+Result<void> GeometryBackend::findCells(const CellWork& work, CellNeighbors& out) {
   out = {};
   out.first.push_back(0);
   if (work.count == 0) return {};

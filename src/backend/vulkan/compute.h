@@ -36,8 +36,8 @@ class ComputeBackend final : public Backend {
 
   const BackendInfo& info() const override { return info_; }
   Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override;
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) override;
-  Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) override;
+  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override;
+  Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override;
   Result<void> begin(const View& view) override;
   Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
                     std::span<CellStatus> status) override;
@@ -76,7 +76,7 @@ class ComputeBackend final : public Backend {
   Result<void> sendWhich(std::span<const std::uint32_t> which);
   Result<void> sendBatch(const CellBatch<float>& batch);
   void bindPolygons(Bindings& bindings) const;
-  Result<void> findCells(const Clipping& clipping, Neighborhoods& out);
+  Result<void> findCells(const Clipping& clipping, CellNeighbors& out);
   Result<void> drawCells(const Clipping& clipping, std::span<CellStatus> status);
   [[nodiscard]] std::size_t sliceOf(std::size_t most_entries, std::size_t bytes_of_entry) const;
 

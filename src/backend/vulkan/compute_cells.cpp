@@ -30,7 +30,7 @@ ComputeKernels::Code searchCode(bool fast, bool weighted) {
   return fast ? shaders::neighbors_grid_fast() : shaders::neighbors_grid_roomy();
 }
 
-Result<void> clear(Neighborhoods& out) {
+Result<void> clear(CellNeighbors& out) {
   out.status.clear();
   out.first.assign(1, 0);
   out.neighbor.clear();
@@ -39,7 +39,7 @@ Result<void> clear(Neighborhoods& out) {
 
 }  // namespace
 
-Result<void> ComputeBackend::cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) {
+Result<void> ComputeBackend::cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) {
   assert(effort == Effort::fast || effort == Effort::roomy);
   const bool fast = effort == Effort::fast;
   if (which.empty()) return clear(out);
@@ -52,7 +52,7 @@ Result<void> ComputeBackend::cells(std::span<const std::uint32_t> which, Effort 
   }
 }
 
-Result<void> ComputeBackend::cells(const CellBatch<double>& batch, Neighborhoods& out) {
+Result<void> ComputeBackend::cells(const CellBatch<double>& batch, CellNeighbors& out) {
   if (batch.entries.empty()) return clear(out);
   try {
     VORPIPE_TRY(sendBatch(toFloat(batch)));
@@ -64,7 +64,7 @@ Result<void> ComputeBackend::cells(const CellBatch<double>& batch, Neighborhoods
 }
 
 // Clips the entries that were sent, slice by slice.
-Result<void> ComputeBackend::findCells(const Clipping& clipping, Neighborhoods& out) {
+Result<void> ComputeBackend::findCells(const Clipping& clipping, CellNeighbors& out) {
   VORPIPE_TRY(clear(out));
   const std::size_t room = answerRoom(clipping.room, clipping.weighted);
   const std::size_t row_bytes = room * sizeof(std::int32_t);

@@ -30,8 +30,8 @@ class GeometryBackend final : public Backend {
 
   const BackendInfo& info() const override { return info_; }
   Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override;
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) override;
-  Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) override;
+  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override;
+  Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override;
   Result<void> begin(const View& view) override;
   Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
                     std::span<CellStatus> status) override;
@@ -72,7 +72,7 @@ class GeometryBackend final : public Backend {
   Result<void> reserveStatus(std::size_t entries);
   Result<void> drawEntries(Entries entries, Effort effort, std::array<VkBuffer, 2> vertices,
                            std::span<CellStatus> status);
-  Result<void> findCells(const CellWork& work, Neighborhoods& out);
+  Result<void> findCells(const CellWork& work, CellNeighbors& out);
   Result<void> run(const Pass& pass, std::size_t first, std::size_t count);
 
   Instance instance_;

@@ -58,20 +58,20 @@ class Lanes final : public Backend {
     return lanes_[0]->upload(sites, shade_);
   }
 
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) override {
+  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
     VORPIPE_TRY(giveSites(lanesFor(which.size())));
     return collect(
         which.size(),
-        [&](Backend& lane, const Part& part, Neighborhoods& found) {
+        [&](Backend& lane, const Part& part, CellNeighbors& found) {
           return lane.cells(which.subspan(part.begin, part.size()), effort, found);
         },
         out);
   }
 
-  Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) override {
+  Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override {
     return collect(
         batch.entries.size(),
-        [&](Backend& lane, const Part& part, Neighborhoods& found) {
+        [&](Backend& lane, const Part& part, CellNeighbors& found) {
           return onSlice(batch, part, [&](const auto& cut) { return lane.cells(cut, found); });
         },
         out);
@@ -178,9 +178,9 @@ class Lanes final : public Backend {
 
   /// Calls work(lane, part, its cells) for every part; out becomes the cells of all.
   template <class Work>
-  Result<void> collect(std::size_t count, const Work& work, Neighborhoods& out) {
+  Result<void> collect(std::size_t count, const Work& work, CellNeighbors& out) {
     try {
-      std::vector<Neighborhoods> found(partsOf(count));
+      std::vector<CellNeighbors> found(partsOf(count));
       VORPIPE_TRY(spread(
           count, [&](Backend& lane, const Part& part) { return work(lane, part, found[part.index]); }));
       out = std::move(found[0]);

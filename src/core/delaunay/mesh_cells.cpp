@@ -193,10 +193,10 @@ class Extracting {
 
 }  // namespace
 
-Neighborhoods meshCells(const SiteSet& sites, const Mesh& mesh, std::span<const std::uint32_t> which,
+CellNeighbors meshCells(const SiteSet& sites, const Mesh& mesh, std::span<const std::uint32_t> which,
                         int threads) {
   WallsOfTriangles walls(mesh);
-  Neighborhoods cells;
+  CellNeighbors cells;
   collect(which.size(), threads, cells, [&] {
     return [&, extracting = Extracting(sites, mesh, walls)](std::size_t e,
                                                             std::vector<std::int32_t>& neighbors) mutable {

@@ -13,7 +13,7 @@ namespace vorpipe::core {
 /// domain ends is decided exactly as well, for a domain that is smaller by less than any number: what lies
 /// on a wall is beyond it. So all cells agree, in every tie. Empty cells of sites with weights have the sites
 /// that leave nothing of them.
-Neighborhoods meshCells(const SiteSet& sites, const Mesh& mesh, std::span<const std::uint32_t> which,
+CellNeighbors meshCells(const SiteSet& sites, const Mesh& mesh, std::span<const std::uint32_t> which,
                         int threads);
 
 }  // namespace vorpipe::core

@@ -30,7 +30,7 @@ Error nonsense(const Backend& backend, std::string_view what) {
 }
 
 /// Why an answer about `count` cells is none at all; empty if it is one.
-std::string_view whatIsWrong(const Neighborhoods& cells, std::size_t count) {
+std::string_view whatIsWrong(const CellNeighbors& cells, std::size_t count) {
   if (cells.status.size() != count) return "it is of another number of cells";
   if (cells.first.size() != count + 1 || cells.first.front() != 0 ||
       cells.first.back() != cells.neighbor.size() ||
@@ -54,7 +54,7 @@ bool couldBe(CellStatus status, std::span<const std::int32_t> neighbors, std::in
 }
 
 /// Takes the neighbors of all entries that are not done from an answer, in order.
-void dropOthers(Neighborhoods& cells) {
+void dropOthers(CellNeighbors& cells) {
   std::uint64_t end = 0;
   std::uint64_t begin = cells.first[0];
   for (std::size_t e = 0; e < cells.status.size(); ++e) {
@@ -71,7 +71,7 @@ void dropOthers(Neighborhoods& cells) {
 /// Makes an answer one that can be relied on; limitsOf(e) is the number of entry e's own site and how
 /// many sites or lines there are for it.
 template <class LimitsOf>
-Result<void> secure(const Backend& backend, std::size_t count, int threads, Neighborhoods& cells,
+Result<void> secure(const Backend& backend, std::size_t count, int threads, CellNeighbors& cells,
                     const LimitsOf& limitsOf) {
   if (const auto wrong = whatIsWrong(cells, count); !wrong.empty()) {
     return tl::unexpected(nonsense(backend, wrong));
@@ -105,13 +105,13 @@ struct Limits {
 }  // namespace
 
 Result<void> askCells(Backend& backend, std::size_t sites, std::span<const std::uint32_t> which,
-                      Effort effort, int threads, Neighborhoods& out) {
+                      Effort effort, int threads, CellNeighbors& out) {
   if (auto done = backend.cells(which, effort, out); !done) return done;
   const auto count = static_cast<std::int64_t>(sites);
   return secure(backend, which.size(), threads, out, [&](std::size_t e) { return Limits{which[e], count}; });
 }
 
-Result<void> askCells(Backend& backend, const CellBatch<double>& batch, int threads, Neighborhoods& out) {
+Result<void> askCells(Backend& backend, const CellBatch<double>& batch, int threads, CellNeighbors& out) {
   if (auto done = backend.cells(batch, out); !done) return done;
   return secure(backend, batch.entries.size(), threads, out, [&](std::size_t e) {
     return Limits{nobody, batch.entries[e].count};

@@ -14,10 +14,10 @@ namespace vorpipe::core {
 
 /// backend.cells(which, effort, out), where `sites` is the number of the sites that it was given.
 Result<void> askCells(Backend& backend, std::size_t sites, std::span<const std::uint32_t> which,
-                      Effort effort, int threads, Neighborhoods& out);
+                      Effort effort, int threads, CellNeighbors& out);
 
 /// backend.cells(batch, out).
-Result<void> askCells(Backend& backend, const CellBatch<double>& batch, int threads, Neighborhoods& out);
+Result<void> askCells(Backend& backend, const CellBatch<double>& batch, int threads, CellNeighbors& out);
 
 /// backend.draw(which, effort, status).
 Result<void> askToDraw(Backend& backend, std::span<const std::uint32_t> which, Effort effort,

@@ -98,7 +98,7 @@ Result<std::vector<std::uint32_t>> Judge::findSome(std::span<const std::uint32_t
     const auto part = entries.subspan(begin, count);
     some.clear();
     for (const auto e : part) some.push_back(which[e]);
-    Neighborhoods found;
+    CellNeighbors found;
     if (auto done = askCells(backend_, sites_.size(), some, effort, threads, found); !done) return done;
     const auto left = withStatus(part, found.status, isOpen);
     open.insert(open.end(), left.begin(), left.end());

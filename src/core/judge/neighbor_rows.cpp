@@ -19,7 +19,7 @@ CellRows::CellRows(std::size_t cells, int threads) : rows_(cells), threads_(thre
   });
 }
 
-void CellRows::add(std::span<const std::uint32_t> which, Neighborhoods found) {
+void CellRows::add(std::span<const std::uint32_t> which, CellNeighbors found) {
   std::mutex mutex;
   parallelFor(which.size(), grain, threads_, [&](std::size_t begin, std::size_t end) {
     std::vector<std::uint32_t> large;
@@ -38,7 +38,7 @@ void CellRows::add(std::span<const std::uint32_t> which, Neighborhoods found) {
 }
 
 /// Moves the rows at the end of a part to where enough numbers follow.
-void CellRows::makeReadable(std::span<const std::uint32_t> which, const Neighborhoods& found) {
+void CellRows::makeReadable(std::span<const std::uint32_t> which, const CellNeighbors& found) {
   const auto& numbers = found.neighbor;
   auto e = which.size();
   while (e > 0 && found.first[e - 1] + readable > numbers.size()) --e;

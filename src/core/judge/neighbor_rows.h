@@ -35,7 +35,7 @@ class CellRows {
   }
 
   /// Entry e of `found` becomes cell which[e].
-  void add(std::span<const std::uint32_t> which, Neighborhoods found);
+  void add(std::span<const std::uint32_t> which, CellNeighbors found);
   void add(std::span<const std::uint32_t> which, CellRows found);
 
   /// Takes its edges from a cell; different cells may lose theirs at the same time.
@@ -54,7 +54,7 @@ class CellRows {
   };
   static constexpr std::array<std::int32_t, readable> nothing{};
 
-  void makeReadable(std::span<const std::uint32_t> which, const Neighborhoods& found);
+  void makeReadable(std::span<const std::uint32_t> which, const CellNeighbors& found);
 
   BigVector<Row> rows_;
   std::vector<BigVector<std::int32_t>> parts_;

@@ -77,7 +77,7 @@ class Finding {
     const auto before = large.size();
     const auto work = [&](std::size_t begin, std::size_t count) -> Result<void> {
       const auto part = which.subspan(begin, count);
-      Neighborhoods found;
+      CellNeighbors found;
       if (auto done = askCells(input_.backend, tile.sites.size(), part, effort, input_.threads, found);
           !done) {
         return done;
@@ -97,7 +97,7 @@ class Finding {
     return {};
   }
 
-  void add(const Tile& tile, std::span<const std::uint32_t> part, Neighborhoods found) {
+  void add(const Tile& tile, std::span<const std::uint32_t> part, CellNeighbors found) {
     if (tile.whole.empty()) return topology_.add(part, std::move(found));
     Indices whole;
     for (const auto site : part) whole.push_back(tile.whole[site]);

@@ -1,4 +1,4 @@
-/// Neighborhoods by the search over the grid on a device.
+/// CellNeighbors by the search over the grid on a device.
 #pragma once
 
 #include "core/search/neighbor_search.h"

@@ -48,7 +48,7 @@ class Finding {
     return inSteps(input_.progress, "cells", which.size(), at_once,
                    [&](std::size_t begin, std::size_t count) -> Result<void> {
                      const auto part = which.subspan(begin, count);
-                     Neighborhoods found;
+                     CellNeighbors found;
                      if (auto done = clip(part, k, found); !done) return done;
                      for (std::size_t e = 0; e < count; ++e) {
                        if (isDone(found.status[e])) continue;
@@ -60,7 +60,7 @@ class Finding {
   }
 
   /// Clips by the k nearest neighbors, and turns places in lists into sites.
-  Result<void> clip(std::span<const std::uint32_t> which, std::size_t k, Neighborhoods& found) {
+  Result<void> clip(std::span<const std::uint32_t> which, std::size_t k, CellNeighbors& found) {
     const Stopwatch watch;
     const auto candidates = search_.neighbors(which, k);
     packBatch(input_.sites, candidates, 0, which.size(), input_.threads, batch_);

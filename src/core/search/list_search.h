@@ -1,4 +1,4 @@
-/// Neighborhoods from lists of nearest neighbors, as in the thesis.
+/// CellNeighbors from lists of nearest neighbors, as in the thesis.
 #pragma once
 
 #include "core/search/neighbor_search.h"

@@ -56,12 +56,12 @@ Result<void> BoundedBackend::upload(const SiteSet& sites, std::span<const std::u
   return call(Call::upload, [&] { return backend_.upload(sites, shade); });
 }
 
-Result<void> BoundedBackend::cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) {
+Result<void> BoundedBackend::cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) {
   given_.entries = which.size();
   return call(Call::clip, [&] { return backend_.cells(which, effort, out); });
 }
 
-Result<void> BoundedBackend::cells(const CellBatch<double>& batch, Neighborhoods& out) {
+Result<void> BoundedBackend::cells(const CellBatch<double>& batch, CellNeighbors& out) {
   given_.entries = batch.entries.size();
   given_.lines = batch.lines.size();
   return call(Call::clip, [&] { return backend_.cells(batch, out); });

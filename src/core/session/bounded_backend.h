@@ -26,8 +26,8 @@ class BoundedBackend final : public Backend {
 
   const BackendInfo& info() const override { return info_; }
   Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override;
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, Neighborhoods& out) override;
-  Result<void> cells(const CellBatch<double>& batch, Neighborhoods& out) override;
+  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override;
+  Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override;
   Result<void> begin(const View& view) override;
   Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
                     std::span<CellStatus> status) override;
