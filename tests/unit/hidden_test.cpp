@@ -101,7 +101,7 @@ TEST(ProveEmpty, takesTheProofAndOpensWhatHasNone) {
   found.first = {0, 3, 6, 8, 8};
   found.neighbor = {1, 2, 3, wall_xmin, 2, 3, 1, 3};
   const std::array<std::uint32_t, 4> which{0, 1, 2, 3};
-  CellRows cells(4, 2);
+  NeighborRows cells(4, 2);
   cells.add(which, std::move(found));
   proveEmpty(set, which, 2, cells);
   EXPECT_EQ(cells.status(0), CellStatus::empty);

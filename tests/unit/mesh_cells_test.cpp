@@ -112,9 +112,9 @@ Asked askedFor(Pattern pattern) {
   const SearchOptions search;
   const Progress progress;
   Report report;
-  const auto topology = findTopology({device, judge, sites, search, 2, progress}, report);
-  EXPECT_TRUE(topology);
-  for (std::size_t i = 0; i < sites.size(); ++i) EXPECT_NE(topology->status(i), CellStatus::missing);
+  const auto rows = findNeighbors({device, judge, sites, search, 2, progress}, report);
+  EXPECT_TRUE(rows);
+  for (std::size_t i = 0; i < sites.size(); ++i) EXPECT_NE(rows->status(i), CellStatus::missing);
   return {device.asked, judge_backend.asked};
 }
 

@@ -147,7 +147,7 @@ inline Assembled assemble(const SiteSet& set, CellNeighbors found, int threads =
   Assembled result;
   std::vector<std::uint32_t> all(set.size());
   std::iota(all.begin(), all.end(), 0u);
-  CellRows cells(set.size(), threads);
+  NeighborRows cells(set.size(), threads);
   cells.add(all, std::move(found));
   Prepared prepared;
   prepared.set = set;

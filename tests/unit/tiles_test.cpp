@@ -158,10 +158,10 @@ TEST(Tiles, KnowTheirSites) {
   }
 }
 
-std::vector<std::vector<std::int32_t>> rowsIn(const Topology& topology) {
+std::vector<std::vector<std::int32_t>> rowsIn(const NeighborRows& rows) {
   std::vector<std::vector<std::int32_t>> cells;
-  for (std::size_t i = 0; i < topology.size(); ++i) {
-    const auto row = topology.edges(i);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto row = rows.edges(i);
     cells.emplace_back(row.begin(), row.end());
   }
   return cells;
@@ -181,9 +181,9 @@ Found cellsInTiles(const SiteSet& sites, std::uint64_t most_sites, std::uint64_t
   const SearchOptions search;
   const Progress progress;
   Report report;
-  const auto topology = findTopology({backend, judge, sites, search, 2, progress}, report);
-  EXPECT_TRUE(topology) << topology.error().message;
-  return {rowsIn(*topology), report, backend.uploads};
+  const auto rows = findNeighbors({backend, judge, sites, search, 2, progress}, report);
+  EXPECT_TRUE(rows) << rows.error().message;
+  return {rowsIn(*rows), report, backend.uploads};
 }
 
 TEST(Tiles, FindCrowdedCellsInFinerGrids) {

@@ -21,17 +21,17 @@ namespace {
 /// Agrees on cells whose areas add up to that of the domain. That they do not although neighbors agree
 /// everywhere takes a diagram that lies over itself, so that no cell on its own can be blamed: all are
 /// found again.
-Result<TiedCells> agree(const TopologyInput& input, Topology& topology, const Records& records,
+Result<TiedCells> agree(const SearchInput& input, NeighborRows& rows, const Records& records,
                         const Box& domain, Report& report) {
-  auto tied = agreeOnCells(input, topology, records, report);
+  auto tied = agreeOnCells(input, rows, records, report);
   if (!tied || std::abs(areaGap(records.by_input, domain, input.threads)) <= area_rounding) return tied;
   std::vector<std::uint32_t> all(input.sites.size());
   std::iota(all.begin(), all.end(), 0u);
-  if (auto found = findAgain(input, all, Effort::in_double, topology); !found) {
+  if (auto found = findAgain(input, all, Effort::in_double, rows); !found) {
     return tl::unexpected(found.error());
   }
   report.in_double += all.size();
-  tied = agreeOnCells(input, topology, records, report);
+  tied = agreeOnCells(input, rows, records, report);
   if (!tied) return tied;
   const double gap = areaGap(records.by_input, domain, input.threads);
   if (std::abs(gap) <= area_wrong) return tied;
@@ -67,20 +67,20 @@ Result<BoxDiagram> boxDiagramOn(Backend& backend, Backend& judge_backend, int th
   Stopwatch cells_watch;
   SiteMesh mesh(prepared->set, threads);
   Judge judge(judge_backend, mesh);
-  const TopologyInput input{backend, judge, prepared->set, options.search, threads, options.progress};
-  auto topology = findTopology(input, diagram.report);
-  if (!topology) return tl::unexpected(topology.error());
+  const SearchInput input{backend, judge, prepared->set, options.search, threads, options.progress};
+  auto rows = findNeighbors(input, diagram.report);
+  if (!rows) return tl::unexpected(rows.error());
   auto by_input = makeRecords(*prepared, sites);
   const Records records{prepared->set, Unscale(prepared->exponent), by_input};
-  const auto tied = agree(input, *topology, records, options.domain, diagram.report);
+  const auto tied = agree(input, *rows, records, options.domain, diagram.report);
   if (!tied) return tl::unexpected(tied.error());
   takeRecords(by_input, options.detail, threads, diagram);
   BigVector<CellRecord>().swap(by_input);  // to be assigned nothing would leave it its memory
   if (diagram.report.empty > 0) keepSitesWithoutCells(sites, threads, diagram);
   if (!prepared->set.weight.empty()) diagram.report.hidden = diagram.report.empty;
   {
-    const EdgeIndex index(*topology, threads);
-    const ProposedCells agreed{prepared->set, *topology, index, threads};
+    const EdgeIndex index(*rows, threads);
+    const ProposedCells agreed{prepared->set, *rows, index, threads};
     writeEdges(agreed, *tied, options.detail, records.unscale, diagram);
     if (options.detail == Detail::everything) diagram.triangles = dualTriangles(agreed, *tied, mesh);
   }

@@ -134,7 +134,7 @@ class Writing {
 
   const ProposedCells& proposed_;
   const SiteSet& sites_;
-  const CellRows& cells_;
+  const NeighborRows& cells_;
   const TiedCells& tied_;
   const Unscale& unscale_;
   Diagram& diagram_;

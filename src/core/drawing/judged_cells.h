@@ -9,7 +9,7 @@ namespace vorpipe::core {
 /// The cells of some sites; entry e of `found`, certified or empty, is the cell of which[e].
 struct JudgedCells {
   std::vector<std::uint32_t> which;
-  CellRows found;
+  NeighborRows found;
 };
 
 /// The sites that bound the cells `entries`, and the box of each cell.

@@ -19,8 +19,8 @@ void append(Arrays& to, const Arrays& from) { to.insert(to.end(), from.begin(), 
 /// ties.
 double proposedEdges(const Spread& spread) { return 6 + 0.3 * spread.tied; }
 
-/// Plans findTopology; returns what remains of it.
-Arrays planTopology(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
+/// Plans findNeighbors; returns what remains of it.
+Arrays planNeighbors(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
   const DeviceNeeds needs = needsOf(work);
   const std::string_view rows = "neighbors of cells", search = "the search";
   const auto inside = plan.take(search, sites * word);
@@ -130,7 +130,7 @@ void planClipping(MemoryPlan& plan, const Workload& work, Arrays& arrays) {
 /// Plans boxDiagramOn for all sites, images among them.
 Arrays planRun(MemoryPlan& plan, const Workload& work, std::uint64_t sites, Detail detail) {
   PlannedSet set = planPrepare(plan, sites, work.weighted);
-  Arrays working = planTopology(plan, work, sites);
+  Arrays working = planNeighbors(plan, work, sites);
   const auto records = plan.take("records of cells", sites * sizeof(CellRecord));
   const auto ties = planTies(plan, work, sites);
   Arrays arrays = planArrays(plan, work, sites, work.outlined ? std::max(detail, Detail::polygons) : detail);

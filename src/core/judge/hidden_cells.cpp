@@ -143,7 +143,8 @@ bool leaveNothing(const SiteSet& sites, std::uint32_t cell, std::span<const std:
   return Remainder(sites).isNothing(cell, lines);
 }
 
-void proveEmpty(const SiteSet& sites, std::span<const std::uint32_t> which, int threads, CellRows& cells) {
+void proveEmpty(const SiteSet& sites, std::span<const std::uint32_t> which, int threads,
+                NeighborRows& cells) {
   if (sites.weight.empty()) return;
   parallelFor(which.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
     Remainder remainder(sites);

@@ -15,6 +15,6 @@ bool leaveNothing(const SiteSet& sites, std::uint32_t cell, std::span<const std:
 /// that, the cell becomes `open`.
 ///
 /// A wrong cell disagrees with its neighbors, but if it is missing they agree as well.
-void proveEmpty(const SiteSet& sites, std::span<const std::uint32_t> which, int threads, CellRows& cells);
+void proveEmpty(const SiteSet& sites, std::span<const std::uint32_t> which, int threads, NeighborRows& cells);
 
 }  // namespace vorpipe::core

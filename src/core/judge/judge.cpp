@@ -26,9 +26,9 @@ bool isOpen(CellStatus status) { return !isDone(status); }
 
 }  // namespace
 
-Result<CellRows> Judge::find(std::span<const std::uint32_t> which, Effort effort, int threads,
-                             const Progress& progress, std::uint64_t& exact) {
-  CellRows cells(which.size(), threads);
+Result<NeighborRows> Judge::find(std::span<const std::uint32_t> which, Effort effort, int threads,
+                                 const Progress& progress, std::uint64_t& exact) {
+  NeighborRows cells(which.size(), threads);
   Indices entries(which.size());
   std::iota(entries.begin(), entries.end(), 0u);
   const bool few = !sites_.weight.empty() && sites_.size() <= few_weighted_sites && mesh_.isPossible();
@@ -61,10 +61,10 @@ Result<CellRows> Judge::find(std::span<const std::uint32_t> which, Effort effort
   return cells;
 }
 
-std::optional<CellRows> Judge::findInMesh(std::span<const std::uint32_t> which, int threads) {
+std::optional<NeighborRows> Judge::findInMesh(std::span<const std::uint32_t> which, int threads) {
   const auto* mesh = mesh_.isPossible() ? mesh_.get() : nullptr;
   if (mesh == nullptr) return {};
-  CellRows cells(which.size(), threads);
+  NeighborRows cells(which.size(), threads);
   Indices entries(which.size());
   std::iota(entries.begin(), entries.end(), 0u);
   cells.add(entries, meshCells(sites_, *mesh, which, threads));
@@ -91,7 +91,8 @@ bool Judge::areMany(std::size_t cells) const {
 
 Result<std::vector<std::uint32_t>> Judge::findSome(std::span<const std::uint32_t> which,
                                                    std::span<const std::uint32_t> entries, Effort effort,
-                                                   int threads, const Progress& progress, CellRows& cells) {
+                                                   int threads, const Progress& progress,
+                                                   NeighborRows& cells) {
   std::vector<std::uint32_t> open;
   std::vector<std::uint32_t> some;
   const auto work = [&](std::size_t begin, std::size_t count) -> Result<void> {

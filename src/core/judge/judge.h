@@ -20,11 +20,11 @@ class Judge {
   /// may mean from the mesh: in double once it is made, and where the cells are too many for anything else;
   /// exactly for that reason alone, so that cells of the mesh are found in another way. `exact` is increased
   /// by the number of cells that double did not decide. Errors: those of the backend; progress said stop.
-  Result<CellRows> find(std::span<const std::uint32_t> which, Effort effort, int threads,
-                        const Progress& progress, std::uint64_t& exact);
+  Result<NeighborRows> find(std::span<const std::uint32_t> which, Effort effort, int threads,
+                            const Progress& progress, std::uint64_t& exact);
 
   /// The cells of `which` from the mesh, or nothing where there is none. All of them agree, in every tie.
-  std::optional<CellRows> findInMesh(std::span<const std::uint32_t> which, int threads);
+  std::optional<NeighborRows> findInMesh(std::span<const std::uint32_t> which, int threads);
 
   /// See Backend::nearest.
   Result<void> nearest(const View& view, std::span<const std::uint32_t> pixels,
@@ -43,7 +43,7 @@ class Judge {
   /// Adds the cells of which[e] for e in `entries`; returns the entries that are still open.
   Result<std::vector<std::uint32_t>> findSome(std::span<const std::uint32_t> which,
                                               std::span<const std::uint32_t> entries, Effort effort,
-                                              int threads, const Progress& progress, CellRows& cells);
+                                              int threads, const Progress& progress, NeighborRows& cells);
 
   Backend& backend_;
   SiteMesh& mesh_;

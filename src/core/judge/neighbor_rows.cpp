@@ -13,13 +13,13 @@ constexpr std::size_t grain = std::size_t{1} << 15;
 
 }  // namespace
 
-CellRows::CellRows(std::size_t cells, int threads) : rows_(cells), threads_(threads) {
+NeighborRows::NeighborRows(std::size_t cells, int threads) : rows_(cells), threads_(threads) {
   parallelFor(cells, grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end; ++i) drop(i, CellStatus::missing);
   });
 }
 
-void CellRows::add(std::span<const std::uint32_t> which, CellNeighbors found) {
+void NeighborRows::add(std::span<const std::uint32_t> which, CellNeighbors found) {
   std::mutex mutex;
   parallelFor(which.size(), grain, threads_, [&](std::size_t begin, std::size_t end) {
     std::vector<std::uint32_t> large;
@@ -38,7 +38,7 @@ void CellRows::add(std::span<const std::uint32_t> which, CellNeighbors found) {
 }
 
 /// Moves the rows at the end of a part to where enough numbers follow.
-void CellRows::makeReadable(std::span<const std::uint32_t> which, const CellNeighbors& found) {
+void NeighborRows::makeReadable(std::span<const std::uint32_t> which, const CellNeighbors& found) {
   const auto& numbers = found.neighbor;
   auto e = which.size();
   while (e > 0 && found.first[e - 1] + readable > numbers.size()) --e;
@@ -53,7 +53,7 @@ void CellRows::makeReadable(std::span<const std::uint32_t> which, const CellNeig
   parts_.push_back(std::move(last));
 }
 
-void CellRows::add(std::span<const std::uint32_t> which, CellRows found) {
+void NeighborRows::add(std::span<const std::uint32_t> which, NeighborRows found) {
   parallelFor(which.size(), grain, threads_, [&](std::size_t begin, std::size_t end) {
     for (auto e = begin; e < end; ++e) rows_[which[e]] = found.rows_[e];
   });
@@ -61,7 +61,7 @@ void CellRows::add(std::span<const std::uint32_t> which, CellRows found) {
   for (const auto e : found.large_) large_.push_back(which[e]);
 }
 
-std::vector<std::uint32_t> CellRows::large() const {
+std::vector<std::uint32_t> NeighborRows::large() const {
   auto cells = large_;
   std::erase_if(cells, [&](std::uint32_t cell) { return rows_[cell].count <= usual_edges; });
   std::sort(cells.begin(), cells.end());

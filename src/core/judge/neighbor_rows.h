@@ -14,16 +14,16 @@ inline bool isDone(CellStatus status) {
 /// The rows of cells 0 to size() - 1, added in any order and in parts of any size: the edges of a cell,
 /// counter-clockwise, each by the neighbor on its other side. Rows stay where their part has them; only the
 /// last answer for a cell can be seen.
-class CellRows {
+class NeighborRows {
  public:
   /// What was never added is `missing` and has no edges.
-  explicit CellRows(std::size_t cells, int threads);
+  explicit NeighborRows(std::size_t cells, int threads);
   // The rows of a copy would be in the memory of another.
-  CellRows(const CellRows&) = delete;
-  CellRows(CellRows&&) = default;
-  CellRows& operator=(const CellRows&) = delete;
-  CellRows& operator=(CellRows&&) = default;
-  ~CellRows() = default;
+  NeighborRows(const NeighborRows&) = delete;
+  NeighborRows(NeighborRows&&) = default;
+  NeighborRows& operator=(const NeighborRows&) = delete;
+  NeighborRows& operator=(NeighborRows&&) = default;
+  ~NeighborRows() = default;
 
   [[nodiscard]] std::size_t size() const { return rows_.size(); }
   [[nodiscard]] CellStatus status(std::size_t cell) const { return rows_[cell].status; }
@@ -36,7 +36,7 @@ class CellRows {
 
   /// Entry e of `found` becomes cell which[e].
   void add(std::span<const std::uint32_t> which, CellNeighbors found);
-  void add(std::span<const std::uint32_t> which, CellRows found);
+  void add(std::span<const std::uint32_t> which, NeighborRows found);
 
   /// Takes its edges from a cell; different cells may lose theirs at the same time.
   void drop(std::size_t cell, CellStatus status) { rows_[cell] = {nothing.data(), 0, status}; }

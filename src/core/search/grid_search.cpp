@@ -18,8 +18,8 @@ using Indices = std::vector<std::uint32_t>;
 
 class Finding {
  public:
-  Finding(const TopologyInput& input, std::size_t cells, Topology& topology, Report& report)
-      : input_(input), cells_(cells), upload_(input.backend, {}), topology_(topology), report_(report) {}
+  Finding(const SearchInput& input, std::size_t cells, NeighborRows& rows, Report& report)
+      : input_(input), cells_(cells), upload_(input.backend, {}), rows_(rows), report_(report) {}
 
   Result<void> findTile(const Tile& tile) {
     if (areMany(0)) {
@@ -98,7 +98,7 @@ class Finding {
   }
 
   void add(const Tile& tile, std::span<const std::uint32_t> part, CellNeighbors found) {
-    if (tile.whole.empty()) return topology_.add(part, std::move(found));
+    if (tile.whole.empty()) return rows_.add(part, std::move(found));
     Indices whole;
     for (const auto site : part) whole.push_back(tile.whole[site]);
     parallelFor(part.size(), grain, input_.threads, [&](std::size_t begin, std::size_t end) {
@@ -106,22 +106,22 @@ class Finding {
         renumber(found, e, [&](std::uint32_t site) { return tile.whole[site]; });
       }
     });
-    topology_.add(whole, std::move(found));
+    rows_.add(whole, std::move(found));
   }
 
-  const TopologyInput& input_;
+  const SearchInput& input_;
   std::size_t cells_;  ///< of all tiles
   std::size_t done_ = 0;
   Upload upload_;
-  Topology& topology_;
+  NeighborRows& rows_;
   Report& report_;
 };
 
 }  // namespace
 
-Result<Indices> findByGrid(const TopologyInput& input, std::span<const std::uint32_t> which,
-                           Topology& topology, Report& report) {
-  Finding finding(input, which.size(), topology, report);
+Result<Indices> findByGrid(const SearchInput& input, std::span<const std::uint32_t> which, NeighborRows& rows,
+                           Report& report) {
+  Finding finding(input, which.size(), rows, report);
   auto unfit = forTiles(
       input.sites, input.backend.info(), which, input.threads,
       [&](const Tile& tile) { return finding.findTile(tile); }, [&] { return finding.areMany(0); });

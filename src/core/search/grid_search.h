@@ -7,8 +7,7 @@ namespace vorpipe::core {
 
 /// Finds the cells of `which` (ascending) on the backend, fast, then with more room those that overflow,
 /// tile by tile where the sites do not fit. Adds what is certified; returns the other cells, ascending.
-Result<std::vector<std::uint32_t>> findByGrid(const TopologyInput& input,
-                                              std::span<const std::uint32_t> which, Topology& topology,
-                                              Report& report);
+Result<std::vector<std::uint32_t>> findByGrid(const SearchInput& input, std::span<const std::uint32_t> which,
+                                              NeighborRows& rows, Report& report);
 
 }  // namespace vorpipe::core

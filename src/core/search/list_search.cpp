@@ -17,8 +17,8 @@ using Indices = std::vector<std::uint32_t>;
 
 class Finding {
  public:
-  Finding(const TopologyInput& input, Topology& topology, Report& report)
-      : input_(input), topology_(topology), report_(report), search_(input.sites, input.threads) {
+  Finding(const SearchInput& input, NeighborRows& rows, Report& report)
+      : input_(input), rows_(rows), report_(report), search_(input.sites, input.threads) {
     report_.time_ms.search = 1e3 * watch_.seconds();
   }
 
@@ -54,7 +54,7 @@ class Finding {
                        if (isDone(found.status[e])) continue;
                        (found.status[e] == CellStatus::unsecured ? unsecured : left).push_back(part[e]);
                      }
-                     topology_.add(part, std::move(found));
+                     rows_.add(part, std::move(found));
                      return {};
                    });
   }
@@ -72,8 +72,8 @@ class Finding {
     return {};
   }
 
-  const TopologyInput& input_;
-  Topology& topology_;
+  const SearchInput& input_;
+  NeighborRows& rows_;
   Report& report_;
   Stopwatch watch_;
   FlannSearch search_;
@@ -82,10 +82,10 @@ class Finding {
 
 }  // namespace
 
-Result<Indices> findByLists(const TopologyInput& input, std::span<const std::uint32_t> which,
-                            Topology& topology, Report& report) {
+Result<Indices> findByLists(const SearchInput& input, std::span<const std::uint32_t> which,
+                            NeighborRows& rows, Report& report) {
   if (which.empty()) return Indices{};
-  return Finding(input, topology, report).find({which.begin(), which.end()});
+  return Finding(input, rows, report).find({which.begin(), which.end()});
 }
 
 }  // namespace vorpipe::core

@@ -9,8 +9,7 @@ namespace vorpipe::core {
 /// for those that other sites might still cut, as long as that certifies at least half of them
 /// or the lists are short. Adds what is
 /// certified; returns the other cells, ascending.
-Result<std::vector<std::uint32_t>> findByLists(const TopologyInput& input,
-                                               std::span<const std::uint32_t> which, Topology& topology,
-                                               Report& report);
+Result<std::vector<std::uint32_t>> findByLists(const SearchInput& input, std::span<const std::uint32_t> which,
+                                               NeighborRows& rows, Report& report);
 
 }  // namespace vorpipe::core

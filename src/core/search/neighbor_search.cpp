@@ -11,43 +11,43 @@
 
 namespace vorpipe::core {
 
-Result<void> findAgain(const TopologyInput& input, const std::vector<std::uint32_t>& which, Effort effort,
-                       Topology& topology) {
+Result<void> findAgain(const SearchInput& input, const std::vector<std::uint32_t>& which, Effort effort,
+                       NeighborRows& rows) {
   std::uint64_t exact = 0;
   auto found = input.judge.find(which, effort, input.threads, input.progress, exact);
   if (!found) return tl::unexpected(found.error());
-  topology.add(which, std::move(*found));
-  proveEmpty(input.sites, which, input.threads, topology);
+  rows.add(which, std::move(*found));
+  proveEmpty(input.sites, which, input.threads, rows);
   return {};
 }
 
-bool findAllInMesh(const TopologyInput& input, Topology& topology) {
+bool findAllInMesh(const SearchInput& input, NeighborRows& rows) {
   std::vector<std::uint32_t> all(input.sites.size());
   std::iota(all.begin(), all.end(), 0u);
   auto found = input.judge.findInMesh(all, input.threads);
   if (!found) return false;
-  topology.add(all, std::move(*found));
-  proveEmpty(input.sites, all, input.threads, topology);
+  rows.add(all, std::move(*found));
+  proveEmpty(input.sites, all, input.threads, rows);
   return true;
 }
 
-Result<Topology> findTopology(const TopologyInput& input, Report& report) {
+Result<NeighborRows> findNeighbors(const SearchInput& input, Report& report) {
   const bool by_grid = input.search.method == Search::grid;
   const auto triage = sortOut(input.sites, input.threads);
-  Topology topology(input.sites.size(), input.threads);
-  auto left = by_grid ? findByGrid(input, triage.inside, topology, report)
-                      : findByLists(input, triage.inside, topology, report);
+  NeighborRows rows(input.sites.size(), input.threads);
+  auto left = by_grid ? findByGrid(input, triage.inside, rows, report)
+                      : findByLists(input, triage.inside, rows, report);
   if (!left) return tl::unexpected(left.error());
   left->insert(left->end(), triage.outside.begin(), triage.outside.end());
   sortDistinct(*left, static_cast<std::uint32_t>(input.sites.size()));
   report.in_double += left->size();
   auto found = input.judge.find(*left, Effort::in_double, input.threads, input.progress, report.exact);
   if (!found) return tl::unexpected(found.error());
-  topology.add(*left, std::move(*found));
+  rows.add(*left, std::move(*found));
   std::vector<std::uint32_t> all(input.sites.weight.size());
   std::iota(all.begin(), all.end(), 0u);
-  proveEmpty(input.sites, all, input.threads, topology);
-  return topology;
+  proveEmpty(input.sites, all, input.threads, rows);
+  return rows;
 }
 
 }  // namespace vorpipe::core

@@ -8,10 +8,9 @@ namespace vorpipe::core {
 
 /// The rows of all cells of a SiteSet, each certified or empty. With weights, those that were empty without
 /// proof are open.
-using Topology = CellRows;
 
-/// What finding a topology works with; all of it outlives the call.
-struct TopologyInput {
+/// What finding a rows works with; all of it outlives the call.
+struct SearchInput {
   Backend& backend;
   Judge& judge;  ///< of the same sites; finds in double what the backend does not certify
   const SiteSet& sites;
@@ -23,14 +22,14 @@ struct TopologyInput {
 /// Gives the sites to the backend and finds every cell there, fast, then with more room; the judge finds
 /// the rest. In `report`: retried, in_double, exact, and the times of upload and search.
 /// Errors: those of the backends; progress said stop.
-Result<Topology> findTopology(const TopologyInput& input, Report& report);
+Result<NeighborRows> findNeighbors(const SearchInput& input, Report& report);
 
 /// Has the judge find the cells of `which` (ascending) again, beginning with `effort`, in_double or exact,
 /// and replaces them.
-Result<void> findAgain(const TopologyInput& input, const std::vector<std::uint32_t>& which, Effort effort,
-                       Topology& topology);
+Result<void> findAgain(const SearchInput& input, const std::vector<std::uint32_t>& which, Effort effort,
+                       NeighborRows& rows);
 
 /// Replaces all cells by those of the judge's mesh; false, and nothing is changed, where there is none.
-bool findAllInMesh(const TopologyInput& input, Topology& topology);
+bool findAllInMesh(const SearchInput& input, NeighborRows& rows);
 
 }  // namespace vorpipe::core

@@ -108,7 +108,7 @@ class Enclosing {
   static constexpr int one_corner = 6;
 
   const SiteSet& sites_;
-  const CellRows& cells_;
+  const NeighborRows& cells_;
   DisjointSets& sets_;
   TiedCells& tied_;
   std::vector<int> excess_;  ///< by vertex, in sixths: ties beyond a tree

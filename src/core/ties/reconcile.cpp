@@ -51,12 +51,12 @@ class Efforts {
   std::vector<Effort> last_;  ///< empty until something is in dispute
 };
 
-void addWithNeighbors(const Topology& topology, const std::vector<std::uint32_t>& which,
+void addWithNeighbors(const NeighborRows& rows, const std::vector<std::uint32_t>& which,
                       std::vector<std::uint32_t>& cells) {
-  const auto count = topology.size();
+  const auto count = rows.size();
   for (const auto cell : which) {
     cells.push_back(cell);
-    for (const auto neighbor : topology.edges(cell)) {
+    for (const auto neighbor : rows.edges(cell)) {
       if (neighbor >= 0 && static_cast<std::size_t>(neighbor) < count) {
         cells.push_back(static_cast<std::uint32_t>(neighbor));
       }
@@ -70,12 +70,12 @@ void sortUnique(std::vector<std::uint32_t>& cells) {
 }
 
 /// Those of the disputed cells that are certified, although their neighbors leave nothing of them.
-std::vector<std::uint32_t> cellsWithoutArea(const SiteSet& sites, const Topology& topology,
+std::vector<std::uint32_t> cellsWithoutArea(const SiteSet& sites, const NeighborRows& rows,
                                             const std::vector<std::uint32_t>& disputed) {
   std::vector<std::uint32_t> cells;
   if (sites.weight.empty()) return cells;
   std::copy_if(disputed.begin(), disputed.end(), std::back_inserter(cells), [&](std::uint32_t cell) {
-    return topology.status(cell) == CellStatus::certified && leaveNothing(sites, cell, topology.edges(cell));
+    return rows.status(cell) == CellStatus::certified && leaveNothing(sites, cell, rows.edges(cell));
   });
   return cells;
 }
@@ -96,14 +96,14 @@ std::vector<std::uint32_t> cellsOfTies(const ProposedCells& proposed, const Tied
 
 /// What to try for cells in dispute. Where they cannot be blamed, since all of them are exact, a cell beside
 /// them must be wrong that agrees with both sides: the rings of cells around them, one after the other.
-std::pair<std::vector<std::uint32_t>, Effort> nextAround(const Topology& topology,
+std::pair<std::vector<std::uint32_t>, Effort> nextAround(const NeighborRows& rows,
                                                          std::vector<std::uint32_t> disputed,
                                                          Efforts& efforts) {
   constexpr int rings = 3;
   auto next = efforts.next(disputed);
   for (int ring = 0; next.first.empty() && ring < rings; ++ring) {
     std::vector<std::uint32_t> wider;
-    addWithNeighbors(topology, disputed, wider);
+    addWithNeighbors(rows, disputed, wider);
     sortUnique(wider);
     disputed = std::move(wider);
     next = efforts.next(disputed);
@@ -114,10 +114,10 @@ std::pair<std::vector<std::uint32_t>, Effort> nextAround(const Topology& topolog
 /// Checks cells, and has those in dispute found again, until there are none.
 class Agreeing {
  public:
-  Agreeing(const TopologyInput& input, Topology& topology, const Records& records, Report& report)
+  Agreeing(const SearchInput& input, NeighborRows& rows, const Records& records, Report& report)
       : input_(input),
         sites_(input.sites),
-        topology_(topology),
+        rows_(rows),
         records_(records),
         report_(report),
         efforts_(input.sites.size()),
@@ -125,8 +125,8 @@ class Agreeing {
 
   Result<TiedCells> run() {
     for (;;) {
-      const EdgeIndex index(topology_, input_.threads);
-      const ProposedCells proposed{sites_, topology_, index, input_.threads};
+      const EdgeIndex index(rows_, input_.threads);
+      const ProposedCells proposed{sites_, rows_, index, input_.threads};
       if (all_changed_) {
         checkCells(proposed, records_, rough_);
       } else {
@@ -164,8 +164,7 @@ class Agreeing {
     const auto doubtful = agreed ? cellsOfTies(proposed, tied) : tied.disputed;
     if (resort_ != Resort::ties && dropVanished(doubtful)) return false;
     if (resort_ == Resort::judge) {
-      const auto [which, effort] =
-          agreed ? efforts_.next(doubtful) : nextAround(topology_, doubtful, efforts_);
+      const auto [which, effort] = agreed ? efforts_.next(doubtful) : nextAround(rows_, doubtful, efforts_);
       const bool many = effort == Effort::exact && which.size() > most_exact && input_.judge.hasMesh();
       if (!which.empty() && !many) return find(which, effort);
       if (many) return takeResort(doubtful);
@@ -188,22 +187,22 @@ class Agreeing {
 
   /// Drops those cells that have no area after all.
   bool dropVanished(const std::vector<std::uint32_t>& doubtful) {
-    const auto vanished = cellsWithoutArea(sites_, topology_, doubtful);
-    addWithNeighbors(topology_, vanished, changed_);
+    const auto vanished = cellsWithoutArea(sites_, rows_, doubtful);
+    addWithNeighbors(rows_, vanished, changed_);
     sortUnique(changed_);
-    for (const auto cell : vanished) topology_.drop(cell, CellStatus::empty);
+    for (const auto cell : vanished) rows_.drop(cell, CellStatus::empty);
     return !vanished.empty();
   }
 
   /// Finds the cells `which` again. Their neighbors, before and after, are checked again too: an edge is only
   /// right if both of its cells have it.
   Result<bool> find(const std::vector<std::uint32_t>& which, Effort effort) {
-    addWithNeighbors(topology_, which, changed_);
-    if (auto found = findAgain(input_, which, effort, topology_); !found) {
+    addWithNeighbors(rows_, which, changed_);
+    if (auto found = findAgain(input_, which, effort, rows_); !found) {
       return tl::unexpected(found.error());
     }
     (effort == Effort::exact ? report_.exact : report_.in_double) += which.size();
-    addWithNeighbors(topology_, which, changed_);
+    addWithNeighbors(rows_, which, changed_);
     sortUnique(changed_);
     return false;
   }
@@ -214,7 +213,7 @@ class Agreeing {
           Subject::sites, fmt::format("the cells of {} sites around site {} disagree beyond exact arithmetic",
                                       doubtful.size(), sites_.id[doubtful[0]])));
     }
-    if (resort_ == Resort::judge && findAllInMesh(input_, topology_)) {
+    if (resort_ == Resort::judge && findAllInMesh(input_, rows_)) {
       report_.exact += sites_.size();
       resort_ = Resort::mesh;
       rough_.assign(rough_.size(), 0);
@@ -225,9 +224,9 @@ class Agreeing {
     return false;
   }
 
-  const TopologyInput& input_;
+  const SearchInput& input_;
   const SiteSet& sites_;
-  Topology& topology_;
+  NeighborRows& rows_;
   const Records& records_;
   Report& report_;
   Efforts efforts_;
@@ -240,9 +239,9 @@ class Agreeing {
 
 }  // namespace
 
-Result<TiedCells> agreeOnCells(const TopologyInput& input, Topology& topology, const Records& records,
+Result<TiedCells> agreeOnCells(const SearchInput& input, NeighborRows& rows, const Records& records,
                                Report& report) {
-  return Agreeing(input, topology, records, report).run();
+  return Agreeing(input, rows, records, report).run();
 }
 
 }  // namespace vorpipe::core

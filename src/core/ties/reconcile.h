@@ -8,10 +8,10 @@
 namespace vorpipe::core {
 
 /// Checks all cells and writes their records. Those in dispute are found again, in double and at last
-/// exactly, until none is left; `topology` changes accordingly, and `report` counts them. What comes
-/// back says where the cells differ from the topology: at ties.
+/// exactly, until none is left; `rows` changes accordingly, and `report` counts them. What comes
+/// back says where the cells differ from the rows: at ties.
 /// Errors: those of the judge; cells that disagree even so.
-Result<TiedCells> agreeOnCells(const TopologyInput& input, Topology& topology, const Records& records,
+Result<TiedCells> agreeOnCells(const SearchInput& input, NeighborRows& rows, const Records& records,
                                Report& report);
 
 }  // namespace vorpipe::core

@@ -260,7 +260,7 @@ class Untying {
 
   const ProposedCells& proposed_;
   const SiteSet& sites_;
-  const CellRows& cells_;
+  const NeighborRows& cells_;
   const Fineness& fineness_;
   Disputes disputes_;
   TiedCells& tied_;

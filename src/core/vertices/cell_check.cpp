@@ -137,7 +137,7 @@ class Checking {
 
   const ProposedCells& proposed_;
   const SiteSet& sites_;
-  const CellRows& cells_;
+  const NeighborRows& cells_;
   const Records& records_;
   std::span<std::uint8_t> rough_;
   CornerBatch batch_;
@@ -175,7 +175,7 @@ void checkSome(const ProposedCells& proposed, std::size_t count, const CellAt& c
 
 }  // namespace
 
-bool isWellFormed(const SiteSet& sites, const CellRows& cells, std::size_t cell) {
+bool isWellFormed(const SiteSet& sites, const NeighborRows& cells, std::size_t cell) {
   const auto row = cells.edges(cell);
   if (cells.status(cell) != CellStatus::certified || row.size() < 3) return false;
   for (const auto neighbor : row) {
@@ -188,7 +188,7 @@ bool isWellFormed(const SiteSet& sites, const CellRows& cells, std::size_t cell)
   return true;
 }
 
-bool isRightlyEmpty(const SiteSet& sites, const CellRows& cells, std::size_t cell) {
+bool isRightlyEmpty(const SiteSet& sites, const NeighborRows& cells, std::size_t cell) {
   const bool may_be = !sites.weight.empty() || !isInside(sites.domain, sites.x[cell], sites.y[cell]);
   return cells.status(cell) == CellStatus::empty && cells.edges(cell).empty() && may_be;
 }

@@ -12,7 +12,7 @@ namespace vorpipe::core {
 /// Cells and what is needed to look at them; all of it outlives the use.
 struct ProposedCells {
   const SiteSet& sites;
-  const CellRows& cells;
+  const NeighborRows& cells;
   const EdgeIndex& index;
   int threads;
 };
@@ -31,10 +31,10 @@ void checkCells(const ProposedCells& proposed, std::span<const std::uint32_t> wh
 void checkCells(const ProposedCells& proposed, const Records& records, std::span<std::uint8_t> rough);
 
 /// Whether a cell could be one: certified, of at least three edges, which lead to other sites and walls.
-bool isWellFormed(const SiteSet& sites, const CellRows& cells, std::size_t cell);
+bool isWellFormed(const SiteSet& sites, const NeighborRows& cells, std::size_t cell);
 
 /// Whether `cell` may be empty: certified so, and without edges. A site in the domain has a cell, unless
 /// weights hide it, which proveEmpty has proved.
-bool isRightlyEmpty(const SiteSet& sites, const CellRows& cells, std::size_t cell);
+bool isRightlyEmpty(const SiteSet& sites, const NeighborRows& cells, std::size_t cell);
 
 }  // namespace vorpipe::core

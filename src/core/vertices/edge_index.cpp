@@ -6,7 +6,7 @@
 
 namespace vorpipe::core {
 
-EdgeIndex::EdgeIndex(const CellRows& cells, int threads) {
+EdgeIndex::EdgeIndex(const NeighborRows& cells, int threads) {
   for (const auto cell : cells.large()) large_.push_back({cell, {}});
   parallelFor(large_.size(), 1, threads, [&](std::size_t begin, std::size_t end) {
     for (auto k = begin; k < end; ++k) {

@@ -17,7 +17,7 @@ namespace vorpipe::core {
 /// Looks neighbors up in cells of any number of edges. Cells outlive it unchanged.
 class EdgeIndex {
  public:
-  EdgeIndex(const CellRows& cells, int threads);
+  EdgeIndex(const NeighborRows& cells, int threads);
 
   static constexpr std::size_t none = ~std::size_t{0};
 
@@ -39,8 +39,8 @@ class EdgeIndex {
  private:
   /// Beyond this many edges a sorted list is faster than a look at each, and keeps a cell with many
   /// neighbors, each of which asks for itself, from costing their number squared.
-  static constexpr std::size_t most_scanned = CellRows::usual_edges;
-  static constexpr std::size_t at_once = CellRows::readable;
+  static constexpr std::size_t most_scanned = NeighborRows::usual_edges;
+  static constexpr std::size_t at_once = NeighborRows::readable;
 
   /// Bit e says whether edge[e] is `neighbor`. To look at a few edges too many is faster than to guess where
   /// to stop.

@@ -14,7 +14,7 @@ namespace vorpipe::core {
 /// processor foresees where the loops over edges end, and cells of one number of edges can be worked on side
 /// by side.
 template <class CellAt, class Each>
-void forCellsBySize(const CellRows& cells, std::size_t begin, std::size_t end, const CellAt& cellAt,
+void forCellsBySize(const NeighborRows& cells, std::size_t begin, std::size_t end, const CellAt& cellAt,
                     const Each& each) {
   constexpr std::size_t most = 64;
   const auto sizeOf = [&](std::uint32_t cell) {

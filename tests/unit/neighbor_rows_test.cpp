@@ -17,8 +17,8 @@ using testing::IsEmpty;
 
 using Indices = std::vector<std::uint32_t>;
 
-TEST(CellRows, PutLaterAnswersInThePlaceOfEarlierOnes) {
-  CellRows cells(4, 2);
+TEST(NeighborRows, PutLaterAnswersInThePlaceOfEarlierOnes) {
+  NeighborRows cells(4, 2);
   cells.add(Indices{2, 0}, CellNeighbors{{certified, overflow}, {0, 3, 3}, {-2, 0, -1}});
   cells.add(Indices{0, 3}, CellNeighbors{{certified, empty}, {0, 2, 2}, {-4, 2}});
   EXPECT_EQ(cells.status(0), certified);
@@ -43,14 +43,14 @@ CellNeighbors everySome(std::uint32_t begin, std::uint32_t count, std::uint32_t 
   return found;
 }
 
-void expectEverySome(const CellRows& cells, std::uint32_t cell) {
+void expectEverySome(const NeighborRows& cells, std::uint32_t cell) {
   ASSERT_EQ(cells.edges(cell).size(), cell % 5);
   for (const auto neighbor : cells.edges(cell)) ASSERT_EQ(neighbor, static_cast<std::int32_t>(cell));
 }
 
-TEST(CellRows, AreMany) {
+TEST(NeighborRows, AreMany) {
   constexpr std::uint32_t count = 200000;
-  CellRows cells(count, 3);
+  NeighborRows cells(count, 3);
   for (std::uint32_t odd = 0; odd < 2; ++odd) {
     Indices which;
     auto found = everySome(odd, count, 2, which);
@@ -60,14 +60,14 @@ TEST(CellRows, AreMany) {
   for (std::uint32_t cell = 0; cell < count; ++cell) expectEverySome(cells, cell);
 }
 
-TEST(CellRows, MoveFromOtherCellRows) {
+TEST(NeighborRows, MoveFromOtherCellRows) {
   constexpr std::uint32_t count = 1000;
-  CellRows cells(count, 2);
+  NeighborRows cells(count, 2);
   Indices which, entries(count / 2);
   auto found = everySome(1, count, 2, which);
   std::iota(entries.begin(), entries.end(), 0u);
   {
-    CellRows some(which.size(), 2);
+    NeighborRows some(which.size(), 2);
     some.add(entries, std::move(found));
     cells.add(which, std::move(some));
   }
@@ -77,26 +77,26 @@ TEST(CellRows, MoveFromOtherCellRows) {
   }
 }
 
-TEST(CellRows, CanBeReadBeyondTheirEnd) {
+TEST(NeighborRows, CanBeReadBeyondTheirEnd) {
   // Under a sanitizer, that no row is too near to the end of its memory.
   for (std::uint32_t count = 1; count < 12; ++count) {
-    CellRows cells(count, 1);
+    NeighborRows cells(count, 1);
     Indices which;
     auto found = everySome(0, count, 1, which);
     cells.add(which, std::move(found));
     for (std::uint32_t cell = 0; cell < count; ++cell) {
       expectEverySome(cells, cell);
       const auto* edges = cells.edges(cell).data();
-      EXPECT_NE(std::accumulate(edges, edges + CellRows::readable, std::int64_t{0}), -1);
+      EXPECT_NE(std::accumulate(edges, edges + NeighborRows::readable, std::int64_t{0}), -1);
     }
   }
 }
 
-TEST(CellRows, RememberLargeCells) {
-  CellRows cells(5, 2);
+TEST(NeighborRows, RememberLargeCells) {
+  NeighborRows cells(5, 2);
   CellNeighbors found{{certified, certified, certified}, {0}, {}};
   for (const std::size_t edges :
-       {CellRows::usual_edges + 1, CellRows::usual_edges, CellRows::usual_edges + 9}) {
+       {NeighborRows::usual_edges + 1, NeighborRows::usual_edges, NeighborRows::usual_edges + 9}) {
     found.neighbor.resize(found.neighbor.size() + edges, 0);
     found.first.push_back(found.neighbor.size());
   }
