@@ -44,7 +44,7 @@ TEST(Cells, passAsTheyAreWithoutTies) {
   const auto rows = rowsOf(set);
   const auto result = assemble(set, cellsOf(rows));
   ASSERT_TRUE(result.disputed.empty());
-  EXPECT_EQ(result.rough, 0u);
+  EXPECT_EQ(result.suspect, 0u);
   EXPECT_EQ(broken(result.diagram), "");
   for (std::size_t i = 0; i < set.size(); ++i) {
     Neighbors expected;

@@ -137,7 +137,7 @@ inline CellNeighbors cellsOf(const Rows& rows) {
 /// What the assembly makes of proposed cells; `diagram` is complete when nothing is in dispute.
 struct Assembled {
   Diagram diagram;
-  std::size_t rough = 0;
+  std::size_t suspect = 0;
   std::size_t tied_vertices = 0;
   std::vector<std::uint32_t> disputed;
 };
@@ -158,10 +158,10 @@ inline Assembled assemble(const SiteSet& set, CellNeighbors found, int threads =
   const Records records{prepared.set, Unscale(0), by_input};
   const EdgeIndex index(cells, threads);
   const ProposedCells proposed{set, cells, index, threads};
-  std::vector<std::uint8_t> rough(set.size());
-  checkCells(proposed, records, rough);
-  result.rough = static_cast<std::size_t>(std::count(rough.begin(), rough.end(), 1));
-  const auto tied = untieCells(proposed, rough, Fineness{}, Disputes::are_listed);
+  std::vector<std::uint8_t> suspect(set.size());
+  checkCells(proposed, records, suspect);
+  result.suspect = static_cast<std::size_t>(std::count(suspect.begin(), suspect.end(), 1));
+  const auto tied = untieCells(proposed, suspect, Fineness{}, Disputes::are_listed);
   result.disputed = tied->disputed;
   result.tied_vertices = tied->position.size();
   if (!tied->disputed.empty()) return result;

@@ -121,21 +121,21 @@ class Agreeing {
         records_(records),
         report_(report),
         efforts_(input.sites.size()),
-        rough_(input.sites.size()) {}
+        suspect_(input.sites.size()) {}
 
   Result<TiedCells> run() {
     for (;;) {
       const EdgeIndex index(rows_, input_.threads);
       const ProposedCells proposed{sites_, rows_, index, input_.threads};
       if (all_changed_) {
-        checkCells(proposed, records_, rough_);
+        checkCells(proposed, records_, suspect_);
       } else {
-        checkCells(proposed, changed_, records_, rough_);
+        checkCells(proposed, changed_, records_, suspect_);
       }
       all_changed_ = false;
       changed_.clear();
       const auto disputes = resort_ == Resort::ties ? Disputes::are_ties : Disputes::are_listed;
-      auto tied = untieCells(proposed, rough_, fineness_, disputes);
+      auto tied = untieCells(proposed, suspect_, fineness_, disputes);
       if (!tied) return tied;
       const auto done = mend(proposed, *tied);
       if (!done) return tl::unexpected(done.error());
@@ -158,7 +158,7 @@ class Agreeing {
 
   /// Changes cells that are in dispute or not sure enough; true if there are none.
   Result<bool> mend(const ProposedCells& proposed, const TiedCells& tied) {
-    for (const auto cell : tied.enclosed) rough_[cell] = 1;
+    for (const auto cell : tied.enclosed) suspect_[cell] = 1;
     if (!tied.enclosed.empty()) return false;
     const bool agreed = tied.disputed.empty();
     const auto doubtful = agreed ? cellsOfTies(proposed, tied) : tied.disputed;
@@ -216,7 +216,7 @@ class Agreeing {
     if (resort_ == Resort::judge && findAllInMesh(input_, rows_)) {
       report_.exact += sites_.size();
       resort_ = Resort::mesh;
-      rough_.assign(rough_.size(), 0);
+      suspect_.assign(suspect_.size(), 0);
       all_changed_ = true;
     } else {
       resort_ = Resort::ties;
@@ -231,7 +231,7 @@ class Agreeing {
   Report& report_;
   Efforts efforts_;
   Fineness fineness_;
-  std::vector<std::uint8_t> rough_;
+  std::vector<std::uint8_t> suspect_;
   std::vector<std::uint32_t> changed_;
   bool all_changed_ = true;
   Resort resort_ = Resort::judge;

@@ -269,22 +269,25 @@ class Untying {
 };
 
 /// The first cell from `begin` on that is marked with 1; as many as there are if none is.
-std::size_t nextMarked(std::span<const std::uint8_t> rough, std::size_t begin) {
-  const auto* found = begin < rough.size() ? std::memchr(&rough[begin], 1, rough.size() - begin) : nullptr;
-  return found == nullptr ? rough.size()
-                          : static_cast<std::size_t>(static_cast<const std::uint8_t*>(found) - rough.data());
+std::size_t nextMarked(std::span<const std::uint8_t> suspect, std::size_t begin) {
+  const auto* found =
+      begin < suspect.size() ? std::memchr(&suspect[begin], 1, suspect.size() - begin) : nullptr;
+  return found == nullptr
+             ? suspect.size()
+             : static_cast<std::size_t>(static_cast<const std::uint8_t*>(found) - suspect.data());
 }
 
 }  // namespace
 
-Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std::uint8_t> rough,
+Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std::uint8_t> suspect,
                              const Fineness& fineness, Disputes disputes) {
   TiedCells tied;
   tied.first.push_back(0);
-  for (std::size_t cell = nextMarked(rough, 0); cell < rough.size(); cell = nextMarked(rough, cell + 1)) {
+  for (std::size_t cell = nextMarked(suspect, 0); cell < suspect.size();
+       cell = nextMarked(suspect, cell + 1)) {
     if (tied.cell.empty()) {
-      tied.entry.reserve(rough.size());
-      tied.entry.assign(rough.size(), TiedCells::not_tied);
+      tied.entry.reserve(suspect.size());
+      tied.entry.assign(suspect.size(), TiedCells::not_tied);
     }
     tied.entry[cell] = static_cast<std::uint32_t>(tied.cell.size());
     tied.cell.push_back(static_cast<std::uint32_t>(cell));

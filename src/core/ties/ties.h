@@ -38,7 +38,7 @@ struct TiedCells {
 /// What becomes of edges that their cells see differently.
 enum class Disputes : std::uint8_t { are_listed, are_ties };
 
-/// Joins the corners of the cells marked in `rough`. Two corners are one vertex when a tie lies between
+/// Joins the corners of the cells marked in `suspect`. Two corners are one vertex when a tie lies between
 /// them, or when they are ends of the same edge in its two cells. The vertex is a corner of the domain
 /// if walls of both directions meet in it, else where its lowest corner on a wall is, so that ties do not
 /// pull the domain's border inward; else the center of the circle through three sites far apart that meet
@@ -58,7 +58,7 @@ enum class Disputes : std::uint8_t { are_listed, are_ties };
 /// all cells around an edge that is turned around, or is far longer than the ties that join its ends. With
 /// Disputes::are_ties, for cells that are exact already, only the first are: every other edge in dispute is a
 /// tie, in both of its cells.
-Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std::uint8_t> rough,
+Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std::uint8_t> suspect,
                              const Fineness& fineness, Disputes disputes);
 
 /// What is left of tied cell k without its ties: the numbers of its edges, from that of the smallest

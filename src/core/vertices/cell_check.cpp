@@ -15,12 +15,12 @@ constexpr std::size_t most_at_once = 4096;
 
 class Checking {
  public:
-  Checking(const ProposedCells& proposed, const Records& records, std::span<std::uint8_t> rough)
+  Checking(const ProposedCells& proposed, const Records& records, std::span<std::uint8_t> suspect)
       : proposed_(proposed),
         sites_(proposed.sites),
         cells_(proposed.cells),
         records_(records),
-        rough_(rough),
+        suspect_(suspect),
         batch_(proposed.sites) {}
 
   void check(std::uint32_t cell) {
@@ -58,7 +58,7 @@ class Checking {
  private:
   void mark(std::int32_t neighbor) {
     if (neighbor < 0 || static_cast<std::size_t>(neighbor) >= sites_.size()) return;
-    std::atomic_ref(rough_[static_cast<std::size_t>(neighbor)]).store(1, std::memory_order_relaxed);
+    std::atomic_ref(suspect_[static_cast<std::size_t>(neighbor)]).store(1, std::memory_order_relaxed);
   }
 
   /// Whether edge e of `cell` begins, in the cell on its other side, where it begins here. Done for all
@@ -139,7 +139,7 @@ class Checking {
   const SiteSet& sites_;
   const NeighborRows& cells_;
   const Records& records_;
-  std::span<std::uint8_t> rough_;
+  std::span<std::uint8_t> suspect_;
   CornerBatch batch_;
   std::vector<AnchoredPoint> places_;
 };
@@ -163,11 +163,11 @@ class Checking {
 /// Checks the cells cellAt(0) to cellAt(count - 1).
 template <class CellAt>
 void checkSome(const ProposedCells& proposed, std::size_t count, const CellAt& cellAt, const Records& records,
-               std::span<std::uint8_t> rough) {
+               std::span<std::uint8_t> suspect) {
   parallelFor(
       count, grainFor(count, most_at_once), proposed.threads, [&](std::size_t begin, std::size_t end) {
         for (auto k = begin; k < end; ++k) announceBeyond(proposed, cellAt(k));
-        Checking checking(proposed, records, rough);
+        Checking checking(proposed, records, suspect);
         forCellsBySize(proposed.cells, begin, end, cellAt, [&](std::uint32_t cell) { checking.check(cell); });
         checking.finish();
       });
@@ -194,14 +194,14 @@ bool isRightlyEmpty(const SiteSet& sites, const NeighborRows& cells, std::size_t
 }
 
 void checkCells(const ProposedCells& proposed, std::span<const std::uint32_t> which, const Records& records,
-                std::span<std::uint8_t> rough) {
+                std::span<std::uint8_t> suspect) {
   checkSome(
-      proposed, which.size(), [&](std::size_t k) { return which[k]; }, records, rough);
+      proposed, which.size(), [&](std::size_t k) { return which[k]; }, records, suspect);
 }
 
-void checkCells(const ProposedCells& proposed, const Records& records, std::span<std::uint8_t> rough) {
+void checkCells(const ProposedCells& proposed, const Records& records, std::span<std::uint8_t> suspect) {
   const auto all = [](std::size_t cell) { return static_cast<std::uint32_t>(cell); };
-  checkSome(proposed, proposed.sites.size(), all, records, rough);
+  checkSome(proposed, proposed.sites.size(), all, records, suspect);
 }
 
 }  // namespace vorpipe::core

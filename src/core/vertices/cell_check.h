@@ -19,16 +19,16 @@ struct ProposedCells {
 
 /// Checks the cells `which` in double. A cell passes when each edge is longer than a tie, and both cells
 /// of each edge name the same sites and walls at its ends, and it is measured into `records`. A cell that
-/// does not, and one beside a tie, is marked in `rough`, which has an element for each cell: it is
+/// does not, and one beside a tie, is marked in `suspect`, which has an element for each cell: it is
 /// untieCells' to say whether ties excuse it.
 ///
 /// Where all cells pass, every edge is locally Delaunay, and the cells fit together all around every
 /// vertex: the diagram is right.
 void checkCells(const ProposedCells& proposed, std::span<const std::uint32_t> which, const Records& records,
-                std::span<std::uint8_t> rough);
+                std::span<std::uint8_t> suspect);
 
 /// The same for all cells.
-void checkCells(const ProposedCells& proposed, const Records& records, std::span<std::uint8_t> rough);
+void checkCells(const ProposedCells& proposed, const Records& records, std::span<std::uint8_t> suspect);
 
 /// Whether a cell could be one: certified, of at least three edges, which lead to other sites and walls.
 bool isWellFormed(const SiteSet& sites, const NeighborRows& cells, std::size_t cell);
