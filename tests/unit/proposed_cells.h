@@ -161,7 +161,7 @@ inline Assembled assemble(const SiteSet& set, CellNeighbors found, int threads =
   std::vector<std::uint8_t> suspect(set.size());
   checkCells(proposed, records, suspect);
   result.suspect = static_cast<std::size_t>(std::count(suspect.begin(), suspect.end(), 1));
-  const auto tied = untieCells(proposed, suspect, Fineness{}, Disputes::are_listed);
+  const auto tied = resolveTies(proposed, suspect, Fineness{}, Disputes::are_listed);
   result.disputed = tied->disputed;
   result.tied_vertices = tied->position.size();
   if (!tied->disputed.empty()) return result;

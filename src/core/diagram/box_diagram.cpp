@@ -23,7 +23,7 @@ namespace {
 /// found again.
 Result<TiedCells> agree(const SearchInput& input, NeighborRows& rows, const Records& records,
                         const Box& domain, Report& report) {
-  auto tied = agreeOnCells(input, rows, records, report);
+  auto tied = reconcileCells(input, rows, records, report);
   if (!tied || std::abs(areaGap(records.by_input, domain, input.threads)) <= area_rounding) return tied;
   std::vector<std::uint32_t> all(input.sites.size());
   std::iota(all.begin(), all.end(), 0u);
@@ -31,7 +31,7 @@ Result<TiedCells> agree(const SearchInput& input, NeighborRows& rows, const Reco
     return tl::unexpected(found.error());
   }
   report.in_double += all.size();
-  tied = agreeOnCells(input, rows, records, report);
+  tied = reconcileCells(input, rows, records, report);
   if (!tied) return tied;
   const double gap = areaGap(records.by_input, domain, input.threads);
   if (std::abs(gap) <= area_wrong) return tied;

@@ -69,8 +69,8 @@ Arrays planNeighbors(MemoryPlan& plan, const Workload& work, std::uint64_t sites
   return kept;
 }
 
-/// Plans agreeOnCells: a tied cell has a corner for each edge, and each vertex has three corners, or more at
-/// ties.
+/// Plans reconcileCells: a tied cell has a corner for each edge, and each vertex has three corners, or more
+/// at ties.
 Arrays planTies(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
   const std::string_view what = "vertices at ties";
   const auto cells = partOf(sites, work.spread.tied);

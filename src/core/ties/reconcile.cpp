@@ -135,7 +135,7 @@ class Agreeing {
       all_changed_ = false;
       changed_.clear();
       const auto disputes = resort_ == Resort::ties ? Disputes::are_ties : Disputes::are_listed;
-      auto tied = untieCells(proposed, suspect_, fineness_, disputes);
+      auto tied = resolveTies(proposed, suspect_, fineness_, disputes);
       if (!tied) return tied;
       const auto done = mend(proposed, *tied);
       if (!done) return tl::unexpected(done.error());
@@ -239,8 +239,8 @@ class Agreeing {
 
 }  // namespace
 
-Result<TiedCells> agreeOnCells(const SearchInput& input, NeighborRows& rows, const Records& records,
-                               Report& report) {
+Result<TiedCells> reconcileCells(const SearchInput& input, NeighborRows& rows, const Records& records,
+                                 Report& report) {
   return Agreeing(input, rows, records, report).run();
 }
 

@@ -11,7 +11,7 @@ namespace vorpipe::core {
 /// exactly, until none is left; `rows` changes accordingly, and `report` counts them. What comes
 /// back says where the cells differ from the rows: at ties.
 /// Errors: those of the judge; cells that disagree even so.
-Result<TiedCells> agreeOnCells(const SearchInput& input, NeighborRows& rows, const Records& records,
-                               Report& report);
+Result<TiedCells> reconcileCells(const SearchInput& input, NeighborRows& rows, const Records& records,
+                                 Report& report);
 
 }  // namespace vorpipe::core

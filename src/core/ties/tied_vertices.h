@@ -7,7 +7,7 @@
 namespace vorpipe::core {
 
 /// Makes one vertex of each set of corners: numbers them, finds out which cells meet there, and places
-/// them, as untieCells says.
+/// them, as resolveTies says.
 void makeVertices(const ProposedCells& proposed, DisjointSets& corners, TiedCells& tied);
 
 }  // namespace vorpipe::core

@@ -279,8 +279,8 @@ std::size_t nextMarked(std::span<const std::uint8_t> suspect, std::size_t begin)
 
 }  // namespace
 
-Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std::uint8_t> suspect,
-                             const Fineness& fineness, Disputes disputes) {
+Result<TiedCells> resolveTies(const ProposedCells& proposed, std::span<const std::uint8_t> suspect,
+                              const Fineness& fineness, Disputes disputes) {
   TiedCells tied;
   tied.first.push_back(0);
   for (std::size_t cell = nextMarked(suspect, 0); cell < suspect.size();

@@ -58,8 +58,8 @@ enum class Disputes : std::uint8_t { are_listed, are_ties };
 /// all cells around an edge that is turned around, or is far longer than the ties that join its ends. With
 /// Disputes::are_ties, for cells that are exact already, only the first are: every other edge in dispute is a
 /// tie, in both of its cells.
-Result<TiedCells> untieCells(const ProposedCells& proposed, std::span<const std::uint8_t> suspect,
-                             const Fineness& fineness, Disputes disputes);
+Result<TiedCells> resolveTies(const ProposedCells& proposed, std::span<const std::uint8_t> suspect,
+                              const Fineness& fineness, Disputes disputes);
 
 /// What is left of tied cell k without its ties: the numbers of its edges, from that of the smallest
 /// neighbor. A corner after which only ties follow is left out, so that each vertex

@@ -20,7 +20,7 @@ struct ProposedCells {
 /// Checks the cells `which` in double. A cell passes when each edge is longer than a tie, and both cells
 /// of each edge name the same sites and walls at its ends, and it is measured into `records`. A cell that
 /// does not, and one beside a tie, is marked in `suspect`, which has an element for each cell: it is
-/// untieCells' to say whether ties excuse it.
+/// resolveTies' to say whether ties excuse it.
 ///
 /// Where all cells pass, every edge is locally Delaunay, and the cells fit together all around every
 /// vertex: the diagram is right.
