@@ -2,7 +2,7 @@
 // file defines before it
 //   cell_int firstOfBin(cell_int bin)  the first site of a bin, row by row; at columns * rows, the number of sites
 // and with WEIGHTED
-//   real leadOf(cell_int number)  a number of Grid::heaviest minus the weight of the cell's site, rounded up
+//   real weightExcess(cell_int number)  a number of Grid::heaviest minus the weight of the cell's site, rounded up
 //   int heavyAt(int k)            site k of SiteSet::heavy
 //
 // The sites stand bin by bin, so that bins side by side in a row are one run of sites.
@@ -200,7 +200,7 @@ cell_bool isLeft(IN(BinRange) range, int step, cell_int column, cell_int row) {
 #ifdef WEIGHTED
 // By how much the sites of the bins in `range`, but for the heavy ones, are heavier than the cell's own: a
 // bound from above. It comes from the finest level of Grid::heaviest where the range has few numbers.
-real leadIn(IN(Bins) bins, IN(BinRange) range) {
+real weightExcessIn(IN(Bins) bins, IN(BinRange) range) {
     cell_int first = cell_int(0);
     cell_int columns = cell_int(bins.columns);
     cell_int rows = cell_int(bins.rows);
@@ -216,18 +216,18 @@ real leadIn(IN(Bins) bins, IN(BinRange) range) {
         seen.north = many ? seen.north / 2 : seen.north;
         many = seen.east - seen.west > 2 || seen.north - seen.south > 2;
     }
-    real lead = -FAR;
+    real weight_excess = -FAR;
     UNROLL for (int k = 0; k < 9; k++) {
         cell_int column = min(seen.west + k % 3, seen.east);
         cell_int row = min(seen.south + k / 3, seen.north);
-        real here = leadOf(first + row * columns + column);
-        lead = here > lead ? here : lead;
+        real here = weightExcess(first + row * columns + column);
+        weight_excess = here > weight_excess ? here : weight_excess;
     }
-    return lead;
+    return weight_excess;
 }
 
 // The same of all sites.
-real leadOfAll(IN(Bins) bins) {
+real weightExcessOfAll(IN(Bins) bins) {
     int top = 0;
     int columns = bins.columns;
     int rows = bins.rows;
@@ -236,6 +236,6 @@ real leadOfAll(IN(Bins) bins) {
         columns = (columns + 1) / 2;
         rows = (rows + 1) / 2;
     }
-    return leadOf(cell_int(top));
+    return weightExcess(cell_int(top));
 }
 #endif

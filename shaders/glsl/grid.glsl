@@ -4,8 +4,8 @@
 //   cell_int firstOfBin(cell_int bin)  the first site of a bin, row by row; at columns * rows, the number of sites
 //   vec2 offsetTo(cell_int place)  the site at `place` minus the site of the cell, exact or nearly so
 // and with WEIGHTED, besides what bins.glsl wants,
-//   real weightAgainst(cell_int place)  the weight of the cell's site minus that of the site at `place`
-//   real weightNear(cell_int place)     the larger of the two, by amount; for what is drawn
+//   real weightDifference(cell_int place)  the weight of the cell's site minus that of the site at `place`
+//   real weightNear(cell_int place)        the larger of the two, by amount; for what is drawn
 // and defines or not
 //   DRAWN  whether cells are drawn: then what a device's roots and quotients lose is bounded and, with a negative
 //          outset, cells are shrunk
@@ -32,7 +32,7 @@ struct Viewpoint {
     vec2 shift;     // the way from the origin of its cell to it
     vec2 outset;    // that of searchBlock
 #ifdef WEIGHTED
-    real lead;  // bounds by how much a site that is left to try is heavier than the cell's own
+    real weight_excess;  // bounds by how much a site that is left to try is heavier than the cell's own
 #endif
 };
 
@@ -95,7 +95,7 @@ Bisector bisectorWith(IN(Viewpoint) view, cell_int place) {
     b.n = vec2(b.apart ? d.x * inverse : real(1.0), d.y * inverse);
     real h = real(0.5) * distance + (view.shift.x * b.n.x + view.shift.y * b.n.y);
 #ifdef WEIGHTED
-    h += real(0.5) * weightAgainst(place) * inverse;
+    h += real(0.5) * weightDifference(place) * inverse;
 #endif
     real wider = abs(b.n.x) * view.outset.x + abs(b.n.y) * view.outset.y;
     b.h = b.apart ? h + wider : FAR;
@@ -150,7 +150,7 @@ cell_bool mayCut(IN(Vertices) v, IN(Viewpoint) view, cell_int place) {
     }
     real halfway = real(0.49999) * (d.x * d.x + d.y * d.y) + (view.shift.x * d.x + view.shift.y * d.y);
 #ifdef WEIGHTED
-    real against = real(0.5) * weightAgainst(place);
+    real against = real(0.5) * weightDifference(place);
     halfway += against - real(0.00001) * abs(against);
 #endif
 #ifdef DRAWN
@@ -177,10 +177,10 @@ vec4 flowerBox(IN(Cell) c, IN(Viewpoint) view) {
         cell_bool edge = isEdge(c, k);
 #ifdef WEIGHTED
         real away = sqrt(d.x * d.x + d.y * d.y) + inward;
-        real squared = away * away * (real(1.0) + real(64.0) * ROUNDING) + view.lead;
+        real squared = away * away * (real(1.0) + real(64.0) * ROUNDING) + view.weight_excess;
         cell_bool some = squared > real(0.0);
         edge = edge && some;
-        real radius = sqrt(some ? squared : real(0.0)) + real(32.0) * ROUNDING * (away + sqrt(abs(view.lead)));
+        real radius = sqrt(some ? squared : real(0.0)) + real(32.0) * ROUNDING * (away + sqrt(abs(view.weight_excess)));
         radius += inward;
 #else
         real radius = sqrt(d.x * d.x + d.y * d.y) * (real(1.0) + real(32.0) * ROUNDING) + real(2.0) * inward;
@@ -258,13 +258,13 @@ cell_bool cutByBlock(INOUT(Cell) c, IN(Viewpoint) view, IN(Runs) runs, cell_bool
 
 #ifdef WEIGHTED
 // The box of all sites that can cut the cell, but for those in `heavy`; where sites are left to try, lowers
-// view.lead to what the bins in it say: a site that can cut is no heavier, so it lies in the box, whose bins
-// bound its weight.
+// view.weight_excess to what the bins in it say: a site that can cut is no heavier, so it lies in the box, whose
+// bins bound its weight.
 vec4 boxLeft(IN(Cell) c, IN(Bins) bins, INOUT(Viewpoint) view, cell_bool left, int rounds) {
     vec4 box = flowerBox(c, view);
     UNROLL for (int round = 0; round < rounds; round++) {
-        real lead = min(view.lead, leadIn(bins, binsOf(bins, box)));
-        view.lead = left ? lead : view.lead;
+        real weight_excess = min(view.weight_excess, weightExcessIn(bins, binsOf(bins, box)));
+        view.weight_excess = left ? weight_excess : view.weight_excess;
         box = flowerBox(c, view);
     }
     return box;
@@ -303,7 +303,7 @@ Search searchBlock(INOUT(Cell) c, IN(Bins) bins, vec4 walls, vec2 outset, cell_i
     s.left = s.tried <= bins.most;
     s.certain = cutByBlock(c, s.view, runs, s.left);
 #ifdef WEIGHTED
-    s.view.lead = leadOfAll(bins);
+    s.view.weight_excess = weightExcessOfAll(bins);
     s.box = boxLeft(c, bins, s.view, s.left, 2);
 #else
     s.box = flowerBox(c, s.view);

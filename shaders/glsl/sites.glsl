@@ -28,7 +28,7 @@ vec2 offsetTo(int place) { return offsetFromHere(siteAt(place)); }
 #ifdef WEIGHTED
 vec2 weight_here;
 
-real weightAgainst(int place) {
+real weightDifference(int place) {
     vec2 other = weightAt(place);
     precise float difference = (weight_here.x - other.x) + (weight_here.y - other.y);
     return difference;
@@ -36,9 +36,9 @@ real weightAgainst(int place) {
 
 real weightNear(int place) { return max(abs(weight_here.x), abs(weightAt(place).x)); }
 
-real leadOf(int number) {
-    precise float lead = (heaviestAt(number) - weight_here.x) - weight_here.y;
-    return lead + abs(lead) * (2.0 * ROUNDING);
+real weightExcess(int number) {
+    precise float weight_excess = (heaviestAt(number) - weight_here.x) - weight_here.y;
+    return weight_excess + abs(weight_excess) * (2.0 * ROUNDING);
 }
 
 int heavyAt(int k) { return site_grid.heavy[k / 4][k % 4]; }

@@ -91,7 +91,7 @@ struct Words {
     const auto high = static_cast<float>(sites->weight[i]);
     return {high, static_cast<float>(sites->weight[i] - static_cast<double>(high))};
   }
-  [[nodiscard]] Sloppy weightAgainst(int place) const {
+  [[nodiscard]] Sloppy weightDifference(int place) const {
     const auto mine = weightAt(whose), other = weightAt(static_cast<std::size_t>(place));
     return (mine.first - other.first) + (mine.second - other.second);
   }
@@ -99,9 +99,10 @@ struct Words {
     return std::max(std::abs(weightAt(whose).first),
                     std::abs(weightAt(static_cast<std::size_t>(place)).first));
   }
-  [[nodiscard]] Sloppy leadOf(int number) const {
-    const double lead = sites->grid.heaviest[static_cast<std::size_t>(number)] - sites->weight[whose];
-    return std::clamp(lead + std::abs(lead) * 1e-6, -1e30, 1e30);
+  [[nodiscard]] Sloppy weightExcess(int number) const {
+    const double weight_excess =
+        sites->grid.heaviest[static_cast<std::size_t>(number)] - sites->weight[whose];
+    return std::clamp(weight_excess + std::abs(weight_excess) * 1e-6, -1e30, 1e30);
   }
   [[nodiscard]] int heavyAt(int k) const {
     return static_cast<int>(sites->heavy[static_cast<std::size_t>(k)]);

@@ -56,12 +56,13 @@ struct RationalCell {
   [[nodiscard]] bool isClearlyNearerThan(const WeightedSite& other) const {
     const double dx = other.x - site.x;
     const double dy = other.y - site.y;
-    const double lead = site.weight - other.weight;
+    const double weight_difference = site.weight - other.weight;
     return std::all_of(offset.begin(), offset.end(), [&](const Point& p) {
       const double along = 2 * (p.x * dx + p.y * dy);
       const double squared = dx * dx + dy * dy;
-      const double all = 2 * (std::abs(p.x * dx) + std::abs(p.y * dy)) + squared + std::abs(lead);
-      return along - squared - lead < -1e-9 * all;
+      const double all =
+          2 * (std::abs(p.x * dx) + std::abs(p.y * dy)) + squared + std::abs(weight_difference);
+      return along - squared - weight_difference < -1e-9 * all;
     });
   }
 
@@ -82,9 +83,9 @@ struct RationalCell {
     const Rational ay = site.y;
     const Rational bx = other.x;
     const Rational by = other.y;
-    const Rational lead = Rational(site.weight) - Rational(other.weight);
+    const Rational weight_difference = Rational(site.weight) - Rational(other.weight);
     const auto excess = [&](const Corner& p) {
-      return Rational((2 * p.x - ax - bx) * (bx - ax) + (2 * p.y - ay - by) * (by - ay) - lead);
+      return Rational((2 * p.x - ax - bx) * (bx - ax) + (2 * p.y - ay - by) * (by - ay) - weight_difference);
     };
     std::vector<Corner> kept;
     std::vector<std::int32_t> lines;

@@ -67,7 +67,8 @@ TEST(DiffIds, distancesAreInPixelsThatAreNotSquare) {
 }
 
 TEST(DiffIds, distancesAreByWeight) {
-  // The bisector of beside(0, domain) moves by lead / (2 * 0.5 * side): here by 3 pixels, to the right.
+  // The bisector of beside(0, domain) moves by the difference of weights / (2 * 0.5 * side): here by 3
+  // pixels, to the right.
   for (const double side : {1.0, 40.0}) {
     const Box domain{0, 0, side, side * height / width};
     auto sites = beside(0, domain);

@@ -44,14 +44,14 @@ struct WeightedClipper {
     const auto i = static_cast<std::size_t>(place);
     return vec2(static_cast<real>(sites->x[i] - site_x), static_cast<real>(sites->y[i] - site_y));
   }
-  static real lead(double own, double other) {
+  static real weightDifference(double own, double other) {
     return static_cast<real>(std::clamp(own - other, -1e18, 1e18));
   }
-  [[nodiscard]] real weightAgainst(int place) const {
-    return lead(weight, sites->weight[static_cast<std::size_t>(place)]);
+  [[nodiscard]] real weightDifference(int place) const {
+    return weightDifference(weight, sites->weight[static_cast<std::size_t>(place)]);
   }
-  [[nodiscard]] real leadOf(int number) const {
-    const real heavier = -lead(weight, sites->grid.heaviest[static_cast<std::size_t>(number)]);
+  [[nodiscard]] real weightExcess(int number) const {
+    const real heavier = -weightDifference(weight, sites->grid.heaviest[static_cast<std::size_t>(number)]);
     return heavier + std::abs(heavier) * 1.2e-7F;
   }
   [[nodiscard]] int heavyAt(int k) const {

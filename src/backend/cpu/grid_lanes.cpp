@@ -40,7 +40,7 @@ struct Searched {
     search.box.w[count] = from.search.box.w[lane];
 #ifdef WEIGHTED
     cell.last[count] = from.cell.last[lane];
-    search.view.lead[count] = from.search.view.lead[lane];
+    search.view.weight_excess[count] = from.search.view.weight_excess[lane];
 #endif
     ++count;
   }
@@ -102,7 +102,7 @@ class Finding {
     search.left = far.search.left;
     search.box = far.search.box;
 #ifdef WEIGHTED
-    search.view.lead = far.search.view.lead;
+    search.view.weight_excess = far.search.view.weight_excess;
 #endif
     clip_.searchBeyond(far.cell, place.bins, search);
     far.search = search;

@@ -12,7 +12,7 @@ constexpr std::size_t width = lane_count;
 
 #ifdef WEIGHTED
 /// Differences of weights. What is larger than this lies beyond any domain, and squares must be finite.
-inline Reals leadOver(const Doubles& own, const Doubles& other) {
+inline Reals differenceOf(const Doubles& own, const Doubles& other) {
   const Doubles most = 1e18 - Doubles{};
   return toReals(max(-most, min(most, own - other)));
 }
@@ -46,13 +46,13 @@ struct Clip {
   const double *weights, *heaviest;
   const std::uint32_t* heavy;
   Doubles weight;  ///< of the cells' sites
-  [[nodiscard]] real weightAgainst(const cell_int& place) const {
-    return leadOver(weight, gather(weights, place));
+  [[nodiscard]] real weightDifference(const cell_int& place) const {
+    return differenceOf(weight, gather(weights, place));
   }
   [[nodiscard]] int heavyAt(int k) const { return static_cast<int>(heavy[k]); }
-  [[nodiscard]] real leadOf(const cell_int& number) const {
-    const real lead = -leadOver(weight, gather(heaviest, number));
-    return lead + abs(lead) * 1.2e-7F;
+  [[nodiscard]] real weightExcess(const cell_int& number) const {
+    const real weight_excess = -differenceOf(weight, gather(heaviest, number));
+    return weight_excess + abs(weight_excess) * 1.2e-7F;
   }
 #endif
 

@@ -30,7 +30,7 @@ struct Shift {
 template <class Real>
 struct Offset {
   Real x, y;
-  Real lead;  ///< the weight of the cell's own site minus the other's
+  Real weight_difference;  ///< the weight of the cell's own site minus the other's
 };
 
 /// In parts of tieScale, as shortest_edge. A site that was left out has no edge for sure if that were no

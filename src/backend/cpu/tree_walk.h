@@ -113,7 +113,7 @@ class TreeWalk {
   void findCorners();
   void placeCorner(std::size_t corner, std::size_t before, std::size_t after);
   [[nodiscard]] bool hasWeights() const { return !tree_.weight.empty(); }
-  [[nodiscard]] Real leadOver(double weight) const;
+  [[nodiscard]] Real weightDifference(double weight) const;
   [[nodiscard]] Offset<Real> offsetTo(std::uint32_t site) const;
   [[nodiscard]] Offset<Real> offsetToPlace(std::uint32_t place) const;
   [[nodiscard]] Real depthOf(std::size_t corner, const Offset<Real>& d) const;

@@ -8,7 +8,7 @@ namespace vorpipe::cpu {
 /// By how much a turned box may be off, for its direction is rounded to double: part of a distance squared.
 constexpr double box_rounding = 4e-15;
 template <class Real, std::size_t Room>
-Real TreeWalk<Real, Room>::leadOver(double weight) const {
+Real TreeWalk<Real, Room>::weightDifference(double weight) const {
   return differenceOf<Real>(weight_, weight);
 }
 
@@ -20,21 +20,21 @@ Offset<Real> TreeWalk<Real, Room>::offsetTo(std::uint32_t site) const {
 template <class Real, std::size_t Room>
 Offset<Real> TreeWalk<Real, Room>::offsetToPlace(std::uint32_t place) const {
   return {differenceOf<Real>(tree_.x[place], site_x_), differenceOf<Real>(tree_.y[place], site_y_),
-          hasWeights() ? leadOver(tree_.weight[place]) : Real(0.0)};
+          hasWeights() ? weightDifference(tree_.weight[place]) : Real(0.0)};
 }
 
 /// Part of a difference of weights by which rounding may be off in a depth: d is squared, and what it is
 /// the difference of may be as large.
 template <class Real>
-Real leadNoise(const Real& lead) {
+Real weightNoise(const Real& weight_difference) {
   using real = Real;
-  return Real(16.0) * ROUNDING * abs(lead);
+  return Real(16.0) * ROUNDING * abs(weight_difference);
 }
 
 /// How deep the site at d lies in the circle around a corner, as a difference of powers.
 template <class Real, std::size_t Room>
 Real TreeWalk<Real, Room>::depthOf(std::size_t corner, const Offset<Real>& d) const {
-  return Real(2.0) * (x_[corner] * d.x + y_[corner] * d.y) - (d.x * d.x + d.y * d.y) - d.lead;
+  return Real(2.0) * (x_[corner] * d.x + y_[corner] * d.y) - (d.x * d.x + d.y * d.y) - d.weight_difference;
 }
 
 /// By how much rounding may be off in that: where the corner may lie along its lines counts only as far as
@@ -43,22 +43,22 @@ template <class Real, std::size_t Room>
 Real TreeWalk<Real, Room>::noiseOf(std::size_t corner, const Offset<Real>& d) const {
   const Real cross = line_x_[corner] * d.y - line_y_[corner] * d.x;
   return Real(2.0) * (across_[corner] * (abs(d.x) + abs(d.y)) + noise_[corner] * abs(cross)) +
-         leadNoise(d.lead);
+         weightNoise(d.weight_difference);
 }
 
 /// Whether the site at d is nearer to a corner than the cell's own, whatever the noise; perhaps: whether
 /// it may be; wholly: whether it is to all corners.
 template <class Real, std::size_t Room>
 bool TreeWalk<Real, Room>::isCut(const Offset<Real>& d, bool& perhaps, bool& wholly) const {
-  const Real squared = d.x * d.x + d.y * d.y + d.lead;
+  const Real squared = d.x * d.x + d.y * d.y + d.weight_difference;
   const Real length = abs(d.x) + abs(d.y);
-  const Real lead_noise = leadNoise(d.lead);
+  const Real weight_noise = weightNoise(d.weight_difference);
   Real beyond[Room];
   Real noise[Room];
   for (std::size_t k = 0; k < corners_end_; ++k) {
     beyond[k] = Real(2.0) * (x_[k] * d.x + y_[k] * d.y) - squared;
     const Real cross = line_x_[k] * d.y - line_y_[k] * d.x;
-    noise[k] = Real(2.0) * (across_[k] * length + noise_[k] * abs(cross)) + lead_noise;
+    noise[k] = Real(2.0) * (across_[k] * length + noise_[k] * abs(cross)) + weight_noise;
   }
   Real most = -FAR;
   Real most_surely = -FAR;
@@ -78,7 +78,7 @@ void TreeWalk<Real, Room>::cut(const Offset<Real>& d, std::int32_t site) {
   const Real distance = sqrt(d.x * d.x + d.y * d.y);
   const Real inverse = Real(1.0) / distance;
   const vec2 n(d.x * inverse, d.y * inverse);
-  const Real moved = Real(0.5) * d.lead * inverse;
+  const Real moved = Real(0.5) * d.weight_difference * inverse;
   new_moved_ = abs(moved);
   new_apart_ = distance;
   clip_.cutCell(cell_, n, (Real(0.5) * distance + moved) + (shift_.x * n.x + shift_.y * n.y), site);
@@ -156,7 +156,7 @@ void TreeWalk<Real, Room>::takeOver(std::uint32_t site) {
       if (cell_.line[slot] < 0 || !(apart_[slot] < length) || !liesIn(slot, d, length)) continue;
       cell_.line[slot] = line_[slot] = static_cast<std::int32_t>(site);
       apart_[slot] = length;
-      moved_[slot] = abs(d.lead) / (Real(2.0) * length);
+      moved_[slot] = abs(d.weight_difference) / (Real(2.0) * length);
     }
   }
 }
@@ -183,7 +183,7 @@ template <class Real, std::size_t Room>
 bool TreeWalk<Real, Room>::isKnownAround() const {
   const auto& known = sites_.known;
   const auto heaviest = std::max(heaviest_anywhere_, tree_.bounds[1].heaviest);
-  const auto heavier = hasWeights() ? -static_cast<double>(leadOver(heaviest)) : 0.0;
+  const auto heavier = hasWeights() ? -static_cast<double>(weightDifference(heaviest)) : 0.0;
   const auto lift = heavier + box_rounding * std::abs(heavier);
   for (std::size_t k = 0; k < corners_; ++k) {
     const auto x = sites_.x[site_] + static_cast<double>(x_[k]);

@@ -28,7 +28,7 @@ struct TreeWalk<Real, Room>::Seen {
         lift{},
         root{} {
     if (!walk.hasWeights()) return;
-    const Real heavier = -walk.leadOver(bounds.heaviest);
+    const Real heavier = -walk.weightDifference(bounds.heaviest);
     lift = heavier + Real(box_rounding) * abs(heavier);
     root = Real(2.0) * sqrt(max(heavier, Real(0.0)));
   }

@@ -71,12 +71,13 @@ double squaredTo(const NearImage& image, Point p) { return dot(p - image.place, 
 
 /// By how much an image is nearer to p than another, squared.
 double leadOf(const CheckedSites& run, const NearImage& a, const NearImage& b, Point p) {
-  return squaredTo(b, p) - squaredTo(a, p) + run.lead(a.site, b.site);
+  return squaredTo(b, p) - squaredTo(a, p) + run.weightDifference(a.site, b.site);
 }
 
 /// What that may have lost to rounding, of places a period away as well.
 double leadRounding(const CheckedSites& run, const NearImage& a, const NearImage& b, Point p) {
-  const double of_squares = squaredTo(a, p) + squaredTo(b, p) + std::abs(run.lead(a.site, b.site));
+  const double of_squares =
+      squaredTo(a, p) + squaredTo(b, p) + std::abs(run.weightDifference(a.site, b.site));
   const double of_places = run.largest * (length(p - a.place) + length(p - b.place));
   return squared_rounding * (of_squares + of_places);
 }

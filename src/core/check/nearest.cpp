@@ -37,7 +37,7 @@ std::string wrongPlace(const CheckedCells& run, const NearestSite& nearest, std:
   const Point way = run.way(i, near.site, near.shift);
   if (way == Point{0, 0} || (run.diagram.owner[near.site] == i && length(way) <= run.rounding(i))) return {};
   const double rounding = run.rounding(i) + run.rounding(near.site);
-  const double beyond = beyondBisector(way, run.site(i), run.lead(i, near.site), p);
+  const double beyond = beyondBisector(way, run.site(i), run.weightDifference(i, near.site), p);
   return run.wrongAtAnyReach(i, [&](double reach) -> std::string {
     const double own_reach = run.weighted ? std::max(reach, length(way)) : length(p - run.site(i));
     if (beyond <= run.ties(own_reach) + rounding) return {};

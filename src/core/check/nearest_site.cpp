@@ -49,7 +49,7 @@ Powers powersIn(const CheckedSites& run, std::size_t i) {
     return Powers{std::max({from - at, 0.0, at - to}), std::max(at - from, to - at)};
   };
   const Powers x = away(p.x, low.x, high.x), y = away(p.y, low.y, high.y);
-  const double weight = run.lead(i, 0);
+  const double weight = run.weightDifference(i, 0);
   return {square(x.least) + square(y.least) - weight, square(x.most) + square(y.most) - weight};
 }
 
@@ -63,10 +63,10 @@ Cloud liftedCloud(const CheckedSites& run) {
   for (std::uint32_t i = 0; i < run.size(); ++i) {
     const Powers powers = powersIn(run, i);
     if (powers.least > bound + 64 * epsilon * (std::abs(bound) + std::abs(powers.least))) continue;
-    if (cloud.index.empty() || run.lead(i, heaviest) > 0) heaviest = i;
+    if (cloud.index.empty() || run.weightDifference(i, heaviest) > 0) heaviest = i;
     cloud.index.push_back(i);
   }
-  for (const auto i : cloud.index) cloud.height.push_back(std::sqrt(run.lead(heaviest, i)));
+  for (const auto i : cloud.index) cloud.height.push_back(std::sqrt(run.weightDifference(heaviest, i)));
   return cloud;
 }
 
@@ -107,7 +107,8 @@ std::uint32_t NearestSite::at(Point p) const {
   const CheckedSites& run = tree_->cloud.run;
   for (const auto site : allAt(p)) {
     const Point way = run.way(best, site);
-    if (way != Point{0, 0} && beyondBisector(way, run.site(best), run.lead(best, site), p) > 0) best = site;
+    if (way != Point{0, 0} && beyondBisector(way, run.site(best), run.weightDifference(best, site), p) > 0)
+      best = site;
   }
   return best;
 }

@@ -120,7 +120,7 @@ std::string wrongEdges(const CheckedCells& run, const CheckedOutline& outline, s
     const auto j = static_cast<std::size_t>(neighbor);
     const double slack = run.ties(reach) + run.rounding(i) + (neighbor < 0 ? 0 : run.rounding(j));
     const auto beyond = [&](Point p) {
-      return std::abs(beyondBisector(run.way(i, j), run.site(i), run.lead(i, j), p));
+      return std::abs(beyondBisector(run.way(i, j), run.site(i), run.weightDifference(i, j), p));
     };
     const Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
     const bool right = neighbor == wall_outline ? outline.at(middle, slack) == CheckedOutline::Side::edge

@@ -42,10 +42,11 @@ std::uint32_t trueId(const CheckedSites& run, const Rendering& rendering, const 
   const Point way = wayTo(run, own, near);
   if (dot(way, way) == 0) return id;
   // The bisector is that of two differences, and its place and that of p are as exact as these are long.
-  const double lead = run.lead(id, near.site);
-  const double lengths = length(p - own.place) + length(p - near.place) + std::abs(lead) / length(way);
+  const double weight_difference = run.weightDifference(id, near.site);
+  const double lengths =
+      length(p - own.place) + length(p - near.place) + std::abs(weight_difference) / length(way);
   const double rounding = 16 * epsilon * (lengths + extentOf(run));
-  return beyondBisector(way, own.place, lead, p) <= rounding ? id : rendering.owner[near.site];
+  return beyondBisector(way, own.place, weight_difference, p) <= rounding ? id : rendering.owner[near.site];
 }
 
 /// Whether a pixel without a site may be one, and the other way round: a pixel whose center is as near to the

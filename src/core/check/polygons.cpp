@@ -50,7 +50,7 @@ double beyondEdge(const CheckedCells& run, std::size_t i, std::size_t e, Point p
       break;
   }
   const auto j = static_cast<std::size_t>(run.diagram.neighbors[e]);
-  return beyondBisector(run.neighborWay(i, e), run.site(i), run.lead(i, j), p);
+  return beyondBisector(run.neighborWay(i, e), run.site(i), run.weightDifference(i, j), p);
 }
 
 std::string wrongEdge(const CheckedCells& run, std::size_t i, std::size_t e, const Slack& slack) {

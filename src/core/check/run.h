@@ -32,10 +32,10 @@ inline double length(Point a) { return std::sqrt(dot(a, a)); }
 /// many cells nearly meet in a point.
 inline constexpr double tie_slack = 1e-5, weighted_tie_slack = 1e-4;
 
-/// How far p lies beyond the bisector of two sites, seen from the first, which is heavier by `lead`; d is the
-/// way from there to the other.
-inline double beyondBisector(Point d, Point from, double lead, Point p) {
-  return dot(p - from, d) / length(d) - (length(d) + lead / length(d)) / 2;
+/// How far p lies beyond the bisector of two sites, seen from the first, which is heavier by
+/// `weight_difference`; d is the way from there to the other.
+inline double beyondBisector(Point d, Point from, double weight_difference, Point p) {
+  return dot(p - from, d) / length(d) - (length(d) + weight_difference / length(d)) / 2;
 }
 
 /// The power of two that brings the domain's longer side into [1, 2), so that no square of a length is
@@ -111,7 +111,7 @@ struct CheckedSites {
     return {p.x + shift[0] * period.x, p.y + shift[1] * period.y};
   }
   /// By how much site i is heavier than site j.
-  [[nodiscard]] double lead(std::size_t i, std::size_t j) const {
+  [[nodiscard]] double weightDifference(std::size_t i, std::size_t j) const {
     return weighted ? (sites.weight[i] - sites.weight[j]) * scale * scale : 0;
   }
   [[nodiscard]] bool inDomain(Point p) const {
@@ -229,7 +229,7 @@ struct CheckedCells : CheckedSites {
       const double away = length(to);
       if (!(away > widest)) continue;
       for (std::size_t v = begin(i); v < end(i); ++v) {
-        const double beyond = beyondBisector(to, site(i), lead(i, j), vertex(v));
+        const double beyond = beyondBisector(to, site(i), weightDifference(i, j), vertex(v));
         if (std::abs(beyond) <= ties(away)) widest = away;
       }
     }

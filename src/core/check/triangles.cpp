@@ -50,8 +50,8 @@ Cotangent cotangentOpposite(Point corner, Point from, Point to) {
 Cotangent weighed(const CheckedCells& run, const std::array<std::uint32_t, 3>& of) {
   const Point from = run.site(of[0]), edge = run.site(of[1]) - from, corner = run.site(of[2]) - from;
   const double twice_area = std::abs(cross(edge, corner)), square = dot(edge, edge);
-  const double to_corner = run.lead(of[0], of[2]),
-               to_end = run.lead(of[0], of[1]) * dot(corner, edge) / square;
+  const double to_corner = run.weightDifference(of[0], of[2]),
+               to_end = run.weightDifference(of[0], of[1]) * dot(corner, edge) / square;
   const double sides = length(edge) * length(corner) / twice_area;
   return {(to_corner - to_end) / twice_area,
           16 * epsilon * (std::abs(to_corner) + std::abs(to_end)) / twice_area * (1 + sides)};

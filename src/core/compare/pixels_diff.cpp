@@ -47,11 +47,12 @@ class BisectorDistance {
 
   double operator()(int row, int column, std::uint32_t a, std::uint32_t b) const {
     if (a >= sites_->size() || b >= sites_->size()) return none;
-    const double lead = sites_->weight.empty() ? 0 : sites_->weight[a] - sites_->weight[b];
+    const double weight_difference = sites_->weight.empty() ? 0 : sites_->weight[a] - sites_->weight[b];
     const Images of_a = imagesNear(row, column, a), of_b = imagesNear(row, column, b);
     double least = none;
     for (const Point at_a : of_a.all()) {
-      for (const Point at_b : of_b.all()) least = std::min(least, between(row, column, at_a, at_b, lead));
+      for (const Point at_b : of_b.all())
+        least = std::min(least, between(row, column, at_a, at_b, weight_difference));
     }
     return least;
   }
@@ -85,7 +86,7 @@ class BisectorDistance {
     return images;
   }
 
-  [[nodiscard]] double between(int row, int column, Point at_a, Point at_b, double lead) const {
+  [[nodiscard]] double between(int row, int column, Point at_a, Point at_b, double weight_difference) const {
     const double ax = at_a.x, ay = at_a.y, bx = at_b.x, by = at_b.y;
     // The bisector's normal: with pixels that are not square it is not along b - a on the picture.
     const double nx = (bx - ax) / pixel_x_ * metric_x_;
@@ -94,7 +95,7 @@ class BisectorDistance {
     // Twice the way from the midpoint of the sites to the center, y upward.
     const double x = 2 * (column + 0.5) - (ax - domain_.xmin) / pixel_x_ - (bx - domain_.xmin) / pixel_x_;
     const double y = (domain_.ymax - ay) / pixel_y_ + (domain_.ymax - by) / pixel_y_ - 2 * (row + 0.5);
-    const double moved = lead / longer_ / longer_ / length;
+    const double moved = weight_difference / longer_ / longer_ / length;
     const double distance = std::abs(x * (nx / length) + y * (ny / length) - moved) / 2;
     return std::isfinite(distance) ? distance : none;
   }

@@ -43,12 +43,12 @@ inline PowerCenter powerCenter(double ix, double iy, double iw, double px, doubl
   double cc = (at_i + at_j) * ij + at_p * pj;
   double b_size = bb, c_size = cc;
   if constexpr (weighted) {
-    const double b_lead = (at_i - at_p) * (iw - pw) + at_j * (jw - pw);
-    const double c_lead = (at_i - at_j) * (iw - jw) + at_p * (pw - jw);
-    bb += b_lead;
-    cc += c_lead;
-    b_size += magnitude(b_lead);
-    c_size += magnitude(c_lead);
+    const double b_weight = (at_i - at_p) * (iw - pw) + at_j * (jw - pw);
+    const double c_weight = (at_i - at_j) * (iw - jw) + at_p * (pw - jw);
+    bb += b_weight;
+    cc += c_weight;
+    b_size += magnitude(b_weight);
+    c_size += magnitude(c_weight);
   }
   const double left = b_x * c_y;
   const double right = b_y * c_x;

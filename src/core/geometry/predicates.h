@@ -54,10 +54,10 @@ inline int inCircle(const WeightedPoint& a, const WeightedPoint& b, const Weight
   constexpr double rounding = 4e-15;
   double inside = 0, size = 0;
   const auto add = [&](const WeightedPoint& p, const WeightedPoint& q, const WeightedPoint& r) {
-    const double px = p.x - d.x, py = p.y - d.y, lead = d.weight - p.weight;
+    const double px = p.x - d.x, py = p.y - d.y, weight_difference = d.weight - p.weight;
     const double left = (q.x - d.x) * (r.y - d.y), right = (q.y - d.y) * (r.x - d.x);
-    inside += (px * px + py * py + lead) * (left - right);
-    size += (px * px + py * py + std::abs(lead)) * (std::abs(left) + std::abs(right));
+    inside += (px * px + py * py + weight_difference) * (left - right);
+    size += (px * px + py * py + std::abs(weight_difference)) * (std::abs(left) + std::abs(right));
   };
   add(a, b, c);
   add(b, c, a);

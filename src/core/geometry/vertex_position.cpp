@@ -60,12 +60,13 @@ Wide wideCrossing(const WeightedPoint& i, const WeightedPoint& j, double at) {
 Wide crossing(const WeightedPoint& i, const WeightedPoint& j, double at, bool weighted) {
   const double dx = j.x - i.x, dy = j.y - i.y;
   const double way = (at - i.x) * dx;
-  const double half = 0.5 * (dx * dx + dy * dy), lead = weighted ? 0.5 * (i.weight - j.weight) : 0;
-  const double along = weighted ? (half + lead - way) / dy : (half - way) / dy;
+  const double half = 0.5 * (dx * dx + dy * dy),
+               weight_difference = weighted ? 0.5 * (i.weight - j.weight) : 0;
+  const double along = weighted ? (half + weight_difference - way) / dy : (half - way) / dy;
   const double from_i = std::abs(at - i.x) + std::abs(along);
   const double from_j = std::abs(at - j.x) + std::abs((i.y - j.y) + along);
   const double length = std::min(from_i, from_j);
-  const double terms = (half + std::abs(lead) + std::abs(way)) / std::abs(dy);
+  const double terms = (half + std::abs(weight_difference) + std::abs(way)) / std::abs(dy);
   if (terms < most_terms * length && length < far) return {i.y, along};
   const Wide wide = wideCrossing(i, j, at);
   return std::isfinite(wide.high) ? wide : Wide{i.y, along};

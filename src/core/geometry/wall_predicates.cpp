@@ -36,9 +36,10 @@ std::uint8_t wallsReached(const Box& domain, const WeightedPoint& a, const Weigh
                           const WeightedPoint& c) {
   const double bx = b.x - a.x, by = b.y - a.y;
   const double cx = c.x - a.x, cy = c.y - a.y;
-  const double b_lead = a.weight - b.weight, c_lead = a.weight - c.weight;
-  const double b_size = bx * bx + by * by + std::abs(b_lead), c_size = cx * cx + cy * cy + std::abs(c_lead);
-  const double bb = bx * bx + by * by + b_lead, cc = cx * cx + cy * cy + c_lead;
+  const double b_weight = a.weight - b.weight, c_weight = a.weight - c.weight;
+  const double b_size = bx * bx + by * by + std::abs(b_weight),
+               c_size = cx * cx + cy * cy + std::abs(c_weight);
+  const double bb = bx * bx + by * by + b_weight, cc = cx * cx + cy * cy + c_weight;
   const double twice = 2 * (bx * cy - by * cx), size = 2 * (std::abs(bx * cy) + std::abs(by * cx));
   const auto side = [&](double at, double from, double way, double way_size, const auto& exactly) {
     const double value = way + (from - at) * twice;
@@ -60,9 +61,10 @@ std::uint8_t wallsReached(const Box& domain, const WeightedPoint& a, const Weigh
 
 int nearerOf(const WeightedPoint& a, const WeightedPoint& b, Point p) {
   const double ax = p.x - a.x, ay = p.y - a.y, bx = p.x - b.x, by = p.y - b.y;
-  const double aa = ax * ax + ay * ay, bb = bx * bx + by * by, lead = a.weight - b.weight;
-  const double farther = aa - bb - lead;
-  if (std::abs(farther) > nearer_error * (std::max(aa, bb) + std::abs(lead))) return farther < 0 ? -1 : 1;
+  const double aa = ax * ax + ay * ay, bb = bx * bx + by * by, weight_difference = a.weight - b.weight;
+  const double farther = aa - bb - weight_difference;
+  if (std::abs(farther) > nearer_error * (std::max(aa, bb) + std::abs(weight_difference)))
+    return farther < 0 ? -1 : 1;
   const auto squared = [p](Point from) {
     const auto x = difference(p.x, from.x), y = difference(p.y, from.y);
     return x * x + y * y;

@@ -88,8 +88,8 @@ class Remainder {
     const auto other = static_cast<std::size_t>(line);
     const double x = sites_.x[other] - sites_.x[cell_], y = sites_.y[other] - sites_.y[cell_];
     const double squared = x * x + y * y;
-    const double lead = sites_.weight.empty() ? 0 : sites_.weight[cell_] - sites_.weight[other];
-    return {x, y, squared + lead, squared + std::abs(lead), line};
+    const double weight_difference = sites_.weight.empty() ? 0 : sites_.weight[cell_] - sites_.weight[other];
+    return {x, y, squared + weight_difference, squared + std::abs(weight_difference), line};
   }
 
   /// Scaled, so that no product leaves a double's range.
