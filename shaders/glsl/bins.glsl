@@ -11,11 +11,11 @@
 struct Bins {
     int columns;
     int rows;
-    real size;   // side of a bin
-    vec2 low;    // the grid's lower left corner
-    real slack;  // by how much a site may lie outside of its bin, as seen from here
-    vec4 known;  // west, south, east, north: the sites beyond this box are not in the grid
-    int most;    // sites to try before the search gives up
+    real size;      // side of a bin
+    vec2 low;       // the lower left corner of the grid
+    real slack;     // by how much a site may lie outside of its bin, as seen from here
+    vec4 coverage;  // west, south, east, north: the sites beyond this box are not in the grid
+    int most;       // sites to try before the search gives up
 #ifdef WEIGHTED
     int heavy;  // sites in SiteSet::heavy
 #endif

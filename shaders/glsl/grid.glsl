@@ -342,7 +342,7 @@ void searchBeyond(INOUT(Cell) c, IN(Bins) bins, INOUT(Search) s) {
 // What became of a cell when the search is over.
 cell_int outcomeOf(IN(Cell) c, IN(Bins) bins, IN(Search) s) {
     cell_bool unknown =
-        s.box.x < bins.known.x || s.box.y < bins.known.y || s.box.z > bins.known.z || s.box.w > bins.known.w;
+        s.box.x < bins.coverage.x || s.box.y < bins.coverage.y || s.box.z > bins.coverage.z || s.box.w > bins.coverage.w;
     cell_bool given_up = s.tried > bins.most;
     return outcome(c, unknown || given_up || !s.certain);
 }

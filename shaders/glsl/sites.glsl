@@ -67,7 +67,7 @@ int clipSiteAt(inout Cell cell, int place, vec2 outset) {
     vec2 high = bins.low + vec2(float(bins.columns), float(bins.rows)) * bins.size;
     vec2 longest = max(abs(bins.low), abs(high));
     bins.slack = site_grid.slack * max(longest.x, longest.y);
-    bins.known = boxFromHere(site_grid.known_high, site_grid.known_low) - origin.xyxy;
+    bins.coverage = boxFromHere(site_grid.coverage_high, site_grid.coverage_low) - origin.xyxy;
     bins.most = site_grid.most;
 #ifdef WEIGHTED
     bins.heavy = site_grid.heavy_count;

@@ -76,7 +76,7 @@ SiteGridUniform siteGridUniform(const SiteSet& sites) {
   const Grid& grid = sites.grid;
   SiteGridUniform block{};
   splitBox(center, sites.domain, block.domain_high, block.domain_low);
-  splitBox(center, sites.known, block.known_high, block.known_low);
+  splitBox(center, sites.coverage, block.coverage_high, block.coverage_low);
   block.corner = fromCenter(center, grid.xmin, grid.ymin);
   block.size = static_cast<float>(grid.size);
   // The corner seen from an origin, the size of a bin, their product with an index and the sum are rounded,

@@ -27,7 +27,7 @@ struct SiteMark {
 /// The uniform block SiteGrid of site_grid.glsl, as std140 lays it out. Boxes are west, south, east, north.
 struct SiteGridUniform {
   float domain_high[4], domain_low[4];  ///< from the center of the domain, like a site
-  float known_high[4], known_low[4];
+  float coverage_high[4], coverage_low[4];
   SiteTexel corner;  ///< of the grid, at its lowest coordinates
   float size;        ///< of a bin
   float slack;  ///< by how much a site may lie outside of its bin, of the way to the grid's farthest corner

@@ -178,7 +178,7 @@ TEST(DeviceCells, AreUnsecuredWhereUnknownSitesMayCut) {
   const auto backend = openBackend();
   ASSERT_TRUE(backend);
   Scene scene = makeScene(400);
-  scene.set.known = {0.25, 0.25, 0.75, 0.75};
+  scene.set.coverage = {0.25, 0.25, 0.75, 0.75};
   ASSERT_TRUE(backend->upload(scene.set, {}).has_value());
   CellNeighbors cells;
   ASSERT_TRUE(backend->cells(range(0, 400), Effort::roomy, cells).has_value());

@@ -240,7 +240,7 @@ TEST_P(WeightedBackend, ForgetsWeights) {
 TEST_P(WeightedBackend, AreUnsecuredWhereUnknownSitesMayCut) {
   SiteSet set = noise(Pattern::random, 2000, 0.1);
   const double unknown = 0.02;  // 40 squares of the mean spacing
-  set.known = {0.25, 0.25, 0.75, 0.75};
+  set.coverage = {0.25, 0.25, 0.75, 0.75};
   const Grid& grid = set.grid;
   for (std::uint32_t row = 0; row < grid.rows; row++) {
     for (std::uint32_t column = 0; column < grid.columns; column++) {

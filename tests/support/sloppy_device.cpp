@@ -224,7 +224,7 @@ class Device final : public SloppyDevice {
         std::max({std::abs(low_x), std::abs(low_y), std::abs(low_x + grid.columns * s.grid.size),
                   std::abs(low_y + grid.rows * s.grid.size)});
     bins.slack = static_cast<double>(grid.slack) * longest;
-    bins.known = boxSeen(s.known);
+    bins.coverage = boxSeen(s.coverage);
     bins.most = grid.most;
     if constexpr (std::is_same_v<Clip, glsl::Weighted>) bins.heavy = grid.heavy_count;
     const ViewUniform uniform = viewUniform(view_, info_.subpixel_bits, s.domain);

@@ -104,16 +104,16 @@ TEST(Refine, KnowsAllSitesThatItSaysItKnows) {
   const auto crowding = sortByCrowding(sites.grid, allOf(sites), 1);
   ASSERT_EQ(crowding.regions.size(), 1u);
   const auto refined = refine(sites, crowding.regions[0], 1);
-  const auto& known = refined.sites.known;
+  const auto& coverage = refined.sites.coverage;
   std::size_t inside = 0;
   for (std::size_t i = 0; i < sites.size(); ++i) {
-    inside += sites.x[i] > known.xmin && sites.x[i] < known.xmax && sites.y[i] > known.ymin &&
-                      sites.y[i] < known.ymax
+    inside += sites.x[i] > coverage.xmin && sites.x[i] < coverage.xmax && sites.y[i] > coverage.ymin &&
+                      sites.y[i] < coverage.ymax
                   ? 1u
                   : 0u;
   }
   EXPECT_EQ(refined.sites.size(), inside);
-  EXPECT_LT(known.xmax - known.xmin, 0.2);
+  EXPECT_LT(coverage.xmax - coverage.xmin, 0.2);
 }
 
 }  // namespace

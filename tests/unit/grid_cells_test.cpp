@@ -91,7 +91,7 @@ struct OneByOne {
                                    std::abs(bins.low.x + static_cast<float>(bins.columns) * bins.size),
                                    std::abs(bins.low.y + static_cast<float>(bins.rows) * bins.size)});
     bins.slack = 4.8e-7F * extent;
-    bins.known = seenFrom(set.known, x, y);
+    bins.coverage = seenFrom(set.coverage, x, y);
     bins.most = most_tried[Edges > EDGES_FAST ? 1 : 0];
     if constexpr (is_weighted) {
       bins.heavy = static_cast<int>(set.heavy.size());
@@ -146,7 +146,7 @@ void compareBoth(const Sites& sites, const Box& domain = {0, 0, 1, 1}) {
   ASSERT_TRUE(prepared);
   compare<Clipper<float, EDGES_FAST>>(prepared->set, Effort::fast);
   compare<Clipper<float, EDGES_MOST>>(prepared->set, Effort::roomy);
-  prepared->set.known = {0.25, 0.25, 0.75, 0.5};
+  prepared->set.coverage = {0.25, 0.25, 0.75, 0.5};
   compare<Clipper<float, EDGES_FAST>>(prepared->set, Effort::fast);
 }
 
@@ -187,7 +187,7 @@ TEST(GridCells, areTheSameSideBySideAsOneByOneWithWeights) {
       auto set = weightedSet(1500, most, heavy);
       compare<WeightedClipper<EDGES_FAST>>(set, Effort::fast);
       compare<WeightedClipper<EDGES_MOST>>(set, Effort::roomy);
-      set.known = {0.25, 0.25, 0.75, 0.5};
+      set.coverage = {0.25, 0.25, 0.75, 0.5};
       compare<WeightedClipper<EDGES_FAST>>(set, Effort::fast);
     }
   }
@@ -211,8 +211,8 @@ auto runLanes(FindInLanes find, const SiteSet& set) {
   for (const std::size_t side : {0U, 1U}) {
     job.domain[side] = 0;
     job.domain[side + 2] = 1;
-    job.known[side] = -9;
-    job.known[side + 2] = 9;
+    job.coverage[side] = -9;
+    job.coverage[side + 2] = 9;
   }
   job.most = 256;
   job.which = all.data();

@@ -23,7 +23,7 @@ inline SiteSet setOf(const std::vector<Point>& points, const Box& domain = {0, 0
   constexpr double far = std::numeric_limits<double>::infinity();
   SiteSet set;
   set.domain = domain;
-  set.known = {-far, -far, far, far};
+  set.coverage = {-far, -far, far, far};
   std::set<std::pair<double, double>> seen;
   for (const auto& p : points) {
     if (!seen.insert({p.x, p.y}).second) continue;

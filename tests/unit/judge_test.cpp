@@ -157,7 +157,7 @@ TEST_F(Judge, theSameForAnyNumberOfThreads) {
 TEST_F(Judge, saysWhenSitesAreMissingAround) {
   auto set = setOf(points(100, [&] { return inBox(0, 0, 1); }));
   set.domain = {-1, -1, 2, 2};
-  set.known = {0, 0, 1, 1};
+  set.coverage = {0, 0, 1, 1};
   const auto found = find(findInDouble, set);
   EXPECT_GT(std::count(found.status.begin(), found.status.end(), CellStatus::unsecured), 5);
   EXPECT_GT(std::count(found.status.begin(), found.status.end(), CellStatus::certified), 5);

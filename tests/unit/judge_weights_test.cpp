@@ -177,7 +177,7 @@ TEST_F(WeightedJudge, saysWhenSitesAreMissingAround) {
   giveWeights(whole, 1);
   SiteSet part;
   part.domain = whole.domain;
-  part.known = {0, 0, 1, 1};
+  part.coverage = {0, 0, 1, 1};
   const auto isIn = [&](std::size_t i) {
     return whole.x[i] > 0 && whole.x[i] < 1 && whole.y[i] > 0 && whole.y[i] < 1;
   };

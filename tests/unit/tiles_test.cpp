@@ -139,14 +139,14 @@ TEST(Tiles, KnowTheirSites) {
   std::vector<std::uint32_t> whole;
   const BinBlock block{3, 0, 12, 9};
   const auto tile = cutOut(sites, block, whole);
-  EXPECT_EQ(tile.known.ymin, -infinite);
-  EXPECT_DOUBLE_EQ(tile.known.xmin, sites.grid.xmin + 3 * sites.grid.size);
-  EXPECT_DOUBLE_EQ(tile.known.xmax, sites.grid.xmin + 13 * sites.grid.size);
-  EXPECT_DOUBLE_EQ(tile.known.ymax, sites.grid.ymin + 10 * sites.grid.size);
+  EXPECT_EQ(tile.coverage.ymin, -infinite);
+  EXPECT_DOUBLE_EQ(tile.coverage.xmin, sites.grid.xmin + 3 * sites.grid.size);
+  EXPECT_DOUBLE_EQ(tile.coverage.xmax, sites.grid.xmin + 13 * sites.grid.size);
+  EXPECT_DOUBLE_EQ(tile.coverage.ymax, sites.grid.ymin + 10 * sites.grid.size);
   std::size_t inside = 0;
   for (std::size_t i = 0; i < sites.size(); ++i) {
-    const bool known = sites.x[i] >= tile.known.xmin && sites.x[i] <= tile.known.xmax &&
-                       sites.y[i] >= tile.known.ymin && sites.y[i] <= tile.known.ymax;
+    const bool known = sites.x[i] >= tile.coverage.xmin && sites.x[i] <= tile.coverage.xmax &&
+                       sites.y[i] >= tile.coverage.ymin && sites.y[i] <= tile.coverage.ymax;
     inside += known ? 1 : 0;
   }
   ASSERT_EQ(tile.size(), inside);

@@ -22,7 +22,7 @@ LaneJob jobOf(const SiteSet& sites, std::span<const std::uint32_t> which, Effort
   static_assert(sizeof(CellStatus) == sizeof(std::uint8_t));
   const auto& grid = sites.grid;
   const auto& domain = sites.domain;
-  const auto& known = sites.known;
+  const auto& coverage = sites.coverage;
   return {.x = sites.x.data(),
           .y = sites.y.data(),
           .first = grid.first.data(),
@@ -32,7 +32,7 @@ LaneJob jobOf(const SiteSet& sites, std::span<const std::uint32_t> which, Effort
           .columns = static_cast<int>(grid.columns),
           .rows = static_cast<int>(grid.rows),
           .domain = {domain.xmin, domain.ymin, domain.xmax, domain.ymax},
-          .known = {known.xmin, known.ymin, known.xmax, known.ymax},
+          .coverage = {coverage.xmin, coverage.ymin, coverage.xmax, coverage.ymax},
           .outset_x = 0,
           .outset_y = 0,
           .most = effort == Effort::fast ? most_tried_fast : most_tried_roomy,

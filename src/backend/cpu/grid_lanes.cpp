@@ -166,7 +166,7 @@ class Finding {
     const Reals north = bins.low.y + everyReal(bins.rows) * bins.size;
     // Coordinates of bins are sums of floats as large as the grid.
     bins.slack = 4.8e-7F * max(max(abs(bins.low.x), abs(east)), max(abs(bins.low.y), abs(north)));
-    bins.known = boxFrom(job_.known, x, y);
+    bins.coverage = boxFrom(job_.coverage, x, y);
     bins.most = job_.most;
 #ifdef WEIGHTED
     bins.heavy = job_.heavy_count;

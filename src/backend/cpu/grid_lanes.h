@@ -13,7 +13,7 @@ struct LaneJob {
   const std::uint32_t* first;         ///< of each bin
   double grid_xmin, grid_ymin, size;  ///< the grid
   int columns, rows;
-  double domain[4], known[4];     ///< xmin, ymin, xmax, ymax
+  double domain[4], coverage[4];  ///< xmin, ymin, xmax, ymax
   float outset_x, outset_y;       ///< by which every line is moved outward
   int most;                       ///< sites to try before the search gives up
   const std::uint32_t* which;     ///< the cells' sites

@@ -37,19 +37,21 @@ Bins binsAround(const SiteSet& sites, std::uint32_t site, std::int64_t reach) {
 
 /// What the bins are known to hold all sites of: up to the next bin, or for a border of the grid, all
 /// that the grid knows.
-Box knownIn(const SiteSet& sites, const Bins& bins) {
+Box coverageIn(const SiteSet& sites, const Bins& bins) {
   const auto& grid = sites.grid;
   // A site may lie outside of its bin by the rounding of its place.
   const auto edge = [&](double low, std::int64_t bin, double inward) {
     const double at = low + static_cast<double>(bin) * grid.size;
     return at + inward * 1e-6 * grid.size;
   };
-  auto known = sites.known;
-  if (bins.west > 0) known.xmin = std::max(known.xmin, edge(grid.xmin, bins.west, 1));
-  if (bins.south > 0) known.ymin = std::max(known.ymin, edge(grid.ymin, bins.south, 1));
-  if (bins.east + 1 < grid.columns) known.xmax = std::min(known.xmax, edge(grid.xmin, bins.east + 1, -1));
-  if (bins.north + 1 < grid.rows) known.ymax = std::min(known.ymax, edge(grid.ymin, bins.north + 1, -1));
-  return known;
+  auto coverage = sites.coverage;
+  if (bins.west > 0) coverage.xmin = std::max(coverage.xmin, edge(grid.xmin, bins.west, 1));
+  if (bins.south > 0) coverage.ymin = std::max(coverage.ymin, edge(grid.ymin, bins.south, 1));
+  if (bins.east + 1 < grid.columns)
+    coverage.xmax = std::min(coverage.xmax, edge(grid.xmin, bins.east + 1, -1));
+  if (bins.north + 1 < grid.rows)
+    coverage.ymax = std::min(coverage.ymax, edge(grid.ymin, bins.north + 1, -1));
+  return coverage;
 }
 
 void take(const SiteSet& sites, std::uint32_t i, SiteSet& near) {
@@ -63,7 +65,7 @@ void take(const SiteSet& sites, std::uint32_t i, SiteSet& near) {
 SiteSet sitesIn(const SiteSet& sites, const Bins& bins) {
   SiteSet near;
   near.domain = sites.domain;
-  near.known = knownIn(sites, bins);
+  near.coverage = coverageIn(sites, bins);
   if (!sites.weight.empty()) near.grid.heaviest = {sites.grid.heaviest.back()};
   auto heavy = sites.heavy;
   for (auto row = bins.south; row <= bins.north; ++row) {

@@ -181,14 +181,15 @@ bool TreeWalk<Real, Room>::mayMatter(std::size_t corner, const Offset<Real>& d) 
 /// Whether every site that could cut the cell is in the set.
 template <class Real, std::size_t Room>
 bool TreeWalk<Real, Room>::isKnownAround() const {
-  const auto& known = sites_.known;
+  const auto& coverage = sites_.coverage;
   const auto heaviest = std::max(heaviest_anywhere_, tree_.bounds[1].heaviest);
   const auto heavier = hasWeights() ? -static_cast<double>(weightDifference(heaviest)) : 0.0;
   const auto lift = heavier + box_rounding * std::abs(heavier);
   for (std::size_t k = 0; k < corners_; ++k) {
     const auto x = sites_.x[site_] + static_cast<double>(x_[k]);
     const auto y = sites_.y[site_] + static_cast<double>(y_[k]);
-    const auto inside = std::min({x - known.xmin, known.xmax - x, y - known.ymin, known.ymax - y});
+    const auto inside =
+        std::min({x - coverage.xmin, coverage.xmax - x, y - coverage.ymin, coverage.ymax - y});
     const auto squared = static_cast<double>(squared_[k] + widening_[k]) + lift;
     const auto most_off = 2 * std::sqrt(std::max(heavier, 0.0)) * static_cast<double>(noise_[k]);
     if (!(inside * std::abs(inside) > squared + most_off)) return false;

@@ -157,7 +157,7 @@ Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads, con
   const PowerOfTwo scale(prepared.exponent);
   auto& set = prepared.set;
   set.domain = {scale(domain.xmin), scale(domain.ymin), scale(domain.xmax), scale(domain.ymax)};
-  set.known = {-infinite, -infinite, infinite, infinite};
+  set.coverage = {-infinite, -infinite, infinite, infinite};
 
   const auto near = surroundings(set.domain);
   const auto extent = extentOf(sites, scale, near, threads);

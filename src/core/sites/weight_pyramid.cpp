@@ -116,22 +116,22 @@ void countBeyond(const SiteSet& set, const BinBlock& of, SiteSet& part) {
   const auto east = grid.columns - 1, north = grid.rows - 1;
   const auto column = [&](double x) { return binAlong(x, bins.xmin, bins.size, bins.columns); };
   const auto row = [&](double y) { return binAlong(y, bins.ymin, bins.size, bins.rows); };
-  const auto& known = part.known;
-  if (std::isfinite(known.xmin)) {
+  const auto& coverage = part.coverage;
+  if (std::isfinite(coverage.xmin)) {
     const double weight = heaviestIn(grid, {0, 0, std::max(of.west, 1u) - 1, north});
-    raise(bins, {0, 0, column(known.xmin), bins.rows - 1}, weight);
+    raise(bins, {0, 0, column(coverage.xmin), bins.rows - 1}, weight);
   }
-  if (std::isfinite(known.xmax)) {
+  if (std::isfinite(coverage.xmax)) {
     const double weight = heaviestIn(grid, {std::min(of.east + 1, east), 0, east, north});
-    raise(bins, {column(known.xmax), 0, bins.columns - 1, bins.rows - 1}, weight);
+    raise(bins, {column(coverage.xmax), 0, bins.columns - 1, bins.rows - 1}, weight);
   }
-  if (std::isfinite(known.ymin)) {
+  if (std::isfinite(coverage.ymin)) {
     const double weight = heaviestIn(grid, {0, 0, east, std::max(of.south, 1u) - 1});
-    raise(bins, {0, 0, bins.columns - 1, row(known.ymin)}, weight);
+    raise(bins, {0, 0, bins.columns - 1, row(coverage.ymin)}, weight);
   }
-  if (std::isfinite(known.ymax)) {
+  if (std::isfinite(coverage.ymax)) {
     const double weight = heaviestIn(grid, {0, std::min(of.north + 1, north), east, north});
-    raise(bins, {0, row(known.ymax), bins.columns - 1, bins.rows - 1}, weight);
+    raise(bins, {0, row(coverage.ymax), bins.columns - 1, bins.rows - 1}, weight);
   }
 }
 

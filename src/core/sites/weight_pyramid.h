@@ -15,7 +15,7 @@ void buildPyramid(Grid& grid);
 double heaviestIn(const Grid& grid, const BinBlock& block);
 
 /// Counts in a part of a set what the part does not know, for its bins have `of` alone, a block of the
-/// set's: a site beyond one side of part.known, heavier than all there, in each bin that such a site may
+/// set's: a site beyond one side of part.coverage, heavier than all there, in each bin that such a site may
 /// stand in. part.grid.heaviest has the numbers of the bins; the pyramid is to be made after this.
 void countBeyond(const SiteSet& set, const BinBlock& of, SiteSet& part);
 

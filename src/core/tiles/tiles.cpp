@@ -152,10 +152,11 @@ SiteSet cutOut(const SiteSet& sites, const BinBlock& block, std::vector<std::uin
   const auto y = [&](std::uint32_t row) { return grid.ymin + row * grid.size; };
   SiteSet set;
   set.domain = sites.domain;
-  const auto& known = sites.known;
-  set.known = {block.west == 0 ? known.xmin : x(block.west), block.south == 0 ? known.ymin : y(block.south),
-               block.east + 1 == grid.columns ? known.xmax : x(block.east + 1),
-               block.north + 1 == grid.rows ? known.ymax : y(block.north + 1)};
+  const auto& coverage = sites.coverage;
+  set.coverage = {block.west == 0 ? coverage.xmin : x(block.west),
+                  block.south == 0 ? coverage.ymin : y(block.south),
+                  block.east + 1 == grid.columns ? coverage.xmax : x(block.east + 1),
+                  block.north + 1 == grid.rows ? coverage.ymax : y(block.north + 1)};
   set.grid = {x(block.west),
               y(block.south),
               grid.size,
