@@ -26,13 +26,13 @@ struct HalfPlane {
 };
 
 /// A uniform grid of square bins over sites; shaders/glsl/grid.glsl walks it.
-/// Bin (column, row) holds the sites first[row * columns + column] up to the next entry. A site lies in
+/// Bin (column, row) holds the sites offsets[row * columns + column] up to the next entry. A site lies in
 /// [xmin + column * size, xmin + (column + 1) * size] and in its row likewise, up to rounding in double;
 /// one beyond the grid stands in the bin at its border that is nearest.
 struct Grid {
   double xmin = 0, ymin = 0, size = 1;
   std::uint32_t columns = 1, rows = 1;
-  std::vector<std::uint32_t> first;  ///< size: columns * rows + 1
+  std::vector<std::uint32_t> offsets;  ///< size: columns * rows + 1
   /// Where sites have weights: the largest weight in each bin, those of SiteSet::heavy left out, and minus
   /// infinity in a bin without others; then in each 2 x 2 of these numbers, and so on up to one number for
   /// the whole grid. Level l has ceil(columns / 2^l) x ceil(rows / 2^l) numbers, row by row. Sites that a
@@ -107,13 +107,13 @@ struct View {
 };
 
 /// The neighbors of cells, entry by entry, counter-clockwise from the smallest number: those of entry e stand
-/// at first[e] up to first[e + 1]. A neighbor is the index of a site in the SiteSet, or of a line in its
+/// at offsets[e] up to offsets[e + 1]. A neighbor is the index of a site in the SiteSet, or of a line in its
 /// entry of a batch, or one of the walls -1..-4. An entry that is not `certified` has none; but one that is
 /// `empty` in a set with weights has the sites and walls that leave nothing of it, in any order, some perhaps
 /// twice.
 struct CellNeighbors {
   std::vector<CellStatus> status;
-  BigVector<std::uint64_t> first;  ///< size: entries + 1
+  BigVector<std::uint64_t> offsets;  ///< size: entries + 1
   BigVector<std::int32_t> neighbor;
 };
 

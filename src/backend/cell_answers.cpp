@@ -31,15 +31,15 @@ CellStatus statusIn(std::uint32_t word) {
 
 void reserve(std::size_t entries, std::size_t room, CellNeighbors& out) {
   out.status.reserve(entries);
-  out.first.reserve(entries + 1);
+  out.offsets.reserve(entries + 1);
   out.neighbor.reserve(entries * room);
 }
 
 void append(const CellAnswers& answers, CellNeighbors& out) {
-  if (out.first.empty()) out.first.push_back(0);
+  if (out.offsets.empty()) out.offsets.push_back(0);
   const std::size_t before = out.status.size();
   out.status.resize(before + answers.count);
-  out.first.resize(before + answers.count + 1);
+  out.offsets.resize(before + answers.count + 1);
   // By block of entries: how many neighbors it has, then where they begin.
   std::vector<std::uint64_t> place((answers.count + entries_at_once - 1) / entries_at_once);
   parallelFor(answers.count, entries_at_once, 0, [&](std::size_t begin, std::size_t end) {
@@ -51,11 +51,11 @@ void append(const CellAnswers& answers, CellNeighbors& out) {
       const bool listed = status == CellStatus::certified || status == CellStatus::empty;
       sum += listed ? word / status_values : 0;
       out.status[before + entry] = status;
-      out.first[before + entry + 1] = sum;
+      out.offsets[before + entry + 1] = sum;
     }
     place[begin / entries_at_once] = sum;
   });
-  std::uint64_t end_of_all = out.first[before];
+  std::uint64_t end_of_all = out.offsets[before];
   for (auto& sum : place) end_of_all += std::exchange(sum, end_of_all);
   out.neighbor.resize(end_of_all);
   if (out.neighbor.empty()) return;
@@ -63,21 +63,21 @@ void append(const CellAnswers& answers, CellNeighbors& out) {
     const std::uint64_t block = place[begin / entries_at_once];
     std::uint64_t first = block;
     for (std::size_t entry = begin; entry < end; ++entry) {
-      const std::uint64_t next = block + out.first[before + entry + 1];
+      const std::uint64_t next = block + out.offsets[before + entry + 1];
       std::memcpy(out.neighbor.data() + first, answers.rows + entry * answers.row_stride,
                   (next - first) * sizeof(std::int32_t));
-      out.first[before + entry + 1] = next;
+      out.offsets[before + entry + 1] = next;
       first = next;
     }
   });
 }
 
 void append(const CellNeighbors& part, CellNeighbors& out) {
-  if (out.first.empty()) out.first.push_back(0);
-  const std::uint64_t before = out.first.back();
+  if (out.offsets.empty()) out.offsets.push_back(0);
+  const std::uint64_t before = out.offsets.back();
   out.status.insert(out.status.end(), part.status.begin(), part.status.end());
   for (std::size_t entry = 0; entry < part.status.size(); ++entry) {
-    out.first.push_back(before + part.first[entry + 1]);
+    out.offsets.push_back(before + part.offsets[entry + 1]);
   }
   out.neighbor.insert(out.neighbor.end(), part.neighbor.begin(), part.neighbor.end());
 }

@@ -16,12 +16,12 @@ std::uint64_t bytesOf(const CellBatch<Real>& batch) {
 }
 
 std::uint64_t bytesOf(const SiteSet& sites) {
-  return bytesOf(sites.x) + bytesOf(sites.y) + bytesOf(sites.weight) + bytesOf(sites.grid.first) +
+  return bytesOf(sites.x) + bytesOf(sites.y) + bytesOf(sites.weight) + bytesOf(sites.grid.offsets) +
          bytesOf(sites.grid.heaviest);
 }
 
 std::uint64_t bytesOf(const CellNeighbors& found) {
-  return bytesOf(found.status) + bytesOf(found.first) + bytesOf(found.neighbor);
+  return bytesOf(found.status) + bytesOf(found.offsets) + bytesOf(found.neighbor);
 }
 
 }  // namespace

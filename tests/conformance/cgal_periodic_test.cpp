@@ -13,8 +13,8 @@ constexpr double shortest = 1e-6, gap = 1e-9;  // in distances of the two sites
 void expectExact(const Diagram& d, const ExactCells& exact, const Tiled& tiled, double mean_area) {
   for (std::size_t i = 0; i < tiled.count; ++i) {
     SCOPED_TRACE(testing::Message() << "site " << i);
-    const auto begin = exact.edges.begin() + static_cast<std::ptrdiff_t>(exact.first[i]);
-    const auto end = exact.edges.begin() + static_cast<std::ptrdiff_t>(exact.first[i + 1]);
+    const auto begin = exact.edges.begin() + static_cast<std::ptrdiff_t>(exact.offsets[i]);
+    const auto end = exact.edges.begin() + static_cast<std::ptrdiff_t>(exact.offsets[i + 1]);
     EXPECT_EQ(d.status[i], begin == end ? Status::empty : Status::ok);
     EXPECT_NEAR(d.area[i], exact.area[i], 1e-5 * exact.area[i] + 1e-9 * mean_area);
     std::set<ImageOf> beside, in_doubt;

@@ -78,7 +78,7 @@ class OfSites : public BothPlacings, public testing::WithParamInterface<Pattern>
 
 std::vector<std::int32_t> sortedRow(const CellNeighbors& cells, std::size_t entry) {
   const auto at = [&](std::uint64_t k) { return cells.neighbor.begin() + static_cast<std::ptrdiff_t>(k); };
-  std::vector<std::int32_t> row(at(cells.first[entry]), at(cells.first[entry + 1]));
+  std::vector<std::int32_t> row(at(cells.offsets[entry]), at(cells.offsets[entry + 1]));
   std::ranges::sort(row);
   return row;
 }

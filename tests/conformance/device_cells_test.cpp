@@ -38,7 +38,8 @@ double areaOf(std::span<const std::int32_t> neighbors, const LineOf& line_of) {
 }
 
 std::span<const std::int32_t> neighborsOf(const CellNeighbors& cells, std::size_t entry) {
-  return std::span(cells.neighbor).subspan(cells.first[entry], cells.first[entry + 1] - cells.first[entry]);
+  return std::span(cells.neighbor)
+      .subspan(cells.offsets[entry], cells.offsets[entry + 1] - cells.offsets[entry]);
 }
 
 // Expects each row to begin at its smallest number.
@@ -61,7 +62,7 @@ void expectListsToTile(Backend& backend, const Scene& scene) {
   const Result<void> done = backend.cells(scene.batch, cells);
   ASSERT_TRUE(done.has_value()) << done.error().message;
   ASSERT_EQ(cells.status, std::vector(scene.set.size(), CellStatus::certified));
-  ASSERT_EQ(cells.first.size(), scene.set.size() + 1);
+  ASSERT_EQ(cells.offsets.size(), scene.set.size() + 1);
   expectRowsFromSmallest(cells);
   double area = 0;
   for (std::size_t cell = 0; cell < cells.status.size(); cell++) {
@@ -81,14 +82,14 @@ void expectListsToTile(Backend& backend, const Scene& scene) {
 // The cells of sites, asked for in as many calls as the device's limits ask for.
 CellNeighbors cellsInCalls(Backend& backend, std::span<const std::uint32_t> which, Effort effort) {
   CellNeighbors all;
-  all.first.push_back(0);
+  all.offsets.push_back(0);
   for (std::size_t begin = 0; begin < which.size(); begin += backend.info().max_entries) {
     const std::size_t count = std::min<std::size_t>(backend.info().max_entries, which.size() - begin);
     CellNeighbors part;
     const Result<void> done = backend.cells(which.subspan(begin, count), effort, part);
     EXPECT_TRUE(done.has_value()) << done.error().message;
     all.status.insert(all.status.end(), part.status.begin(), part.status.end());
-    for (std::size_t k = 0; k < count; k++) all.first.push_back(all.neighbor.size() + part.first[k + 1]);
+    for (std::size_t k = 0; k < count; k++) all.offsets.push_back(all.neighbor.size() + part.offsets[k + 1]);
     all.neighbor.insert(all.neighbor.end(), part.neighbor.begin(), part.neighbor.end());
   }
   return all;
@@ -104,7 +105,7 @@ void expectSitesToTile(Backend& backend, const Scene& scene) {
   for (const Effort effort : {Effort::fast, Effort::roomy}) {
     const CellNeighbors cells = cellsInCalls(backend, wanted, effort);
     ASSERT_EQ(cells.status.size(), wanted.size());
-    ASSERT_EQ(cells.first.size(), wanted.size() + 1);
+    ASSERT_EQ(cells.offsets.size(), wanted.size() + 1);
     expectRowsFromSmallest(cells);
     for (std::size_t k = 0; k < wanted.size(); k++) {
       const std::size_t site = wanted[k];
@@ -170,7 +171,7 @@ TEST(DeviceCells, ComeInTheOrderAskedFor) {
   }
   ASSERT_TRUE(backend->cells(std::span<const std::uint32_t>{}, Effort::fast, some).has_value());
   EXPECT_TRUE(some.status.empty() && some.neighbor.empty());
-  EXPECT_EQ(some.first, BigVector<std::uint64_t>{0});
+  EXPECT_EQ(some.offsets, BigVector<std::uint64_t>{0});
 }
 
 // A tile: what lies beyond the box that it knows may cut its outer cells.
@@ -240,7 +241,7 @@ TEST(DeviceCells, DoNotDependOnTheNumberOfThreads) {
   }
   for (const CellNeighbors& cells : found) {
     EXPECT_EQ(cells.status, found[0].status);
-    EXPECT_EQ(cells.first, found[0].first);
+    EXPECT_EQ(cells.offsets, found[0].offsets);
     EXPECT_EQ(cells.neighbor, found[0].neighbor);
   }
 }

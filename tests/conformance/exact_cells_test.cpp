@@ -22,7 +22,7 @@ constexpr Box unit{0, 0, 1, 1};
 
 std::set<std::int64_t> neighborsOf(const ExactCells& cells, std::size_t i, double longer_than) {
   std::set<std::int64_t> neighbors;
-  for (auto e = cells.first[i]; e < cells.first[i + 1]; ++e) {
+  for (auto e = cells.offsets[i]; e < cells.offsets[i + 1]; ++e) {
     if (cells.edges[e].part > longer_than) neighbors.insert(cells.edges[e].neighbor);
   }
   return neighbors;
@@ -119,14 +119,14 @@ Diagram faithful(const ExactCells& exact) {
   diagram.area = exact.area;
   diagram.cell_offsets = {0};
   for (std::size_t i = 0; i < exact.owner.size(); ++i) {
-    for (auto e = exact.first[i]; e < exact.first[i + 1]; ++e) {
+    for (auto e = exact.offsets[i]; e < exact.offsets[i + 1]; ++e) {
       if (exact.edges[e].part <= 1e-6) continue;
       diagram.neighbors.push_back(exact.edges[e].neighbor);
       diagram.edge_lengths.push_back(exact.edges[e].length);
     }
     diagram.cell_offsets.push_back(diagram.neighbors.size());
     const bool duplicate = exact.owner[i] != i;
-    const bool empty = exact.first[i] == exact.first[i + 1];
+    const bool empty = exact.offsets[i] == exact.offsets[i + 1];
     diagram.status.push_back(duplicate ? Status::duplicate : empty ? Status::empty : Status::ok);
     ++(duplicate ? diagram.report.duplicate : empty ? diagram.report.empty : diagram.report.ok);
   }

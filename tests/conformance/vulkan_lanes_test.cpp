@@ -26,12 +26,12 @@ class Device final : public Backend {
   Result<void> cells(std::span<const std::uint32_t> which, Effort, CellNeighbors& out) override {
     out.status.resize(which.size());
     std::transform(which.begin(), which.end(), out.status.begin(), [&](auto site) { return of(site); });
-    out.first.assign(which.size() + 1, 0);
+    out.offsets.assign(which.size() + 1, 0);
     return {};
   }
   Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override {
     out.status.assign(batch.entries.size(), CellStatus::certified);
-    out.first.assign(batch.entries.size() + 1, 0);
+    out.offsets.assign(batch.entries.size() + 1, 0);
     return {};
   }
   Result<void> begin(const View&) override { return {}; }

@@ -154,7 +154,7 @@ TEST_P(WeightedBackend, FindsTheCellsOfBruteForce) {
         }
         compareWithBruteForce(
             set, wanted[k], status,
-            std::span(cells.neighbor).subspan(cells.first[k], cells.first[k + 1] - cells.first[k]));
+            std::span(cells.neighbor).subspan(cells.offsets[k], cells.offsets[k + 1] - cells.offsets[k]));
       }
       wanted = std::move(again);
     }

@@ -159,7 +159,7 @@ ExactCells exactCells(const Sites& sites, const Box& domain) {
   cells.triangles = neighbors.triangles;
   cells.hidden = neighbors.hidden;
   cells.area.resize(sites.size());
-  cells.first.push_back(0);
+  cells.offsets.push_back(0);
   for (std::uint32_t i = 0; i < sites.size(); ++i) {
     if (cells.owner[i] == i && cells.hidden[i] == 0) {
       Cell cell(sites, domain, i);
@@ -169,7 +169,7 @@ ExactCells exactCells(const Sites& sites, const Box& domain) {
                 [](const auto& a, const auto& b) { return a.neighbor < b.neighbor; });
       cells.edges.insert(cells.edges.end(), cell.edges.begin(), cell.edges.end());
     }
-    cells.first.push_back(cells.edges.size());
+    cells.offsets.push_back(cells.edges.size());
   }
   return cells;
 }

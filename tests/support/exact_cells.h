@@ -20,9 +20,10 @@ struct ExactCells {
   std::vector<std::uint32_t> owner;  ///< of the sites with the same position the heaviest, then the first
   std::vector<std::uint8_t> hidden;  ///< 1 for an owner whose cell would have no area in any domain
   std::vector<double> area;          ///< 0 where a site has no cell
-  std::vector<std::uint64_t> first;  ///< edges of cell i are first[i] .. first[i + 1] - 1; size: sites + 1
-  std::vector<ExactEdge> edges;      ///< of each cell in ascending order of neighbors, none without length
-  std::uint64_t triangles = 0;  ///< of the Delaunay or regular triangulation of those that are not hidden
+  std::vector<std::uint64_t>
+      offsets;                   ///< edges of cell i are offsets[i] .. offsets[i + 1] - 1; size: sites + 1
+  std::vector<ExactEdge> edges;  ///< of each cell in ascending order of neighbors, none without length
+  std::uint64_t triangles = 0;   ///< of the Delaunay or regular triangulation of those that are not hidden
 };
 
 /// The cells of finite sites, by weight if they have weights, clipped to the domain. Takes some 15 us for

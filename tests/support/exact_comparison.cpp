@@ -66,7 +66,7 @@ class Comparing {
   }
 
   [[nodiscard]] std::span<const ExactEdge> edges(std::size_t i) const {
-    return std::span(exact_.edges).subspan(exact_.first[i], exact_.first[i + 1] - exact_.first[i]);
+    return std::span(exact_.edges).subspan(exact_.offsets[i], exact_.offsets[i + 1] - exact_.offsets[i]);
   }
 
   [[nodiscard]] double allowedArea(std::size_t i) const {

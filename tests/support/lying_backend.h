@@ -110,14 +110,14 @@ class LyingBackend final : public Backend {
       case Lie::turned:
         return turn(cells);
       case Lie::counts:
-        for (std::size_t e = 1; e + 1 < cells.first.size(); ++e) {
+        for (std::size_t e = 1; e + 1 < cells.offsets.size(); ++e) {
           if (now())
-            cells.first[e] =
-                std::max(cells.first[e - 1], cells.first[e] - std::min(cells.first[e], random_() % 3));
+            cells.offsets[e] =
+                std::max(cells.offsets[e - 1], cells.offsets[e] - std::min(cells.offsets[e], random_() % 3));
         }
         return;
       case Lie::offsets:
-        for (auto& first : cells.first) {
+        for (auto& first : cells.offsets) {
           if (now()) first = random_() >> (random_() % 64);
         }
         return;
@@ -130,7 +130,8 @@ class LyingBackend final : public Backend {
 
   void turn(CellNeighbors& cells) {
     for (std::size_t e = 0; e < cells.status.size(); ++e) {
-      const auto row = std::span(cells.neighbor).subspan(cells.first[e], cells.first[e + 1] - cells.first[e]);
+      const auto row =
+          std::span(cells.neighbor).subspan(cells.offsets[e], cells.offsets[e + 1] - cells.offsets[e]);
       if (row.empty() || !now()) continue;
       const auto which = random_() % 3;
       if (which == 0) std::rotate(row.begin(), row.begin() + 1, row.end());
@@ -150,7 +151,7 @@ class LyingBackend final : public Backend {
     };
     const auto which = random_() % 4;
     if (which == 0) change(cells.status);
-    if (which == 1) change(cells.first);
+    if (which == 1) change(cells.offsets);
     if (which == 2) change(cells.neighbor);
     if (which == 3) cells = {};
   }

@@ -81,7 +81,7 @@ struct Words {
     return offset(texel({sites->x[i], sites->y[i]}));
   }
   [[nodiscard]] int firstOfBin(int bin) const {
-    return static_cast<int>(sites->grid.first[static_cast<std::size_t>(bin)]);
+    return static_cast<int>(sites->grid.offsets[static_cast<std::size_t>(bin)]);
   }
   [[nodiscard]] vec4 lineAt(int index) const {
     const auto& line = batch->lines[static_cast<std::size_t>(index)];

@@ -89,8 +89,8 @@ TEST(Refine, GivesTheRegionBinsOfItsOwn) {
   for (const auto i : refined.own) own.push_back(refined.whole[i]);
   std::sort(own.begin(), own.end());
   EXPECT_EQ(own, region.own);
-  for (std::uint32_t bin = 0; bin + 1 < set.grid.first.size(); ++bin) {
-    for (auto i = set.grid.first[bin]; i < set.grid.first[bin + 1]; ++i) {
+  for (std::uint32_t bin = 0; bin + 1 < set.grid.offsets.size(); ++bin) {
+    for (auto i = set.grid.offsets[bin]; i < set.grid.offsets[bin + 1]; ++i) {
       ASSERT_EQ(binOf(set.grid, set.x[i], set.y[i]), bin);
       ASSERT_EQ(set.x[i], sites.x[refined.whole[i]]);
       ASSERT_EQ(set.y[i], sites.y[refined.whole[i]]);

@@ -38,7 +38,7 @@ struct WeightedClipper {
 
   static constexpr int edgeEnd() { return MAX_EDGES; }
   [[nodiscard]] int firstOfBin(int bin) const {
-    return static_cast<int>(sites->grid.first[static_cast<std::size_t>(bin)]);
+    return static_cast<int>(sites->grid.offsets[static_cast<std::size_t>(bin)]);
   }
   [[nodiscard]] vec2 offsetTo(int place) const {
     const auto i = static_cast<std::size_t>(place);
@@ -134,8 +134,8 @@ void compare(const SiteSet& set, Effort effort) {
   for (std::uint32_t i = 0; i < set.size(); ++i) {
     ASSERT_EQ(found.status[i], one.find(set, i, {0, 0}, neighbors)) << "site " << i;
     const std::vector<std::int32_t> here(
-        found.neighbor.begin() + static_cast<std::ptrdiff_t>(found.first[i]),
-        found.neighbor.begin() + static_cast<std::ptrdiff_t>(found.first[i + 1]));
+        found.neighbor.begin() + static_cast<std::ptrdiff_t>(found.offsets[i]),
+        found.neighbor.begin() + static_cast<std::ptrdiff_t>(found.offsets[i + 1]));
     ASSERT_EQ(here, neighbors) << "site " << i;
     ASSERT_EQ(widened[i], one.find(set, i, {1e-3F, 2e-3F}, ignored)) << "site " << i << ", widened";
   }
@@ -202,7 +202,7 @@ auto runLanes(FindInLanes find, const SiteSet& set) {
   LaneJob job{};
   job.x = set.x.data();
   job.y = set.y.data();
-  job.first = set.grid.first.data();
+  job.offsets = set.grid.offsets.data();
   job.grid_xmin = set.grid.xmin;
   job.grid_ymin = set.grid.ymin;
   job.size = set.grid.size;

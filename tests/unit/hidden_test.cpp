@@ -98,7 +98,7 @@ TEST(ProveEmpty, takesTheProofAndOpensWhatHasNone) {
   set.weight = {0, 1, 1, 1};
   CellNeighbors found;
   found.status = {CellStatus::empty, CellStatus::certified, CellStatus::empty, CellStatus::empty};
-  found.first = {0, 3, 6, 8, 8};
+  found.offsets = {0, 3, 6, 8, 8};
   found.neighbor = {1, 2, 3, wall_xmin, 2, 3, 1, 3};
   const std::array<std::uint32_t, 4> which{0, 1, 2, 3};
   NeighborRows cells(4, 2);

@@ -31,7 +31,7 @@ inline SiteSet setOf(const std::vector<Point>& points, const Box& domain = {0, 0
     set.x.push_back(p.x);
     set.y.push_back(p.y);
   }
-  set.grid.first = {0, static_cast<std::uint32_t>(set.size())};
+  set.grid.offsets = {0, static_cast<std::uint32_t>(set.size())};
   return set;
 }
 
@@ -130,7 +130,8 @@ inline std::size_t compare(const Finder& finder, const SiteSet& set) {
       ++open;
       continue;
     }
-    const std::span neighbors(found.neighbor.data() + found.first[i], found.first[i + 1] - found.first[i]);
+    const std::span neighbors(found.neighbor.data() + found.offsets[i],
+                              found.offsets[i + 1] - found.offsets[i]);
     compareCell(set, i, found.status[i], neighbors);
   }
   return open;

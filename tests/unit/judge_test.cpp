@@ -124,18 +124,18 @@ TEST_F(Judge, neighborsOfACellWithVeryMany) {
   const auto found = find(findInDouble, set);
   const std::size_t center = count;
   ASSERT_EQ(found.status[center], CellStatus::certified);
-  ASSERT_EQ(found.first[center + 1] - found.first[center], static_cast<std::size_t>(count));
-  const auto first = found.neighbor[found.first[center]];
+  ASSERT_EQ(found.offsets[center + 1] - found.offsets[center], static_cast<std::size_t>(count));
+  const auto first = found.neighbor[found.offsets[center]];
   for (int k = 0; k < count; ++k) {
-    const auto at = found.first[center] + static_cast<std::size_t>(k);
+    const auto at = found.offsets[center] + static_cast<std::size_t>(k);
     ASSERT_EQ(found.neighbor[at], (first + k) % count);
   }
   for (std::uint32_t i = 0; i < 100; ++i) {
     const auto site = static_cast<std::uint32_t>(uniform(random) * count);
     ASSERT_EQ(found.status[site], CellStatus::certified);
     std::set<std::int32_t> neighbors(
-        found.neighbor.begin() + static_cast<std::ptrdiff_t>(found.first[site]),
-        found.neighbor.begin() + static_cast<std::ptrdiff_t>(found.first[site + 1]));
+        found.neighbor.begin() + static_cast<std::ptrdiff_t>(found.offsets[site]),
+        found.neighbor.begin() + static_cast<std::ptrdiff_t>(found.offsets[site + 1]));
     EXPECT_TRUE(neighbors.contains(count) &&
                 neighbors.contains(static_cast<std::int32_t>((site + 1) % count)));
   }
@@ -149,7 +149,7 @@ TEST_F(Judge, theSameForAnyNumberOfThreads) {
   for (const int threads : {2, 3}) {
     const auto more = find(findInDouble, set, threads);
     EXPECT_EQ(more.status, one.status);
-    EXPECT_EQ(more.first, one.first);
+    EXPECT_EQ(more.offsets, one.offsets);
     EXPECT_EQ(more.neighbor, one.neighbor);
   }
 }

@@ -84,7 +84,7 @@ TEST_F(WeightedJudge, equalWeightsAreNone) {
     const auto found = find(findInDouble, set);
     const auto same = find(findInDouble, weighted);
     EXPECT_EQ(found.status, same.status);
-    EXPECT_EQ(found.first, same.first);
+    EXPECT_EQ(found.offsets, same.offsets);
     EXPECT_EQ(found.neighbor, same.neighbor);
   }
 }
@@ -198,10 +198,10 @@ TEST_F(WeightedJudge, saysWhenSitesAreMissingAround) {
     ++certified;
     std::set<std::uint32_t> some;
     std::set<std::uint32_t> all;
-    for (auto k = of_part.first[i]; k < of_part.first[i + 1]; ++k) {
+    for (auto k = of_part.offsets[i]; k < of_part.offsets[i + 1]; ++k) {
       some.insert(part.id[static_cast<std::size_t>(of_part.neighbor[k])]);
     }
-    for (auto k = of_whole.first[part.id[i]]; k < of_whole.first[part.id[i] + 1]; ++k) {
+    for (auto k = of_whole.offsets[part.id[i]]; k < of_whole.offsets[part.id[i] + 1]; ++k) {
       all.insert(static_cast<std::uint32_t>(of_whole.neighbor[k]));
     }
     EXPECT_EQ(some, all) << "site " << i;
@@ -233,8 +233,9 @@ TEST_F(WeightedJudge, cellsFoundNearby) {
     }
     EXPECT_EQ(nearby.status[e], over_tree.status[e]);
     const auto rowOf = [e](const CellNeighbors& found) {
-      return std::set<std::int32_t>(found.neighbor.begin() + static_cast<std::ptrdiff_t>(found.first[e]),
-                                    found.neighbor.begin() + static_cast<std::ptrdiff_t>(found.first[e + 1]));
+      return std::set<std::int32_t>(
+          found.neighbor.begin() + static_cast<std::ptrdiff_t>(found.offsets[e]),
+          found.neighbor.begin() + static_cast<std::ptrdiff_t>(found.offsets[e + 1]));
     };
     if (nearby.status[e] == CellStatus::certified) {
       EXPECT_EQ(rowOf(nearby), rowOf(over_tree));

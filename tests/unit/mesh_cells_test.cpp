@@ -51,7 +51,7 @@ TEST(MeshCells, AreTheSameForAnyNumberOfThreads) {
   const auto sites = prepared(generate(Pattern::clusters, 30000, 1));
   const auto one = cellsFromMesh(sites, 1), many = cellsFromMesh(sites, 5);
   EXPECT_EQ(one.neighbor, many.neighbor);
-  EXPECT_EQ(one.first, many.first);
+  EXPECT_EQ(one.offsets, many.offsets);
 }
 
 TEST(MeshCells, OfSitesThatTheMeshHasNoDecisionsFor) {

@@ -38,7 +38,7 @@ CellNeighbors everySome(std::uint32_t begin, std::uint32_t count, std::uint32_t 
     which.push_back(cell);
     found.status.push_back(certified);
     for (std::uint32_t k = 0; k < cell % 5; ++k) found.neighbor.push_back(static_cast<std::int32_t>(cell));
-    found.first.push_back(found.neighbor.size());
+    found.offsets.push_back(found.neighbor.size());
   }
   return found;
 }
@@ -98,7 +98,7 @@ TEST(NeighborRows, RememberLargeCells) {
   for (const std::size_t edges :
        {NeighborRows::usual_edges + 1, NeighborRows::usual_edges, NeighborRows::usual_edges + 9}) {
     found.neighbor.resize(found.neighbor.size() + edges, 0);
-    found.first.push_back(found.neighbor.size());
+    found.offsets.push_back(found.neighbor.size());
   }
   cells.add(Indices{4, 3, 1}, std::move(found));
   EXPECT_THAT(cells.large(), ElementsAre(1, 4));

@@ -36,19 +36,19 @@ void expectUnique(const Sites& sites, const Prepared& prepared) {
 void expectInBins(const Sites& sites, const Prepared& prepared) {
   const auto& set = prepared.set;
   const auto& grid = set.grid;
-  ASSERT_EQ(grid.first.size(), std::size_t{grid.columns} * grid.rows + 1);
-  EXPECT_EQ(grid.first.front(), 0u);
-  EXPECT_EQ(grid.first.back(), set.size());
+  ASSERT_EQ(grid.offsets.size(), std::size_t{grid.columns} * grid.rows + 1);
+  EXPECT_EQ(grid.offsets.front(), 0u);
+  EXPECT_EQ(grid.offsets.back(), set.size());
   for (std::uint32_t row = 0; row < grid.rows; ++row) {
     for (std::uint32_t column = 0; column < grid.columns; ++column) {
       const auto bin = std::size_t{row} * grid.columns + column;
-      ASSERT_LE(grid.first[bin], grid.first[bin + 1]);
-      for (auto i = grid.first[bin]; i < grid.first[bin + 1]; ++i) {
+      ASSERT_LE(grid.offsets[bin], grid.offsets[bin + 1]);
+      for (auto i = grid.offsets[bin]; i < grid.offsets[bin + 1]; ++i) {
         const auto id = set.id[i];
         ASSERT_EQ(set.x[i], std::ldexp(sites.x[id], prepared.exponent));
         ASSERT_EQ(set.y[i], std::ldexp(sites.y[id], prepared.exponent));
         ASSERT_EQ(binOf(grid, set.x[i], set.y[i]), bin);
-        ASSERT_TRUE(i == grid.first[bin] || set.id[i - 1] < id);
+        ASSERT_TRUE(i == grid.offsets[bin] || set.id[i - 1] < id);
       }
     }
   }
@@ -175,7 +175,7 @@ TEST(Prepare, DoesNotDependOnThreads) {
   EXPECT_EQ(one->set.x, many->set.x);
   EXPECT_EQ(one->set.y, many->set.y);
   EXPECT_EQ(one->set.id, many->set.id);
-  EXPECT_EQ(one->set.grid.first, many->set.grid.first);
+  EXPECT_EQ(one->set.grid.offsets, many->set.grid.offsets);
   EXPECT_EQ(one->owner, many->owner);
 }
 

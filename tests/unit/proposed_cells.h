@@ -124,11 +124,11 @@ inline Rows rowsOfJittered(const SiteSet& set, std::size_t side) {
 
 inline CellNeighbors cellsOf(const Rows& rows) {
   CellNeighbors cells;
-  cells.first.push_back(0);
+  cells.offsets.push_back(0);
   for (const auto& row : rows) {
     cells.status.push_back(row.empty() ? CellStatus::empty : CellStatus::certified);
     cells.neighbor.insert(cells.neighbor.end(), row.begin(), row.end());
-    cells.first.push_back(cells.neighbor.size());
+    cells.offsets.push_back(cells.neighbor.size());
     beginAtFirst(std::span(cells.neighbor).last(row.size()));
   }
   return cells;

@@ -42,7 +42,7 @@ class Small final : public Backend {
   Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override {
     ++uploads;
     EXPECT_LE(sites.size(), info_.max_sites);
-    EXPECT_LE(sites.grid.first.size() - 1, info_.max_bins);
+    EXPECT_LE(sites.grid.offsets.size() - 1, info_.max_bins);
     return cpu_->upload(sites, shade);
   }
   Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
@@ -78,7 +78,7 @@ void expectEverySiteInOneTile(const SiteSet& sites, std::uint64_t most_sites, st
   std::vector<int> times(sites.size());
   const auto work = [&](const Tile& tile) -> Result<void> {
     EXPECT_LE(tile.sites.size(), most_sites);
-    EXPECT_LE(tile.sites.grid.first.size() - 1, most_bins);
+    EXPECT_LE(tile.sites.grid.offsets.size() - 1, most_bins);
     EXPECT_TRUE(std::is_sorted(tile.own.begin(), tile.own.end()));
     for (const auto site : tile.own) {
       ++times[tile.wholeIndex(site)];
@@ -154,7 +154,7 @@ TEST(Tiles, KnowTheirSites) {
     ASSERT_EQ(tile.x[i], sites.x[whole[i]]);
     ASSERT_EQ(tile.id[i], sites.id[whole[i]]);
     const auto bin = binOf(tile.grid, tile.x[i], tile.y[i]);
-    ASSERT_TRUE(i >= tile.grid.first[bin] && i < tile.grid.first[bin + 1]);
+    ASSERT_TRUE(i >= tile.grid.offsets[bin] && i < tile.grid.offsets[bin + 1]);
   }
 }
 

@@ -34,7 +34,7 @@ struct Clipper {
   }
 
   [[nodiscard]] int firstOfBin(int bin) const {
-    return static_cast<int>(sites->grid.first[static_cast<std::size_t>(bin)]);
+    return static_cast<int>(sites->grid.offsets[static_cast<std::size_t>(bin)]);
   }
 
   /// The difference is taken in double, then rounded.

@@ -25,7 +25,7 @@ LaneJob jobOf(const SiteSet& sites, std::span<const std::uint32_t> which, Effort
   const auto& coverage = sites.coverage;
   return {.x = sites.x.data(),
           .y = sites.y.data(),
-          .first = grid.first.data(),
+          .offsets = grid.offsets.data(),
           .grid_xmin = grid.xmin,
           .grid_ymin = grid.ymin,
           .size = grid.size,
@@ -61,7 +61,7 @@ void findOnGrid(const SiteSet& sites, std::span<const std::uint32_t> which, Effo
   const auto neighbors = std::make_unique_for_overwrite<std::int32_t[]>(count * room);
   const auto counts = std::make_unique_for_overwrite<std::uint8_t[]>(count);
   out.status.resize(count);
-  out.first.resize(count + 1);
+  out.offsets.resize(count + 1);
   const auto grain = grainFor(count, most_at_once);
   std::vector<std::uint64_t> offset((count + grain - 1) / grain + 1, 0);
   parallelFor(count, grain, threads, [&](std::size_t begin, std::size_t end) {
@@ -71,18 +71,18 @@ void findOnGrid(const SiteSet& sites, std::span<const std::uint32_t> which, Effo
     find(job, roomy);
     std::uint64_t sum = 0;
     for (auto e = begin; e < end; ++e) {
-      out.first[e] = sum;
+      out.offsets[e] = sum;
       sum += counts[e];
     }
     offset[begin / grain + 1] = sum;
   });
   for (std::size_t r = 1; r < offset.size(); ++r) offset[r] += offset[r - 1];
-  out.first[count] = offset.back();
+  out.offsets[count] = offset.back();
   out.neighbor.resize(offset.back());
   parallelFor(count, grain, threadsForSteps(count, threads), [&](std::size_t begin, std::size_t end) {
     for (auto e = begin; e < end; ++e) {
-      out.first[e] += offset[begin / grain];
-      std::copy_n(neighbors.get() + e * room, counts[e], out.neighbor.data() + out.first[e]);
+      out.offsets[e] += offset[begin / grain];
+      std::copy_n(neighbors.get() + e * room, counts[e], out.neighbor.data() + out.offsets[e]);
     }
   });
 }

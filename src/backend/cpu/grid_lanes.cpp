@@ -52,7 +52,7 @@ class Finding {
   explicit Finding(const LaneJob& job) : job_(job) {
     clip_.sites_x = job.x;
     clip_.sites_y = job.y;
-    clip_.bin_starts = job.first;
+    clip_.bin_starts = job.offsets;
 #ifdef WEIGHTED
     clip_.weights = job.weight;
     clip_.heaviest = job.heaviest;

@@ -10,7 +10,7 @@ namespace vorpipe::cpu {
 /// Cells to find by the walk over the grid, and where to put them. Plain numbers: see lane_words.h.
 struct LaneJob {
   const double *x, *y;                ///< the sites
-  const std::uint32_t* first;         ///< of each bin
+  const std::uint32_t* offsets;       ///< of each bin
   double grid_xmin, grid_ymin, size;  ///< the grid
   int columns, rows;
   double domain[4], coverage[4];  ///< xmin, ymin, xmax, ymax

@@ -49,8 +49,8 @@ struct LaneOrder {
     const int east = min(column + 1, job.columns - 1);
     std::uint32_t sum = 0;
     for (int r = max(row - 1, 0); r <= min(row + 1, job.rows - 1); ++r) {
-      const auto first = job.first[r * job.columns + west];
-      sum += job.first[r * job.columns + east + 1] - first;
+      const auto first = job.offsets[r * job.columns + west];
+      sum += job.offsets[r * job.columns + east + 1] - first;
       if (r > row) announce(job, first);
     }
     return static_cast<int>(sum < most_around ? sum : most_around);

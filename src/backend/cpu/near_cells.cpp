@@ -71,7 +71,7 @@ SiteSet sitesIn(const SiteSet& sites, const Bins& bins) {
   for (auto row = bins.south; row <= bins.north; ++row) {
     const auto first_bin = static_cast<std::size_t>(row * sites.grid.columns + bins.west);
     const auto last_bin = static_cast<std::size_t>(row * sites.grid.columns + bins.east);
-    for (auto i = sites.grid.first[first_bin]; i < sites.grid.first[last_bin + 1]; ++i) {
+    for (auto i = sites.grid.offsets[first_bin]; i < sites.grid.offsets[last_bin + 1]; ++i) {
       if (near.size() == most_sites) return {};
       if (std::erase(heavy, i) > 0) near.heavy.push_back(static_cast<std::uint32_t>(near.size()));
       take(sites, i, near);
@@ -116,23 +116,23 @@ void findNearby(const SiteSet& sites, std::span<const std::uint32_t> which, Find
   parallelFor(which.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto e = begin; e < end; ++e) out.status[e] = findOne(sites, which[e], find, neighbors[e]);
   });
-  out.first.assign(1, 0);
+  out.offsets.assign(1, 0);
   out.neighbor.clear();
   for (const auto& some : neighbors) {
     out.neighbor.insert(out.neighbor.end(), some.begin(), some.end());
-    out.first.push_back(out.neighbor.size());
+    out.offsets.push_back(out.neighbor.size());
   }
 }
 
 void replaceUnsecured(const CellNeighbors& anew, CellNeighbors& out) {
   CellNeighbors all;
   all.status = out.status;
-  all.first.assign(1, 0);
+  all.offsets.assign(1, 0);
   std::size_t next = 0;
   const auto append = [&](const CellNeighbors& from, std::size_t e) {
     all.neighbor.insert(all.neighbor.end(),
-                        from.neighbor.begin() + static_cast<std::ptrdiff_t>(from.first[e]),
-                        from.neighbor.begin() + static_cast<std::ptrdiff_t>(from.first[e + 1]));
+                        from.neighbor.begin() + static_cast<std::ptrdiff_t>(from.offsets[e]),
+                        from.neighbor.begin() + static_cast<std::ptrdiff_t>(from.offsets[e + 1]));
   };
   for (std::size_t e = 0; e < out.status.size(); ++e) {
     if (out.status[e] == CellStatus::unsecured) {
@@ -141,7 +141,7 @@ void replaceUnsecured(const CellNeighbors& anew, CellNeighbors& out) {
     } else {
       append(out, e);
     }
-    all.first.push_back(all.neighbor.size());
+    all.offsets.push_back(all.neighbor.size());
   }
   out = std::move(all);
 }

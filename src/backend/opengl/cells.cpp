@@ -28,7 +28,7 @@ ProgramText textOf(Entries entries, bool fast) {
 
 Result<void> Cells::run(Entries entries, Effort effort, std::size_t count, CellNeighbors& out) {
   out = {};
-  out.first.push_back(0);
+  out.offsets.push_back(0);
   const bool fast = entries != Entries::lists && effort == Effort::fast;
   const std::size_t room = answerRoom(fast ? EDGES_FAST : EDGES_MOST, entries == Entries::weighted_sites);
   const std::size_t row_bytes = room * sizeof(GLint);

@@ -52,7 +52,7 @@ class OpenGlBackend final : public Backend {
   const BackendInfo& info() const override { return info_; }
 
   Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override {
-    assert(sites.size() <= info_.max_sites && sites.grid.first.size() <= info_.max_bins + 1);
+    assert(sites.size() <= info_.max_sites && sites.grid.offsets.size() <= info_.max_bins + 1);
     const auto scope = context_.enter();
     if (!scope) return tl::unexpected(scope.error());
     gl_.picture.setDomain(sites.domain);

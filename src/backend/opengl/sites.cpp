@@ -27,7 +27,7 @@ Sites::Sites()
 Result<void> Sites::upload(const SiteSet& sites, std::span<const std::uint8_t> shade) {
   const SiteGridUniform block = siteGridUniform(sites);
   grid_.write(std::as_bytes(std::span(&block, 1)));
-  bins_.write(std::as_bytes(std::span(sites.grid.first)));
+  bins_.write(std::as_bytes(std::span(sites.grid.offsets)));
   std::vector<std::byte> texels(sites.size() * sizeof(SiteTexel));
   writeSiteTexels(sites, texels.data());
   sites_.write(texels);

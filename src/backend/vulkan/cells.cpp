@@ -45,7 +45,7 @@ Result<void> GeometryBackend::cells(std::span<const std::uint32_t> which, Effort
 // Clips the entries in a vertex buffer, slice by slice.
 Result<void> GeometryBackend::findCells(const CellWork& work, CellNeighbors& out) {
   out = {};
-  out.first.push_back(0);
+  out.offsets.push_back(0);
   if (work.count == 0) return {};
   VORPIPE_TRY(createEmptyFramebuffer());
   const bool fast = work.effort == Effort::fast && work.entries != Entries::lists;

@@ -32,7 +32,7 @@ ComputeKernels::Code searchCode(bool fast, bool weighted) {
 
 Result<void> clear(CellNeighbors& out) {
   out.status.clear();
-  out.first.assign(1, 0);
+  out.offsets.assign(1, 0);
   out.neighbor.clear();
   return {};
 }

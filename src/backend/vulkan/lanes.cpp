@@ -184,7 +184,7 @@ class Lanes final : public Backend {
       VORPIPE_TRY(spread(
           count, [&](Backend& lane, const Part& part) { return work(lane, part, found[part.index]); }));
       out = std::move(found[0]);
-      if (out.first.empty()) out.first.push_back(0);
+      if (out.offsets.empty()) out.offsets.push_back(0);
       for (std::size_t part = 1; part < found.size(); ++part) append(found[part], out);
       return {};
     } catch (const std::bad_alloc&) {

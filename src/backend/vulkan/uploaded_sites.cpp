@@ -11,7 +11,7 @@ namespace vorpipe::vulkan {
 Result<void> UploadedSites::upload(const Device& device, Bindings& bindings, const SiteSet& sites,
                                    std::span<const std::uint8_t> shade, const BackendInfo& limits) {
   const std::size_t count = sites.size();
-  const std::vector<std::uint32_t>& first = sites.grid.first;
+  const std::vector<std::uint32_t>& first = sites.grid.offsets;
   assert(count <= limits.max_sites && first.size() <= limits.max_bins + 1);
   VORPIPE_TRY(grid_.reserve(device, sizeof(SiteGridUniform), sizeof(SiteGridUniform)));
   VORPIPE_TRY(sites_.reserve(device, count * sizeof(SiteTexel), limits.max_sites * sizeof(SiteTexel)));

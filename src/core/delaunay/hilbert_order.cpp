@@ -82,7 +82,7 @@ class HilbertWalk {
 Indices orderAlongCurve(const SiteSet& sites, int threads) {
   Indices by_bin(sites.size());
   std::iota(by_bin.begin(), by_bin.end(), 0u);
-  const auto& first = sites.grid.first;
+  const auto& first = sites.grid.offsets;
   parallelFor(first.size() - 1, grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto bin = begin; bin < end; ++bin) {
       sortBin(sites, std::span(by_bin).subspan(first[bin], first[bin + 1] - first[bin]));

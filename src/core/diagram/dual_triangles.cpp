@@ -38,7 +38,7 @@ std::vector<std::uint8_t> plainVertices(const ProposedCells& agreed, const TiedC
   for (std::size_t k = 0; k < tied.cell.size(); ++k) {
     const auto row = agreed.cells.edges(tied.cell[k]);
     for (std::size_t e = 0; e < row.size(); ++e) {
-      const auto vertex = tied.vertex[tied.first[k] + e];
+      const auto vertex = tied.vertex[tied.offsets[k] + e];
       const auto here =
           sorted(static_cast<std::int32_t>(tied.cell[k]), row[e > 0 ? e - 1 : row.size() - 1], row[e]);
       if (seen[vertex] == Triple{}) seen[vertex] = here;
@@ -80,8 +80,8 @@ bool sortAroundPolygon(const SiteSet& sites, std::vector<std::uint32_t>& around)
 bool cellsAround(const ProposedCells& agreed, const TiedCells& tied, std::size_t vertex,
                  std::vector<std::uint32_t>& around) {
   const auto& sites = agreed.sites;
-  around.assign(tied.around.begin() + tied.around_first[vertex],
-                tied.around.begin() + tied.around_first[vertex + 1]);
+  around.assign(tied.around.begin() + tied.around_offsets[vertex],
+                tied.around.begin() + tied.around_offsets[vertex + 1]);
   around.erase(std::unique(around.begin(), around.end()), around.end());
   const auto way = [&](std::uint32_t cell) {
     return relativeTo({sites.x[cell], sites.y[cell]}, tied.position[vertex]);
@@ -142,7 +142,7 @@ void forTriangles(const ProposedCells& agreed, const TiedCells& tied, const std:
     const auto p = id[static_cast<std::size_t>(before)];
     const auto q = id[static_cast<std::size_t>(after)];
     if (own > p || own > q) continue;
-    if (is_tied && plain[tied.vertex[tied.first[tied.entry[cell]] + e]] == 0) continue;
+    if (is_tied && plain[tied.vertex[tied.offsets[tied.entry[cell]] + e]] == 0) continue;
     put({own, p, q});
   }
 }

@@ -32,8 +32,8 @@ bool isOpen(const ProposedCells& agreed, const TiedCells& tied, std::size_t cell
   if (row.empty() || std::any_of(row.begin(), row.end(), [](auto n) { return n < 0; })) return true;
   if (!tied.has(cell)) return false;
   const auto k = tied.entry[cell];
-  return std::any_of(tied.vertex.begin() + static_cast<std::ptrdiff_t>(tied.first[k]),
-                     tied.vertex.begin() + static_cast<std::ptrdiff_t>(tied.first[k + 1]),
+  return std::any_of(tied.vertex.begin() + static_cast<std::ptrdiff_t>(tied.offsets[k]),
+                     tied.vertex.begin() + static_cast<std::ptrdiff_t>(tied.offsets[k + 1]),
                      [&](auto vertex) { return tied.walls[vertex] != 0; });
 }
 

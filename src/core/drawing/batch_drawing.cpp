@@ -53,7 +53,7 @@ Result<std::vector<CellStatus>> BatchDrawing::draw(const View& view, const Candi
   std::vector<CellStatus> status(entries, CellStatus::missing);
   for (std::size_t begin = 0, end = 0; begin < entries; begin = end) {
     while (end < entries && end - begin < info.max_entries &&
-           candidates.first[end + 1] - candidates.first[begin] <= info.max_lines) {
+           candidates.offsets[end + 1] - candidates.offsets[begin] <= info.max_lines) {
       ++end;
     }
     if (end == begin) {

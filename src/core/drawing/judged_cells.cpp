@@ -67,20 +67,20 @@ Candidates boundaries(const SiteSet& sites, const JudgedCells& cells, std::span<
   list.site.resize(entries.size());
   list.walls.resize(entries.size());
   list.reach.assign(entries.size(), infinite);
-  list.first.resize(entries.size() + 1);
+  list.offsets.resize(entries.size() + 1);
   for (std::size_t k = 0; k < entries.size(); ++k) {
     const auto around = cells.found.edges(entries[k]);
     const auto others = std::count_if(around.begin(), around.end(), [](std::int32_t n) { return n >= 0; });
-    list.first[k + 1] = list.first[k] + static_cast<std::uint32_t>(others);
+    list.offsets[k + 1] = list.offsets[k] + static_cast<std::uint32_t>(others);
   }
-  list.index.resize(list.first.back());
+  list.index.resize(list.offsets.back());
   parallelFor(entries.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto k = begin; k < end; ++k) {
       const auto site = cells.which[entries[k]];
       const auto around = cells.found.edges(entries[k]);
       list.site[k] = site;
       list.walls[k] = boundingBox(sites, site, around);
-      sortByDistance(sites, site, around, list.index.data() + list.first[k]);
+      sortByDistance(sites, site, around, list.index.data() + list.offsets[k]);
     }
   });
   return list;

@@ -32,9 +32,9 @@ Error nonsense(const Backend& backend, std::string_view what) {
 /// Why an answer about `count` cells is none at all; empty if it is one.
 std::string_view whatIsWrong(const CellNeighbors& cells, std::size_t count) {
   if (cells.status.size() != count) return "it is of another number of cells";
-  if (cells.first.size() != count + 1 || cells.first.front() != 0 ||
-      cells.first.back() != cells.neighbor.size() ||
-      !std::is_sorted(cells.first.begin(), cells.first.end())) {
+  if (cells.offsets.size() != count + 1 || cells.offsets.front() != 0 ||
+      cells.offsets.back() != cells.neighbor.size() ||
+      !std::is_sorted(cells.offsets.begin(), cells.offsets.end())) {
     return "the places of its neighbors are no places";
   }
   return {};
@@ -56,13 +56,13 @@ bool couldBe(CellStatus status, std::span<const std::int32_t> neighbors, std::in
 /// Takes the neighbors of all entries that are not done from an answer, in order.
 void dropOthers(CellNeighbors& cells) {
   std::uint64_t end = 0;
-  std::uint64_t begin = cells.first[0];
+  std::uint64_t begin = cells.offsets[0];
   for (std::size_t e = 0; e < cells.status.size(); ++e) {
-    const auto next = cells.first[e + 1];
+    const auto next = cells.offsets[e + 1];
     if (isDone(cells.status[e])) {
       for (auto k = begin; k < next; ++k) cells.neighbor[end++] = cells.neighbor[k];
     }
-    cells.first[e + 1] = end;
+    cells.offsets[e + 1] = end;
     begin = next;
   }
   cells.neighbor.resize(end);
@@ -81,7 +81,7 @@ Result<void> secure(const Backend& backend, std::size_t count, int threads, Cell
     for (auto e = begin; e < end; ++e) {
       const auto [self, most] = limitsOf(e);
       const auto neighbors =
-          std::span(cells.neighbor).subspan(cells.first[e], cells.first[e + 1] - cells.first[e]);
+          std::span(cells.neighbor).subspan(cells.offsets[e], cells.offsets[e + 1] - cells.offsets[e]);
       const bool known = cells.status[e] <= CellStatus::open;
       if (known && couldBe(cells.status[e], neighbors, self, most)) continue;
       cells.status[e] = CellStatus::missing;

@@ -24,8 +24,8 @@ void NeighborRows::add(std::span<const std::uint32_t> which, CellNeighbors found
   parallelFor(which.size(), grain, threads_, [&](std::size_t begin, std::size_t end) {
     std::vector<std::uint32_t> large;
     for (auto e = begin; e < end; ++e) {
-      const auto count = static_cast<std::uint32_t>(found.first[e + 1] - found.first[e]);
-      const auto* const edges = found.neighbor.data() + found.first[e];
+      const auto count = static_cast<std::uint32_t>(found.offsets[e + 1] - found.offsets[e]);
+      const auto* const edges = found.neighbor.data() + found.offsets[e];
       rows_[which[e]] = {count > 0 ? edges : nothing.data(), count, found.status[e]};
       if (count > usual_edges) large.push_back(which[e]);
     }
@@ -41,14 +41,14 @@ void NeighborRows::add(std::span<const std::uint32_t> which, CellNeighbors found
 void NeighborRows::makeReadable(std::span<const std::uint32_t> which, const CellNeighbors& found) {
   const auto& numbers = found.neighbor;
   auto e = which.size();
-  while (e > 0 && found.first[e - 1] + readable > numbers.size()) --e;
+  while (e > 0 && found.offsets[e - 1] + readable > numbers.size()) --e;
   if (e == which.size()) return;
-  const auto begin = found.first[e];
+  const auto begin = found.offsets[e];
   BigVector<std::int32_t> last(numbers.begin() + static_cast<std::ptrdiff_t>(begin), numbers.end());
   last.resize(last.size() + readable);
   for (; e < which.size(); ++e) {
     auto& row = rows_[which[e]];
-    if (row.count > 0) row.edges = last.data() + (found.first[e] - begin);
+    if (row.count > 0) row.edges = last.data() + (found.offsets[e] - begin);
   }
   parts_.push_back(std::move(last));
 }

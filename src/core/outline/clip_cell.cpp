@@ -94,7 +94,7 @@ bool contains(std::span<const Point> outer, std::span<const Point> ring) {
 void append(std::span<const Point> points, std::span<const std::int64_t> neighbors, bool hole,
             ClippedCell& cell) {
   cell.hole.push_back(hole);
-  cell.first.push_back(static_cast<std::uint32_t>(cell.vertices.size()));
+  cell.ring_starts.push_back(static_cast<std::uint32_t>(cell.vertices.size()));
   cell.vertices.insert(cell.vertices.end(), points.begin(), points.end());
   cell.neighbors.insert(cell.neighbors.end(), neighbors.begin(), neighbors.end());
 }
@@ -107,7 +107,7 @@ struct OutlineClip::State {
   [[nodiscard]] std::span<const Point> pointsOf(std::uint32_t ring) const {
     const auto& rings = index.rings();
     return std::span(rings.points)
-        .subspan(rings.first[ring], rings.first[ring + std::size_t{1}] - rings.first[ring]);
+        .subspan(rings.offsets[ring], rings.offsets[ring + std::size_t{1}] - rings.offsets[ring]);
   }
 
   /// Joins arcs by the sides of the polygon from where one leaves to where the next, counter-clockwise,
@@ -203,13 +203,13 @@ struct OutlineClip::State {
 void ClippedCell::clear() {
   vertices.clear();
   neighbors.clear();
-  first.clear();
+  ring_starts.clear();
   hole.clear();
 }
 
 std::span<const Point> ClippedCell::ring(std::size_t r) const {
-  const std::size_t end = r + 1 < first.size() ? first[r + 1] : vertices.size();
-  return std::span(vertices).subspan(first[r], end - first[r]);
+  const std::size_t end = r + 1 < ring_starts.size() ? ring_starts[r + 1] : vertices.size();
+  return std::span(vertices).subspan(ring_starts[r], end - ring_starts[r]);
 }
 
 OutlineClip::OutlineClip(const OutlineIndex& index) : state_(std::make_unique<State>(index)) {}

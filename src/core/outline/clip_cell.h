@@ -11,9 +11,9 @@ namespace vorpipe::core {
 /// clockwise. Edge k runs from vertex k to the next of its ring.
 struct ClippedCell {
   std::vector<Point> vertices;
-  std::vector<std::int64_t> neighbors;  ///< of each edge; wall_outline along the outline
-  std::vector<std::uint32_t> first;     ///< vertex of each ring
-  std::vector<bool> hole;               ///< whether each ring is one
+  std::vector<std::int64_t> neighbors;     ///< of each edge; wall_outline along the outline
+  std::vector<std::uint32_t> ring_starts;  ///< the first vertex of each ring
+  std::vector<bool> hole;                  ///< whether each ring is one
 
   void clear();
   [[nodiscard]] std::span<const Point> ring(std::size_t r) const;

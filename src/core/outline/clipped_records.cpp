@@ -127,18 +127,18 @@ class ClippedWriting {
     RingMeasures measures;
     const Point origin = cell.vertices.front();
     const std::size_t out = to_.cell_offsets[i];
-    for (std::size_t r = 0; r < cell.first.size(); ++r) {
+    for (std::size_t r = 0; r < cell.ring_starts.size(); ++r) {
       const auto ring = cell.ring(r);
       relative_.clear();
       for (std::size_t k = 0; k < ring.size(); ++k) {
         const Point a = ring[k], b = ring[k + 1 < ring.size() ? k + 1 : 0];
-        const std::size_t e = cell.first[r] + k;
+        const std::size_t e = cell.ring_starts[r] + k;
         relative_.push_back({a.x - origin.x, a.y - origin.y});
         to_.vertices[out + e] = cells_.unscaled(a);
         to_.edge_lengths[out + e] = cells_.unscaled(lengthOf({b.x - a.x, b.y - a.y}));
         to_.neighbors[out + e] = label(i, cell.neighbors[e], a, b);
       }
-      to_.ring_starts[first_ring + r] = out + cell.first[r];
+      to_.ring_starts[first_ring + r] = out + cell.ring_starts[r];
       measures.add(relative_, cell.hole[r]);
     }
     writeMeasures(i, origin, measures.total());
@@ -178,10 +178,10 @@ class ClippedWriting {
     if (clipped_.fate[j] == Fate::inside) return hadEdge(j, i, b, a);
     if (clipped_.fate[j] != Fate::cut) return false;
     const ClippedCell& other = *clipped_.parts[j];
-    for (std::size_t r = 0; r < other.first.size(); ++r) {
+    for (std::size_t r = 0; r < other.ring_starts.size(); ++r) {
       const auto ring = other.ring(r);
       for (std::size_t k = 0; k < ring.size(); ++k) {
-        if (other.neighbors[other.first[r] + k] == site && ring[k] == b &&
+        if (other.neighbors[other.ring_starts[r] + k] == site && ring[k] == b &&
             ring[k + 1 < ring.size() ? k + 1 : 0] == a) {
           return true;
         }
@@ -208,7 +208,7 @@ Counts countsOf(const ScaledDiagram& cells, const ClippedCells& clipped, std::si
     return {edges, edges > 0 ? 1U : 0U};
   }
   if (clipped.fate[i] == Fate::cut)
-    return {clipped.parts[i]->vertices.size(), clipped.parts[i]->first.size()};
+    return {clipped.parts[i]->vertices.size(), clipped.parts[i]->ring_starts.size()};
   return {0, 0};
 }
 

@@ -100,7 +100,7 @@ bool Crossings::traceEdge(std::size_t first, std::size_t last, bool& inside) {
 /// `edges` are those of near_ that belong to one ring.
 bool Crossings::traceRing(std::span<const std::uint32_t> edges) {
   const auto ring = rings_.ring[edges[0]];
-  const bool whole = edges.size() == rings_.first[ring + std::size_t{1}] - rings_.first[ring];
+  const bool whole = edges.size() == rings_.offsets[ring + std::size_t{1}] - rings_.offsets[ring];
   // Where not all of the ring is near, one begins after a part of it that is not.
   std::size_t start = 0;
   while (!whole && rings_.next(edges[start > 0 ? start - 1 : edges.size() - 1]) == edges[start]) ++start;

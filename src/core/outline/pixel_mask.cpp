@@ -43,7 +43,7 @@ class Centers {
 
 /// For each band of rows the edges that may cross one of them.
 struct Bands {
-  std::vector<std::uint64_t> first;
+  std::vector<std::uint64_t> offsets;
   std::vector<std::uint32_t> edges;
 };
 
@@ -57,16 +57,16 @@ Bands bandsOf(const Rings& rings, const Centers& centers, int height) {
     for (int band = top / band_rows; band <= bottom / band_rows; ++band) take(static_cast<std::size_t>(band));
   };
   Bands bands;
-  bands.first.assign(static_cast<std::size_t>(count) + 2, 0);
+  bands.offsets.assign(static_cast<std::size_t>(count) + 2, 0);
   for (std::uint32_t e = 0; e < rings.size(); ++e) {
-    eachBand(e, [&](std::size_t band) { ++bands.first[band + 2]; });
+    eachBand(e, [&](std::size_t band) { ++bands.offsets[band + 2]; });
   }
-  for (std::size_t b = 2; b < bands.first.size(); ++b) bands.first[b] += bands.first[b - 1];
-  bands.edges.resize(bands.first.back());
+  for (std::size_t b = 2; b < bands.offsets.size(); ++b) bands.offsets[b] += bands.offsets[b - 1];
+  bands.edges.resize(bands.offsets.back());
   for (std::uint32_t e = 0; e < rings.size(); ++e) {
-    eachBand(e, [&](std::size_t band) { bands.edges[bands.first[band + 1]++] = e; });
+    eachBand(e, [&](std::size_t band) { bands.edges[bands.offsets[band + 1]++] = e; });
   }
-  bands.first.pop_back();
+  bands.offsets.pop_back();
   return bands;
 }
 
@@ -90,14 +90,14 @@ void clearPixels(Image& image, int row, int begin, int end) {
 void maskOutside(const Rings& rings, const Box& domain, int exponent, int threads, Image& image) {
   const Centers centers(domain, image, exponent);
   const Bands bands = bandsOf(rings, centers, image.height);
-  parallelFor(bands.first.size() - 1, 1, threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(bands.offsets.size() - 1, 1, threads, [&](std::size_t begin, std::size_t end) {
     std::vector<int> turns;
     for (auto band = begin; band < end; ++band) {
       const int top = static_cast<int>(band) * band_rows;
       for (int row = top; row < std::min(image.height, top + band_rows); ++row) {
         const double y = centers.y(row);
         turns.clear();
-        for (auto k = bands.first[band]; k < bands.first[band + 1]; ++k) {
+        for (auto k = bands.offsets[band]; k < bands.offsets[band + 1]; ++k) {
           const Point p = rings.points[bands.edges[k]], q = rings.points[rings.next(bands.edges[k])];
           if ((p.y >= y) != (q.y >= y)) turns.push_back(columnsLeftOf(p, q, centers, y, image.width));
         }

@@ -61,10 +61,10 @@ Wide areaBeside(Point p, Point q, const Box& box) {
 Result<Rings> ringsOf(const Outline& outline, int exponent) {
   Rings rings;
   rings.points.reserve(outline.points.size());
-  rings.first.push_back(0);
+  rings.offsets.push_back(0);
   for (std::size_t polygon = 0; polygon + 1 < outline.polygon_offsets.size(); ++polygon) {
     for (auto r = outline.polygon_offsets[polygon]; r < outline.polygon_offsets[polygon + 1]; ++r) {
-      const auto begin = rings.first.back();
+      const auto begin = rings.offsets.back();
       for (auto p = outline.ring_offsets[r]; p < outline.ring_offsets[r + 1]; ++p) {
         const Point from = outline.points[p];
         const Point point{std::ldexp(from.x, exponent), std::ldexp(from.y, exponent)};
@@ -79,8 +79,8 @@ Result<Rings> ringsOf(const Outline& outline, int exponent) {
       if (isCounterClockwise(std::span(rings.points).subspan(begin)) != outer) {
         std::reverse(rings.points.begin() + begin, rings.points.end());
       }
-      rings.ring.resize(rings.size(), static_cast<std::uint32_t>(rings.first.size() - 1));
-      rings.first.push_back(static_cast<std::uint32_t>(rings.size()));
+      rings.ring.resize(rings.size(), static_cast<std::uint32_t>(rings.offsets.size() - 1));
+      rings.offsets.push_back(static_cast<std::uint32_t>(rings.size()));
       rings.outer.push_back(static_cast<std::uint32_t>(outline.polygon_offsets[polygon]));
     }
   }

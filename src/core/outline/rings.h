@@ -16,13 +16,13 @@ inline bool isLess(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < 
 /// every edge; no two neighboring points are equal. Edge e runs from point e to point next(e).
 struct Rings {
   std::vector<Point> points;
-  std::vector<std::uint32_t> first;  ///< of each ring, and one more: the number of points
-  std::vector<std::uint32_t> ring;   ///< of each point
-  std::vector<std::uint32_t> outer;  ///< of each ring: the outer ring of its polygon
+  std::vector<std::uint32_t> offsets;  ///< of each ring, and one more: the number of points
+  std::vector<std::uint32_t> ring;     ///< of each point
+  std::vector<std::uint32_t> outer;    ///< of each ring: the outer ring of its polygon
 
   [[nodiscard]] std::size_t size() const { return points.size(); }
   [[nodiscard]] std::uint32_t next(std::uint32_t e) const {
-    return e + 1 < first[ring[e] + std::size_t{1}] ? e + 1 : first[ring[e]];
+    return e + 1 < offsets[ring[e] + std::size_t{1}] ? e + 1 : offsets[ring[e]];
   }
   [[nodiscard]] bool isOuter(std::uint32_t r) const { return outer[r] == r; }
 };

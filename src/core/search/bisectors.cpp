@@ -63,17 +63,17 @@ Box domainFrom(const SiteSet& sites, Point origin) {
 template <class Real>
 void packBatch(const SiteSet& sites, const Candidates& candidates, std::size_t begin, std::size_t end,
                int threads, CellBatch<Real>& out) {
-  const auto first_line = candidates.first[begin];
+  const auto first_line = candidates.offsets[begin];
   out.entries.resize(end - begin);
-  out.lines.resize(candidates.first[end] - first_line);
+  out.lines.resize(candidates.offsets[end] - first_line);
   parallelFor(end - begin, grain, threads, [&](std::size_t from, std::size_t to) {
     for (std::size_t e = from; e < to; ++e) {
       const auto site = candidates.site[begin + e];
       const auto origin = cellOrigin(sites, site);
       const Point shift{sites.x[site] - origin.x, sites.y[site] - origin.y};
       const Box walls = candidates.walls.empty() ? domainFrom(sites, origin) : candidates.walls[begin + e];
-      const auto first = candidates.first[begin + e];
-      const auto last = candidates.first[begin + e + 1];
+      const auto first = candidates.offsets[begin + e];
+      const auto last = candidates.offsets[begin + e + 1];
       out.entries[e] = {first - first_line,
                         last - first,
                         static_cast<Real>(walls.xmin),

@@ -9,7 +9,7 @@
 
 namespace vorpipe::core {
 
-/// The candidates of `site[e]` are index[first[e]] .. index[first[e + 1] - 1], nearest first, without
+/// The candidates of `site[e]` are index[offsets[e]] .. index[offsets[e + 1] - 1], nearest first, without
 /// the site itself. Every other site is at least reach[e] away from it: infinity, when no other can
 /// cut. Indices are those of the SiteSet; distances are in scaled units.
 ///
@@ -18,7 +18,7 @@ namespace vorpipe::core {
 /// candidates are all sites near it, or if it is also clipped to its own widened bounding box.
 struct Candidates {
   std::vector<std::uint32_t> site;
-  std::vector<std::uint32_t> first{0};
+  std::vector<std::uint32_t> offsets{0};
   std::vector<std::uint32_t> index;
   std::vector<double> reach;
   std::vector<Box> walls;

@@ -64,8 +64,8 @@ Candidates FlannSearch::neighbors(std::span<const std::uint32_t> which, std::siz
   k = all ? sites.size() - 1 : k;
   Candidates candidates;
   candidates.site.assign(which.begin(), which.end());
-  candidates.first.resize(which.size() + 1);
-  for (std::size_t e = 0; e <= which.size(); ++e) candidates.first[e] = static_cast<std::uint32_t>(e * k);
+  candidates.offsets.resize(which.size() + 1);
+  for (std::size_t e = 0; e <= which.size(); ++e) candidates.offsets[e] = static_cast<std::uint32_t>(e * k);
   candidates.index.resize(which.size() * k);
   candidates.reach.assign(which.size(), std::numeric_limits<double>::infinity());
   if (k == 0) return candidates;

@@ -67,7 +67,7 @@ class Finding {
     report_.time_ms.search += 1e3 * watch.seconds();
     if (auto clipped = askCells(input_.backend, batch_, input_.threads, found); !clipped) return clipped;
     for (std::size_t e = 0; e < which.size(); ++e) {
-      renumber(found, e, [&](std::uint32_t line) { return candidates.index[candidates.first[e] + line]; });
+      renumber(found, e, [&](std::uint32_t line) { return candidates.index[candidates.offsets[e] + line]; });
     }
     return {};
   }

@@ -52,7 +52,7 @@ Result<void> BoundedBackend::call(Call kind, const Make& make) {
 
 Result<void> BoundedBackend::upload(const SiteSet& sites, std::span<const std::uint8_t> shade) {
   given_.sites = sites.size();
-  given_.bins = sites.grid.first.size();
+  given_.bins = sites.grid.offsets.size();
   return call(Call::upload, [&] { return backend_.upload(sites, shade); });
 }
 

@@ -65,7 +65,7 @@ class Ordering {
         std::iota(owner_.begin(), owner_.end(), 0u);
       }
     });
-    set_.grid.first.resize(std::size_t{set_.grid.columns} * set_.grid.rows + 1);
+    set_.grid.offsets.resize(std::size_t{set_.grid.columns} * set_.grid.rows + 1);
   }
 
   template <class Each>
@@ -104,20 +104,20 @@ class Ordering {
 
   void sortBucket(std::size_t bucket) {
     const auto first_bin = bucket << bucket_bits_;
-    const auto bins = std::min(std::size_t{1} << bucket_bits_, set_.grid.first.size() - 1 - first_bin);
+    const auto bins = std::min(std::size_t{1} << bucket_bits_, set_.grid.offsets.size() - 1 - first_bin);
     const auto begin = bucket_first_[bucket];
     const std::span<const Placed> sites(placed_.data() + begin, bucket_first_[bucket + 1] - begin);
     std::vector<std::uint32_t> next(bins + 1);
     for (const auto& site : sites) ++next[site.bin - first_bin + 1];
     std::partial_sum(next.begin(), next.end(), next.begin());
-    std::copy_n(next.begin(), bins, set_.grid.first.begin() + static_cast<std::ptrdiff_t>(first_bin));
+    std::copy_n(next.begin(), bins, set_.grid.offsets.begin() + static_cast<std::ptrdiff_t>(first_bin));
     for (const auto& site : sites) {
       const auto place = begin + next[site.bin - first_bin]++;
       set_.x[place] = site.x;
       set_.y[place] = site.y;
       set_.id[place] = site.id;
     }
-    removed_[bucket] = removeDuplicates(begin, {set_.grid.first.data() + first_bin, bins}, next);
+    removed_[bucket] = removeDuplicates(begin, {set_.grid.offsets.data() + first_bin, bins}, next);
   }
 
   /// Drops the duplicates in the bins of one bucket, whose sites stand from `begin` on. first[b] and
@@ -199,7 +199,7 @@ class Ordering {
 
   /// Moves the buckets together where duplicates were removed, and counts bins from the first site.
   void closeGaps() {
-    auto& first = set_.grid.first;
+    auto& first = set_.grid.offsets;
     std::uint32_t removed = 0;
     for (std::size_t bucket = 0; bucket < buckets_; ++bucket) {
       const auto begin = bucket_first_[bucket];

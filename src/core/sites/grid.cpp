@@ -33,7 +33,7 @@ Grid layGrid(const Box& box, std::size_t count) {
 std::uint64_t sitesIn(const Grid& grid, const BinBlock& block) {
   std::uint64_t count = 0;
   for (auto row = block.south; row <= block.north; ++row) {
-    const auto* first = grid.first.data() + std::size_t{row} * grid.columns;
+    const auto* first = grid.offsets.data() + std::size_t{row} * grid.columns;
     count += first[block.east + 1] - first[block.west];
   }
   return count;

@@ -77,7 +77,7 @@ void noteHeaviest(SiteSet& sites, int threads) {
   grid.heaviest.assign(bins, nothing);
   parallelFor(bins, grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto bin = begin; bin < end; ++bin) {
-      for (auto site = grid.first[bin]; site < grid.first[bin + 1]; ++site) {
+      for (auto site = grid.offsets[bin]; site < grid.offsets[bin + 1]; ++site) {
         const double weight = sites.weight[site];
         if (weight < heavy) grid.heaviest[bin] = std::max(grid.heaviest[bin], weight);
       }

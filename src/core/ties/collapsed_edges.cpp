@@ -42,7 +42,7 @@ class Enclosing {
     for (std::size_t k = 0; k < tied_.cell.size(); ++k) {
       const auto row = cells_.edges(tied_.cell[k]);
       for (std::size_t e = 0; e < row.size(); ++e) {
-        const auto corner = tied_.first[k] + e;
+        const auto corner = tied_.offsets[k] + e;
         const int walls = (row[e] < 0 ? 1 : 0) + (row[e > 0 ? e - 1 : row.size() - 1] < 0 ? 1 : 0);
         excess_[tied_.vertex[corner]] -= walls == 0 ? 2 : (walls == 1 ? 3 : one_corner);
         if (tied_.tie[corner] != 0) excess_[tied_.vertex[corner]] += row[e] < 0 ? one_corner : 3;
@@ -51,14 +51,14 @@ class Enclosing {
   }
 
   [[nodiscard]] bool touchesRing(std::size_t k) const {
-    for (auto c = tied_.first[k]; c < tied_.first[k + 1]; ++c) {
+    for (auto c = tied_.offsets[k]; c < tied_.offsets[k + 1]; ++c) {
       if (excess_[tied_.vertex[c]] != 0) return true;
     }
     return false;
   }
 
   [[nodiscard]] bool isKept(std::uint32_t cell, std::size_t e) const {
-    return !tied_.has(cell) || tied_.tie[tied_.first[tied_.entry[cell]] + e] == 0;
+    return !tied_.has(cell) || tied_.tie[tied_.offsets[tied_.entry[cell]] + e] == 0;
   }
 
   void searchFrom(std::uint32_t first) {
@@ -90,14 +90,14 @@ class Enclosing {
 
   /// Makes one vertex of all corners of the cells in region_, one of which is tied.
   void collapse() {
-    const auto vertex = static_cast<std::uint32_t>(tied_.first[tied_.entry[region_.front()]]);
+    const auto vertex = static_cast<std::uint32_t>(tied_.offsets[tied_.entry[region_.front()]]);
     for (const auto cell : region_) {
       if (!tied_.has(cell)) {
         tied_.enclosed.push_back(cell);
         continue;
       }
       const auto k = tied_.entry[cell];
-      for (auto c = tied_.first[k]; c < tied_.first[k + 1]; ++c) {
+      for (auto c = tied_.offsets[k]; c < tied_.offsets[k + 1]; ++c) {
         joined_ = joined_ || sets_.root(static_cast<std::uint32_t>(c)) != sets_.root(vertex);
         sets_.join(static_cast<std::uint32_t>(c), vertex);
         tied_.tie[c] = 1;
@@ -122,8 +122,8 @@ class Enclosing {
 void dropCollapsed(const ProposedCells& proposed, DisjointSets& corners, TiedCells& tied) {
   parallelFor(tied.cell.size(), grain, proposed.threads, [&](std::size_t begin, std::size_t end) {
     for (auto k = begin; k < end; ++k) {
-      for (auto c = tied.first[k]; c < tied.first[k + 1]; ++c) {
-        const auto next = c + 1 < tied.first[k + 1] ? c + 1 : tied.first[k];
+      for (auto c = tied.offsets[k]; c < tied.offsets[k + 1]; ++c) {
+        const auto next = c + 1 < tied.offsets[k + 1] ? c + 1 : tied.offsets[k];
         if (tied.vertex[c] == tied.vertex[next]) tied.tie[c] = 1;
       }
     }

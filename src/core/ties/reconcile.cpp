@@ -86,8 +86,8 @@ std::vector<std::uint32_t> cellsOfTies(const ProposedCells& proposed, const Tied
   std::vector<std::uint32_t> cells;
   if (proposed.sites.weight.empty()) return cells;
   for (std::size_t k = 0; k < tied.cell.size(); ++k) {
-    const auto begin = tied.tie.begin() + static_cast<std::ptrdiff_t>(tied.first[k]);
-    const auto end = tied.tie.begin() + static_cast<std::ptrdiff_t>(tied.first[k + 1]);
+    const auto begin = tied.tie.begin() + static_cast<std::ptrdiff_t>(tied.offsets[k]);
+    const auto end = tied.tie.begin() + static_cast<std::ptrdiff_t>(tied.offsets[k + 1]);
     const bool has_cell = proposed.cells.status(tied.cell[k]) == CellStatus::certified;
     if (has_cell && std::find(begin, end, 0) == end) cells.push_back(tied.cell[k]);
   }

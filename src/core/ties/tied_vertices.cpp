@@ -52,18 +52,18 @@ class Making {
     std::vector<std::uint32_t> roots((tied_.cell.size() + grain - 1) / grain + 1);
     parallelFor(tied_.cell.size(), grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
       std::uint32_t count = 0;
-      for (auto c = tied_.first[begin]; c < tied_.first[end]; ++c) count += isRoot(c) ? 1u : 0u;
+      for (auto c = tied_.offsets[begin]; c < tied_.offsets[end]; ++c) count += isRoot(c) ? 1u : 0u;
       roots[begin / grain + 1] = count;
     });
     for (std::size_t b = 1; b < roots.size(); ++b) roots[b] += roots[b - 1];
     parallelFor(tied_.cell.size(), grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
       auto next = roots[begin / grain];
-      for (auto c = tied_.first[begin]; c < tied_.first[end]; ++c) {
+      for (auto c = tied_.offsets[begin]; c < tied_.offsets[end]; ++c) {
         if (isRoot(c)) tied_.vertex[c] = next++;
       }
     });
     forEntries([&](std::size_t k) {
-      for (auto c = tied_.first[k]; c < tied_.first[k + 1]; ++c) {
+      for (auto c = tied_.offsets[k]; c < tied_.offsets[k + 1]; ++c) {
         const auto root = sets_.root(static_cast<std::uint32_t>(c));
         if (root != c) tied_.vertex[c] = tied_.vertex[root];
       }
@@ -77,10 +77,10 @@ class Making {
   /// Lists the cells at each vertex, ascending.
   void gather() {
     const auto vertices = tied_.position.size();
-    auto& first = tied_.around_first;
+    auto& first = tied_.around_offsets;
     first.assign(vertices + 1, 0);
     forEntries([&](std::size_t k) {
-      for (auto c = tied_.first[k]; c < tied_.first[k + 1]; ++c) {
+      for (auto c = tied_.offsets[k]; c < tied_.offsets[k + 1]; ++c) {
         std::atomic_ref(first[tied_.vertex[c] + std::size_t{1}]).fetch_add(1, std::memory_order_relaxed);
       }
     });
@@ -88,7 +88,7 @@ class Making {
     tied_.around.resize(tied_.vertex.size());
     auto next = first;
     forEntries([&](std::size_t k) {
-      for (auto c = tied_.first[k]; c < tied_.first[k + 1]; ++c) {
+      for (auto c = tied_.offsets[k]; c < tied_.offsets[k + 1]; ++c) {
         const auto at = std::atomic_ref(next[tied_.vertex[c]]).fetch_add(1, std::memory_order_relaxed);
         tied_.around[at] = tied_.cell[k];
       }
@@ -102,7 +102,7 @@ class Making {
       const auto row = rowOf(k);
       bool wall = false;
       for (std::size_t e = 0; e < row.size(); ++e) {
-        const auto c = tied_.first[k] + e;
+        const auto c = tied_.offsets[k] + e;
         wall = wall || row[e] < 0;
         if (isRoot(c)) tied_.position[tied_.vertex[c]] = cornerOf(k, row, e);
       }
@@ -118,7 +118,7 @@ class Making {
       for (auto v = begin; v < end; ++v) {
         const auto cells =
             std::span(tied_.around)
-                .subspan(tied_.around_first[v], tied_.around_first[v + 1] - tied_.around_first[v]);
+                .subspan(tied_.around_offsets[v], tied_.around_offsets[v + 1] - tied_.around_offsets[v]);
         std::sort(cells.begin(), cells.end());
         placeBetween(cells, tied_.position[v]);
       }
@@ -169,7 +169,7 @@ class Making {
   void noteWalls(std::size_t k) {
     const auto row = rowOf(k);
     for (std::size_t e = 0; e < row.size(); ++e) {
-      auto& walls = tied_.walls[tied_.vertex[tied_.first[k] + e]];
+      auto& walls = tied_.walls[tied_.vertex[tied_.offsets[k] + e]];
       walls = static_cast<std::uint8_t>(walls | wallBit(row[before(row, e)]) | wallBit(row[e]));
     }
   }
@@ -179,10 +179,10 @@ class Making {
   /// a corner of the domain takes the vertex out of it.
   [[nodiscard]] AnchoredPoint placeOnWall(std::size_t k, std::size_t e, std::int32_t wall) const {
     const auto row = rowOf(k);
-    const auto vertex = tied_.vertex[tied_.first[k] + e];
-    const auto cells =
-        std::span(tied_.around)
-            .subspan(tied_.around_first[vertex], tied_.around_first[vertex + 1] - tied_.around_first[vertex]);
+    const auto vertex = tied_.vertex[tied_.offsets[k] + e];
+    const auto cells = std::span(tied_.around)
+                           .subspan(tied_.around_offsets[vertex],
+                                    tied_.around_offsets[vertex + 1] - tied_.around_offsets[vertex]);
     const auto& along = isVerticalWall(wall) ? sites_.y : sites_.x;
     const auto first = *std::min_element(cells.begin(), cells.end(),
                                          [&](auto a, auto b) { return sites_.id[a] < sites_.id[b]; });
@@ -213,7 +213,7 @@ class Making {
   void placeAtWalls(std::size_t k) {
     const auto row = rowOf(k);
     for (std::size_t e = 0; e < row.size(); ++e) {
-      const auto vertex = tied_.vertex[tied_.first[k] + e];
+      const auto vertex = tied_.vertex[tied_.offsets[k] + e];
       auto& walls = tied_.walls[vertex];
       const auto wall = std::min(row[e], row[before(row, e)]);
       if (wall >= 0 || (walls & wall_placed) != 0) continue;

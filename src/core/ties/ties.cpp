@@ -35,11 +35,11 @@ class Untying {
         fineness_(fineness),
         disputes_(disputes),
         tied_(tied),
-        sets_(tied.first.back()),
+        sets_(tied.offsets.back()),
         disputed_(tied.cell.size()),
         unsure_(tied.cell.size()) {
-    tied_.tie.resize(tied_.first.back());
-    tied_.vertex.resize(tied_.first.back());
+    tied_.tie.resize(tied_.offsets.back());
+    tied_.vertex.resize(tied_.offsets.back());
   }
 
   void run() {
@@ -162,7 +162,7 @@ class Untying {
     if (isRightlyEmpty(sites_, cells_, cell)) return;
     const auto row = cells_.edges(cell);
     for (std::size_t e = 0; e < row.size(); ++e) {
-      const auto begin = tied_.first[k] + e, end = tied_.first[k] + after(row, e);
+      const auto begin = tied_.offsets[k] + e, end = tied_.offsets[k] + after(row, e);
       if (tied_.tie[begin] != 0 || tied_.vertex[begin] != tied_.vertex[end]) continue;
       const auto here = see(cell, row, e, cornerOf(cell, row, e), cornerOf(cell, row, after(row, e)));
       const double length = lengthOf(wayBetween(here.begin, here.end));
@@ -180,7 +180,7 @@ class Untying {
   void listDisputed() { tied_.disputed = marked(disputed_); }
 
   [[nodiscard]] std::uint32_t cornerNumber(std::size_t k, std::size_t e) const {
-    return static_cast<std::uint32_t>(tied_.first[k] + e);
+    return static_cast<std::uint32_t>(tied_.offsets[k] + e);
   }
 
   /// The ends of an edge are the same in both cells; but a cell that is not tied has no ties to pass on.
@@ -282,7 +282,7 @@ std::size_t nextMarked(std::span<const std::uint8_t> suspect, std::size_t begin)
 Result<TiedCells> resolveTies(const ProposedCells& proposed, std::span<const std::uint8_t> suspect,
                               const Fineness& fineness, Disputes disputes) {
   TiedCells tied;
-  tied.first.push_back(0);
+  tied.offsets.push_back(0);
   for (std::size_t cell = nextMarked(suspect, 0); cell < suspect.size();
        cell = nextMarked(suspect, cell + 1)) {
     if (tied.cell.empty()) {
@@ -291,11 +291,11 @@ Result<TiedCells> resolveTies(const ProposedCells& proposed, std::span<const std
     }
     tied.entry[cell] = static_cast<std::uint32_t>(tied.cell.size());
     tied.cell.push_back(static_cast<std::uint32_t>(cell));
-    tied.first.push_back(tied.first.back() + proposed.cells.edges(cell).size());
+    tied.offsets.push_back(tied.offsets.back() + proposed.cells.edges(cell).size());
   }
-  if (tied.first.back() >= std::numeric_limits<std::uint32_t>::max()) {
-    return tl::unexpected(
-        refusal(Subject::sites, fmt::format("{} tied corners are more than 4294967294", tied.first.back())));
+  if (tied.offsets.back() >= std::numeric_limits<std::uint32_t>::max()) {
+    return tl::unexpected(refusal(
+        Subject::sites, fmt::format("{} tied corners are more than 4294967294", tied.offsets.back())));
   }
   if (!tied.cell.empty()) Untying(proposed, fineness, disputes, tied).run();
   return tied;
@@ -306,7 +306,7 @@ void keptEdges(const ProposedCells& proposed, const TiedCells& tied, std::size_t
   edges.clear();
   const auto row = proposed.cells.edges(tied.cell[k]);
   for (std::uint32_t e = 0; e < row.size(); ++e) {
-    if (tied.tie[tied.first[k] + e] == 0) edges.push_back(e);
+    if (tied.tie[tied.offsets[k] + e] == 0) edges.push_back(e);
   }
   const auto lowest =
       std::min_element(edges.begin(), edges.end(), [&](auto a, auto b) { return row[a] < row[b]; });

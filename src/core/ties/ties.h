@@ -11,17 +11,17 @@
 namespace vorpipe::core {
 
 /// The cells that ties make differ from what their neighbors alone say. Corners of these cells that
-/// ties join are one vertex, with one place for all of them. Corner first[k] + e begins edge e of
+/// ties join are one vertex, with one place for all of them. Corner offsets[k] + e begins edge e of
 /// cell[k].
 struct TiedCells {
-  std::vector<std::uint32_t> cell;    ///< ascending
-  std::vector<std::uint32_t> entry;   ///< by cell: its index in `cell`, or not_tied; empty without tied cells
-  std::vector<std::uint64_t> first;   ///< size: tied cells + 1
-  std::vector<std::uint32_t> vertex;  ///< of each corner
-  std::vector<std::uint8_t> tie;      ///< whether the edge that a corner begins is too short to count
+  std::vector<std::uint32_t> cell;   ///< ascending
+  std::vector<std::uint32_t> entry;  ///< by cell: its index in `cell`, or not_tied; empty without tied cells
+  std::vector<std::uint64_t> offsets;   ///< size: tied cells + 1
+  std::vector<std::uint32_t> vertex;    ///< of each corner
+  std::vector<std::uint8_t> tie;        ///< whether the edge that a corner begins is too short to count
   std::vector<AnchoredPoint> position;  ///< of each vertex
   std::vector<std::uint8_t> walls;      ///< of each vertex; 0: it lies on no wall
-  std::vector<std::uint32_t> around_first,
+  std::vector<std::uint32_t> around_offsets,
       around;                           ///< the tied cells of each vertex, as often as they meet it
   std::vector<std::uint32_t> disputed;  ///< cells that no tie excuses, ascending; else all of this is right
   std::vector<std::uint32_t> enclosed;  ///< cells to be tied as well, since ties enclose them, ascending
@@ -69,7 +69,7 @@ void keptEdges(const ProposedCells& proposed, const TiedCells& tied, std::size_t
 
 /// The place where edge e of tied cell k begins.
 inline const AnchoredPoint& tiedPosition(const TiedCells& tied, std::size_t k, std::size_t e) {
-  return tied.position[tied.vertex[tied.first[k] + e]];
+  return tied.position[tied.vertex[tied.offsets[k] + e]];
 }
 
 }  // namespace vorpipe::core

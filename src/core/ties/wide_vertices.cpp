@@ -32,7 +32,7 @@ class Measuring {
       const auto cell = tied_.cell[k];
       const auto row = proposed_.cells.edges(cell);
       for (std::size_t e = 0; e < row.size(); ++e) {
-        const auto c = tied_.first[k] + e;
+        const auto c = tied_.offsets[k] + e;
         if (tied_.tie[c] == 0) continue;
         const std::uint32_t ties = isOfThisCellAlone(cell, row[e]) ? 2 : 1;
         std::atomic_ref(ties_[tied_.vertex[c]]).fetch_add(ties, std::memory_order_relaxed);
@@ -67,7 +67,7 @@ class Measuring {
   }
 
   void measure(std::size_t k, std::vector<AnchoredPoint>& corners) {
-    const auto first = tied_.first[k], count = tied_.first[k + 1] - first;
+    const auto first = tied_.offsets[k], count = tied_.offsets[k + 1] - first;
     bool any = false;
     for (std::uint64_t e = 0; e < count && !any; ++e) any = hasMany(first + e);
     if (!any) return;
@@ -104,7 +104,7 @@ class Measuring {
     std::vector<std::uint32_t> cells;
     for (std::size_t v = 0; v < width_.size(); ++v) {
       if (!(width_[v] > most)) continue;
-      for (auto at = tied_.around_first[v]; at < tied_.around_first[v + 1]; ++at) {
+      for (auto at = tied_.around_offsets[v]; at < tied_.around_offsets[v + 1]; ++at) {
         if (fineness_.of(tied_.around[at]) < Fineness::finest) cells.push_back(tied_.around[at]);
       }
     }

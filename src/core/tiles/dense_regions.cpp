@@ -71,7 +71,7 @@ class Sorting {
           const auto around = sitesIn(grid_, withMargin(grid_, {column, row, column, row}, 1));
           if (around <= crowd) continue;
           const auto bin = binAt(column, row);
-          if (grid_.first[bin] == grid_.first[bin + 1]) continue;
+          if (grid_.offsets[bin] == grid_.offsets[bin + 1]) continue;
           density_[bin] = around > hopeless_crowd ? Density::hopeless : Density::crowded;
           some = true;
         }
@@ -97,7 +97,7 @@ class Sorting {
       tight = {std::min(tight.west, column), std::min(tight.south, row), std::max(tight.east, column),
                std::max(tight.north, row)};
       ++count.bins;
-      count.sites += grid_.first[bin + 1] - grid_.first[bin];
+      count.sites += grid_.offsets[bin + 1] - grid_.offsets[bin];
     });
     if (count.bins > 0) block = tight;
     return count;
@@ -119,7 +119,7 @@ class Sorting {
     }
     std::size_t bin = 0;
     for (const auto site : which_) {
-      while (grid_.first[bin + 1] <= site) ++bin;
+      while (grid_.offsets[bin + 1] <= site) ++bin;
       if (density_[bin] == Density::even) {
         crowding.even.push_back(site);
       } else if (region_[bin] != none) {

@@ -21,8 +21,8 @@ bool fitsWithHalo(const Grid& grid, const BinBlock& tile, std::uint64_t most_sit
 std::span<const std::uint32_t> ofRow(const Grid& grid, const BinBlock& block, std::uint32_t row,
                                      std::span<const std::uint32_t> which) {
   const auto bin = std::size_t{row} * grid.columns;
-  const auto begin = std::lower_bound(which.begin(), which.end(), grid.first[bin + block.west]);
-  const auto end = std::lower_bound(begin, which.end(), grid.first[bin + block.east + 1]);
+  const auto begin = std::lower_bound(which.begin(), which.end(), grid.offsets[bin + block.west]);
+  const auto end = std::lower_bound(begin, which.end(), grid.offsets[bin + block.east + 1]);
   return {begin, end};
 }
 
@@ -34,11 +34,11 @@ std::vector<std::uint32_t> ownCells(const Grid& grid, const BinBlock& tile,
   std::uint32_t row_first = 0;
   for (auto row = block.south; row <= block.north; ++row) {
     const auto bin = std::size_t{row} * grid.columns;
-    const auto begin = grid.first[bin + block.west];
+    const auto begin = grid.offsets[bin + block.west];
     if (row >= tile.south && row <= tile.north) {
       for (const auto site : ofRow(grid, tile, row, which)) own.push_back(site - begin + row_first);
     }
-    row_first += grid.first[bin + block.east + 1] - begin;
+    row_first += grid.offsets[bin + block.east + 1] - begin;
   }
   return own;
 }
@@ -166,11 +166,11 @@ SiteSet cutOut(const SiteSet& sites, const BinBlock& block, std::vector<std::uin
   whole.clear();
   for (auto row = block.south; row <= block.north; ++row) {
     const auto bin = std::size_t{row} * grid.columns;
-    const auto begin = grid.first[bin + block.west];
-    const auto end = grid.first[bin + block.east + 1];
+    const auto begin = grid.offsets[bin + block.west];
+    const auto end = grid.offsets[bin + block.east + 1];
     const auto row_first = static_cast<std::uint32_t>(whole.size());
     for (auto column = block.west; column <= block.east; ++column) {
-      set.grid.first.push_back(grid.first[bin + column + 1] - begin + row_first);
+      set.grid.offsets.push_back(grid.offsets[bin + column + 1] - begin + row_first);
     }
     whole.resize(whole.size() + (end - begin));
     std::iota(whole.begin() + row_first, whole.end(), begin);
