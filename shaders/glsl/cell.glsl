@@ -147,9 +147,9 @@ real squaredRadius(IN(Cell) c) {
 
 // The radius of security (Levy and Bonneel 2012): a site at least this far from the site of the
 // cell cuts nothing off it, because its bisector passes beyond the farthest vertex.
-// shift is the distance from the origin to the site.
-real securityRadius(real squared_radius, real shift) {
-    return real(2.0) * (sqrt(squared_radius) + shift) * (real(1.0) + real(16.0) * ROUNDING);
+// origin_offset is the distance from the origin to the site.
+real securityRadius(real squared_radius, real origin_offset) {
+    return real(2.0) * (sqrt(squared_radius) + origin_offset) * (real(1.0) + real(16.0) * ROUNDING);
 }
 
 // Whether there are edges that, end to end, come back to where they began, up to rounding.

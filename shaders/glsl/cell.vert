@@ -1,7 +1,7 @@
 #version 450
 // Hands one entry of a batch, as it stands in the vertex buffer, to the geometry shader.
 layout(location = 0) in vec4 in_walls;   // west, south, east, north of the origin
-layout(location = 1) in vec2 in_bounds;  // reach, shift
+layout(location = 1) in vec2 in_bounds;  // reach, origin_offset
 layout(location = 2) in uvec2 in_lines;  // first, count
 layout(location = 3) in vec2 in_origin;  // normalized device coordinates
 layout(location = 4) in uvec2 in_mark;   // id, shade

@@ -28,9 +28,9 @@
 
 // A site as the clipping sees it.
 struct Viewpoint {
-    cell_int self;  // its place
-    vec2 shift;     // the way from the origin of its cell to it
-    vec2 outset;    // that of searchBlock
+    cell_int self;       // its place
+    vec2 origin_offset;  // the way from the origin of its cell to it
+    vec2 outset;         // that of searchBlock
 #ifdef WEIGHTED
     real weight_excess;  // bounds by how much a site that is left to try is heavier than the cell's own
 #endif
@@ -93,7 +93,7 @@ Bisector bisectorWith(IN(Viewpoint) view, cell_int place) {
     distance = once * inverse;
 #endif
     b.n = vec2(b.apart ? d.x * inverse : real(1.0), d.y * inverse);
-    real h = real(0.5) * distance + (view.shift.x * b.n.x + view.shift.y * b.n.y);
+    real h = real(0.5) * distance + (view.origin_offset.x * b.n.x + view.origin_offset.y * b.n.y);
 #ifdef WEIGHTED
     h += real(0.5) * weightDifference(place) * inverse;
 #endif
@@ -148,7 +148,7 @@ cell_bool mayCut(IN(Vertices) v, IN(Viewpoint) view, cell_int place) {
         real along = v.x[k] * d.x + v.y[k] * d.y;
         farthest = along > farthest ? along : farthest;
     }
-    real halfway = real(0.49999) * (d.x * d.x + d.y * d.y) + (view.shift.x * d.x + view.shift.y * d.y);
+    real halfway = real(0.49999) * (d.x * d.x + d.y * d.y) + (view.origin_offset.x * d.x + view.origin_offset.y * d.y);
 #ifdef WEIGHTED
     real against = real(0.5) * weightDifference(place);
     halfway += against - real(0.00001) * abs(against);
@@ -168,7 +168,7 @@ cell_bool mayCut(IN(Vertices) v, IN(Viewpoint) view, cell_int place) {
 // Where lines are moved inward, by up to s, a site cuts a vertex v off if it cuts v + b off for some b no longer
 // than s: so the disk around v has the radius |v| + 2 s, and with weights that of |v| + s, and s more.
 vec4 flowerBox(IN(Cell) c, IN(Viewpoint) view) {
-    vec2 site = view.shift;
+    vec2 site = view.origin_offset;
     real inward = max(-(view.outset.x + view.outset.y), real(0.0));
     vec4 box = vec4(site.x, site.y, site.x, site.y);
     UNROLL for (int k = 0; k < EDGE_END; k++) {
@@ -282,22 +282,22 @@ struct Search {
     cell_bool left;  // whether some of them may not have been tried
 };
 
-Search searchFrom(IN(Bins) bins, vec2 outset, cell_int self, vec2 shift) {
+Search searchFrom(IN(Bins) bins, vec2 outset, cell_int self, vec2 origin_offset) {
     Search s;
     s.view.self = self;
-    s.view.shift = shift;
+    s.view.origin_offset = origin_offset;
     s.view.outset = outset;
     s.column = binAlong(-bins.low.x / bins.size, bins.columns);
     s.row = binAlong(-bins.low.y / bins.size, bins.rows);
     return s;
 }
 
-// Begins the cell of the site at place `self`, which lies at `shift` from the origin of the cell, and cuts it by
-// every site of the block. outset moves every line outward, by up to its two components along x and y: nothing, to
+// Begins the cell of the site at place `self`, which lies at `origin_offset` from the origin of the cell, and cuts
+// it by every site of the block. outset moves every line outward, by up to its two components along x and y: nothing, to
 // measure; what view_uniform.h says, to draw. Where it is negative, lines move inward.
-Search searchBlock(INOUT(Cell) c, IN(Bins) bins, vec4 walls, vec2 outset, cell_int self, vec2 shift) {
+Search searchBlock(INOUT(Cell) c, IN(Bins) bins, vec4 walls, vec2 outset, cell_int self, vec2 origin_offset) {
     beginCell(c, vec4(walls.x - outset.x, walls.y - outset.y, walls.z + outset.x, walls.w + outset.y));
-    Search s = searchFrom(bins, outset, self, shift);
+    Search s = searchFrom(bins, outset, self, origin_offset);
     Runs runs = runsOfBlock(bins, s.column, s.row);
     s.tried = runs.count;
     s.left = s.tried <= bins.most;
@@ -348,8 +348,8 @@ cell_int outcomeOf(IN(Cell) c, IN(Bins) bins, IN(Search) s) {
 }
 
 // Clips the cell of a site by every site that can cut it; see searchBlock.
-cell_int clipSite(INOUT(Cell) c, IN(Bins) bins, vec4 walls, vec2 outset, cell_int self, vec2 shift) {
-    Search s = searchBlock(c, bins, walls, outset, self, shift);
+cell_int clipSite(INOUT(Cell) c, IN(Bins) bins, vec4 walls, vec2 outset, cell_int self, vec2 origin_offset) {
+    Search s = searchBlock(c, bins, walls, outset, self, origin_offset);
     searchBeyond(c, bins, s);
     return outcomeOf(c, bins, s);
 }
@@ -357,9 +357,9 @@ cell_int clipSite(INOUT(Cell) c, IN(Bins) bins, vec4 walls, vec2 outset, cell_in
 #ifdef DRAWN
 // Whether floats may lose more of a cell than is allowed; docs/algorithm.md, "What floats lose". What is lost of the
 // place of another site turns the line between the two by that part of their distance.
-cell_bool losesTooMuch(IN(Cell) c, vec2 shift) {
+cell_bool losesTooMuch(IN(Cell) c, vec2 origin_offset) {
     real farthest = sqrt(max(squaredRadius(c), real(0.0)));
-    real reach = farthest + abs(shift.x) + abs(shift.y);
+    real reach = farthest + abs(origin_offset.x) + abs(origin_offset.y);
     real away = sqrt(lines_tried.nearest);
 #ifdef WEIGHTED
     real of_cell = reach * (real(REACH_ROUNDING) * away + real(2.0) * real(PLACE_ROUNDING));

@@ -7,9 +7,9 @@
 // components along x and y: nothing, to measure; what view_uniform.h says, to draw. Where it is
 // negative, lines move inward, and sites cut that are farther away by twice as much.
 // reach bounds from below the distance of every site that is not in the list.
-int clipCell(INOUT(Cell) c, vec4 walls, vec2 outset, int first, int count, real reach, real shift) {
+int clipCell(INOUT(Cell) c, vec4 walls, vec2 outset, int first, int count, real reach, real origin_offset) {
     beginCell(c, vec4(walls.x - outset.x, walls.y - outset.y, walls.z + outset.x, walls.w + outset.y));
-    real away = shift + max(-(outset.x + outset.y), real(0.0));
+    real away = origin_offset + max(-(outset.x + outset.y), real(0.0));
     real security = securityRadius(squaredRadius(c), away);
     real unseen = reach;
     for (int i = 0; i < count; i++) {

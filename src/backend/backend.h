@@ -73,7 +73,7 @@ struct CellBatch {
     std::uint32_t first, count;     ///< its lines
     Real west, south, east, north;  ///< the domain's walls relative to the origin
     Real reach;                     ///< every site that has no line here is at least this far from the site
-    Real shift;                     ///< distance from the origin to the site, rounded up
+    Real origin_offset;             ///< distance from the origin to the site, rounded up
   };
   std::vector<Entry> entries;
   std::vector<HalfPlane<Real>> lines;

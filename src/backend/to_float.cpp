@@ -9,7 +9,7 @@ CellBatch<float> toFloat(const CellBatch<double>& batch) {
   rounded.lines.reserve(batch.lines.size());
   for (const auto& e : batch.entries) {
     rounded.entries.push_back(
-        {e.first, e.count, f(e.west), f(e.south), f(e.east), f(e.north), f(e.reach), f(e.shift)});
+        {e.first, e.count, f(e.west), f(e.south), f(e.east), f(e.north), f(e.reach), f(e.origin_offset)});
   }
   for (const auto& l : batch.lines) rounded.lines.push_back({f(l.nx), f(l.ny), f(l.h), f(l.bound)});
   return rounded;

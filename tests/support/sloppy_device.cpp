@@ -177,7 +177,7 @@ class Device final : public SloppyDevice {
       glsl::Even::Cell cell;
       const int found = clip.clipCell(cell, {entry.west, entry.south, entry.east, entry.north},
                                       {uniform.outset_x, uniform.outset_y}, static_cast<int>(entry.first),
-                                      static_cast<int>(entry.count), entry.reach, entry.shift);
+                                      static_cast<int>(entry.count), entry.reach, entry.origin_offset);
       status[e] = finish(clip, cell, found, uniform, [](const auto&) { return false; });
       if (status[e] != CellStatus::certified) continue;
       paint(clip, cell, {marks[e].x, marks[e].y}, uniform, marks[e].id, view_.palette[marks[e].shade]);
@@ -228,16 +228,18 @@ class Device final : public SloppyDevice {
     bins.most = grid.most;
     if constexpr (std::is_same_v<Clip, glsl::Weighted>) bins.heavy = grid.heavy_count;
     const ViewUniform uniform = viewUniform(view_, info_.subpixel_bits, s.domain);
-    const vec2 outset(uniform.outset_x, uniform.outset_y), shift(p.x - origin.x, p.y - origin.y);
+    const vec2 outset(uniform.outset_x, uniform.outset_y), origin_offset(p.x - origin.x, p.y - origin.y);
     typename Clip::Cell cell;
     clip.beginLines(uniform.allowed);
-    const int found = clip.clipSite(cell, bins, boxSeen(s.domain), outset, static_cast<int>(site), shift);
+    const int found =
+        clip.clipSite(cell, bins, boxSeen(s.domain), outset, static_cast<int>(site), origin_offset);
     const auto status = finish(clip, cell, found, uniform,
-                               [&](const auto& drawn) { return clip.losesTooMuch(drawn, shift); });
+                               [&](const auto& drawn) { return clip.losesTooMuch(drawn, origin_offset); });
     if (status == CellStatus::unsecured) ++unsecured_;
     if (status != CellStatus::certified) return status;
     const vec2 to_site = clip.offset(uniform.center);
-    const vec2 at((-shift.x - to_site.x) * uniform.scale_x, (-shift.y - to_site.y) * uniform.scale_y);
+    const vec2 at((-origin_offset.x - to_site.x) * uniform.scale_x,
+                  (-origin_offset.y - to_site.y) * uniform.scale_y);
     paint(clip, cell, at, uniform, s.id[site], view_.palette[shade_[site]]);
     return status;
   }
@@ -353,7 +355,7 @@ BisectorLoss lossOfBisectors(const Sites& sites, Sloppiness::Way way, std::uint6
   clip.beginLines(1.0f);
   glsl::Even::Viewpoint from;
   from.self = 0;
-  from.shift = from.outset = {0.0f, 0.0f};
+  from.origin_offset = from.outset = {0.0f, 0.0f};
   BisectorLoss loss;
   constexpr double unit = 0x1p-24;
   for (std::size_t other = 1; other < set.x.size(); ++other) {

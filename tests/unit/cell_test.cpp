@@ -175,10 +175,10 @@ TYPED_TEST(Cut, certifiesOnlyWithinReach) {
                                         {-1, 0, TypeParam(0.5), TypeParam(0.999)},
                                         {0, 1, TypeParam(0.5), TypeParam(0.999)},
                                         {0, -1, TypeParam(0.5), TypeParam(0.999)}};
-  const auto statusWithReach = [&](TypeParam reach, TypeParam shift) {
+  const auto statusWithReach = [&](TypeParam reach, TypeParam origin_offset) {
     this->clip.lines = lines;
     typename TestFixture::Cell cell;
-    return this->clip.clipCell(cell, {-9, -9, 9, 9}, {0, 0}, 0, 4, reach, shift);
+    return this->clip.clipCell(cell, {-9, -9, 9, 9}, {0, 0}, 0, 4, reach, origin_offset);
   };
   EXPECT_EQ(statusWithReach(TypeParam(1.41), 0), CELL_UNSECURED);
   EXPECT_EQ(statusWithReach(TypeParam(1.42), 0), CELL_CERTIFIED);

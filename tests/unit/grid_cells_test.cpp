@@ -98,9 +98,9 @@ struct OneByOne {
       clip.weight = set.weight[site];
     }
     typename Clip::Cell cell;
-    const vec2 shift(static_cast<float>(clip.site_x - x), static_cast<float>(clip.site_y - y));
+    const vec2 origin_offset(static_cast<float>(clip.site_x - x), static_cast<float>(clip.site_y - y));
     const auto status = static_cast<CellStatus>(
-        clip.clipSite(cell, bins, seenFrom(set.domain, x, y), outset, static_cast<int>(site), shift));
+        clip.clipSite(cell, bins, seenFrom(set.domain, x, y), outset, static_cast<int>(site), origin_offset));
     typename Clip::Order order;
     clip.orderEdges(cell, order);
     clip.beginAtFirst(cell, order);

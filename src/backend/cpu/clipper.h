@@ -51,7 +51,7 @@ struct Clipper {
   CellStatus clip(Cell& cell, const typename CellBatch<Real>::Entry& entry, vec2 outset) {
     return static_cast<CellStatus>(clipCell(cell, vec4(entry.west, entry.south, entry.east, entry.north),
                                             outset, static_cast<int>(entry.first),
-                                            static_cast<int>(entry.count), entry.reach, entry.shift));
+                                            static_cast<int>(entry.count), entry.reach, entry.origin_offset));
   }
 };
 

@@ -67,7 +67,7 @@ class Finding {
     near_.count = count;
     const auto place = placeOf(near_);
     near_.search =
-        clip_.searchBlock(near_.cell, place.bins, place.walls, place.outset, place.self, place.shift);
+        clip_.searchBlock(near_.cell, place.bins, place.walls, place.outset, place.self, place.origin_offset);
     write(near_, place);
     const Ints sides = sidesBeyond(place.bins, near_.search);
     for (std::size_t l = 0; l < count; ++l) {
@@ -96,7 +96,7 @@ class Finding {
       far.search.left[l] = 0;
     }
     const auto place = placeOf(far);
-    auto search = clip_.searchFrom(place.bins, place.outset, place.self, place.shift);
+    auto search = clip_.searchFrom(place.bins, place.outset, place.self, place.origin_offset);
     search.tried = far.search.tried;
     search.certain = far.search.certain;
     search.left = far.search.left;
@@ -130,7 +130,7 @@ class Finding {
     Ints self;
     typename Cells::Bins bins;
     vec4 walls;
-    vec2 outset, shift;
+    vec2 outset, origin_offset;
   };
 
   /// Turns to the sites of some cells.
@@ -147,7 +147,7 @@ class Finding {
     place.bins = binsFrom(x, y);
     place.walls = boxFrom(job_.domain, x, y);
     place.outset = {everyReal(job_.outset_x), everyReal(job_.outset_y)};
-    place.shift = {toReals(site_x - x), toReals(site_y - y)};
+    place.origin_offset = {toReals(site_x - x), toReals(site_y - y)};
     return place;
   }
 

@@ -20,9 +20,9 @@ struct RingEdge {
   Real apart;  ///< the distance between the sites, or between a site and its image behind a wall
 };
 
-/// From a site to the origin of its cell.
+/// A vector of the plane.
 template <class Real>
-struct Shift {
+struct Vector {
   Real x{}, y{};
 };
 
@@ -61,28 +61,28 @@ void sortRing(std::vector<RingEdge<Real>>& ring) {
 
 /// Where an edge ends.
 template <class Real>
-Shift<Real> endOf(const RingEdge<Real>& edge) {
+Vector<Real> endOf(const RingEdge<Real>& edge) {
   return {edge.nx * edge.h - edge.ny * edge.hi, edge.ny * edge.h + edge.nx * edge.hi};
 }
 
 /// By how much rounding may have moved the corner between an edge and the next.
 template <class Real>
-Real noiseBetween(const RingEdge<Real>& a, const RingEdge<Real>& b, const Shift<Real>& shift) {
+Real noiseBetween(const RingEdge<Real>& a, const RingEdge<Real>& b, const Vector<Real>& origin_offset) {
   const auto corner = endOf(a);
-  const Real near = abs(a.h) + a.moved + abs(b.h) + b.moved + abs(shift.x) + abs(shift.y);
+  const Real near = abs(a.h) + a.moved + abs(b.h) + b.moved + abs(origin_offset.x) + abs(origin_offset.y);
   return cornerNoise<Real>(near, abs(corner.x) + abs(corner.y), a.nx * b.ny - a.ny * b.nx);
 }
 
 /// Whether the ring, sorted, is no wider than its corners are unsure: then it may be empty as well.
 template <class Real>
-bool mayBeEmpty(const std::vector<RingEdge<Real>>& ring, const Shift<Real>& shift) {
+bool mayBeEmpty(const std::vector<RingEdge<Real>>& ring, const Vector<Real>& origin_offset) {
   const auto count = ring.size();
   for (const auto& edge : ring) {
     bool is_thin = true;
     for (std::size_t k = 0; k < count && is_thin; ++k) {
       const auto corner = endOf(ring[k]);
       const Real inside = edge.h - (corner.x * edge.nx + corner.y * edge.ny);
-      is_thin = inside <= Real(2.0) * noiseBetween(ring[k], ring[(k + 1) % count], shift);
+      is_thin = inside <= Real(2.0) * noiseBetween(ring[k], ring[(k + 1) % count], origin_offset);
     }
     if (is_thin) return true;
   }
@@ -92,14 +92,14 @@ bool mayBeEmpty(const std::vector<RingEdge<Real>>& ring, const Shift<Real>& shif
 /// Whether the edges, sorted, go once around and every length is known well enough to tell an edge from a
 /// tie. blur bounds what else may have shortened an edge; shorter_side is the domain's.
 template <class Real>
-bool isSure(const std::vector<RingEdge<Real>>& ring, const Shift<Real>& shift, Real blur,
+bool isSure(const std::vector<RingEdge<Real>>& ring, const Vector<Real>& origin_offset, Real blur,
             double shorter_side) {
   const auto count = ring.size();
   const auto cornerAfter = [&](std::size_t k) {
     const auto& a = ring[k];
     const auto& b = ring[(k + 1) % count];
     const auto corner = endOf(a);
-    const Real noise = noiseBetween(a, b, shift);
+    const Real noise = noiseBetween(a, b, origin_offset);
     const Real gap_x = b.nx * b.h - b.ny * b.lo - corner.x;
     const Real gap_y = b.ny * b.h + b.nx * b.lo - corner.y;
     return std::pair{noise, abs(gap_x) + abs(gap_y) <= Real(4.0) * noise};

@@ -43,13 +43,13 @@ class CellFinder {
     const auto& domain = sites_.domain;
     const double x = std::clamp(sites_.x[site], domain.xmin, domain.xmax);
     const double y = std::clamp(sites_.y[site], domain.ymin, domain.ymax);
-    shift_ = {Real(sites_.x[site]) - Real(x), Real(sites_.y[site]) - Real(y)};
+    origin_offset_ = {Real(sites_.x[site]) - Real(x), Real(sites_.y[site]) - Real(y)};
     const Walls<Real> walls{Real(domain.xmin) - Real(x),
                             Real(domain.ymin) - Real(y),
                             Real(domain.xmax) - Real(x),
                             Real(domain.ymax) - Real(y),
                             {}};
-    auto status = usual_.find(site, shift_, walls, found_);
+    auto status = usual_.find(site, origin_offset_, walls, found_);
     if (status == CellStatus::overflow) {
       status = findParts(site, usual_.bounds(walls), 0);
       joinParts();
@@ -59,8 +59,9 @@ class CellFinder {
     sortRing(found_.edges);
     const auto& edges = found_.edges;
     if (edges.empty()) return CellStatus::empty;
-    if (mayBeEmpty(edges, shift_)) return decide ? CellStatus::empty : CellStatus::open;
-    if (!isSure(edges, shift_, found_.blur, shorterSide(sites_.domain)) && !decide) return CellStatus::open;
+    if (mayBeEmpty(edges, origin_offset_)) return decide ? CellStatus::empty : CellStatus::open;
+    if (!isSure(edges, origin_offset_, found_.blur, shorterSide(sites_.domain)) && !decide)
+      return CellStatus::open;
     return CellStatus::certified;
   }
 
@@ -76,7 +77,7 @@ class CellFinder {
   /// Clips the part of a cell inside walls, in as many parts as it takes.
   CellStatus findParts(std::uint32_t site, const Walls<Real>& walls, int halvings) {
     if (!part_) part_ = std::make_unique<TreeWalk<Real, part_edges>>(sites_, tree_);
-    auto status = part_->find(site, shift_, walls, found_);
+    auto status = part_->find(site, origin_offset_, walls, found_);
     if (status != CellStatus::overflow) return status;
     if (halvings == most_halvings) {
       found_.sure = false;
@@ -125,7 +126,7 @@ class CellFinder {
   const SiteTree& tree_;
   TreeWalk<Real, usual_edges> usual_;
   std::unique_ptr<TreeWalk<Real, part_edges>> part_;
-  Shift<Real> shift_;
+  Vector<Real> origin_offset_;
   Found<Real> found_;
 };
 

@@ -60,9 +60,10 @@ class TreeWalk {
     if (!sites.grid.heaviest.empty()) heaviest_anywhere_ = sites.grid.heaviest.back();
   }
 
-  /// Clips the part inside `walls` of the cell of a site, whose origin lies at -shift from it. Returns
-  /// certified, empty, overflow or unsecured.
-  CellStatus find(std::uint32_t site, const Shift<Real>& shift, const Walls<Real>& walls, Found<Real>& found);
+  /// Clips the part inside `walls` of the cell of a site, whose origin lies at -origin_offset from it.
+  /// Returns certified, empty, overflow or unsecured.
+  CellStatus find(std::uint32_t site, const Vector<Real>& origin_offset, const Walls<Real>& walls,
+                  Found<Real>& found);
 
   /// A box that the cell of an overflow lies in, smaller than its walls if possible.
   [[nodiscard]] Walls<Real> bounds(Walls<Real> walls) const;
@@ -143,7 +144,7 @@ class TreeWalk {
   std::uint32_t site_ = 0;
   double site_x_ = 0, site_y_ = 0, weight_ = 0;
   double heaviest_anywhere_ = -std::numeric_limits<double>::infinity();  // in the set or not, but heavy ones
-  Shift<Real> shift_;
+  Vector<Real> origin_offset_;
   std::size_t corners_ = 0;
   std::size_t corners_end_ = 0;  // of loops that vectorize: what is beyond corners_ is computed in vain
   Corner corner_[Room];

@@ -81,7 +81,8 @@ void TreeWalk<Real, Room>::cut(const Offset<Real>& d, std::int32_t site) {
   const Real moved = Real(0.5) * d.weight_difference * inverse;
   new_moved_ = abs(moved);
   new_apart_ = distance;
-  clip_.cutCell(cell_, n, (Real(0.5) * distance + moved) + (shift_.x * n.x + shift_.y * n.y), site);
+  clip_.cutCell(cell_, n, (Real(0.5) * distance + moved) + (origin_offset_.x * n.x + origin_offset_.y * n.y),
+                site);
   if (!cell_.overflow) findCorners();
   ++version_;
 }
@@ -115,10 +116,10 @@ void TreeWalk<Real, Room>::placeCorner(std::size_t c, std::size_t before, std::s
   const Real y = cell_.ny[before] * cell_.h[before] + cell_.nx[before] * cell_.hi[before];
   const Real turn = cell_.nx[before] * cell_.ny[after] - cell_.ny[before] * cell_.nx[after];
   const Real near = abs(cell_.h[before]) + moved_[before] + abs(cell_.h[after]) + moved_[after] +
-                    abs(shift_.x) + abs(shift_.y);
+                    abs(origin_offset_.x) + abs(origin_offset_.y);
   corner_[c] = {before, after, turn, known_after_[before] == cell_.line[after]};
-  x_[c] = x - shift_.x;
-  y_[c] = y - shift_.y;
+  x_[c] = x - origin_offset_.x;
+  y_[c] = y - origin_offset_.y;
   line_x_[c] = cell_.nx[before];
   line_y_[c] = cell_.ny[before];
   noise_[c] = cornerNoise<Real>(near, abs(x) + abs(y), turn);
@@ -207,10 +208,10 @@ Walls<Real> TreeWalk<Real, Room>::bounds(Walls<Real> walls) const {
     if (is_tighter) wall = tighter;
     inner = inner || is_tighter;
   };
-  const Real to_west = *west + shift_.x - margin;
-  const Real to_south = *south + shift_.y - margin;
-  const Real to_east = *east + shift_.x + margin;
-  const Real to_north = *north + shift_.y + margin;
+  const Real to_west = *west + origin_offset_.x - margin;
+  const Real to_south = *south + origin_offset_.y - margin;
+  const Real to_east = *east + origin_offset_.x + margin;
+  const Real to_north = *north + origin_offset_.y + margin;
   take(walls.west, to_west, walls.inner[0], to_west > walls.west);
   take(walls.east, to_east, walls.inner[1], to_east < walls.east);
   take(walls.south, to_south, walls.inner[2], to_south > walls.south);

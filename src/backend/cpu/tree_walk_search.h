@@ -17,13 +17,13 @@ constexpr int few_leaves = 24;
 constexpr int most_rounds = 8;
 
 template <class Real, std::size_t Room>
-CellStatus TreeWalk<Real, Room>::find(std::uint32_t site, const Shift<Real>& shift, const Walls<Real>& walls,
-                                      Found<Real>& found) {
+CellStatus TreeWalk<Real, Room>::find(std::uint32_t site, const Vector<Real>& origin_offset,
+                                      const Walls<Real>& walls, Found<Real>& found) {
   site_ = site;
   site_x_ = sites_.x[site];
   site_y_ = sites_.y[site];
   weight_ = hasWeights() ? sites_.weight[site] : 0;
-  shift_ = shift;
+  origin_offset_ = origin_offset;
   clip_.beginCell(cell_, vec4(walls.west, walls.south, walls.east, walls.north));
   static_assert(Room % 4 == 0);
   for (std::size_t k = 0; k < Room; ++k) {
@@ -265,7 +265,8 @@ bool TreeWalk<Real, Room>::cutByDoubtful() {
 template <class Real, std::size_t Room>
 Real TreeWalk<Real, Room>::apart(std::size_t slot) const {
   if (cell_.line[slot] >= 0) return apart_[slot];
-  return Real(2.0) * abs(cell_.h[slot] - (shift_.x * cell_.nx[slot] + shift_.y * cell_.ny[slot]));
+  return Real(2.0) *
+         abs(cell_.h[slot] - (origin_offset_.x * cell_.nx[slot] + origin_offset_.y * cell_.ny[slot]));
 }
 
 template <class Real, std::size_t Room>

@@ -11,7 +11,7 @@ namespace {
 
 using Entry = CellBatch<float>::Entry;
 static_assert(offsetof(Entry, north) == offsetof(Entry, west) + 3 * sizeof(float));
-static_assert(offsetof(Entry, shift) == offsetof(Entry, reach) + sizeof(float));
+static_assert(offsetof(Entry, origin_offset) == offsetof(Entry, reach) + sizeof(float));
 static_assert(offsetof(Entry, count) == offsetof(Entry, first) + sizeof(std::uint32_t));
 static_assert(offsetof(DrawMark, y) == offsetof(DrawMark, x) + sizeof(float));
 static_assert(offsetof(DrawMark, shade) == offsetof(DrawMark, id) + sizeof(std::uint32_t));

@@ -30,7 +30,7 @@ static_assert(offsetof(Entry, count) == offsetof(Entry, first) + 4);
 static_assert(offsetof(Entry, south) == offsetof(Entry, west) + 4);
 static_assert(offsetof(Entry, east) == offsetof(Entry, west) + 8);
 static_assert(offsetof(Entry, north) == offsetof(Entry, west) + 12);
-static_assert(offsetof(Entry, shift) == offsetof(Entry, reach) + 4);
+static_assert(offsetof(Entry, origin_offset) == offsetof(Entry, reach) + 4);
 static_assert(offsetof(DrawMark, y) == offsetof(DrawMark, x) + 4);
 static_assert(offsetof(DrawMark, shade) == offsetof(DrawMark, id) + 4);
 

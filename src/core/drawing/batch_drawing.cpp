@@ -29,7 +29,8 @@ void shrinkLarge(double allowed, double tolerance, CellBatch<float>& batch) {
   for (auto& entry : batch.entries) {
     const double reach = std::hypot(std::max(std::abs(entry.west), std::abs(entry.east)),
                                     std::max(std::abs(entry.south), std::abs(entry.north)));
-    const double beyond = reach_rounding * (reach + static_cast<double>(entry.shift)) + tolerance - allowed;
+    const double beyond =
+        reach_rounding * (reach + static_cast<double>(entry.origin_offset)) + tolerance - allowed;
     if (beyond <= 0) continue;
     const auto inward = static_cast<float>(beyond);
     entry.west += inward;

@@ -30,15 +30,15 @@ double length(double x, double y) {
   return squared > 1e-280 && squared < 1e280 ? std::sqrt(squared) : std::hypot(x, y);
 }
 
-/// The bisector of two sites, seen from an origin that lies at (-shift.x, -shift.y) from the first. With
-/// weights, a site's distance bounds nothing.
+/// The bisector of two sites, seen from an origin that lies at (-origin_offset.x, -origin_offset.y) from the
+/// first. With weights, a site's distance bounds nothing.
 template <class Real>
-HalfPlane<Real> bisector(const SiteSet& sites, std::uint32_t site, std::uint32_t other, Point shift) {
+HalfPlane<Real> bisector(const SiteSet& sites, std::uint32_t site, std::uint32_t other, Point origin_offset) {
   const double x = sites.x[other] - sites.x[site], y = sites.y[other] - sites.y[site];
   const double distance = length(x, y);
   const double nx = x / distance;
   const double ny = y / distance;
-  double h = 0.5 * distance + (shift.x * nx + shift.y * ny);
+  double h = 0.5 * distance + (origin_offset.x * nx + origin_offset.y * ny);
   double bound = distance;
   if (!sites.weight.empty()) {
     h += 0.5 * (sites.weight[site] - sites.weight[other]) / distance;
@@ -70,7 +70,7 @@ void packBatch(const SiteSet& sites, const Candidates& candidates, std::size_t b
     for (std::size_t e = from; e < to; ++e) {
       const auto site = candidates.site[begin + e];
       const auto origin = cellOrigin(sites, site);
-      const Point shift{sites.x[site] - origin.x, sites.y[site] - origin.y};
+      const Point origin_offset{sites.x[site] - origin.x, sites.y[site] - origin.y};
       const Box walls = candidates.walls.empty() ? domainFrom(sites, origin) : candidates.walls[begin + e];
       const auto first = candidates.offsets[begin + e];
       const auto last = candidates.offsets[begin + e + 1];
@@ -81,10 +81,10 @@ void packBatch(const SiteSet& sites, const Candidates& candidates, std::size_t b
                         static_cast<Real>(walls.xmax),
                         static_cast<Real>(walls.ymax),
                         roundedDown<Real>(candidates.reach[begin + e]),
-                        roundedUp<Real>(std::min(length(shift.x, shift.y), farthest))};
+                        roundedUp<Real>(std::min(length(origin_offset.x, origin_offset.y), farthest))};
       for (auto c = first; c < last; ++c) {
         const auto other = candidates.index[c];
-        out.lines[c - first_line] = bisector<Real>(sites, site, other, shift);
+        out.lines[c - first_line] = bisector<Real>(sites, site, other, origin_offset);
       }
     }
   });

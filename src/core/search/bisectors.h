@@ -13,7 +13,7 @@ Point cellOrigin(const SiteSet& sites, std::uint32_t site);
 Box domainFrom(const SiteSet& sites, Point origin);
 
 /// Packs the entries [begin, end) of candidates. Differences are taken in double between the two
-/// sites, then rounded; bounds and reach are rounded down, shift up. Real is float or double.
+/// sites, then rounded; bounds and reach are rounded down, origin_offset up. Real is float or double.
 template <class Real>
 void packBatch(const SiteSet& sites, const Candidates& candidates, std::size_t begin, std::size_t end,
                int threads, CellBatch<Real>& out);
