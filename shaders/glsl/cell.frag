@@ -1,9 +1,9 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
-// Colors a pixel by its cell's shade and writes down whose cell it is.
+// Colors a pixel by its cell's palette index and writes down whose cell it is.
 #include "layout.glsl"
 
-layout(location = 0) flat in uvec2 cell_mark;  // id, shade
+layout(location = 0) flat in uvec2 cell_mark;  // id, palette index
 
 layout(location = 0) out vec4 out_color;
 layout(location = 1) out uint out_id;

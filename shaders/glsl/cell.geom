@@ -13,7 +13,7 @@ layout(triangle_strip, max_vertices = MAX_EDGES) out;
 
 in gl_PerVertex { vec4 gl_Position; } gl_in[];
 out gl_PerVertex { vec4 gl_Position; };
-layout(location = 0) flat out uvec2 cell_mark;    // id, shade
+layout(location = 0) flat out uvec2 cell_mark;    // id, palette index
 layout(location = 1) flat out uvec2 cell_status;  // entry, status
 
 // Vulkan stores the status in a buffer; OpenGL 4.1, which has none, specializes this to false and

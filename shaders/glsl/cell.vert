@@ -4,7 +4,7 @@ layout(location = 0) in vec4 in_walls;   // west, south, east, north of the orig
 layout(location = 1) in vec2 in_bounds;  // reach, origin_offset
 layout(location = 2) in uvec2 in_lines;  // first, count
 layout(location = 3) in vec2 in_origin;  // normalized device coordinates
-layout(location = 4) in uvec2 in_mark;   // id, shade
+layout(location = 4) in uvec2 in_mark;   // id, palette index
 
 layout(location = 0) flat out vec4 entry_walls;
 layout(location = 1) flat out vec2 entry_bounds;

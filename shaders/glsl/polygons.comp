@@ -15,7 +15,7 @@ layout(local_size_x = GROUP_SIZE) in;
 layout(std430, set = 0, binding = BINDING_STATUS) writeonly buffer Status { uint status_of[]; };
 
 // MAX_EDGES vertices for each entry, of which it uses the first, counter-clockwise: two floats, in
-// normalized device coordinates, id and shade.
+// normalized device coordinates, id and palette index.
 layout(std430, set = 0, binding = BINDING_VERTICES) writeonly buffer VertexRows { uvec4 vertices[]; };
 
 // Triangles for each entry; none if it may be left out of the picture.

@@ -91,9 +91,9 @@ enum class CellStatus : std::uint8_t {
 
 /// Where and how an entry of a batch is drawn.
 struct DrawMark {
-  float x, y;           ///< the entry's origin in normalized device coordinates of the view
-  std::uint32_t id;     ///< what the id image gets
-  std::uint32_t shade;  ///< index into the view's palette, 0 to 255
+  float x, y;                   ///< the entry's origin in normalized device coordinates of the view
+  std::uint32_t id;             ///< what the id image gets
+  std::uint32_t palette_index;  ///< index into the view's palette, 0 to 255
 };
 
 using Palette = std::array<std::uint32_t, 256>;  ///< RGBA, R in the lowest byte
@@ -163,10 +163,10 @@ class Backend {
 
   virtual const BackendInfo& info() const = 0;
 
-  /// Replaces the sites. shade[i] is the index into a view's palette for the cell of site i; empty when
-  /// nothing will be drawn. Both outlive every later call that names sites by index, and read(); the calls
-  /// for batches, and begin(), may come when they are gone.
-  virtual Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) = 0;
+  /// Replaces the sites. palette_index[i] is the index into a view's palette for the cell of site i; empty
+  /// when nothing will be drawn. Both outlive every later call that names sites by index, and read(); the
+  /// calls for batches, and begin(), may come when they are gone.
+  virtual Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) = 0;
 
   /// Finds the cells of the sites `which` (indices in the set) by the search over the grid, or by
   /// the judge's over a tree. `out` is replaced, with an entry for each. In float, a neighborhood is

@@ -99,9 +99,11 @@ void writeSiteTexels(const SiteSet& sites, std::byte* to) {
                       [&](std::size_t i) { return fromCenter(center, sites.x[i], sites.y[i]); });
 }
 
-void writeSiteMarks(const SiteSet& sites, std::span<const std::uint8_t> shade, std::byte* to) {
-  assert(shade.size() == sites.size());
-  writeAll<SiteMark>(sites.size(), to, [&](std::size_t i) { return SiteMark{sites.id[i], shade[i]}; });
+void writeSiteMarks(const SiteSet& sites, std::span<const std::uint8_t> palette_index, std::byte* to) {
+  assert(palette_index.size() == sites.size());
+  writeAll<SiteMark>(sites.size(), to, [&](std::size_t i) {
+    return SiteMark{sites.id[i], palette_index[i]};
+  });
 }
 
 void writeWeightTexels(const SiteSet& sites, std::byte* to) {

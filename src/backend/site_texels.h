@@ -20,8 +20,8 @@ SiteTexel siteTexel(const Box& domain, Point from, Point p);
 
 /// What a picture needs to know about a site.
 struct SiteMark {
-  std::uint32_t id;     ///< what the id image gets
-  std::uint32_t shade;  ///< index into a view's palette
+  std::uint32_t id;             ///< what the id image gets
+  std::uint32_t palette_index;  ///< index into a view's palette
 };
 
 /// The uniform block SiteGrid of site_grid.glsl, as std140 lays it out. Boxes are west, south, east, north.
@@ -45,8 +45,8 @@ SiteGridUniform siteGridUniform(const SiteSet& sites);
 /// `to` has room for sites.size() of them.
 void writeSiteTexels(const SiteSet& sites, std::byte* to);
 
-/// Writes a SiteMark for every site likewise; shade has an element for each.
-void writeSiteMarks(const SiteSet& sites, std::span<const std::uint8_t> shade, std::byte* to);
+/// Writes a SiteMark for every site likewise; palette_index has an element for each.
+void writeSiteMarks(const SiteSet& sites, std::span<const std::uint8_t> palette_index, std::byte* to);
 
 /// A weight: what a float holds of it, and what a float holds of the rest.
 struct WeightTexel {

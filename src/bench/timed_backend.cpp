@@ -39,8 +39,9 @@ Result<void> TimedBackend::timed(Stage stage, std::uint64_t sent, const Call& ca
   return done;
 }
 
-Result<void> TimedBackend::upload(const SiteSet& sites, std::span<const std::uint8_t> shade) {
-  return timed(Stage::upload, bytesOf(sites) + bytesOf(shade), [&] { return timed_.upload(sites, shade); });
+Result<void> TimedBackend::upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) {
+  return timed(Stage::upload, bytesOf(sites) + bytesOf(palette_index),
+               [&] { return timed_.upload(sites, palette_index); });
 }
 
 Result<void> TimedBackend::cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) {

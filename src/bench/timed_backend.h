@@ -30,7 +30,7 @@ class TimedBackend final : public Backend {
   explicit TimedBackend(Backend& timed) : timed_(timed) {}
 
   const BackendInfo& info() const override { return timed_.info(); }
-  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override;
+  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) override;
   Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override;
   Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override;
   Result<void> begin(const View& view) override;

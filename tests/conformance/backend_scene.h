@@ -36,7 +36,7 @@ Result<std::unique_ptr<Backend>> tryBackend();
 struct Scene {
   Sites sites;
   SiteSet set;
-  std::vector<std::uint8_t> shade;
+  std::vector<std::uint8_t> palette_index;
   CellBatch<double> batch;
   std::vector<DrawMark> marks;
 };
@@ -65,7 +65,7 @@ inline void packLists(Scene& scene) {
                                    std::numeric_limits<double>::infinity(), 0});
     scene.batch.lines.insert(scene.batch.lines.end(), lines.begin(), lines.end());
     scene.marks.push_back({static_cast<float>(2 * x[i] - 1), static_cast<float>(2 * y[i] - 1),
-                           scene.set.id[i], scene.shade[i]});
+                           scene.set.id[i], scene.palette_index[i]});
   }
 }
 
@@ -73,7 +73,8 @@ inline Scene makeScene(const Sites& sites) {
   Scene scene;
   scene.sites = sites;
   scene.set = prepared(sites);
-  for (const std::uint32_t id : scene.set.id) scene.shade.push_back(static_cast<std::uint8_t>(id % 256));
+  for (const std::uint32_t id : scene.set.id)
+    scene.palette_index.push_back(static_cast<std::uint8_t>(id % 256));
   packLists(scene);
   return scene;
 }
@@ -92,8 +93,8 @@ inline std::vector<std::uint32_t> range(std::size_t first, std::size_t last) {
 /// The unit square in width * height pixels; color c of the palette is c in every channel.
 inline View makeView(int width, int height) {
   View view{unit_square, width, height, {}};
-  for (std::uint32_t shade = 0; shade < view.palette.size(); shade++)
-    view.palette[shade] = shade * 0x01010101U;
+  for (std::uint32_t palette_index = 0; palette_index < view.palette.size(); palette_index++)
+    view.palette[palette_index] = palette_index * 0x01010101U;
   return view;
 }
 

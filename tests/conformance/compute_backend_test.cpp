@@ -120,13 +120,13 @@ TEST_P(OfSites, GiveTheSameCells) {
 
 TEST_P(OfSites, GiveTheSamePicture) {
   const SiteSet set = prepared(generate(GetParam(), 6000, 4));
-  std::vector<std::uint8_t> shade;
-  for (const std::uint32_t id : set.id) shade.push_back(static_cast<std::uint8_t>(id % 251));
+  std::vector<std::uint8_t> palette_index;
+  for (const std::uint32_t id : set.id) palette_index.push_back(static_cast<std::uint8_t>(id % 251));
   const View view = makeView(300, 200);
   std::vector<Image> pictures;
   std::vector<std::vector<CellStatus>> statuses;
   for (Backend* backend : {host_.get(), device_.get()}) {
-    ASSERT_TRUE(backend->upload(set, shade).has_value());
+    ASSERT_TRUE(backend->upload(set, palette_index).has_value());
     ASSERT_TRUE(backend->begin(view).has_value());
     std::vector<CellStatus> status(set.size());
     ASSERT_TRUE(backend->draw(range(0, set.size()), Effort::roomy, status).has_value());
@@ -147,7 +147,7 @@ TEST(ComputeBackend, FindsCellsAfterDrawingLists) {
   const auto backend = openBackend({}, 0);
   ASSERT_TRUE(backend);
   const Scene scene = makeScene(200);
-  ASSERT_TRUE(backend->upload(scene.set, scene.shade).has_value());
+  ASSERT_TRUE(backend->upload(scene.set, scene.palette_index).has_value());
   CellNeighbors before;
   ASSERT_TRUE(backend->cells(range(0, 200), Effort::roomy, before).has_value());
   ASSERT_TRUE(backend->begin(makeView(64, 64)).has_value());

@@ -27,7 +27,7 @@ TEST(DevicePicture, OfSitesShowsNearestSites) {
   for (const std::size_t count : {2U, 700U}) {
     const Scene scene = makeScene(count);
     const View view = makeView(501, 333);
-    ASSERT_TRUE(backend->upload(scene.set, scene.shade).has_value());
+    ASSERT_TRUE(backend->upload(scene.set, scene.palette_index).has_value());
     ASSERT_TRUE(backend->begin(view).has_value());
     const auto again = drawSites(*backend, range(0, count / 2), Effort::fast);
     drawSites(*backend, again, Effort::roomy);
@@ -69,7 +69,7 @@ TEST(DevicePicture, OfAPartIsThatPartOfTheWhole) {
   std::vector<Image> images;
   for (const View& view : {makeView(512, 512), part}) {
     ASSERT_TRUE(backend->begin(view).has_value());
-    ASSERT_TRUE(backend->upload(scene.set, scene.shade).has_value());
+    ASSERT_TRUE(backend->upload(scene.set, scene.palette_index).has_value());
     drawSites(*backend, range(0, 100), Effort::roomy);
     images.push_back(read(*backend, view));
   }

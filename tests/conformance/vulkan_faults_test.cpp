@@ -26,7 +26,7 @@ Result<void> picture(Backend& backend, const Scene& scene) {
 Result<void> pictureOfSites(Backend& backend, const Scene& scene) {
   std::vector<CellStatus> status(scene.set.size());
   const auto all = range(0, scene.set.size());
-  return backend.upload(scene.set, scene.shade)
+  return backend.upload(scene.set, scene.palette_index)
       .and_then([&] { return backend.begin(makeView(32, 32)); })
       .and_then([&] { return backend.draw(all, Effort::fast, status); });
 }

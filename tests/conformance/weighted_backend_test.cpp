@@ -182,9 +182,9 @@ TEST_P(WeightedBackend, DrawsTheCellsOfBruteForce) {
   const View view = makeView(size, size);
   for (const auto& [name, set] : someSets()) {
     SCOPED_TRACE(name);
-    std::vector<std::uint8_t> shade;
-    for (const std::uint32_t id : set.id) shade.push_back(static_cast<std::uint8_t>(id % 251));
-    ASSERT_TRUE(backend().upload(set, shade).has_value());
+    std::vector<std::uint8_t> palette_index;
+    for (const std::uint32_t id : set.id) palette_index.push_back(static_cast<std::uint8_t>(id % 251));
+    ASSERT_TRUE(backend().upload(set, palette_index).has_value());
     ASSERT_TRUE(backend().begin(view).has_value());
     std::vector<std::uint32_t> wanted = range(0, set.size());
     for (const Effort effort : {Effort::fast, Effort::roomy}) {

@@ -30,8 +30,8 @@ class LyingBackend final : public Backend {
       : honest_(honest), lie_(lie), one_in_(one_in), random_(seed) {}
 
   const BackendInfo& info() const override { return honest_.info(); }
-  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override {
-    return honest_.upload(sites, shade);
+  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) override {
+    return honest_.upload(sites, palette_index);
   }
   Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
     auto done = honest_.cells(which, effort, out);

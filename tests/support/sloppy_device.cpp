@@ -142,10 +142,10 @@ class Device final : public SloppyDevice {
   }
 
   const BackendInfo& info() const override { return info_; }
-  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override {
+  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) override {
     sites_ = &sites;
-    shade_ = shade;
-    return cpu_->upload(sites, shade);
+    palette_index_ = palette_index;
+    return cpu_->upload(sites, palette_index);
   }
   Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
     return cpu_->cells(which, effort, out);
@@ -180,7 +180,8 @@ class Device final : public SloppyDevice {
                                       static_cast<int>(entry.count), entry.reach, entry.origin_offset);
       status[e] = finish(clip, cell, found, uniform, [](const auto&) { return false; });
       if (status[e] != CellStatus::certified) continue;
-      paint(clip, cell, {marks[e].x, marks[e].y}, uniform, marks[e].id, view_.palette[marks[e].shade]);
+      paint(clip, cell, {marks[e].x, marks[e].y}, uniform, marks[e].id,
+            view_.palette[marks[e].palette_index]);
     }
     return {};
   }
@@ -240,7 +241,7 @@ class Device final : public SloppyDevice {
     const vec2 to_site = clip.offset(uniform.center);
     const vec2 at((-origin_offset.x - to_site.x) * uniform.scale_x,
                   (-origin_offset.y - to_site.y) * uniform.scale_y);
-    paint(clip, cell, at, uniform, s.id[site], view_.palette[shade_[site]]);
+    paint(clip, cell, at, uniform, s.id[site], view_.palette[palette_index_[site]]);
     return status;
   }
 
@@ -331,7 +332,7 @@ class Device final : public SloppyDevice {
   std::unique_ptr<Backend> cpu_;
   BackendInfo info_;
   const SiteSet* sites_ = nullptr;
-  std::span<const std::uint8_t> shade_;
+  std::span<const std::uint8_t> palette_index_;
   View view_{};
   std::vector<std::uint32_t> ids_, rgba_;
   double farthest_beyond_ = 0;

@@ -70,8 +70,8 @@ TEST(MeshCells, OfSitesThatTheMeshHasNoDecisionsFor) {
 class Counting final : public Backend {
  public:
   const BackendInfo& info() const override { return cpu_->info(); }
-  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override {
-    return cpu_->upload(sites, shade);
+  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) override {
+    return cpu_->upload(sites, palette_index);
   }
   Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
     asked += which.size();

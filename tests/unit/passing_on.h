@@ -14,8 +14,8 @@ class PassingOn : public Backend {
   explicit PassingOn(std::unique_ptr<Backend> real) : real_(std::move(real)) {}
 
   const BackendInfo& info() const override { return real_->info(); }
-  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override {
-    return real_->upload(sites, shade);
+  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) override {
+    return real_->upload(sites, palette_index);
   }
   Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
     return real_->cells(which, effort, out);

@@ -39,11 +39,11 @@ class Small final : public Backend {
   }
 
   const BackendInfo& info() const override { return info_; }
-  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override {
+  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) override {
     ++uploads;
     EXPECT_LE(sites.size(), info_.max_sites);
     EXPECT_LE(sites.grid.offsets.size() - 1, info_.max_bins);
-    return cpu_->upload(sites, shade);
+    return cpu_->upload(sites, palette_index);
   }
   Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
     return cpu_->cells(which, effort, out);

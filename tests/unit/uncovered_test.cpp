@@ -28,8 +28,8 @@ class Patchy final : public Backend {
   }
 
   const BackendInfo& info() const override { return info_; }
-  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override {
-    return cpu_->upload(sites, shade);
+  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) override {
+    return cpu_->upload(sites, palette_index);
   }
   Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
     return cpu_->cells(which, effort, out);

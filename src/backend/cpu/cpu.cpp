@@ -48,9 +48,9 @@ class CpuBackend final : public Backend {
 
   const BackendInfo& info() const override { return info_; }
 
-  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override {
+  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) override {
     sites_ = &sites;
-    shade_ = shade;
+    palette_index_ = palette_index;
     nearest_.reset();
     tree_.reset();
     return {};
@@ -96,7 +96,7 @@ class CpuBackend final : public Backend {
     cpu::nearestSites(nearestSite(), view_, threads_, ids);
     parallelFor(ids.size(), 1 << 16, threads_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
-        rgba[i] = ids[i] == no_site ? 0 : view_.palette[shade_[ids[i]]];
+        rgba[i] = ids[i] == no_site ? 0 : view_.palette[palette_index_[ids[i]]];
         if (ids[i] != no_site) ids[i] = sites_->id[ids[i]];
       }
     });
@@ -152,7 +152,7 @@ class CpuBackend final : public Backend {
   const SiteSet* sites_ = nullptr;
   std::optional<cpu::NearestSite> nearest_;  // made when first asked
   std::optional<cpu::SiteTree> tree_;        // made when first asked
-  std::span<const std::uint8_t> shade_;
+  std::span<const std::uint8_t> palette_index_;
   View view_{};
 };
 

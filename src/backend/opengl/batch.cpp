@@ -14,7 +14,7 @@ static_assert(offsetof(Entry, north) == offsetof(Entry, west) + 3 * sizeof(float
 static_assert(offsetof(Entry, origin_offset) == offsetof(Entry, reach) + sizeof(float));
 static_assert(offsetof(Entry, count) == offsetof(Entry, first) + sizeof(std::uint32_t));
 static_assert(offsetof(DrawMark, y) == offsetof(DrawMark, x) + sizeof(float));
-static_assert(offsetof(DrawMark, shade) == offsetof(DrawMark, id) + sizeof(std::uint32_t));
+static_assert(offsetof(DrawMark, palette_index) == offsetof(DrawMark, id) + sizeof(std::uint32_t));
 static_assert(sizeof(HalfPlane<float>) == 4 * sizeof(float));
 
 constexpr GLuint attributes = 5;

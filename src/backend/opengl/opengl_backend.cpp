@@ -51,12 +51,12 @@ class OpenGlBackend final : public Backend {
 
   const BackendInfo& info() const override { return info_; }
 
-  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override {
+  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) override {
     assert(sites.size() <= info_.max_sites && sites.grid.offsets.size() <= info_.max_bins + 1);
     const auto scope = context_.enter();
     if (!scope) return tl::unexpected(scope.error());
     gl_.picture.setDomain(sites.domain);
-    return gl_.sites.upload(sites, shade);
+    return gl_.sites.upload(sites, palette_index);
   }
 
   Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {

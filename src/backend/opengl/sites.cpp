@@ -24,7 +24,7 @@ Sites::Sites()
   glVertexAttribIPointer(0, 1, GL_UNSIGNED_INT, sizeof(std::uint32_t), bufferOffset(0));
 }
 
-Result<void> Sites::upload(const SiteSet& sites, std::span<const std::uint8_t> shade) {
+Result<void> Sites::upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) {
   const SiteGridUniform block = siteGridUniform(sites);
   grid_.write(std::as_bytes(std::span(&block, 1)));
   bins_.write(std::as_bytes(std::span(sites.grid.offsets)));
@@ -40,9 +40,9 @@ Result<void> Sites::upload(const SiteSet& sites, std::span<const std::uint8_t> s
     writeHeaviest(sites, texels.data());
     heaviest_.write(texels);
   }
-  if (!shade.empty()) {
+  if (!palette_index.empty()) {
     texels.resize(sites.size() * sizeof(SiteMark));
-    writeSiteMarks(sites, shade, texels.data());
+    writeSiteMarks(sites, palette_index, texels.data());
     marks_.write(texels);
   }
   return takeErrors(fmt::format("sending {} sites to the device", sites.size()));

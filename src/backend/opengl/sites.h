@@ -15,9 +15,9 @@ class Sites {
  public:
   Sites();
 
-  /// Replaces what is on the device; shade may be empty if nothing will be drawn. Error (device): out of
-  /// memory.
-  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade);
+  /// Replaces what is on the device; palette_index may be empty if nothing will be drawn. Error (device): out
+  /// of memory.
+  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index);
 
   /// Makes the sites `which` what the next draw call takes, a point for each. Error (device): out of memory.
   Result<void> send(std::span<const std::uint32_t> which);

@@ -129,14 +129,14 @@ ComputeBackend::ComputeBackend(Parts parts, BackendInfo info, std::uint64_t stor
       vertices_({"vertices", VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_VERTEX_BUFFER_BIT,
                  Placement::device}) {}
 
-Result<void> ComputeBackend::upload(const SiteSet& sites, std::span<const std::uint8_t> shade) {
+Result<void> ComputeBackend::upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) {
   weighted_ = !sites.weight.empty();
   // Only the host knows where the heavy sites come to stand.
   placed_here_ = placed_.has_value() && !weighted_;
   if (placed_here_) {
-    VORPIPE_TRY(placed_->upload(device_, sites_bindings_, sites, shade, info_));
+    VORPIPE_TRY(placed_->upload(device_, sites_bindings_, sites, palette_index, info_));
   } else {
-    VORPIPE_TRY(sites_.upload(device_, sites_bindings_, sites, shade, info_));
+    VORPIPE_TRY(sites_.upload(device_, sites_bindings_, sites, palette_index, info_));
     // The kernels name these and do not read them.
     for (const auto unread : std::array<std::uint32_t, 2>{BINDING_PLACE_OF_SITE, BINDING_SITE_AT_PLACE}) {
       sites_bindings_.setTexels(device_, unread, sites_.bins());

@@ -81,8 +81,8 @@ GeometryBackend::GeometryBackend(Instance instance, Device device, Bindings bind
       host_status_({"statuses", VK_BUFFER_USAGE_TRANSFER_DST_BIT, Placement::download}),
       edges_({"edges", VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Placement::download}) {}
 
-Result<void> GeometryBackend::upload(const SiteSet& sites, std::span<const std::uint8_t> shade) {
-  VORPIPE_TRY(sites_.upload(device_, bindings_, sites, shade, info_));
+Result<void> GeometryBackend::upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) {
+  VORPIPE_TRY(sites_.upload(device_, bindings_, sites, palette_index, info_));
   domain_ = sites.domain;
   return setView(shown_);
 }

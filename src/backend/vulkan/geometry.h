@@ -29,7 +29,7 @@ class GeometryBackend final : public Backend {
   static Result<std::unique_ptr<Backend>> open(Instance instance, const Physical& physical);
 
   const BackendInfo& info() const override { return info_; }
-  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override;
+  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) override;
   Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override;
   Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override;
   Result<void> begin(const View& view) override;

@@ -51,11 +51,11 @@ class Lanes final : public Backend {
 
   const BackendInfo& info() const override { return lanes_[0]->info(); }
 
-  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override {
+  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) override {
     sites_ = &sites;
-    shade_.assign(shade.begin(), shade.end());
+    palette_index_.assign(palette_index.begin(), palette_index.end());
     with_sites_ = 1;
-    return lanes_[0]->upload(sites, shade_);
+    return lanes_[0]->upload(sites, palette_index_);
   }
 
   Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
@@ -197,7 +197,8 @@ class Lanes final : public Backend {
   Result<void> giveSites(std::size_t count) {
     if (sites_ == nullptr) return {};  // then no cell is asked for
     VORPIPE_TRY(openLanes(count));
-    for (; with_sites_ < count; ++with_sites_) VORPIPE_TRY(lanes_[with_sites_]->upload(*sites_, shade_));
+    for (; with_sites_ < count; ++with_sites_)
+      VORPIPE_TRY(lanes_[with_sites_]->upload(*sites_, palette_index_));
     return {};
   }
 
@@ -230,7 +231,7 @@ class Lanes final : public Backend {
   std::optional<View> view_;
   const SiteSet* sites_ = nullptr;
   std::size_t with_sites_ = 0;  ///< so many lanes have the sites of the last upload
-  std::vector<std::uint8_t> shade_;
+  std::vector<std::uint8_t> palette_index_;
   std::uint64_t drawings_ = 0;
   std::vector<std::uint64_t> drawn_;  ///< by id: when its cell was drawn last
 };

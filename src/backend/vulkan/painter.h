@@ -14,7 +14,7 @@
 
 namespace vorpipe::vulkan {
 
-/// Of a vertex as polygons.comp writes it: position, id, shade.
+/// Of a vertex as polygons.comp writes it: position, id, palette_index.
 inline constexpr std::size_t vertex_bytes = 4 * sizeof(std::uint32_t);
 
 /// What is drawn: vertices of vertex_bytes, indices as uint32, one VkDrawIndexedIndirectCommand.

@@ -32,7 +32,7 @@ static_assert(offsetof(Entry, east) == offsetof(Entry, west) + 8);
 static_assert(offsetof(Entry, north) == offsetof(Entry, west) + 12);
 static_assert(offsetof(Entry, origin_offset) == offsetof(Entry, reach) + 4);
 static_assert(offsetof(DrawMark, y) == offsetof(DrawMark, x) + 4);
-static_assert(offsetof(DrawMark, shade) == offsetof(DrawMark, id) + 4);
+static_assert(offsetof(DrawMark, palette_index) == offsetof(DrawMark, id) + 4);
 
 // The inputs of cell.vert, by location.
 constexpr std::array<VkVertexInputAttributeDescription, 5> list_inputs = {{

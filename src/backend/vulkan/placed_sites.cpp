@@ -112,7 +112,7 @@ PlacedSites::PlacedSites(Sets sets, ComputeKernels kernels)
                Placement::device, VK_FORMAT_R32G32B32A32_SFLOAT}) {}
 
 Result<void> PlacedSites::upload(Device& device, Bindings& search, const SiteSet& sites,
-                                 std::span<const std::uint8_t> shade, const BackendInfo& limits) {
+                                 std::span<const std::uint8_t> palette_index, const BackendInfo& limits) {
   const Sizes sizes{sites.size(), std::size_t{sites.grid.columns} * sites.grid.rows};
   assert(sizes.sites <= limits.max_sites && sizes.bins <= limits.max_bins);
   VORPIPE_TRY(reserve(device, sizes, limits));
@@ -126,9 +126,9 @@ Result<void> PlacedSites::upload(Device& device, Bindings& search, const SiteSet
   search.setTexels(device, BINDING_BINS, starts_.texels());
   search.setTexels(device, BINDING_PLACE_OF_SITE, place_of_site_.texels());
   search.setTexels(device, BINDING_SITE_AT_PLACE, site_at_place_.texels());
-  if (shade.empty()) return {};
+  if (palette_index.empty()) return {};
   VORPIPE_TRY(marks_.reserve(device, sizes.sites * sizeof(SiteMark), limits.max_sites * sizeof(SiteMark)));
-  writeSiteMarks(sites, shade, marks_.data());
+  writeSiteMarks(sites, palette_index, marks_.data());
   search.setTexels(device, BINDING_MARKS, marks_.texels());
   return {};
 }

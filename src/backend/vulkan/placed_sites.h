@@ -24,10 +24,11 @@ class PlacedSites {
  public:
   static Result<PlacedSites> create(const Device& device);
 
-  /// Replaces the sites and binds them to the set of a search whose kernels map places to sites; shade may
-  /// be empty if nothing will be drawn. The set has at most max_sites sites and max_bins bins.
+  /// Replaces the sites and binds them to the set of a search whose kernels map places to sites;
+  /// palette_index may be empty if nothing will be drawn. The set has at most max_sites sites and max_bins
+  /// bins.
   Result<void> upload(Device& device, Bindings& search, const SiteSet& sites,
-                      std::span<const std::uint8_t> shade, const BackendInfo& limits);
+                      std::span<const std::uint8_t> palette_index, const BackendInfo& limits);
 
   /// Where each bin begins, and the number of sites: as uint32, one more than there are bins.
   [[nodiscard]] VkBuffer starts() const { return starts_.get(); }

@@ -9,7 +9,7 @@
 namespace vorpipe::vulkan {
 
 Result<void> UploadedSites::upload(const Device& device, Bindings& bindings, const SiteSet& sites,
-                                   std::span<const std::uint8_t> shade, const BackendInfo& limits) {
+                                   std::span<const std::uint8_t> palette_index, const BackendInfo& limits) {
   const std::size_t count = sites.size();
   const std::vector<std::uint32_t>& first = sites.grid.offsets;
   assert(count <= limits.max_sites && first.size() <= limits.max_bins + 1);
@@ -26,9 +26,9 @@ Result<void> UploadedSites::upload(const Device& device, Bindings& bindings, con
   bindings.setTexels(device, BINDING_BINS, bins_.texels());
   weighted_ = !sites.weight.empty();
   if (weighted_) VORPIPE_TRY(uploadWeights(device, bindings, sites, limits));
-  if (shade.empty()) return {};
+  if (palette_index.empty()) return {};
   VORPIPE_TRY(marks_.reserve(device, count * sizeof(SiteMark), limits.max_sites * sizeof(SiteMark)));
-  writeSiteMarks(sites, shade, marks_.data());
+  writeSiteMarks(sites, palette_index, marks_.data());
   bindings.setTexels(device, BINDING_MARKS, marks_.texels());
   return {};
 }

@@ -15,10 +15,10 @@ namespace vorpipe::vulkan {
 
 class UploadedSites {
  public:
-  /// Replaces them and binds them; shade may be empty if nothing will be drawn. The set has at most max_sites
-  /// sites and max_bins bins.
+  /// Replaces them and binds them; palette_index may be empty if nothing will be drawn. The set has at most
+  /// max_sites sites and max_bins bins.
   Result<void> upload(const Device& device, Bindings& bindings, const SiteSet& sites,
-                      std::span<const std::uint8_t> shade, const BackendInfo& limits);
+                      std::span<const std::uint8_t> palette_index, const BackendInfo& limits);
 
   /// The texels of the bins.
   [[nodiscard]] VkBufferView bins() const { return bins_.texels(); }

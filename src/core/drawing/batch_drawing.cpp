@@ -96,7 +96,7 @@ Result<void> BatchDrawing::drawBatch(const View& view, const CellBatch<float>& b
       const auto origin = cellOrigin(canvas_.sites, site[e]);
       marks_[e] = {static_cast<float>(((origin.x - view.corner.x) - center.x) * scale.x),
                    static_cast<float>(((origin.y - view.corner.y) - center.y) * scale.y),
-                   canvas_.sites.id[site[e]], canvas_.shade[site[e]]};
+                   canvas_.sites.id[site[e]], canvas_.palette_index[site[e]]};
     }
   });
   const Stopwatch watch;

@@ -10,7 +10,7 @@ namespace vorpipe::core {
 struct Canvas {
   Backend& backend;
   const SiteSet& sites;
-  std::span<const std::uint8_t> shade;  ///< by index in the set
+  std::span<const std::uint8_t> palette_index;  ///< by index in the set
   int threads;
 };
 

@@ -20,10 +20,10 @@ constexpr double pixels_beyond = 0.0005;
 
 CellDrawing::CellDrawing(const DrawingInput& input)
     : input_(input),
-      upload_(input.backend, input.shade),
-      batches_({input.backend, input.sites, input.shade, input.threads}),
+      upload_(input.backend, input.palette_index),
+      batches_({input.backend, input.sites, input.palette_index, input.threads}),
       status_(input.sites.size(), CellStatus::certified),
-      pixels_(input.sites, input.shade, input.threads) {}
+      pixels_(input.sites, input.palette_index, input.threads) {}
 
 Result<void> CellDrawing::draw(const View& view) {
   if (!lists_ && !grid_) {
@@ -64,9 +64,9 @@ Result<void> CellDrawing::prepare() {
                                           input_.progress);
   } else {
     const Stopwatch watch;
-    lists_ = std::make_unique<ListDrawing>(Canvas{input_.backend, input_.sites, input_.shade, input_.threads},
-                                           static_cast<std::size_t>(input_.search.neighbors),
-                                           input_.several_views, input_.progress);
+    lists_ = std::make_unique<ListDrawing>(
+        Canvas{input_.backend, input_.sites, input_.palette_index, input_.threads},
+        static_cast<std::size_t>(input_.search.neighbors), input_.several_views, input_.progress);
     tree_seconds_ = watch.seconds();
   }
   return judge(std::move(triage.outside));

@@ -16,7 +16,7 @@ struct DrawingInput {
   Backend& backend;
   Judge& judge;  ///< of the same sites; finds in double what the backend does not certify
   const SiteSet& sites;
-  std::span<const std::uint8_t> shade;  ///< by index in the set
+  std::span<const std::uint8_t> palette_index;  ///< by index in the set
   const SearchOptions& search;
   int threads;
   const Progress& progress;

@@ -132,8 +132,8 @@ Result<void> askToDraw(Backend& backend, const CellBatch<float>& batch, std::spa
   return {};
 }
 
-PixelCheck::PixelCheck(const SiteSet& sites, std::span<const std::uint8_t> shade, int threads)
-    : sites_(sites), shade_(shade), threads_(threads) {}
+PixelCheck::PixelCheck(const SiteSet& sites, std::span<const std::uint8_t> palette_index, int threads)
+    : sites_(sites), palette_index_(palette_index), threads_(threads) {}
 
 void PixelCheck::apply(std::span<const CellStatus> status, const Palette& palette,
                        std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) {
@@ -144,7 +144,7 @@ void PixelCheck::apply(std::span<const CellStatus> status, const Palette& palett
   parallelFor(sites_.size(), grain, threads_, [&](std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end; ++i) {
       const bool has_cell = status[i] == CellStatus::certified;
-      shown_[sites_.id[i]] = has_cell ? static_cast<std::uint16_t>(shade_[i] + 1) : std::uint16_t{0};
+      shown_[sites_.id[i]] = has_cell ? static_cast<std::uint16_t>(palette_index_[i] + 1) : std::uint16_t{0};
     }
   });
   parallelFor(ids.size(), pixels_at_once, threads_, [&](std::size_t begin, std::size_t end) {

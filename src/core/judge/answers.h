@@ -29,20 +29,21 @@ Result<void> askToDraw(Backend& backend, const CellBatch<float>& batch, std::spa
 
 /// Validates a picture that a device drew. A pixel whose id is that of no site of the set, or of a site whose
 /// status is not `certified`, gets no_site, as if no cell had covered it; every other pixel gets the color of
-/// its site from the palette. `status` and `shade` are by index in the set. A wrong id that is that of a
-/// certified site is not found here.
+/// its site from the palette. `status` and `palette_index` are by index in the set. A wrong id that is that
+/// of a certified site is not found here.
 class PixelCheck {
  public:
-  PixelCheck(const SiteSet& sites, std::span<const std::uint8_t> shade, int threads);
+  PixelCheck(const SiteSet& sites, std::span<const std::uint8_t> palette_index, int threads);
 
   void apply(std::span<const CellStatus> status, const Palette& palette, std::span<std::uint32_t> rgba,
              std::span<std::uint32_t> ids);
 
  private:
   const SiteSet& sites_;
-  std::span<const std::uint8_t> shade_;
+  std::span<const std::uint8_t> palette_index_;
   int threads_;
-  std::vector<std::uint16_t> shown_;  ///< by id: one more than the shade of its site, or 0 without a cell
+  std::vector<std::uint16_t>
+      shown_;  ///< by id: one more than the palette_index of its site, or 0 without a cell
 };
 
 }  // namespace vorpipe::core

@@ -228,17 +228,17 @@ Result<Rendering> renderOn(Backend& backend, Backend& judge, int threads, const 
   if (!prepared) return tl::unexpected(prepared.error());
   auto ids = prepared->set.id;
   nameSites(*scene, ids);
-  const auto shades = shadesOf(options.color, sites, ids, *cells);
-  if (!shades) return tl::unexpected(shades.error());
+  const auto palette_indices = paletteIndices(options.color, sites, ids, *cells);
+  if (!palette_indices) return tl::unexpected(palette_indices.error());
   times.order = std::max(times.order, 0.0) + 1e3 * order_watch.seconds();
 
   const int most = backend.info().max_view;
   SiteMesh mesh(prepared->set, threads);
   Judge set_judge(judge, mesh);
   prepared->set.hidden = hiddenSites(prepared->set, *scene, *cells);
-  CellDrawing drawing({backend, set_judge, prepared->set, *shades, options.search, threads, options.progress,
-                       options.width > most || options.height > most});
-  const NearestSites nearest{set_judge, prepared->set, *shades, drawn.size(), threads};
+  CellDrawing drawing({backend, set_judge, prepared->set, *palette_indices, options.search, threads,
+                       options.progress, options.width > most || options.height > most});
+  const NearestSites nearest{set_judge, prepared->set, *palette_indices, drawn.size(), threads};
   auto picture =
       drawParts(backend, drawing, nearest, scaled(scene->picture, prepared->exponent), *palette, options);
   if (!picture) return tl::unexpected(picture.error());

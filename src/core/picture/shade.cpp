@@ -19,24 +19,24 @@ double neighborsOf(const Diagram& cells, std::uint32_t site) {
 std::vector<std::uint8_t> scaledToPalette(const std::vector<double>& values) {
   const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
   const double range = *greatest - *least;
-  std::vector<std::uint8_t> shades(values.size());
-  std::transform(values.begin(), values.end(), shades.begin(), [&](double value) {
+  std::vector<std::uint8_t> palette_indices(values.size());
+  std::transform(values.begin(), values.end(), palette_indices.begin(), [&](double value) {
     return range > 0 ? static_cast<std::uint8_t>(std::lround(255 * ((value - *least) / range)))
                      : std::uint8_t{128};
   });
-  return shades;
+  return palette_indices;
 }
 
 }  // namespace
 
-Result<std::vector<std::uint8_t>> shadesOf(ColorBy color, const Sites& sites,
-                                           std::span<const std::uint32_t> ids, const Diagram& cells) {
+Result<std::vector<std::uint8_t>> paletteIndices(ColorBy color, const Sites& sites,
+                                                 std::span<const std::uint32_t> ids, const Diagram& cells) {
   if (color == ColorBy::site) {
-    std::vector<std::uint8_t> shades(ids.size());
-    std::transform(ids.begin(), ids.end(), shades.begin(), [&](std::uint64_t id) {
+    std::vector<std::uint8_t> palette_indices(ids.size());
+    std::transform(ids.begin(), ids.end(), palette_indices.begin(), [&](std::uint64_t id) {
       return static_cast<std::uint8_t>(256 * id / (sites.size() + 1));
     });
-    return shades;
+    return palette_indices;
   }
   if (color == ColorBy::weight && sites.weight.empty()) {
     return tl::unexpected(Error{ErrorCode::input, "color by weight: the sites have no weights"});

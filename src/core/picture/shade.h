@@ -9,7 +9,7 @@ namespace vorpipe::core {
 /// thesis (Listing A.2), i the input index of n. By area, neighbors or weight: linear from the least to the
 /// greatest. `cells` are the measures of the same sites; by site and by weight they are not read. Error
 /// (input): color by weight of sites without weights.
-Result<std::vector<std::uint8_t>> shadesOf(ColorBy color, const Sites& sites,
-                                           std::span<const std::uint32_t> ids, const Diagram& cells);
+Result<std::vector<std::uint8_t>> paletteIndices(ColorBy color, const Sites& sites,
+                                                 std::span<const std::uint32_t> ids, const Diagram& cells);
 
 }  // namespace vorpipe::core

@@ -41,7 +41,7 @@ Result<std::uint64_t> coverRest(const NearestSites& nearest, const View& view, s
     for (std::size_t k = 0; k < pixels.size(); ++k) {
       const bool none = sites[k] == no_site;
       ids[pixels[k]] = none ? no_site : nearest.sites.id[sites[k]];
-      rgba[pixels[k]] = none ? 0 : view.palette[nearest.shade[sites[k]]];
+      rgba[pixels[k]] = none ? 0 : view.palette[nearest.palette_index[sites[k]]];
     }
     count += pixels.size();
   }

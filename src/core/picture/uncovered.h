@@ -12,8 +12,8 @@ namespace vorpipe::core {
 struct NearestSites {
   Judge& judge;
   const SiteSet& sites;
-  std::span<const std::uint8_t> shade;  ///< by index in the set
-  std::uint64_t ids;                    ///< those of sites are less
+  std::span<const std::uint8_t> palette_index;  ///< by index in the set
+  std::uint64_t ids;                            ///< those of sites are less
   int threads;
 };
 

@@ -8,11 +8,12 @@ Result<void> Upload::give(const Tile& tile) {
   const bool all = tile.whole.empty();
   if (all && has_all_) return {};
   const Stopwatch watch;
-  if (!all && !shade_.empty()) {
-    tile_shade_.clear();
-    for (const auto site : tile.whole) tile_shade_.push_back(shade_[site]);
+  if (!all && !palette_index_.empty()) {
+    tile_palette_index_.clear();
+    for (const auto site : tile.whole) tile_palette_index_.push_back(palette_index_[site]);
   }
-  if (auto uploaded = backend_.upload(tile.sites, all ? shade_ : std::span(tile_shade_)); !uploaded) {
+  if (auto uploaded = backend_.upload(tile.sites, all ? palette_index_ : std::span(tile_palette_index_));
+      !uploaded) {
     return uploaded;
   }
   has_all_ = all;

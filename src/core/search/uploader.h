@@ -7,8 +7,9 @@ namespace vorpipe::core {
 
 class Upload {
  public:
-  /// `shade` is by index in the set; empty when nothing will be drawn.
-  Upload(Backend& backend, std::span<const std::uint8_t> shade) : backend_(backend), shade_(shade) {}
+  /// `palette_index` is by index in the set; empty when nothing will be drawn.
+  Upload(Backend& backend, std::span<const std::uint8_t> palette_index)
+      : backend_(backend), palette_index_(palette_index) {}
 
   /// Gives the device a tile's sites. All sites are given once; they stay until a tile replaces them.
   Result<void> give(const Tile& tile);
@@ -17,8 +18,8 @@ class Upload {
 
  private:
   Backend& backend_;
-  std::span<const std::uint8_t> shade_;
-  std::vector<std::uint8_t> tile_shade_;
+  std::span<const std::uint8_t> palette_index_;
+  std::vector<std::uint8_t> tile_palette_index_;
   bool has_all_ = false;
   double seconds_ = 0;
 };

@@ -50,10 +50,10 @@ Result<void> BoundedBackend::call(Call kind, const Make& make) {
   return done;
 }
 
-Result<void> BoundedBackend::upload(const SiteSet& sites, std::span<const std::uint8_t> shade) {
+Result<void> BoundedBackend::upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) {
   given_.sites = sites.size();
   given_.bins = sites.grid.offsets.size();
-  return call(Call::upload, [&] { return backend_.upload(sites, shade); });
+  return call(Call::upload, [&] { return backend_.upload(sites, palette_index); });
 }
 
 Result<void> BoundedBackend::cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) {

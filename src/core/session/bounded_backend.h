@@ -25,7 +25,7 @@ class BoundedBackend final : public Backend {
   BoundedBackend(Backend& backend, const Bounds& bounds);
 
   const BackendInfo& info() const override { return info_; }
-  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> shade) override;
+  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) override;
   Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override;
   Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override;
   Result<void> begin(const View& view) override;
