@@ -33,7 +33,7 @@ struct LaneOrder {
  private:
   /// Cells come row by row of bins, so that they meet the sites of the row beyond for the first time. (Not
   /// inlined, it would have no effect that GCC sees, and not be called.)
-  [[gnu::always_inline]] static void announce(const LaneJob& job, std::uint32_t site) {
+  [[gnu::always_inline]] static void prefetch(const LaneJob& job, std::uint32_t site) {
     __builtin_prefetch(job.x + site);
     __builtin_prefetch(job.y + site);
   }
@@ -51,7 +51,7 @@ struct LaneOrder {
     for (int r = max(row - 1, 0); r <= min(row + 1, job.rows - 1); ++r) {
       const auto first = job.offsets[r * job.columns + west];
       sum += job.offsets[r * job.columns + east + 1] - first;
-      if (r > row) announce(job, first);
+      if (r > row) prefetch(job, first);
     }
     return static_cast<int>(sum < most_around ? sum : most_around);
   }

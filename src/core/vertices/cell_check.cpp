@@ -34,7 +34,7 @@ class Checking {
     if (added == CornerBatch::Added::other) {
       checkAlone(cell, row);
     } else {
-      records_.announce(cell);
+      records_.prefetch(cell);
     }
   }
 
@@ -147,7 +147,7 @@ class Checking {
 /// Says that the cells a row of bins beyond a cell will be read soon: cells come row by row, so that they
 /// meet those for the first time, a few here and a few there. (Not inlined, it would have no effect that GCC
 /// sees, and not be called.)
-[[gnu::always_inline]] inline void announceBeyond(const ProposedCells& proposed, std::size_t cell) {
+[[gnu::always_inline]] inline void prefetchBeyond(const ProposedCells& proposed, std::size_t cell) {
 #if defined(__GNUC__)
   const auto& sites = proposed.sites;
   const auto beyond = cell + 2 * sites.size() / sites.grid.rows;
@@ -166,7 +166,7 @@ void checkSome(const ProposedCells& proposed, std::size_t count, const CellAt& c
                std::span<std::uint8_t> suspect) {
   parallelFor(
       count, grainFor(count, most_at_once), proposed.threads, [&](std::size_t begin, std::size_t end) {
-        for (auto k = begin; k < end; ++k) announceBeyond(proposed, cellAt(k));
+        for (auto k = begin; k < end; ++k) prefetchBeyond(proposed, cellAt(k));
         Checking checking(proposed, records, suspect);
         forCellsBySize(proposed.cells, begin, end, cellAt, [&](std::uint32_t cell) { checking.check(cell); });
         checking.finish();

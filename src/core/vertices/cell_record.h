@@ -67,7 +67,7 @@ struct Records {
 
   /// Says that the record of `cell` will be written soon: a store that waits for its memory holds up those
   /// behind it.
-  void announce(std::size_t cell) const {
+  void prefetch(std::size_t cell) const {
 #if defined(__GNUC__)
     __builtin_prefetch(&by_input[sites.id[cell]], 1);
 #else
