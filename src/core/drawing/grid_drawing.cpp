@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "base/pace.h"
+#include "base/progress_steps.h"
 #include "core/judge/answers.h"
 #include "core/search/sample.h"
 
@@ -88,8 +88,8 @@ Result<GridDrawing::Indices> GridDrawing::drawSites(const Indices& which, Effort
     }
     return {};
   };
-  const Stretch stretch{which.size(), done_, cells_};
-  if (auto done = inSteps(progress_, stage, stretch, backend_.info().max_entries, work); !done) {
+  const StageRange stretch{which.size(), done_, cells_};
+  if (auto done = runInSteps(progress_, stage, stretch, backend_.info().max_entries, work); !done) {
     return tl::unexpected(done.error());
   }
   return undrawn;

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "base/pace.h"
+#include "base/progress_steps.h"
 
 namespace vorpipe::core {
 namespace {
@@ -78,7 +78,7 @@ Result<ListDrawing::Undrawn> ListDrawing::drawNeighbors(const View& view, const 
     if (several_views_) steps_.push_back({std::move(candidates), effort});
     return {};
   };
-  if (auto done = inSteps(progress_, stage, which.size(), at_once, work); !done) {
+  if (auto done = runInSteps(progress_, stage, which.size(), at_once, work); !done) {
     return tl::unexpected(done.error());
   }
   return undrawn;
@@ -88,7 +88,7 @@ Result<ListDrawing::Undrawn> ListDrawing::drawNeighbors(const View& view, const 
 Result<ListDrawing::Indices> ListDrawing::drawAgain(const View& view, std::span<const std::uint32_t> which) {
   std::vector<bool> drawn(canvas_.sites.size());
   for (std::size_t s = 0; s < steps_.size(); ++s) {
-    if (auto go_on = goOn(progress_, "drawing", s, steps_.size()); !go_on)
+    if (auto go_on = reportProgress(progress_, "drawing", s, steps_.size()); !go_on)
       return tl::unexpected(go_on.error());
     const auto& candidates = steps_[s].candidates;
     const auto status = drawing_.draw(view, candidates, steps_[s].effort);

@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-#include "base/pace.h"
+#include "base/progress_steps.h"
 #include "core/delaunay/mesh_cells.h"
 #include "core/judge/answers.h"
 
@@ -107,7 +107,7 @@ Result<std::vector<std::uint32_t>> Judge::findSome(std::span<const std::uint32_t
     return {};
   };
   const auto* stage = effort == Effort::exact ? "exact cells" : "cells in double";
-  if (auto done = inSteps(progress, stage, entries.size(), backend_.info().max_entries, work); !done) {
+  if (auto done = runInSteps(progress, stage, entries.size(), backend_.info().max_entries, work); !done) {
     return tl::unexpected(done.error());
   }
   return open;

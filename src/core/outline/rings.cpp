@@ -24,7 +24,7 @@ bool isCounterClockwise(std::span<const Point> ring) {
 }
 
 /// The part of the way from p to q that has a < coordinate < b, as numbers of [0, 1] along it.
-struct Stretch {
+struct StageRange {
   double begin = 0, end = 1;
 
   void keepBetween(double from, double to, double least, double most) {
@@ -40,9 +40,9 @@ struct Stretch {
 
 /// What the edge from p to q adds to the area of the box's part to the left of it, down to xmin.
 Wide areaBeside(Point p, Point q, const Box& box) {
-  Stretch rows;
+  StageRange rows;
   rows.keepBetween(p.y, q.y, box.ymin, box.ymax);
-  Stretch inside = rows;
+  StageRange inside = rows;
   inside.keepBetween(p.x, q.x, box.xmin, box.xmax);
   const double height = q.y - p.y;
   const auto x = [&](double along) {

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "backend/collect.h"
-#include "base/pace.h"
 #include "base/parallel.h"
+#include "base/progress_steps.h"
 #include "core/judge/answers.h"
 #include "core/search/sample.h"
 #include "core/search/uploader.h"
@@ -91,8 +91,8 @@ class Finding {
       return {};
     };
     const auto most = input_.backend.info().max_entries;
-    const Stretch stretch{which.size(), done_, cells_};
-    if (auto done = inSteps(input_.progress, stage, stretch, most, work); !done) return done;
+    const StageRange stretch{which.size(), done_, cells_};
+    if (auto done = runInSteps(input_.progress, stage, stretch, most, work); !done) return done;
     done_ += which.size() - (large.size() - before);
     return {};
   }

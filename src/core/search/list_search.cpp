@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "backend/collect.h"
-#include "base/pace.h"
+#include "base/progress_steps.h"
 #include "core/judge/answers.h"
 #include "core/search/bisectors.h"
 #include "core/search/flann_search.h"
@@ -45,18 +45,18 @@ class Finding {
     const auto& info = input_.backend.info();
     const auto lines = std::min<std::uint64_t>(info.max_lines, lines_per_batch);
     const auto at_once = std::clamp<std::size_t>(lines / k, 1, info.max_entries);
-    return inSteps(input_.progress, "cells", which.size(), at_once,
-                   [&](std::size_t begin, std::size_t count) -> Result<void> {
-                     const auto part = which.subspan(begin, count);
-                     CellNeighbors found;
-                     if (auto done = clip(part, k, found); !done) return done;
-                     for (std::size_t e = 0; e < count; ++e) {
-                       if (isDone(found.status[e])) continue;
-                       (found.status[e] == CellStatus::unsecured ? unsecured : left).push_back(part[e]);
-                     }
-                     rows_.add(part, std::move(found));
-                     return {};
-                   });
+    return runInSteps(input_.progress, "cells", which.size(), at_once,
+                      [&](std::size_t begin, std::size_t count) -> Result<void> {
+                        const auto part = which.subspan(begin, count);
+                        CellNeighbors found;
+                        if (auto done = clip(part, k, found); !done) return done;
+                        for (std::size_t e = 0; e < count; ++e) {
+                          if (isDone(found.status[e])) continue;
+                          (found.status[e] == CellStatus::unsecured ? unsecured : left).push_back(part[e]);
+                        }
+                        rows_.add(part, std::move(found));
+                        return {};
+                      });
   }
 
   /// Clips by the k nearest neighbors, and turns places in lists into sites.

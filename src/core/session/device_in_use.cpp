@@ -48,7 +48,8 @@ Result<void> DeviceInUse::reopen() {
 }
 
 /// Whether there is something else to try; says what in `notes`.
-bool DeviceInUse::goOn(const Error& failure, const BoundedBackend& failed, std::vector<std::string>& notes) {
+bool DeviceInUse::reportProgress(const Error& failure, const BoundedBackend& failed,
+                                 std::vector<std::string>& notes) {
   const auto less = failure.out_of_memory ? failed.smaller() : std::nullopt;
   opened_.backend.reset();
   if (less && reopen()) {

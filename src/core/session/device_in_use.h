@@ -37,7 +37,8 @@ class DeviceInUse {
       }
       if (made || made.error().code != ErrorCode::device) return made;
       for (auto& message : bounded.validationMessages()) messages.push_back(std::move(message));
-      if (!goOn(made.error(), bounded, notes)) return tl::unexpected(withEarlier(made.error(), notes));
+      if (!reportProgress(made.error(), bounded, notes))
+        return tl::unexpected(withEarlier(made.error(), notes));
     }
   }
 
@@ -48,7 +49,7 @@ class DeviceInUse {
   DeviceInUse(BackendOptions options, OpenedBackend opened);
 
   Result<void> reopen();
-  bool goOn(const Error& failure, const BoundedBackend& failed, std::vector<std::string>& notes);
+  bool reportProgress(const Error& failure, const BoundedBackend& failed, std::vector<std::string>& notes);
   void take(OpenedBackend opened);
   static Error withEarlier(Error error, const std::vector<std::string>& notes);
 

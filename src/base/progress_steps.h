@@ -9,28 +9,29 @@
 namespace vorpipe {
 
 /// Tells progress how far a stage is. Error: it said stop.
-inline Result<void> goOn(const Progress& progress, const char* stage, std::size_t done, std::size_t of) {
+inline Result<void> reportProgress(const Progress& progress, const char* stage, std::size_t done,
+                                   std::size_t of) {
   const double fraction = static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(of, 1));
   if (!progress || progress(stage, fraction)) return {};
   return tl::unexpected(Error{ErrorCode::cancelled, "interrupted"});
 }
 
 /// A part of a stage: `count` of its `of` items, after `done` others.
-struct Stretch {
+struct StageRange {
   std::size_t count, done, of;
 };
 
-/// Calls work(begin, count) for ranges that cover [0, stretch.count), each of at most `most`: small at first,
+/// Calls work(begin, count) for ranges that cover [0, range.count), each of at most `most`: small at first,
 /// then as large as fits between two calls of progress. What comes out must not depend on the ranges.
 template <class Work>
-Result<void> inSteps(const Progress& progress, const char* stage, const Stretch& stretch, std::size_t most,
-                     const Work& work) {
+Result<void> runInSteps(const Progress& progress, const char* stage, const StageRange& range,
+                        std::size_t most, const Work& work) {
   constexpr std::size_t first_step = std::size_t{1} << 15;
   constexpr double seconds_between = 0.2;
   auto step = std::min(first_step, most);
-  for (std::size_t begin = 0; begin < stretch.count;) {
-    if (auto go_on = goOn(progress, stage, stretch.done + begin, stretch.of); !go_on) return go_on;
-    const auto count = std::min(step, stretch.count - begin);
+  for (std::size_t begin = 0; begin < range.count;) {
+    if (auto go_on = reportProgress(progress, stage, range.done + begin, range.of); !go_on) return go_on;
+    const auto count = std::min(step, range.count - begin);
     const Stopwatch watch;
     if (auto worked = work(begin, count); !worked) return worked;
     begin += count;
@@ -41,9 +42,9 @@ Result<void> inSteps(const Progress& progress, const char* stage, const Stretch&
 }
 
 template <class Work>
-Result<void> inSteps(const Progress& progress, const char* stage, std::size_t count, std::size_t most,
-                     const Work& work) {
-  return inSteps(progress, stage, Stretch{count, 0, count}, most, work);
+Result<void> runInSteps(const Progress& progress, const char* stage, std::size_t count, std::size_t most,
+                        const Work& work) {
+  return runInSteps(progress, stage, StageRange{count, 0, count}, most, work);
 }
 
 }  // namespace vorpipe
