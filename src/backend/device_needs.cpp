@@ -36,12 +36,12 @@ constexpr DeviceNeeds of_cpu =
         .drawn_slice = UINT64_MAX,
         .drawn = 0,
         .pixel = 0,
-        .lane_pixel = 0,
+        .pool_pixel = 0,
         .resizing_pixel = 0,
         .rasterizing = 0,
         .largest_view = 32768,
-        .lanes = 1,
-        .lane_cells = 0,
+        .devices = 1,
+        .device_cells = 0,
         .reserves_rows = false};
 
 /// What all devices have in common.
@@ -73,7 +73,7 @@ DeviceNeeds ofCompute() {
 }
 
 DeviceNeeds ofGeometry(int threads) {
-  constexpr int most_lanes = 8;
+  constexpr int most_devices = 8;
   DeviceNeeds needs = ofDevice();
   needs.program = 104 * million;
   needs.rasterizing = 48 * million;
@@ -83,9 +83,9 @@ DeviceNeeds ofGeometry(int threads) {
   needs.slice = needs.drawn_slice = std::uint64_t{1} << 16;
   needs.polygon = 2 * word;
   needs.drawn = sizeof(std::uint64_t);
-  needs.lane_pixel = 2 * word;
-  needs.lanes = static_cast<std::uint64_t>(std::min(threadCount(threads), most_lanes));
-  needs.lane_cells = std::uint64_t{1} << 15;
+  needs.pool_pixel = 2 * word;
+  needs.devices = static_cast<std::uint64_t>(std::min(threadCount(threads), most_devices));
+  needs.device_cells = std::uint64_t{1} << 15;
   return needs;
 }
 

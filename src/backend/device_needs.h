@@ -23,13 +23,13 @@ struct DeviceNeeds {
   std::uint64_t slice, drawn_slice;       ///< most cells at a time
   std::uint64_t drawn;                    ///< on the host, for each site once it is drawn
   std::uint64_t pixel;                    ///< of a view, on the device
-  std::uint64_t lane_pixel;               ///< of a view, on the host where there may be several devices
+  std::uint64_t pool_pixel;               ///< of a view, on the host where there may be several devices
   std::uint64_t resizing_pixel;           ///< of a view, where views of several sizes follow each other
   std::uint64_t rasterizing;              ///< what a software device takes besides, once it draws
   int largest_view;
-  std::uint64_t lanes;       ///< devices at the same time, where each gets enough cells
-  std::uint64_t lane_cells;  ///< what is enough
-  bool reserves_rows;        ///< room for as many neighbors as a row may have; else rows grow by doubling
+  std::uint64_t devices;       ///< devices at the same time, where each gets enough cells
+  std::uint64_t device_cells;  ///< what is enough
+  bool reserves_rows;          ///< room for as many neighbors as a row may have; else rows grow by doubling
 };
 
 /// Of one of the registry's names. Unknown ones need what "cpu" does.

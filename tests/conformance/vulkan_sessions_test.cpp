@@ -68,7 +68,7 @@ std::string_view afterVulkan() { return whyUnusable("opengl").empty() ? "opengl"
 
 class VulkanSessions : public testing::Test {
  protected:
-  // Enough for two lanes.
+  // Enough for two devices.
   const Sites sites_ = generate(Pattern::random, 300, 5);
   const Diagram reference_ = *open("cpu")->cells(sites_, wantedCells());
 };

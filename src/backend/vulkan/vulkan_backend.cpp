@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "backend/vulkan/compute.h"
+#include "backend/vulkan/device_pool.h"
 #include "backend/vulkan/geometry.h"
 #include "backend/vulkan/instance.h"
-#include "backend/vulkan/lanes.h"
 #include "backend/vulkan/physical.h"
 #include "base/parallel.h"
 
@@ -15,7 +15,7 @@ namespace {
 
 using vulkan::Pipeline;
 
-constexpr int most_lanes = 8;
+constexpr int most_devices = 8;
 
 Result<std::unique_ptr<Backend>> openDevice(const BackendOptions& options, Pipeline pipeline) {
   Result<vulkan::Instance> instance = vulkan::Instance::open(options.validation);
@@ -52,9 +52,9 @@ void listDevices(const Mask& mask, Pipeline pipeline, std::vector<DeviceInfo>& l
 Result<std::unique_ptr<Backend>> makeVulkanGeometryBackend(const BackendOptions& options) {
   auto first = openDevice(options, Pipeline::geometry);
   if (!first || (*first)->info().device.type != "cpu") return first;
-  const int lanes = std::min(threadCount(options.threads), most_lanes);
-  return vulkan::makeLanes(
-      std::move(*first), [options] { return openDevice(options, Pipeline::geometry); }, lanes);
+  const int devices = std::min(threadCount(options.threads), most_devices);
+  return vulkan::makeDevicePool(
+      std::move(*first), [options] { return openDevice(options, Pipeline::geometry); }, devices);
 }
 
 Result<std::unique_ptr<Backend>> makeVulkanComputeBackend(const BackendOptions& options) {

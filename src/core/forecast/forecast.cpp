@@ -86,9 +86,9 @@ void planUpload(MemoryPlan& plan, const Workload& work, std::uint64_t sites, boo
   plan.drop(compiling);
   if (!work.device_on_host) return;
   const std::string_view what = "sites on the device";
-  const auto lanes =
-      std::clamp<std::uint64_t>(needs.lane_cells == 0 ? 1 : sites / needs.lane_cells, 1, needs.lanes);
-  for (std::uint64_t lane = 0; lane < lanes; ++lane) {
+  const auto devices =
+      std::clamp<std::uint64_t>(needs.device_cells == 0 ? 1 : sites / needs.device_cells, 1, needs.devices);
+  for (std::uint64_t device = 0; device < devices; ++device) {
     plan.take(what, binsOf(sites) * needs.bin);
     const auto passing = plan.take(what, sites * needs.passing_site);
     plan.take(what, sites * needs.site);

@@ -31,7 +31,7 @@ Arrays planNeighbors(MemoryPlan& plan, const Workload& work, std::uint64_t sites
   const auto step = plannedStep(sites);
   const auto answer = work.weighted ? needs.weighted_answer : needs.answer;
   if (work.device_on_host && needs.entry > 0) {
-    const auto slices = std::min(step, needs.lanes * needs.slice);
+    const auto slices = std::min(step, needs.devices * needs.slice);
     plan.take("answers of the device", slices * answer + step * needs.entry);
   }
   // Where a device has only a part of its answers at a time, rows are put together from them.

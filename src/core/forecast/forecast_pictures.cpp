@@ -18,13 +18,13 @@ Arrays planViews(MemoryPlan& plan, const Workload& work, std::uint64_t width, st
   const auto view = std::min(width, largest) * std::min(height, largest);
   const bool several = width > largest || height > largest;
   if (work.device_on_host) {
-    const auto lanes =
-        std::clamp<std::uint64_t>(needs.lane_cells == 0 ? 1 : work.sites / needs.lane_cells, 1, needs.lanes);
-    for (std::uint64_t k = 0; k < lanes; ++k) plan.take("the picture on the device", view * needs.pixel);
+    const auto devices = std::clamp<std::uint64_t>(
+        needs.device_cells == 0 ? 1 : work.sites / needs.device_cells, 1, needs.devices);
+    for (std::uint64_t k = 0; k < devices; ++k) plan.take("the picture on the device", view * needs.pixel);
     if (several) plan.take("the picture on the device", view * needs.resizing_pixel);
   }
   return {plan.take("a view of the picture", view * 2 * word),
-          plan.take("a view of the picture", view * needs.lane_pixel)};
+          plan.take("a view of the picture", view * needs.pool_pixel)};
 }
 
 /// Plans what a device takes to draw sites: the polygons of a slice at a time.

@@ -1,11 +1,11 @@
-// Which lanes are given sites, and when: a batch may be clipped when the sites of the last upload are gone.
+// Which devices are given sites, and when: a batch may be clipped when the sites of the last upload are gone.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
 #include <utility>
 
-#include "backend/vulkan/lanes.h"
+#include "backend/vulkan/device_pool.h"
 
 namespace vorpipe::vulkan {
 namespace {
@@ -56,7 +56,7 @@ class Device final : public Backend {
   BackendInfo info_;
 };
 
-class LanesTest : public ::testing::Test {
+class DevicePoolTest : public ::testing::Test {
  protected:
   static constexpr std::size_t enough_for_two = std::size_t{1} << 15;
 
@@ -73,38 +73,38 @@ class LanesTest : public ::testing::Test {
     batch.entries.resize(enough_for_two);
     std::vector<CellStatus> status(enough_for_two);
     const std::vector<DrawMark> marks(enough_for_two);
-    ASSERT_TRUE(lanes->draw(batch, marks, Effort::roomy, status));
+    ASSERT_TRUE(devices->draw(batch, marks, Effort::roomy, status));
   }
 
   Uploads first, second;
-  std::unique_ptr<Backend> lanes = makeLanes(
+  std::unique_ptr<Backend> devices = makeDevicePool(
       std::make_unique<Device>(first),
       [this]() -> Result<std::unique_ptr<Backend>> { return std::make_unique<Device>(second); }, 2);
 };
 
-TEST_F(LanesTest, BatchesNeedNoSites) {
+TEST_F(DevicePoolTest, BatchesNeedNoSites) {
   {
     const auto tile = std::make_unique<SiteSet>(sitesFrom(0));
-    ASSERT_TRUE(lanes->upload(*tile, {}));
+    ASSERT_TRUE(devices->upload(*tile, {}));
   }
   drawBatch();
   EXPECT_EQ(first.size(), 1u);
   EXPECT_TRUE(second.empty());
 }
 
-TEST_F(LanesTest, EachHasTheSitesOfTheLastUploadWhenAsked) {
+TEST_F(DevicePoolTest, EachHasTheSitesOfTheLastUploadWhenAsked) {
   drawBatch();
   std::vector<std::uint32_t> which(enough_for_two);
   std::iota(which.begin(), which.end(), 0u);
   const std::vector<CellStatus> all_certified(enough_for_two, CellStatus::certified);
   for (const std::uint32_t first_id : {0u, 70'000u}) {
     const auto sites = sitesFrom(first_id);
-    ASSERT_TRUE(lanes->upload(sites, {}));
+    ASSERT_TRUE(devices->upload(sites, {}));
     CellNeighbors found;
-    ASSERT_TRUE(lanes->cells(which, Effort::fast, found));
+    ASSERT_TRUE(devices->cells(which, Effort::fast, found));
     EXPECT_EQ(found.status, all_certified);
     std::vector<CellStatus> status(enough_for_two);
-    ASSERT_TRUE(lanes->draw(which, Effort::fast, status));
+    ASSERT_TRUE(devices->draw(which, Effort::fast, status));
     EXPECT_EQ(status, all_certified);
     EXPECT_EQ(first.back().front(), first_id);
     EXPECT_EQ(second.back().front(), first_id);
