@@ -14,10 +14,10 @@ PFN_vkGetDeviceProcAddr real_device_proc = nullptr;
 
 /// Stands in for function number `Which` of a device, of any kind that can fail.
 template <std::size_t Which, class Function>
-struct Failing;
+struct FailingCall;
 
 template <std::size_t Which, class... Args>
-struct Failing<Which, VkResult(VKAPI_PTR*)(Args...)> {
+struct FailingCall<Which, VkResult(VKAPI_PTR*)(Args...)> {
   static inline VkResult(VKAPI_PTR* real)(Args...) = nullptr;
   static VKAPI_ATTR VkResult VKAPI_CALL call(Args... args) {
     const VkResult result = driver->beforeCall();
@@ -27,10 +27,10 @@ struct Failing<Which, VkResult(VKAPI_PTR*)(Args...)> {
 
 /// The same for what makes an object, which comes last.
 template <std::size_t Which, class Function>
-struct Making;
+struct CreatingCall;
 
 template <std::size_t Which, class... Args>
-struct Making<Which, VkResult(VKAPI_PTR*)(Args...)> {
+struct CreatingCall<Which, VkResult(VKAPI_PTR*)(Args...)> {
   static inline VkResult(VKAPI_PTR* real)(Args...) = nullptr;
   static VKAPI_ATTR VkResult VKAPI_CALL call(Args... args) {
     VkResult result = driver->beforeCall();
@@ -42,10 +42,10 @@ struct Making<Which, VkResult(VKAPI_PTR*)(Args...)> {
 };
 
 template <std::size_t Which, class Function>
-struct Destroying;
+struct DestroyingCall;
 
 template <std::size_t Which, class Object>
-struct Destroying<Which, void(VKAPI_PTR*)(VkDevice, Object, const VkAllocationCallbacks*)> {
+struct DestroyingCall<Which, void(VKAPI_PTR*)(VkDevice, Object, const VkAllocationCallbacks*)> {
   static inline void(VKAPI_PTR* real)(VkDevice, Object, const VkAllocationCallbacks*) = nullptr;
   static VKAPI_ATTR void VKAPI_CALL call(VkDevice device, Object object, const VkAllocationCallbacks* how) {
     if (object != Object(VK_NULL_HANDLE)) {
@@ -162,11 +162,11 @@ PFN_vkVoidFunction insteadOf(PFN_vkVoidFunction found, Function& real, Function 
 }
 
 #define VORPIPE_FAILING(name) \
-  { #name, &instead < Failing, __LINE__, PFN_##name> }
+  { #name, &instead < FailingCall, __LINE__, PFN_##name> }
 #define VORPIPE_MAKING(name) \
-  { #name, &instead < Making, __LINE__, PFN_##name> }
+  { #name, &instead < CreatingCall, __LINE__, PFN_##name> }
 #define VORPIPE_DESTROYING(name) \
-  { #name, &instead < Destroying, __LINE__, PFN_##name> }
+  { #name, &instead < DestroyingCall, __LINE__, PFN_##name> }
 
 // Every function by which a backend makes, destroys or does something on a device, but for those above.
 constexpr struct {

@@ -92,14 +92,14 @@ TEST(OpenGlBackend, TakesAMaskForTheDevice) {
 }
 
 // Between the program and the driver: refuses lists of more bytes.
-struct Refusing {
+struct BufferLimit {
   static inline GLsizeiptr most = 0;
   static inline int refused = 0;
   static inline bool is_error = false;
   static inline decltype(epoxy_glBufferData) buffer_data = nullptr;
   static inline decltype(epoxy_glGetError) get_error = nullptr;
 
-  explicit Refusing(GLsizeiptr most_bytes) {
+  explicit BufferLimit(GLsizeiptr most_bytes) {
     most = most_bytes;
     buffer_data = epoxy_glBufferData;
     get_error = epoxy_glGetError;
@@ -110,9 +110,9 @@ struct Refusing {
     };
     epoxy_glGetError = [] { return std::exchange(is_error, false) ? GLenum{GL_OUT_OF_MEMORY} : get_error(); };
   }
-  Refusing(const Refusing&) = delete;
-  Refusing& operator=(const Refusing&) = delete;
-  ~Refusing() {
+  BufferLimit(const BufferLimit&) = delete;
+  BufferLimit& operator=(const BufferLimit&) = delete;
+  ~BufferLimit() {
     epoxy_glBufferData = buffer_data;
     epoxy_glGetError = get_error;
   }
@@ -133,9 +133,9 @@ TEST(OpenGlBackend, IsGivenLessAtATimeWhereItRefusesMemory) {
   session = Session::open(options);
   ASSERT_TRUE(session.has_value()) << session.error().message;
   {
-    const Refusing refusing(1 << 18);
+    const BufferLimit refusing(1 << 18);
     const auto in_parts = session->cells(sites, wanted);
-    EXPECT_GT(Refusing::refused, 0);
+    EXPECT_GT(BufferLimit::refused, 0);
     ASSERT_TRUE(in_parts.has_value()) << in_parts.error().message;
     EXPECT_EQ(in_parts->report.notes.size(), 1U);
     EXPECT_EQ(in_parts->neighbors, whole->neighbors);
@@ -143,7 +143,7 @@ TEST(OpenGlBackend, IsGivenLessAtATimeWhereItRefusesMemory) {
   }
   auto other = Session::open(options);
   ASSERT_TRUE(other.has_value()) << other.error().message;
-  const Refusing refusing(0);
+  const BufferLimit refusing(0);
   const auto none = other->cells(sites, wanted);
   ASSERT_FALSE(none.has_value());
   EXPECT_EQ(none.error().code, ErrorCode::device);

@@ -15,10 +15,10 @@ namespace {
 constexpr std::size_t most_faults_told = 10;
 constexpr double most_ties = 8;
 
-class Comparing {
+class ExactJudge {
  public:
-  Comparing(const Diagram& diagram, const Sites& sites, const Box& domain, const ExactCells& exact,
-            const Promise& promise)
+  ExactJudge(const Diagram& diagram, const Sites& sites, const Box& domain, const ExactCells& exact,
+             const Promise& promise)
       : diagram_(diagram), sites_(sites), exact_(exact), promise_(promise) {
     const double width = domain.xmax - domain.xmin;
     const double height = domain.ymax - domain.ymin;
@@ -232,7 +232,7 @@ std::string Comparison::summary() const {
 
 Comparison compareWithExact(const Diagram& diagram, const Sites& sites, const Box& domain,
                             const ExactCells& exact, const Promise& promise) {
-  return Comparing(diagram, sites, domain, exact, promise).run();
+  return ExactJudge(diagram, sites, domain, exact, promise).run();
 }
 
 }  // namespace vorpipe::test

@@ -29,9 +29,9 @@ std::string withoutNumbers(std::string_view text) {
 }
 
 /// Adds the faults of one run after another.
-class Running {
+class RunFaults {
  public:
-  Running(const HardInput& input, const HardPlan& plan) : input_(input), plan_(plan) {}
+  RunFaults(const HardInput& input, const HardPlan& plan) : input_(input), plan_(plan) {}
 
   void cells(Session& session) {
     const auto options = cellsOptions(input_);
@@ -138,7 +138,7 @@ std::string HardFault::kind() const {
 }
 
 HardResult runHardInput(const HardInput& input, std::span<Session* const> sessions, const HardPlan& plan) {
-  Running running(input, plan);
+  RunFaults running(input, plan);
   if (const auto taken = checkInput(input.sites, cellsOptions(input), plan.threads); !taken) {
     running.result.refused = true;
     running.result.refusal = taken.error().message;

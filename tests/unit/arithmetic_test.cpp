@@ -19,10 +19,10 @@ using namespace core;
 namespace {
 
 /// Computes as the host does, but for what `change` makes of it.
-class Computing final : public PassingOn {
+class InexactDevice final : public PassingOn {
  public:
   using Change = std::function<void(const Operands&, Computed&)>;
-  explicit Computing(Change change) : PassingOn(openJudge(1)), change_(std::move(change)) {}
+  explicit InexactDevice(Change change) : PassingOn(openJudge(1)), change_(std::move(change)) {}
 
   Result<void> compute(std::span<const Operands> operands, std::span<Computed> out) override {
     auto done = PassingOn::compute(operands, out);
@@ -34,8 +34,8 @@ class Computing final : public PassingOn {
   Change change_;
 };
 
-Arithmetic measured(const Computing::Change& change) {
-  Computing backend(change);
+Arithmetic measured(const InexactDevice::Change& change) {
+  InexactDevice backend(change);
   const auto result = measureArithmetic(backend);
   EXPECT_TRUE(result) << result.error().message;
   return result.value_or(Arithmetic{});
@@ -108,9 +108,9 @@ TEST(Arithmetic, FindsFlushedNumbers) {
 }
 
 TEST(Arithmetic, SaysWhatFailed) {
-  class Failing final : public PassingOn {
+  class FailingDevice final : public PassingOn {
    public:
-    Failing() : PassingOn(openJudge(1)) {}
+    FailingDevice() : PassingOn(openJudge(1)) {}
     Result<void> compute(std::span<const Operands>, std::span<Computed>) override {
       return tl::unexpected(Error{ErrorCode::device, "it is gone"});
     }
@@ -121,9 +121,9 @@ TEST(Arithmetic, SaysWhatFailed) {
 }
 
 /// Draws the quadrilaterals of measureSubpixelBits, as a rasterizer whose vertices stand on a grid.
-class Snapping final : public PassingOn {
+class CoarseRasterizer final : public PassingOn {
  public:
-  Snapping(double step, double outset) : PassingOn(openJudge(1)), step_(step), outset_(outset) {
+  CoarseRasterizer(double step, double outset) : PassingOn(openJudge(1)), step_(step), outset_(outset) {
     info_ = PassingOn::info();
     info_.has_vertices = true;
   }
@@ -175,16 +175,16 @@ TEST(SubpixelGrid, IsAsFineAsItIs) {
   for (const int bits : {3, 4, 5, 6, 8, 9}) {
     const double step = std::ldexp(1.0, -bits);
     for (const double outset : {0.0, std::min(step / 2, 1.0 / 32), 0.0317}) {
-      Snapping device(step, outset);
+      CoarseRasterizer device(step, outset);
       EXPECT_EQ(*measureSubpixelBits(device), bits) << outset;
     }
   }
-  Snapping without_grid(0, 0);
+  CoarseRasterizer without_grid(0, 0);
   EXPECT_EQ(*measureSubpixelBits(without_grid), most_subpixel_bits);
 }
 
 TEST(SubpixelGrid, IsNotKnownOfViewsThatAreTooSmall) {
-  Snapping device(1.0 / 256, 0);
+  CoarseRasterizer device(1.0 / 256, 0);
   device.limits().max_view = 100;
   const auto bits = measureSubpixelBits(device);
   ASSERT_TRUE(bits);

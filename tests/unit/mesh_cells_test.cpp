@@ -67,7 +67,7 @@ TEST(MeshCells, OfSitesThatTheMeshHasNoDecisionsFor) {
 }
 
 /// Counts what is asked of it.
-class Counting final : public Backend {
+class CallCounter final : public Backend {
  public:
   const BackendInfo& info() const override { return cpu_->info(); }
   Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) override {
@@ -106,7 +106,7 @@ struct Asked {
 
 Asked askedFor(Pattern pattern) {
   const auto sites = prepared(generate(pattern, 40000, 1));
-  Counting device, judge_backend;
+  CallCounter device, judge_backend;
   SiteMesh mesh(sites, 2);
   Judge judge(judge_backend, mesh);
   const SearchOptions search;

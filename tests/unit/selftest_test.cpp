@@ -202,9 +202,9 @@ TEST(Selftest, FindsArithmeticThatIsWorseThanAllowed) {
 }
 
 /// Exchanges two sites in every picture.
-class Exchanging final : public PassingOn {
+class SiteExchanger final : public PassingOn {
  public:
-  Exchanging() : PassingOn(openJudge(2)) {}
+  SiteExchanger() : PassingOn(openJudge(2)) {}
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override {
     auto done = PassingOn::read(rgba, ids);
     for (auto& id : ids) id = id == 4 ? 5 : id == 5 ? 4 : id;
@@ -232,7 +232,7 @@ class RunsOnBackend final : public Runs {
 TEST(Selftest, FindsABackendThatDrawsOtherSites) {
   const auto report = reportOf(
       [](const Mask&) -> Result<std::unique_ptr<Runs>> {
-        return std::make_unique<RunsOnBackend>(std::make_unique<Exchanging>());
+        return std::make_unique<RunsOnBackend>(std::make_unique<SiteExchanger>());
       },
       opening({}));
   const auto& fault = report.devices[0].runs.at(0).fault;

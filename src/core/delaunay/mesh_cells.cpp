@@ -42,9 +42,9 @@ class WallsOfTriangles {
   std::vector<std::uint8_t> walls_;
 };
 
-class Extracting {
+class MeshCellFinder {
  public:
-  Extracting(const SiteSet& sites, const Mesh& mesh, WallsOfTriangles& walls)
+  MeshCellFinder(const SiteSet& sites, const Mesh& mesh, WallsOfTriangles& walls)
       : sites_(sites), mesh_(mesh), walls_(walls) {}
 
   CellStatus find(std::uint32_t which, std::vector<std::int32_t>& neighbors) {
@@ -198,9 +198,9 @@ CellNeighbors meshCells(const SiteSet& sites, const Mesh& mesh, std::span<const 
   WallsOfTriangles walls(mesh);
   CellNeighbors cells;
   collect(which.size(), threads, cells, [&] {
-    return [&, extracting = Extracting(sites, mesh, walls)](std::size_t e,
+    return [&, finder = MeshCellFinder(sites, mesh, walls)](std::size_t e,
                                                             std::vector<std::int32_t>& neighbors) mutable {
-      return extracting.find(which[e], neighbors);
+      return finder.find(which[e], neighbors);
     };
   });
   return cells;

@@ -16,9 +16,9 @@ namespace {
 constexpr std::size_t grain = 4096;
 
 /// Writes the edges of cells in the order of the set.
-class Writing {
+class EdgeWriter {
  public:
-  Writing(const ProposedCells& proposed, const TiedCells& tied, const Unscale& unscale, Diagram& diagram)
+  EdgeWriter(const ProposedCells& proposed, const TiedCells& tied, const Unscale& unscale, Diagram& diagram)
       : proposed_(proposed),
         sites_(proposed.sites),
         cells_(proposed.cells),
@@ -236,11 +236,11 @@ void writeEdges(const ProposedCells& proposed, const TiedCells& tied, Detail det
                 Diagram& diagram) {
   const auto count = proposed.sites.size();
   parallelFor(count, grainFor(count, grain), proposed.threads, [&](std::size_t begin, std::size_t end) {
-    Writing writing(proposed, tied, unscale, diagram);
+    EdgeWriter writer(proposed, tied, unscale, diagram);
     if (detail == Detail::measures) {
-      writing.neighbors(begin, end);
+      writer.neighbors(begin, end);
     } else {
-      writing.polygons(begin, end);
+      writer.polygons(begin, end);
     }
   });
 }

@@ -66,9 +66,9 @@ Point centerSeenFrom(Point a, Point b, Point c) {
   return {(v.y * uu - u.y * vv) / twice, (u.x * vv - v.x * uu) / twice};
 }
 
-class Looking {
+class SpreadProbe {
  public:
-  Looking(const Sites& sites, const Box& domain, int threads)
+  SpreadProbe(const Sites& sites, const Box& domain, int threads)
       : sites_(sites),
         domain_(domain),
         threads_(threads),
@@ -264,7 +264,7 @@ class Looking {
 
 Spread spreadOf(const Sites& sites, const Box& domain, int threads) {
   if (sites.size() < worth_looking) return {};
-  return Looking(sites, domain, threads).look();
+  return SpreadProbe(sites, domain, threads).look();
 }
 
 }  // namespace vorpipe

@@ -22,9 +22,9 @@ constexpr std::size_t grain = 16 * group_size;
 constexpr double line_rounding = 1e-14;
 
 /// Clips cells, group by group.
-class Clipping {
+class GroupClipper {
  public:
-  Clipping(const ScaledDiagram& cells, const OutlineIndex& index, ClippedCells& out)
+  GroupClipper(const ScaledDiagram& cells, const OutlineIndex& index, ClippedCells& out)
       : cells_(cells), index_(index), clip_(index), out_(out) {}
 
   void group(std::span<const std::uint32_t> sites) {
@@ -115,9 +115,9 @@ Result<void> clipToOutline(const ClippedRun& run, const Outline& outline, Diagra
   {
     const OutlineIndex index(*rings);
     parallelFor(run.order.size(), grain, run.threads, [&](std::size_t begin, std::size_t end) {
-      Clipping clipping(cells, index, clipped);
+      GroupClipper clipper(cells, index, clipped);
       for (auto first = begin; first < end; first += group_size) {
-        clipping.group(std::span(run.order).subspan(first, std::min(group_size, end - first)));
+        clipper.group(std::span(run.order).subspan(first, std::min(group_size, end - first)));
       }
     });
   }

@@ -57,9 +57,9 @@ struct EdgeArrays {
 };
 
 /// Writes the records of clipped cells: those by edge into new arrays, those by site over the old ones.
-class ClippedWriting {
+class ClippedWriter {
  public:
-  ClippedWriting(const ScaledDiagram& cells, const ClippedCells& clipped, EdgeArrays& to, Diagram& diagram)
+  ClippedWriter(const ScaledDiagram& cells, const ClippedCells& clipped, EdgeArrays& to, Diagram& diagram)
       : cells_(cells), clipped_(clipped), to_(to), diagram_(diagram) {}
 
   /// Writes the records of site i, whose first ring is that number of all.
@@ -246,8 +246,8 @@ void writeClipped(const ScaledDiagram& cells, const ClippedCells& clipped, Diagr
   arrays.neighbors.resize(arrays.cell_offsets.back());
   arrays.edge_lengths.resize(arrays.cell_offsets.back());
   parallelFor(count, grain, cells.threads(), [&](std::size_t begin, std::size_t end) {
-    ClippedWriting writing(cells, clipped, arrays, diagram);
-    for (std::size_t i = begin; i < end; ++i) writing.cell(i, first_ring[i]);
+    ClippedWriter writer(cells, clipped, arrays, diagram);
+    for (std::size_t i = begin; i < end; ++i) writer.cell(i, first_ring[i]);
   });
   const auto outside = static_cast<std::uint64_t>(std::ranges::count(clipped.fate, Fate::outside));
   diagram.report.ok -= outside;

@@ -32,9 +32,9 @@ bool repeatsX(Periodic periodic) { return periodic == Periodic::x || periodic ==
 bool repeatsY(Periodic periodic) { return periodic == Periodic::y || periodic == Periodic::xy; }
 
 /// Puts the coordinates of one axis into the domain; returns the first site that is too far away, or none.
-class Placing {
+class SiteWrapper {
  public:
-  Placing(const Sites& sites, int exponent, PeriodicSites& out)
+  SiteWrapper(const Sites& sites, int exponent, PeriodicSites& out)
       : sites_(sites), scale_(exponent), out_(out) {}
 
   void put(std::size_t begin, std::size_t end, std::uint8_t& outside, std::size_t& too_far) {
@@ -156,9 +156,9 @@ Result<PeriodicSites> placeSites(const Sites& sites, const Box& domain, Periodic
   const auto parts = (sites.size() + grain - 1) / grain;
   std::vector<std::uint8_t> outside(parts);
   std::vector<std::size_t> too_far(parts, sites.size());
-  Placing placing(sites, exponent, placed);
+  SiteWrapper wrapper(sites, exponent, placed);
   parallelFor(sites.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
-    placing.put(begin, end, outside[begin / grain], too_far[begin / grain]);
+    wrapper.put(begin, end, outside[begin / grain], too_far[begin / grain]);
   });
   if (const auto i = *std::ranges::min_element(too_far); i < sites.size()) {
     return tl::unexpected(refusal(

@@ -93,9 +93,9 @@ class Corners {
   std::vector<Shift> shift_;
 };
 
-class Settling {
+class SeamRepair {
  public:
-  Settling(const PeriodicSites& placed, const ImagedSites& imaged, Diagram& diagram)
+  SeamRepair(const PeriodicSites& placed, const ImagedSites& imaged, Diagram& diagram)
       : placed_(placed), imaged_(imaged), diagram_(diagram) {
     const Box& box = imaged.box;
     largest_ = std::max({std::abs(box.xmin), std::abs(box.xmax), std::abs(box.ymin), std::abs(box.ymax)});
@@ -254,7 +254,7 @@ class Settling {
 }  // namespace
 
 bool settleSeam(const PeriodicSites& placed, const ImagedSites& imaged, Diagram& diagram) {
-  return Settling(placed, imaged, diagram).run();
+  return SeamRepair(placed, imaged, diagram).run();
 }
 
 }  // namespace vorpipe::core

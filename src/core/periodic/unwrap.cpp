@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::size_t grain = 1 << 14;
 
-class Finishing {
+class CellUnwrapper {
  public:
-  Finishing(const PeriodicSites& placed, const ImagedSites& imaged, Diagram& diagram)
+  CellUnwrapper(const PeriodicSites& placed, const ImagedSites& imaged, Diagram& diagram)
       : placed_(placed), imaged_(imaged), diagram_(diagram), unscale_(placed.exponent) {}
 
   void cells(std::size_t begin, std::size_t end) {
@@ -117,9 +117,9 @@ void keepSites(const ImagedSites& imaged, Diagram& diagram) {
 void finishRecords(const PeriodicSites& placed, const ImagedSites& imaged, Detail detail, int threads,
                    Diagram& diagram) {
   diagram.neighbor_shifts.resize(diagram.neighbors.size());
-  Finishing finishing(placed, imaged, diagram);
+  CellUnwrapper unwrapper(placed, imaged, diagram);
   parallelFor(imaged.count, grain, threads,
-              [&](std::size_t begin, std::size_t end) { finishing.cells(begin, end); });
+              [&](std::size_t begin, std::size_t end) { unwrapper.cells(begin, end); });
   if (detail == Detail::measures) dropPolygons(diagram);
 }
 

@@ -25,10 +25,10 @@ struct Placed {
 
 /// A stable counting sort in two steps, so that no step writes to more places than caches hold: blocks of
 /// sites into buckets of bins, then each bucket into its bins.
-class Ordering {
+class BinSorter {
  public:
-  Ordering(const Sites& sites, const PowerOfTwo& scale, int threads, SiteSet& set,
-           std::vector<std::uint32_t>& owner)
+  BinSorter(const Sites& sites, const PowerOfTwo& scale, int threads, SiteSet& set,
+            std::vector<std::uint32_t>& owner)
       : sites_(sites),
         scale_(scale),
         threads_(threads),
@@ -239,7 +239,7 @@ PowerOfTwo::PowerOfTwo(int exponent)
 
 void orderByBins(const Sites& sites, const PowerOfTwo& scale, int threads, SiteSet& set,
                  std::vector<std::uint32_t>& owner) {
-  Ordering(sites, scale, threads, set, owner).run();
+  BinSorter(sites, scale, threads, set, owner).run();
 }
 
 }  // namespace vorpipe::core

@@ -11,9 +11,9 @@ namespace {
 constexpr std::size_t grain = 1024;
 
 /// Finds the cells that ties enclose: from such a cell no way across edges leads to a wall.
-class Enclosing {
+class EnclosedCells {
  public:
-  Enclosing(const ProposedCells& proposed, DisjointSets& sets, TiedCells& tied)
+  EnclosedCells(const ProposedCells& proposed, DisjointSets& sets, TiedCells& tied)
       : sites_(proposed.sites), cells_(proposed.cells), sets_(sets), tied_(tied) {}
 
   /// Whether corners were joined.
@@ -129,7 +129,7 @@ void dropCollapsed(const ProposedCells& proposed, DisjointSets& corners, TiedCel
     }
   });
   if (proposed.sites.weight.empty()) return;
-  if (Enclosing(proposed, corners, tied).run() && tied.enclosed.empty()) {
+  if (EnclosedCells(proposed, corners, tied).run() && tied.enclosed.empty()) {
     makeVertices(proposed, corners, tied);
   }
 }

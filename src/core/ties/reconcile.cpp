@@ -112,9 +112,9 @@ std::pair<std::vector<std::uint32_t>, Effort> nextAround(const NeighborRows& row
 }
 
 /// Checks cells, and has those in dispute found again, until there are none.
-class Agreeing {
+class Reconciliation {
  public:
-  Agreeing(const SearchInput& input, NeighborRows& rows, const Records& records, Report& report)
+  Reconciliation(const SearchInput& input, NeighborRows& rows, const Records& records, Report& report)
       : input_(input),
         sites_(input.sites),
         rows_(rows),
@@ -241,7 +241,7 @@ class Agreeing {
 
 Result<TiedCells> reconcileCells(const SearchInput& input, NeighborRows& rows, const Records& records,
                                  Report& report) {
-  return Agreeing(input, rows, records, report).run();
+  return Reconciliation(input, rows, records, report).run();
 }
 
 }  // namespace vorpipe::core

@@ -17,9 +17,9 @@ std::size_t before(std::span<const std::int32_t> row, std::size_t e) {
   return e > 0 ? e - 1 : row.size() - 1;
 }
 
-class Making {
+class VertexBuilder {
  public:
-  Making(const ProposedCells& proposed, DisjointSets& sets, TiedCells& tied)
+  VertexBuilder(const ProposedCells& proposed, DisjointSets& sets, TiedCells& tied)
       : proposed_(proposed), sites_(proposed.sites), sets_(sets), tied_(tied) {}
 
   void run() {
@@ -239,7 +239,7 @@ class Making {
 }  // namespace
 
 void makeVertices(const ProposedCells& proposed, DisjointSets& corners, TiedCells& tied) {
-  Making(proposed, corners, tied).run();
+  VertexBuilder(proposed, corners, tied).run();
 }
 
 }  // namespace vorpipe::core

@@ -26,9 +26,9 @@ constexpr double much_of_a_cell = 1e-4;
 /// No row of ties is this many ties long.
 constexpr double collapsed_ties = 1024;
 
-class Untying {
+class TieResolver {
  public:
-  Untying(const ProposedCells& proposed, const Fineness& fineness, Disputes disputes, TiedCells& tied)
+  TieResolver(const ProposedCells& proposed, const Fineness& fineness, Disputes disputes, TiedCells& tied)
       : proposed_(proposed),
         sites_(proposed.sites),
         cells_(proposed.cells),
@@ -297,7 +297,7 @@ Result<TiedCells> resolveTies(const ProposedCells& proposed, std::span<const std
     return tl::unexpected(refusal(
         Subject::sites, fmt::format("{} tied corners are more than 4294967294", tied.offsets.back())));
   }
-  if (!tied.cell.empty()) Untying(proposed, fineness, disputes, tied).run();
+  if (!tied.cell.empty()) TieResolver(proposed, fineness, disputes, tied).run();
   return tied;
 }
 

@@ -18,9 +18,9 @@ constexpr std::uint32_t fewest_ties = 6;
 /// sites far away are long.
 constexpr double wide = 8e-6, wide_with_weights = 8e-5, nearly = 0.5;
 
-class Measuring {
+class VertexWidths {
  public:
-  Measuring(const ProposedCells& proposed, const TiedCells& tied, const Fineness& fineness)
+  VertexWidths(const ProposedCells& proposed, const TiedCells& tied, const Fineness& fineness)
       : proposed_(proposed),
         sites_(proposed.sites),
         tied_(tied),
@@ -125,7 +125,7 @@ class Measuring {
 
 WideVertices findWideVertices(const ProposedCells& proposed, const TiedCells& tied,
                               const Fineness& fineness) {
-  return Measuring(proposed, tied, fineness).run();
+  return VertexWidths(proposed, tied, fineness).run();
 }
 
 }  // namespace vorpipe::core

@@ -18,9 +18,9 @@ constexpr std::uint64_t hopeless_crowd = 1024;
 
 enum class Density : std::uint8_t { even, crowded, hopeless };
 
-class Sorting {
+class CrowdSorter {
  public:
-  Sorting(const Grid& grid, std::span<const std::uint32_t> which, int threads)
+  CrowdSorter(const Grid& grid, std::span<const std::uint32_t> which, int threads)
       : grid_(grid), which_(which), threads_(threads) {}
 
   Crowding run() {
@@ -143,7 +143,7 @@ class Sorting {
 }  // namespace
 
 Crowding sortByCrowding(const Grid& grid, std::span<const std::uint32_t> which, int threads) {
-  return Sorting(grid, which, threads).run();
+  return CrowdSorter(grid, which, threads).run();
 }
 
 }  // namespace vorpipe::core

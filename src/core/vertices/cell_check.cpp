@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::size_t most_at_once = 4096;
 
-class Checking {
+class CellCheck {
  public:
-  Checking(const ProposedCells& proposed, const Records& records, std::span<std::uint8_t> suspect)
+  CellCheck(const ProposedCells& proposed, const Records& records, std::span<std::uint8_t> suspect)
       : proposed_(proposed),
         sites_(proposed.sites),
         cells_(proposed.cells),
@@ -164,13 +164,14 @@ class Checking {
 template <class CellAt>
 void checkSome(const ProposedCells& proposed, std::size_t count, const CellAt& cellAt, const Records& records,
                std::span<std::uint8_t> suspect) {
-  parallelFor(
-      count, grainFor(count, most_at_once), proposed.threads, [&](std::size_t begin, std::size_t end) {
-        for (auto k = begin; k < end; ++k) prefetchBeyond(proposed, cellAt(k));
-        Checking checking(proposed, records, suspect);
-        forCellsBySize(proposed.cells, begin, end, cellAt, [&](std::uint32_t cell) { checking.check(cell); });
-        checking.finish();
-      });
+  parallelFor(count, grainFor(count, most_at_once), proposed.threads,
+              [&](std::size_t begin, std::size_t end) {
+                for (auto k = begin; k < end; ++k) prefetchBeyond(proposed, cellAt(k));
+                CellCheck cell_check(proposed, records, suspect);
+                forCellsBySize(proposed.cells, begin, end, cellAt,
+                               [&](std::uint32_t cell) { cell_check.check(cell); });
+                cell_check.finish();
+              });
 }
 
 }  // namespace
