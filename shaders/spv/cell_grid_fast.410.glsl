@@ -9,8 +9,8 @@ layout(std140) uniform SiteGrid
 {
     vec4 domain_high;
     vec4 domain_low;
-    vec4 known_high;
-    vec4 known_low;
+    vec4 coverage_high;
+    vec4 coverage_low;
     vec4 corner;
     float size;
     float slack;
@@ -61,8 +61,8 @@ void main()
     float _3766 = float(site_grid.rows);
     vec2 _3777 = max(abs(_3757), abs(_3757 + (vec2(_3763, _3766) * site_grid.size)));
     float _3784 = max(_3777.x, _3777.y);
-    precise vec4 _3872 = site_grid.known_high - _3843;
-    precise vec4 _3876 = site_grid.known_low - _3847;
+    precise vec4 _3872 = site_grid.coverage_high - _3843;
+    precise vec4 _3876 = site_grid.coverage_low - _3847;
     precise vec4 _3877 = _3872 + _3876;
     vec4 _3793 = _3837.xyxy;
     vec4 _3794 = _3877 - _3793;

@@ -9,8 +9,8 @@ layout(std140) uniform SiteGrid
 {
     vec4 domain_high;
     vec4 domain_low;
-    vec4 known_high;
-    vec4 known_low;
+    vec4 coverage_high;
+    vec4 coverage_low;
     vec4 corner;
     float size;
     float slack;
@@ -65,8 +65,8 @@ void main()
     float _4413 = float(site_grid.rows);
     vec2 _4424 = max(abs(_4404), abs(_4404 + (vec2(_4410, _4413) * site_grid.size)));
     float _4431 = max(_4424.x, _4424.y);
-    precise vec4 _4529 = site_grid.known_high - _4500;
-    precise vec4 _4533 = site_grid.known_low - _4504;
+    precise vec4 _4529 = site_grid.coverage_high - _4500;
+    precise vec4 _4533 = site_grid.coverage_low - _4504;
     precise vec4 _4534 = _4529 + _4533;
     vec4 _4440 = _4494.xyxy;
     vec4 _4441 = _4534 - _4440;

@@ -9,8 +9,8 @@ layout(std140) uniform SiteGrid
 {
     vec4 domain_high;
     vec4 domain_low;
-    vec4 known_high;
-    vec4 known_low;
+    vec4 coverage_high;
+    vec4 coverage_low;
     vec4 corner;
     float size;
     float slack;
@@ -61,8 +61,8 @@ void main()
     float _3983 = float(site_grid.rows);
     vec2 _3994 = max(abs(_3974), abs(_3974 + (vec2(_3980, _3983) * site_grid.size)));
     float _4001 = max(_3994.x, _3994.y);
-    precise vec4 _4089 = site_grid.known_high - _4060;
-    precise vec4 _4093 = site_grid.known_low - _4064;
+    precise vec4 _4089 = site_grid.coverage_high - _4060;
+    precise vec4 _4093 = site_grid.coverage_low - _4064;
     precise vec4 _4094 = _4089 + _4093;
     vec4 _4010 = _4054.xyxy;
     vec4 _4011 = _4094 - _4010;

@@ -9,8 +9,8 @@ layout(std140) uniform SiteGrid
 {
     vec4 domain_high;
     vec4 domain_low;
-    vec4 known_high;
-    vec4 known_low;
+    vec4 coverage_high;
+    vec4 coverage_low;
     vec4 corner;
     float size;
     float slack;
@@ -65,8 +65,8 @@ void main()
     float _4630 = float(site_grid.rows);
     vec2 _4641 = max(abs(_4621), abs(_4621 + (vec2(_4627, _4630) * site_grid.size)));
     float _4648 = max(_4641.x, _4641.y);
-    precise vec4 _4746 = site_grid.known_high - _4717;
-    precise vec4 _4750 = site_grid.known_low - _4721;
+    precise vec4 _4746 = site_grid.coverage_high - _4717;
+    precise vec4 _4750 = site_grid.coverage_low - _4721;
     precise vec4 _4751 = _4746 + _4750;
     vec4 _4657 = _4711.xyxy;
     vec4 _4658 = _4751 - _4657;

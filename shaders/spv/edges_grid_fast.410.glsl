@@ -9,8 +9,8 @@ layout(std140) uniform SiteGrid
 {
     vec4 domain_high;
     vec4 domain_low;
-    vec4 known_high;
-    vec4 known_low;
+    vec4 coverage_high;
+    vec4 coverage_low;
     vec4 corner;
     float size;
     float slack;
@@ -50,8 +50,8 @@ void main()
     float _3487 = float(site_grid.rows);
     vec2 _3498 = max(abs(_3478), abs(_3478 + (vec2(_3484, _3487) * site_grid.size)));
     float _3505 = max(_3498.x, _3498.y);
-    precise vec4 _3593 = site_grid.known_high - _3564;
-    precise vec4 _3597 = site_grid.known_low - _3568;
+    precise vec4 _3593 = site_grid.coverage_high - _3564;
+    precise vec4 _3597 = site_grid.coverage_low - _3568;
     precise vec4 _3598 = _3593 + _3597;
     vec4 _3514 = _3558.xyxy;
     vec4 _3515 = _3598 - _3514;

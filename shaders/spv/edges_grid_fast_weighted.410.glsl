@@ -8,8 +8,8 @@ layout(std140) uniform SiteGrid
 {
     vec4 domain_high;
     vec4 domain_low;
-    vec4 known_high;
-    vec4 known_low;
+    vec4 coverage_high;
+    vec4 coverage_low;
     vec4 corner;
     float size;
     float slack;
@@ -52,8 +52,8 @@ void main()
     float _4134 = float(site_grid.rows);
     vec2 _4145 = max(abs(_4125), abs(_4125 + (vec2(_4131, _4134) * site_grid.size)));
     float _4152 = max(_4145.x, _4145.y);
-    precise vec4 _4250 = site_grid.known_high - _4221;
-    precise vec4 _4254 = site_grid.known_low - _4225;
+    precise vec4 _4250 = site_grid.coverage_high - _4221;
+    precise vec4 _4254 = site_grid.coverage_low - _4225;
     precise vec4 _4255 = _4250 + _4254;
     vec4 _4161 = _4215.xyxy;
     vec4 _4162 = _4255 - _4161;

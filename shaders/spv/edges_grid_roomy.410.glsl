@@ -9,8 +9,8 @@ layout(std140) uniform SiteGrid
 {
     vec4 domain_high;
     vec4 domain_low;
-    vec4 known_high;
-    vec4 known_low;
+    vec4 coverage_high;
+    vec4 coverage_low;
     vec4 corner;
     float size;
     float slack;
@@ -50,8 +50,8 @@ void main()
     float _3490 = float(site_grid.rows);
     vec2 _3501 = max(abs(_3481), abs(_3481 + (vec2(_3487, _3490) * site_grid.size)));
     float _3508 = max(_3501.x, _3501.y);
-    precise vec4 _3596 = site_grid.known_high - _3567;
-    precise vec4 _3600 = site_grid.known_low - _3571;
+    precise vec4 _3596 = site_grid.coverage_high - _3567;
+    precise vec4 _3600 = site_grid.coverage_low - _3571;
     precise vec4 _3601 = _3596 + _3600;
     vec4 _3517 = _3561.xyxy;
     vec4 _3518 = _3601 - _3517;

@@ -8,8 +8,8 @@ layout(std140) uniform SiteGrid
 {
     vec4 domain_high;
     vec4 domain_low;
-    vec4 known_high;
-    vec4 known_low;
+    vec4 coverage_high;
+    vec4 coverage_low;
     vec4 corner;
     float size;
     float slack;
@@ -52,8 +52,8 @@ void main()
     float _4139 = float(site_grid.rows);
     vec2 _4150 = max(abs(_4130), abs(_4130 + (vec2(_4136, _4139) * site_grid.size)));
     float _4157 = max(_4150.x, _4150.y);
-    precise vec4 _4255 = site_grid.known_high - _4226;
-    precise vec4 _4259 = site_grid.known_low - _4230;
+    precise vec4 _4255 = site_grid.coverage_high - _4226;
+    precise vec4 _4259 = site_grid.coverage_low - _4230;
     precise vec4 _4260 = _4255 + _4259;
     vec4 _4166 = _4220.xyxy;
     vec4 _4167 = _4260 - _4166;
