@@ -1,4 +1,4 @@
-/// Centers in twice the precision of many triples of sites at once, side by side.
+/// Power centers of many triples of sites at once, in double-double, vectorized over the triples.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ class CenterBatch {
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] bool isFull() const { return size_ == room; }
   void clear() { size_ = 0; }
-  /// `corner` is for the caller to know it by.
+  /// `corner` is the caller's number for the triple; it comes back from corner(k).
   void add(std::size_t corner, const Triple& triple);
 
   /// Finds all centers.

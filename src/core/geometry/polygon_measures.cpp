@@ -13,14 +13,14 @@ Point meanOf(std::span<const Point> points) {
   return mean;
 }
 
-/// Whether an area is so small beside the perimeter that its moments are mostly what rounding left.
+/// Whether a polygon is so thin that its first moments are mostly rounding errors. True for NaN.
 bool isSliver(double area, double perimeter) {
   constexpr double share = 1e-10;
   return !(area > share * perimeter * perimeter);
 }
 
-/// The centroid of a polygon, nearly convex, as a mean of those of triangles, so that rounding cannot take it
-/// out of the polygon.
+/// The centroid of a nearly convex polygon as a weighted mean of the centroids of triangles: weights are not
+/// negative, so that rounding cannot move it out of the polygon.
 Point centroidOfSliver(std::span<const Point> vertices) {
   const Point from = vertices[0];
   Point sum{0, 0};

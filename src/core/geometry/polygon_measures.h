@@ -10,15 +10,15 @@ namespace vorpipe::core {
 
 struct Measures {
   double area = 0, perimeter = 0;
-  Point centroid{0, 0};                           ///< relative to where the vertices are
+  Point centroid{0, 0};                           ///< relative to the vertices' origin
   std::array<double, 3> second_moments{0, 0, 0};  ///< integrals of xx, xy, yy about the centroid
 };
 
-/// As std::hypot, but fast where no square overflows or vanishes.
+/// std::hypot, but faster where no square overflows or underflows.
 double lengthOf(Point way);
 
-/// Measures a polygon whose vertices run counter-clockwise. For full precision they are relative to a
-/// point near it. A polygon without area has its centroid in the mean of its vertices.
+/// Measures a polygon whose vertices run counter-clockwise. For full precision their origin is near it.
+/// The centroid of a polygon without area is the mean of its vertices.
 Measures measurePolygon(std::span<const Point> vertices);
 
 }  // namespace vorpipe::core

@@ -4,23 +4,23 @@
 namespace vorpipe::core {
 
 struct PowerCenter {
-  double base_x, base_y, rest_x, rest_y;
-  double sure;  ///< 0: it must be found another way; else 1
+  double base_x, base_y, rest_x, rest_y;  ///< as AnchoredPoint
+  double sure;                            ///< 1: precise; 0: wideCenterOf must find it
 };
 
-/// The terms that a place is the sum of may be so much larger than the lengths that it is compared with.
+/// Terms of a position may be up to 16 times as large as the lengths it is compared with: 4 bits are lost.
 inline constexpr double most_terms = 16;
 
-/// The center of the circle through three points i, p, j; with weights, the point whose powers to all three
-/// are equal. Without them iw, pw and jw are not looked at.
+/// The power center (radical center) of three points i, p, j: the point whose powers to all three are equal.
+/// Without weights that is their circumcenter, and iw, pw and jw are not read.
 ///
 /// Differences are taken to the point opposite the longest side: of two points side by side and one far
-/// away, they stay exact. Unsure when that point is not unique, or when cancellation, underflow or
-/// a far center would cost precision. The result is the same to the bit for any order of the points: to
-/// swap b and c changes the signs of numerators and denominator alike.
+/// away, they stay exact. Unsure where that point is not unique, or where cancellation, underflow or a far
+/// center costs precision. The result is the same to the bit for any order of the points: swapping b and c
+/// changes the signs of the numerators and of the denominator.
 ///
-/// Choices are products with 0 and 1, which are exact, and which compilers do in loops on several
-/// triples at once.
+/// Selections are products with 0 and 1, which are exact and free of branches, so that loops over triples
+/// are vectorized.
 template <bool weighted>
 inline PowerCenter powerCenter(double ix, double iy, double iw, double px, double py, double pw, double jx,
                                double jy, double jw) {
@@ -57,7 +57,7 @@ inline PowerCenter powerCenter(double ix, double iy, double iw, double px, doubl
   const double rest_y = (b_x * cc - c_x * bb) * half;
   const double size = magnitude(left) + magnitude(right);
   const double twice_area = magnitude(left - right);
-  // Each of these is false of what is not a number.
+  // Each of these comparisons is false for NaN.
   double exact = 8 * twice_area > larger(size, 1e-139) ? 1 : 0;
   const double near = rest_x * rest_x + rest_y * rest_y < 64 ? 1 : 0;
   if constexpr (weighted) {

@@ -5,14 +5,14 @@
 namespace vorpipe::core {
 namespace {
 
-/// A point from d: the ways along x and y, and the square of its distance.
+/// A point seen from d, lifted to the paraboloid: x, y and x^2 + y^2.
 struct Lifted {
   Expansion<2> x, y;
   Expansion<16> squared;
   Lifted(Point p, Point d) : x(difference(p.x, d.x)), y(difference(p.y, d.y)), squared(x * x + y * y) {}
 };
 
-/// The same by weight, which moves the point up or down.
+/// The same with a weight, which moves the point down by weight - d.weight.
 struct LiftedByWeight {
   Expansion<2> x, y;
   Expansion<18> squared;

@@ -17,12 +17,12 @@ namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr AnchoredPoint nowhere{{not_a_number, not_a_number}, {0, 0}};
-/// What a corner may be off, as a part of its distance from two of the three sites: powerCenter loses no
-/// more than three bits to cancellation, and takes the site opposite the longest side, which is one of the
-/// two that are nearest to each other.
+/// A corner's error relative to its distance from the nearer two of its three sites. powerCenter loses at
+/// most three bits to cancellation; its anchor, opposite the longest side, is one of the two sites that are
+/// nearest to each other.
 constexpr double relative_rounding = 0x1p-46;
-/// What is farther from a corner, in scaled units, does not make it less precise: then it is found in twice
-/// the precision.
+/// In scaled units. A center farther away is found in double-double, so that its error does not grow with the
+/// distance any more.
 constexpr double far = 8, farthest_rounded = 8 * far;
 
 double weightOf(const SiteSet& s, std::int32_t i) {
@@ -45,8 +45,7 @@ double squaredDistance(Point a, Point b) {
 
 FOR_FUSED_TOO AnchoredPoint wideCenterOf(const Triple& t) { return wideCenterOf(t.i, t.j, t.k); }
 
-/// Where on a wall its bisector with the sites i and j meets that, in twice the precision. Here and below `x`
-/// is across the wall, which is at `at`.
+/// The y at which the bisector of i and j meets the wall x = at, in double-double.
 Wide wideCrossing(const WeightedPoint& i, const WeightedPoint& j, double at) {
   const auto halved = [](Wide a) { return Wide{a.high / 2, a.low / 2}; };
   const Wide dx = Wide::sum(j.x, -i.x), dy = Wide::sum(j.y, -i.y);
@@ -54,9 +53,9 @@ Wide wideCrossing(const WeightedPoint& i, const WeightedPoint& j, double at) {
   return Wide{i.y, 0} + (half - Wide::sum(at, -i.x) * dx) / dy;
 }
 
-/// The same as the sum of two numbers, the first of which is i.y if the other is small. Where the bisector
-/// nearly lies in the wall, or with weights, the terms of the other may be much larger than the way from the
-/// nearer of the two sites.
+/// The same as the sum of i.y and a double. In double-double where the terms of that double are much larger
+/// than the distance from the nearer site: the bisector is nearly parallel to the wall, or sites have
+/// weights.
 Wide crossing(const WeightedPoint& i, const WeightedPoint& j, double at, bool weighted) {
   const double dx = j.x - i.x, dy = j.y - i.y;
   const double way = (at - i.x) * dx;
@@ -86,8 +85,7 @@ AnchoredPoint atWall(const SiteSet& s, std::int32_t a, std::int32_t b, std::int3
   return {{x.high, at}, {x.low, 0}};
 }
 
-/// How far the two sites that are nearest to a corner are from it at most; of a wall's corner, how far the
-/// nearer one is.
+/// The distance from a corner to the second nearest of the sites around it; at a wall, to the nearest.
 double nearestTwo(const SiteSet& s, const std::array<std::int32_t, 3>& around, const AnchoredPoint& corner) {
   double nearest = std::numeric_limits<double>::infinity(), second = nearest;
   for (const auto i : around) {

@@ -12,8 +12,8 @@
 
 namespace vorpipe::core {
 
-/// A position as the sum of a point and what it is away from there. Kept apart, the two tell positions
-/// near each other apart to the precision of their distance, wherever in the domain they lie.
+/// A position as the unevaluated sum of an anchor, usually a site, and the vector from there. The difference
+/// of two nearby positions is then rounded relative to their distance, not to their coordinates.
 struct AnchoredPoint {
   Point base, rest;
 };
@@ -24,25 +24,25 @@ inline Point relativeTo(Point origin, const AnchoredPoint& p) {
   return {(p.base.x - origin.x) + p.rest.x, (p.base.y - origin.y) + p.rest.y};
 }
 
-/// The way from a to b; from b to a it is the same with the other sign, to the bit.
+/// The vector from a to b. wayBetween(b, a) is its negative, to the bit.
 inline Point wayBetween(const AnchoredPoint& a, const AnchoredPoint& b) {
   return {(b.base.x - a.base.x) + (b.rest.x - a.rest.x), (b.base.y - a.base.y) + (b.rest.y - a.rest.y)};
 }
 
 bool isVerticalWall(std::int32_t wall);
 
-/// Its x or y.
+/// The x of a vertical wall, the y of a horizontal one.
 double wallCoordinate(const Box& domain, std::int32_t wall);
 
-/// The place of the corner of `cell` between its neighbors `before` and `after`. It follows from the
-/// three sites that meet there, or two sites and a wall, and is the same to the bit for any order of
-/// them; of sites that could stand for each other the lower input index goes first. Not a number where
-/// the three do not meet.
+/// The position of the corner of `cell` between its neighbors `before` and `after`. It depends on the three
+/// sites, or two sites and a wall, that meet there, and is the same to the bit for any order of them: among
+/// interchangeable sites the lower input index goes first. NaN where the three do not meet, as two
+/// parallel walls do not.
 AnchoredPoint cornerPosition(const SiteSet& sites, std::int32_t cell, std::int32_t before,
                              std::int32_t after);
 
-/// Three sites, the first opposite the longest side. The order does not depend on how they are named: of
-/// sites that could stand for each other the lower input index goes first.
+/// Three sites, the first opposite the longest side. Independent of the order in which they are given: among
+/// interchangeable sites the lower input index goes first.
 struct Triple {
   WeightedPoint i, j, k;
 };
@@ -52,9 +52,9 @@ Triple tripleOf(const SiteSet& sites, std::int32_t a, std::int32_t b, std::int32
 void placeCorners(const SiteSet& sites, std::size_t cell, std::span<const std::int32_t> row,
                   std::vector<AnchoredPoint>& corners);
 
-/// How much longer than a tie an edge is, times the distance between its sites, where that is no longer than
-/// the domain's shorter side: (dx, dy) is the way from the cell's site to its neighbor's, (ex, ey) that from
-/// the edge's beginning to its end. Turned around, for the neighbor, it is the same to the bit.
+/// (Length of an edge - longest tie) * distance of its sites, where that distance is at most the domain's
+/// shorter side. (dx, dy): from the cell's site to its neighbor's; (ex, ey): from the edge's beginning to its
+/// end. Seen from the neighbor, where both are negated, it is the same to the bit.
 inline double excessLength(double dx, double dy, double ex, double ey) {
   return (dx * ey - dy * ex) - shortest_edge * (dx * dx + dy * dy);
 }
@@ -66,16 +66,16 @@ inline double excessLength(double dx, double dy, double ex, double ey, double sh
   return (dx * ey - dy * ex) - shortest_edge * shorter_side * std::sqrt(squared);
 }
 
-/// One edge of a cell. A wall's edge counts unless rounding might have made it: were it a tie as those
-/// between sites are, it could join the ends of an edge between two sites that are near to each other.
+/// One edge of a cell. An edge at a wall is a tie only where rounding is longer: were it one below a part of
+/// a distance, as between sites, it could join the ends of an edge between two sites near each other.
 struct EdgeSpan {
   double excess;     ///< as excessLength, or a length along a wall; a tie where it is not positive
   double tolerance;  ///< below minus this, or not a number, the edge is turned around: no tie, but wrong
   double slack;      ///< how far apart one end may be in the two cells: the shortest edge, and rounding
   bool is_coarse;    ///< rounding is longer than a tie
   [[nodiscard]] bool isTie() const { return !(excess > 0); }
-  /// Whether it is a hundredth of a tie to nine ties long: where its cells differ about which sites meet at
-  /// its ends, by ties that one of them does not have, it may come out as one or as none.
+  /// Whether it is from 0.01 to 9 ties long. Where its two cells differ about the sites at its ends, since
+  /// one lacks ties that the other has, such an edge may come out as a tie or not.
   [[nodiscard]] bool isAboutATie() const { return excess > -0.99 * tolerance && excess < 8 * tolerance; }
   [[nodiscard]] bool isTurned() const { return !(excess >= -tolerance); }
 };

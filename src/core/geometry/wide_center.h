@@ -1,4 +1,4 @@
-/// Where three cells meet, in twice the precision.
+/// Where three cells meet, in double-double.
 #pragma once
 
 #include <bit>
@@ -12,8 +12,8 @@ namespace vorpipe::core {
 /// A power of two, as a double, by its biased exponent, 1 to 2046.
 inline double powerOfBiased(std::int64_t biased) { return std::bit_cast<double>(biased << 52); }
 
-/// The point whose powers to i, j and k are equal; i lies opposite the longest side. No branches, so that
-/// compilers work on several triples at once.
+/// The power center of i, j and k; i lies opposite the longest side. Free of branches, so that loops over
+/// triples are vectorized.
 [[gnu::always_inline]] inline AnchoredPoint wideCenterOf(const WeightedPoint& i, const WeightedPoint& j,
                                                          const WeightedPoint& k) {
   constexpr std::int64_t bias = 1023, most = 2 * bias - 2;
@@ -21,7 +21,7 @@ inline double powerOfBiased(std::int64_t biased) { return std::bit_cast<double>(
   const auto magnitude = [](double a) { return a < 0 ? -a : a; };
   const double longest = larger(larger(magnitude(j.x - i.x), magnitude(j.y - i.y)),
                                 larger(magnitude(k.x - i.x), magnitude(k.y - i.y)));
-  // Lengths of about 1 keep squares and products from overflow and underflow.
+  // Scaled to lengths of about 1, no square or product overflows or underflows.
   const auto biased = std::bit_cast<std::int64_t>(longest) >> 52;
   const auto exponent = biased < most ? biased : most;
   const double down = powerOfBiased(2 * bias - exponent), up = powerOfBiased(exponent);
