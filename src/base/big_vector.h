@@ -1,4 +1,4 @@
-/// Arrays of many numbers that are written before they are read.
+/// Large arrays that are written before they are read.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace vorpipe {
 
-/// Leaves elements that get no value as they are.
+/// An allocator that leaves elements uninitialized where no value is given.
 template <class T>
 struct BigAllocator {
   using value_type = T;
@@ -30,7 +30,7 @@ struct BigAllocator {
   friend bool operator==(const BigAllocator&, const BigAllocator&) { return true; }
 };
 
-/// A vector that is written before it is read: new elements without a value have any.
+/// A vector whose new elements are uninitialized where no value is given.
 template <class T>
 using BigVector = std::vector<T, BigAllocator<T>>;
 

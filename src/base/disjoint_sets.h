@@ -9,8 +9,8 @@
 
 namespace vorpipe {
 
-/// Sets of the numbers 0 to size - 1. The root of a set is its lowest number, in whatever order and by
-/// however many threads the sets were joined: a number is only ever hung below a lower one.
+/// Sets of the numbers 0 to size - 1. The root of a set is its lowest number, independent of the order of
+/// joins and of the number of threads: the parent of a number is never higher than the number.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t size) : parent_(size) {
@@ -22,7 +22,7 @@ class DisjointSets {
       const auto parent = at(i).load(std::memory_order_relaxed);
       if (parent == i) return i;
       const auto above = at(parent).load(std::memory_order_relaxed);
-      // Whoever else writes here writes a number of the same set that is no higher than `parent`.
+      // Other threads write here only numbers of the same set that are no higher than `parent`.
       if (above != parent) {
         auto expected = parent;
         at(i).compare_exchange_weak(expected, above, std::memory_order_relaxed);

@@ -1,4 +1,4 @@
-/// Numbers of which none comes twice.
+/// Sorts distinct integers.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace vorpipe {
 
-/// Sorts distinct numbers below `end`. Many of them are faster ticked off than compared.
+/// Sorts distinct numbers below `end`: many of them by a bitmap, few by comparisons.
 inline void sortDistinct(std::vector<std::uint32_t>& numbers, std::uint32_t end) {
   constexpr std::size_t many = 16;
   if (numbers.size() < end / many) return std::sort(numbers.begin(), numbers.end());

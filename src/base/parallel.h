@@ -13,22 +13,22 @@ inline int threadCount(int threads) {
   return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// The same for a loop of so many steps that take some nanoseconds each: a few thousand are done before
-/// another thread has begun.
+/// The same for a loop of `steps` steps of a few nanoseconds: starting a thread costs as much as several
+/// thousand of them.
 inline int threadsForSteps(std::size_t steps, int threads) {
   constexpr std::size_t worth_a_thread = std::size_t{1} << 15;
   return steps < worth_a_thread ? 1 : threads;
 }
 
-/// How many of so many steps go into one range: `most`, but less where threads would then wait for one
-/// another.
+/// The grain for a loop of `steps` steps: `most`, or less where the last ranges would otherwise leave threads
+/// idle.
 inline std::size_t grainFor(std::size_t steps, std::size_t most) {
   constexpr std::size_t enough_ranges = 8, least = 1024;
   return std::clamp(steps / enough_ranges, std::min(least, most), most);
 }
 
 /// Calls body(begin, end) for ranges of at most `grain` that cover [0, count), on up to `threads`
-/// threads. The ranges do not depend on the number of threads. What body throws is thrown here, once
+/// threads. The ranges do not depend on the number of threads. An exception of body is rethrown here, once
 /// all threads have stopped.
 void parallelFor(std::size_t count, std::size_t grain, int threads,
                  const std::function<void(std::size_t begin, std::size_t end)>& body);

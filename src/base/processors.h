@@ -1,12 +1,12 @@
-/// Functions in several versions, of which a program takes the one for its processor as it starts. The
-/// results are the same to the bit, since no product and sum are ever fused but by std::fma.
+/// Function multiversioning: one version for each instruction set, selected when the program starts. Results
+/// are the same to the bit, since products and sums are fused by std::fma alone (-ffp-contract=off).
 #pragma once
 
-// The thread sanitizer is not ready yet when such versions are chosen.
+// The resolvers would run before the thread sanitizer is initialized.
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__SANITIZE_THREAD__)
-/// For loops that compilers turn into vectors, of four or eight doubles where there are such.
+/// For loops that are vectorized: by four doubles with AVX2, by eight with AVX-512.
 #define FOR_WIDE_TOO __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-/// For std::fma, which else is a call.
+/// For std::fma, which without the instruction is a library call.
 #define FOR_FUSED_TOO __attribute__((target_clones("arch=x86-64-v3", "default")))
 #else
 #define FOR_WIDE_TOO

@@ -1,4 +1,4 @@
-/// How a long run is cut into calls, so that its caller hears of it in between.
+/// A long stage in steps, between which progress is reported.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace vorpipe {
 
-/// Tells progress how far a stage is. Error: it said stop.
+/// Calls progress(stage, done / of). Error (cancelled): it returned false.
 inline Result<void> reportProgress(const Progress& progress, const char* stage, std::size_t done,
                                    std::size_t of) {
   const double fraction = static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(of, 1));
@@ -16,13 +16,13 @@ inline Result<void> reportProgress(const Progress& progress, const char* stage, 
   return tl::unexpected(Error{ErrorCode::cancelled, "interrupted"});
 }
 
-/// A part of a stage: `count` of its `of` items, after `done` others.
+/// Items done .. done + count - 1 of a stage of `of` items.
 struct StageRange {
   std::size_t count, done, of;
 };
 
 /// Calls work(begin, count) for ranges that cover [0, range.count), each of at most `most`: small at first,
-/// then as large as fits between two calls of progress. What comes out must not depend on the ranges.
+/// then as large as 0.2 s between two calls of progress allow. Results must not depend on the ranges.
 template <class Work>
 Result<void> runInSteps(const Progress& progress, const char* stage, const StageRange& range,
                         std::size_t most, const Work& work) {

@@ -5,10 +5,10 @@
 
 namespace vorpipe {
 
-/// An error whose message names its subject.
+/// An error (input) whose message already names its subject.
 Error refusal(Subject subject, std::string message);
 
-/// The same for a message that does not: the subject's name is put before it.
+/// An error (input) whose message gets the subject's name as a prefix.
 Error refusalOf(Subject subject, const std::string& message);
 
 }  // namespace vorpipe

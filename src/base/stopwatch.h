@@ -5,7 +5,7 @@
 
 namespace vorpipe {
 
-/// Runs from its construction.
+/// Starts when it is constructed.
 class Stopwatch {
  public:
   [[nodiscard]] double milliseconds() const { return 1e3 * seconds(); }
