@@ -61,8 +61,8 @@ class CellCheck {
     std::atomic_ref(suspect_[static_cast<std::size_t>(neighbor)]).store(1, std::memory_order_relaxed);
   }
 
-  /// Whether edge e of `cell` begins, in the cell on its other side, where it begins here. Done for all
-  /// edges of all cells, this says that they end together as well, and that neighbors are mutual.
+  /// Whether an edge of `cell` begins, in the cell on its other side, at the same three sites. Checked for
+  /// all edges of all cells, it implies that they end alike too, and that neighbors are mutual.
   bool beginsAlike(std::uint32_t cell, std::int32_t before, std::int32_t neighbor) const {
     if (neighbor < 0) return true;
     const auto other = static_cast<std::size_t>(neighbor);
@@ -71,8 +71,8 @@ class CellCheck {
     return back != EdgeIndex::none && row[back + 1 < row.size() ? back + 1 : 0] == before;
   }
 
-  /// Checks every edge; isLong(e) says whether edge e is longer than a tie. A tie pulls in the cells
-  /// at its ends.
+  /// Checks every edge; isLong(e): whether edge e is longer than a tie. A tie marks the cells at its ends
+  /// as well.
   template <class IsLong>
   bool passes(std::uint32_t cell, std::span<const std::int32_t> row, const IsLong& is_long) {
     bool all = true;
@@ -94,8 +94,8 @@ class CellCheck {
     return all;
   }
 
-  /// Marks a cell that is so flat, or turned around, that in truth weights may leave nothing of it: where its
-  /// longest edges have the same line, neither need be short.
+  /// Marks a cell that is so flat, or turned around, that weights may leave nothing of it: its two longest
+  /// edges may coincide without being short.
   void markFlat(std::uint32_t cell, double area, double perimeter) {
     if (!(area > 1e-6 * perimeter * perimeter)) mark(static_cast<std::int32_t>(cell));
   }
@@ -144,9 +144,9 @@ class CellCheck {
   std::vector<AnchoredPoint> places_;
 };
 
-/// Says that the cells a row of bins beyond a cell will be read soon: cells come row by row, so that they
-/// meet those for the first time, a few here and a few there. (Not inlined, it would have no effect that GCC
-/// sees, and not be called.)
+/// Prefetches cells about one row of bins ahead. Cells are checked row by row, so that those are read next
+/// and are not in the cache yet. (Not inlined, GCC would treat it as a function without effects and drop the
+/// call.)
 [[gnu::always_inline]] inline void prefetchBeyond(const ProposedCells& proposed, std::size_t cell) {
 #if defined(__GNUC__)
   const auto& sites = proposed.sites;

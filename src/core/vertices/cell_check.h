@@ -9,7 +9,7 @@
 
 namespace vorpipe::core {
 
-/// Cells and what is needed to look at them; all of it outlives the use.
+/// Cells as they were found, and what their check needs; all of it outlives the use.
 struct ProposedCells {
   const SiteSet& sites;
   const NeighborRows& cells;
@@ -17,24 +17,24 @@ struct ProposedCells {
   int threads;
 };
 
-/// Checks the cells `which` in double. A cell passes when each edge is longer than a tie, and both cells
-/// of each edge name the same sites and walls at its ends, and it is measured into `records`. A cell that
-/// does not, and one beside a tie, is marked in `suspect`, which has an element for each cell: it is
-/// resolveTies' to say whether ties excuse it.
+/// Checks the cells `which` in double. A cell passes where each edge is longer than a tie and both cells of
+/// each edge name the same sites and walls at its ends; then it is measured into `records`. Other cells, and
+/// those beside a tie, are marked with 1 in `suspect`, which has an element for each cell. resolveTies
+/// decides whether ties explain them.
 ///
-/// Where all cells pass, every edge is locally Delaunay, and the cells fit together all around every
-/// vertex: the diagram is right.
+/// Where all cells pass, every edge is locally Delaunay and the cells around every vertex agree: the diagram
+/// is correct.
 void checkCells(const ProposedCells& proposed, std::span<const std::uint32_t> which, const Records& records,
                 std::span<std::uint8_t> suspect);
 
 /// The same for all cells.
 void checkCells(const ProposedCells& proposed, const Records& records, std::span<std::uint8_t> suspect);
 
-/// Whether a cell could be one: certified, of at least three edges, which lead to other sites and walls.
+/// Whether a cell is certified and has at least three edges, all to other sites or to walls of the domain.
 bool isWellFormed(const SiteSet& sites, const NeighborRows& cells, std::size_t cell);
 
-/// Whether `cell` may be empty: certified so, and without edges. A site in the domain has a cell, unless
-/// weights hide it, which proveEmpty has proved.
+/// Whether `cell` is correctly empty: status empty, no edges, and its site is outside the domain or has
+/// weights, where proveEmpty has checked it. A site in the domain without weights has a cell.
 bool isRightlyEmpty(const SiteSet& sites, const NeighborRows& cells, std::size_t cell);
 
 }  // namespace vorpipe::core

@@ -11,7 +11,7 @@
 
 namespace vorpipe::core {
 
-/// From scaled units to the caller's, by a power of two: nothing is rounded.
+/// From scaled units to the caller's: a power of two, so that it is exact.
 class Unscale {
  public:
   explicit Unscale(int exponent) : exponent_(exponent), plain_(std::abs(exponent) < 200) {
@@ -29,13 +29,13 @@ class Unscale {
   double factor_[5] = {1, 1, 1, 1, 1};
 };
 
-/// A neighbor as a Diagram has it: a wall, or an index in the input.
+/// A neighbor as in Diagram::neighbors: a wall, or an index in the input.
 inline std::int64_t outsideIndex(const SiteSet& sites, std::int32_t neighbor) {
   return neighbor < 0 ? std::int64_t{neighbor} : std::int64_t{sites.id[static_cast<std::size_t>(neighbor)]};
 }
 
-/// What a cell is measured about: its site; or its first corner where it may be small and far from its site,
-/// with weights and of sites outside the domain.
+/// The origin for measuring a cell: its site; or its first corner where the cell may be small and far from
+/// the site, which is so with weights and for sites outside the domain.
 inline Point measuringOrigin(const SiteSet& sites, std::size_t cell, const AnchoredPoint& first_corner) {
   const Point site{sites.x[cell], sites.y[cell]};
   const bool holds_site = sites.weight.empty() && isInside(sites.domain, site.x, site.y);
@@ -50,8 +50,8 @@ inline Measures measureCell(Point origin, std::span<const AnchoredPoint> corners
   return measurePolygon(polygon);
 }
 
-/// What a Diagram says of one site. Input order is anywhere in memory, so that it is written to one place and
-/// not yet to the arrays of a Diagram, which are four.
+/// The per-site results of a Diagram. Input order is random access here: one record means one cache miss,
+/// where the four arrays of a Diagram would mean four.
 struct CellRecord {
   double area;
   Point centroid;
@@ -65,8 +65,8 @@ struct Records {
   Unscale unscale;
   std::span<CellRecord> by_input;
 
-  /// Says that the record of `cell` will be written soon: a store that waits for its memory holds up those
-  /// behind it.
+  /// Prefetches the record of `cell` for writing: stores retire in order, so that a miss would stall those
+  /// after it.
   void prefetch(std::size_t cell) const {
 #if defined(__GNUC__)
     __builtin_prefetch(&by_input[sites.id[cell]], 1);

@@ -14,14 +14,14 @@
 
 namespace vorpipe::core {
 
-/// Looks neighbors up in cells of any number of edges. Cells outlive it unchanged.
+/// Finds edges by neighbor, in cells of any number of edges. The cells outlive it unchanged.
 class EdgeIndex {
  public:
   EdgeIndex(const NeighborRows& cells, int threads);
 
   static constexpr std::size_t none = ~std::size_t{0};
 
-  /// Which edge of `cell`, whose edges are `row`, leads to `neighbor`; or none.
+  /// The index in `row`, the edges of `cell`, of the edge to `neighbor`; or `none`.
   [[nodiscard]] std::size_t find(std::span<const std::int32_t> row, std::size_t cell,
                                  std::int32_t neighbor) const {
     if (row.size() > most_scanned) return findInLarge(cell, neighbor);
@@ -37,13 +37,13 @@ class EdgeIndex {
   }
 
  private:
-  /// Beyond this many edges a sorted list is faster than a look at each, and keeps a cell with many
-  /// neighbors, each of which asks for itself, from costing their number squared.
+  /// Break-even between a linear scan and a sorted list. Without the list a cell of n neighbors would cost
+  /// n^2, since each neighbor looks itself up.
   static constexpr std::size_t most_scanned = NeighborRows::usual_edges;
   static constexpr std::size_t at_once = NeighborRows::readable;
 
-  /// Bit e says whether edge[e] is `neighbor`. To look at a few edges too many is faster than to guess where
-  /// to stop.
+  /// Bit e: whether edge[e] is `neighbor`. Always compares `at_once` edges: reading past the row's end is
+  /// cheaper than a mispredicted branch.
   static std::uint32_t matches(const std::int32_t* edge, std::int32_t neighbor) {
 #if defined(__SSE2__)
     const auto* four = reinterpret_cast<const __m128i*>(edge);
@@ -61,7 +61,7 @@ class EdgeIndex {
 
   struct Large {
     std::size_t cell;
-    std::vector<std::pair<std::int32_t, std::uint32_t>> edges;  ///< neighbor and place, ascending
+    std::vector<std::pair<std::int32_t, std::uint32_t>> edges;  ///< neighbor and index in the row, ascending
   };
   [[nodiscard]] std::size_t findInLarge(std::size_t cell, std::int32_t neighbor) const;
 

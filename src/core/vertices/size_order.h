@@ -1,4 +1,4 @@
-/// Cells one after the other by their number of edges.
+/// Cells in ascending order of their number of edges.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 
 namespace vorpipe::core {
 
-/// Calls each(cell) for cellAt(begin) to cellAt(end - 1), those with few edges first. In such an order a
-/// processor foresees where the loops over edges end, and cells of one number of edges can be worked on side
-/// by side.
+/// Calls each(cell) for cellAt(begin) to cellAt(end - 1), those with few edges first. In this order the
+/// branches that end loops over edges are predicted, and cells of equal size can be handled in one vectorized
+/// batch.
 template <class CellAt, class Each>
 void forCellsBySize(const NeighborRows& cells, std::size_t begin, std::size_t end, const CellAt& cellAt,
                     const Each& each) {

@@ -1,5 +1,5 @@
-/// The corners of many inner cells at once, side by side, so that the compiler works on several cells with
-/// one instruction.
+/// The corners of many inner cells at once, in structure-of-arrays layout, so that loops over cells are
+/// vectorized.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ class CornerBatch {
 
   enum class Added : std::uint8_t {
     yes,
-    full,   ///< no room is left, or what is there has another number of edges
+    full,   ///< no room is left, or the batch's cells have another number of edges
     other,  ///< not an inner cell, or one of more than most_edges edges
   };
 
@@ -31,7 +31,7 @@ class CornerBatch {
   /// `row` is the neighbors of `cell`, counter-clockwise; it outlives the batch's use.
   Added add(std::uint32_t cell, std::span<const std::int32_t> row);
 
-  /// Computes all places; then, the excess length of each edge, as edgeSpan has it.
+  /// Computes the positions of all corners, then the excess length of each edge, as EdgeSpan::excess.
   void place();
 
   /// Measures the cells about their sites; with weights, about their first corners.
