@@ -80,8 +80,8 @@ std::vector<std::uint32_t> cellsWithoutArea(const SiteSet& sites, const Neighbor
   return cells;
 }
 
-/// Cells of sites with weights all of whose edges are ties: it takes exact numbers to tell them from hidden
-/// ones.
+/// Cells of sites with weights all of whose edges are ties: only exact arithmetic distinguishes them from
+/// cells of hidden sites.
 std::vector<std::uint32_t> cellsOfTies(const ProposedCells& proposed, const TiedCells& tied) {
   std::vector<std::uint32_t> cells;
   if (proposed.sites.weight.empty()) return cells;
@@ -94,8 +94,8 @@ std::vector<std::uint32_t> cellsOfTies(const ProposedCells& proposed, const Tied
   return cells;
 }
 
-/// What to try for cells in dispute. Where they cannot be blamed, since all of them are exact, a cell beside
-/// them must be wrong that agrees with both sides: the rings of cells around them, one after the other.
+/// The next cells to find again, and how. Where all disputed cells are exact already, a cell beside them must
+/// be wrong that agrees with both sides: tries the rings of cells around them, one after the other.
 std::pair<std::vector<std::uint32_t>, Effort> nextAround(const NeighborRows& rows,
                                                          std::vector<std::uint32_t> disputed,
                                                          Efforts& efforts) {
@@ -147,13 +147,13 @@ class Reconciliation {
   }
 
  private:
-  /// What to do where no cell in dispute is left to be found in another way: take all from the mesh, whose
-  /// cells agree; then, if ties about which all are right join more than they should, take for ties what is
-  /// in dispute.
+  /// Fallbacks where the judge has nothing left to try. mesh: all cells from the triangulation, which agree.
+  /// ties: edges still in dispute become ties; correct cells may disagree where ties join more than they
+  /// should.
   enum class Resort : std::uint8_t { judge, mesh, ties };
 
-  /// More cells than these are not found one by one with many digits, where sites that all but meet in a
-  /// point may take a second each.
+  /// Break-even between exact cells, which take up to a second each where many bisectors nearly meet in a
+  /// point, and the mesh of all sites.
   static constexpr std::size_t most_exact = 64;
 
   /// Changes cells that are in dispute or not sure enough; true if there are none.
@@ -173,8 +173,8 @@ class Reconciliation {
     return takeResort(doubtful);
   }
 
-  /// Has ties be finer where they make vertices wide; true if there are none. What is wide is for exact cells
-  /// to say, and so is which edges of walls count: then it does not depend on who proposed the cells.
+  /// Makes ties finer where they make vertices wide; true where no vertex is. Decides it on exact cells, and
+  /// likewise which edges at walls count: then results do not depend on the backend.
   Result<bool> narrow(const TiedCells& tied) {
     if (resort_ == Resort::judge) {
       const auto which = efforts_.notExact(tied.unsure);

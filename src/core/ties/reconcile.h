@@ -7,9 +7,9 @@
 
 namespace vorpipe::core {
 
-/// Checks all cells and writes their records. Those in dispute are found again, in double and at last
-/// exactly, until none is left; `rows` changes accordingly, and `report` counts them. What comes
-/// back says where the cells differ from the rows: at ties.
+/// Checks all cells and writes their records. Disputed cells are found again, in double and then exactly,
+/// until no dispute is left. Updates `rows`; `report` counts what was found again. Returns the
+/// cells at ties, which differ from their rows.
 /// Errors: those of the judge; cells that disagree even so.
 Result<TiedCells> reconcileCells(const SearchInput& input, NeighborRows& rows, const Records& records,
                                  Report& report);

@@ -9,16 +9,16 @@ namespace {
 
 constexpr std::size_t grain = 1024;
 
-/// The centroid of a cell, relative to its origin. Ties may reach a little beyond a wall, and a cell that
-/// only touches the domain far beyond it.
+/// The centroid of a cell, relative to its origin, clamped to the domain: ties may reach slightly beyond a
+/// wall, and a cell that only touches the domain far beyond it.
 Point centroidInDomain(const SiteSet& sites, Point origin, Point centroid) {
   const Box& domain = sites.domain;
   return {std::clamp(centroid.x, domain.xmin - origin.x, domain.xmax - origin.x),
           std::clamp(centroid.y, domain.ymin - origin.y, domain.ymax - origin.y)};
 }
 
-/// Records a cell all of whose edges are ties: of a site that is hidden but for a little, or far outside. One
-/// without weights that has no area, but for rounding, only touches the domain, and is empty.
+/// Records a cell all of whose edges are ties: its site is nearly hidden, or far outside. Without weights and
+/// with an area of 0 up to rounding, the cell only touches the domain, and is empty.
 void recordUnedged(const ProposedCells& proposed, std::uint32_t cell, const Records& records) {
   const auto& sites = proposed.sites;
   const auto row = proposed.cells.edges(cell);

@@ -6,9 +6,9 @@
 
 namespace vorpipe::core {
 
-/// Writes the records of the tied cells, which are not disputed. They are measured as they are before ties
-/// join their corners: that moves a vertex by a part of the distance of its sites, which may be much of a
-/// thin cell.
+/// Writes the records of the tied cells, none of which is disputed. They are measured with their own corners,
+/// before ties join these: joining moves a vertex by up to a tie, which may be long relative to a thin
+/// cell.
 void recordTiedCells(const ProposedCells& proposed, const TiedCells& tied, const Records& records);
 
 }  // namespace vorpipe::core

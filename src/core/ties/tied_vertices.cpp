@@ -95,7 +95,7 @@ class VertexBuilder {
     });
   }
 
-  /// Each vertex lies where its root is, for now; notes the cells at walls.
+  /// Puts each vertex at its root, for now; lists the cells at walls.
   void placeRoots() {
     at_wall_.resize((tied_.cell.size() + grain - 1) / grain);
     forEntries([&](std::size_t k) {
@@ -110,9 +110,9 @@ class VertexBuilder {
     });
   }
 
-  /// Vertices of three and more tied cells, by the site of the lowest input index, the one farthest from
-  /// it, and the one farthest from the line through both; where it is too near to that, vertices stay at
-  /// their root.
+  /// Puts vertices of three and more tied cells at the center of three sites: that of the lowest input index,
+  /// the one farthest from it, and the one farthest from the line through both. Where the three are nearly
+  /// collinear, the vertex stays at its root.
   void placeInside() {
     parallelFor(tied_.position.size(), grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
       for (auto v = begin; v < end; ++v) {
@@ -125,8 +125,8 @@ class VertexBuilder {
     });
   }
 
-  /// Whether three sites lie so nearly on a line that the vertex is not where their powers are equal. With
-  /// weights, others may determine it well.
+  /// Whether three sites are so nearly collinear that their power center is far less precise than that of
+  /// other sites at the vertex may be; with weights alone.
   static bool isFlat(Point line, Point to_third) {
     constexpr double share = 1e-3;
     return std::abs(line.x * to_third.y - line.y * to_third.x) <= share * (line.x * line.x + line.y * line.y);
@@ -174,9 +174,9 @@ class VertexBuilder {
     }
   }
 
-  /// Of the cells at a vertex on a wall, the one of the lowest input index and the one farthest from it along
-  /// the wall: their bisector crosses the wall most steeply. No bisector of sites whose cells nearly meet at
-  /// a corner of the domain takes the vertex out of it.
+  /// Where the bisector of two cells at a vertex crosses a wall: of that with the lowest input index and the
+  /// one farthest from it along the wall, which crosses it most steeply. Clamped to the domain, since near a
+  /// corner of the domain the crossing may lie outside.
   [[nodiscard]] AnchoredPoint placeOnWall(std::size_t k, std::size_t e, std::int32_t wall) const {
     const auto row = rowOf(k);
     const auto vertex = tied_.vertex[tied_.offsets[k] + e];
@@ -196,7 +196,7 @@ class VertexBuilder {
     return inDomain(place);
   }
 
-  /// The nearest place of the domain.
+  /// The nearest point of the domain.
   [[nodiscard]] AnchoredPoint inDomain(AnchoredPoint place) const {
     const auto clamp = [](double low, double high, double& base, double& rest) {
       const bool below = (base - low) + rest < 0, above = (high - base) - rest < 0;

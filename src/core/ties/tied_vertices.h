@@ -6,8 +6,8 @@
 
 namespace vorpipe::core {
 
-/// Makes one vertex of each set of corners: numbers them, finds out which cells meet there, and places
-/// them, as resolveTies says.
+/// Makes one vertex of each set of corners: numbers the vertices, lists the cells around each, and computes
+/// their positions, as resolveTies says.
 void makeVertices(const ProposedCells& proposed, DisjointSets& corners, TiedCells& tied);
 
 }  // namespace vorpipe::core

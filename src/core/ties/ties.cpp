@@ -20,10 +20,10 @@ namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 1024;
-/// Of a cell's size: a tie that is more hides what double gets wrong about the cell. Then its sites are far
-/// away, and their weights differ by so much that double tells little of where cells meet.
+/// Relative to a cell's size: a longer tie may hide that the cell is wrong in double. Its sites are then far
+/// away, and the differences of their weights so large that cancellation spoils its corners.
 constexpr double much_of_a_cell = 1e-4;
-/// No row of ties is this many ties long.
+/// In ties: no chain of ties is as long.
 constexpr double collapsed_ties = 1024;
 
 class TieResolver {
@@ -62,7 +62,7 @@ class TieResolver {
   }
 
  private:
-  /// One edge as one of its two cells has it.
+  /// An edge as computed from one of its two cells.
   struct Seen {
     AnchoredPoint begin, end;
     EdgeSpan span;
@@ -94,13 +94,13 @@ class TieResolver {
                      begin, end, fineness_.shortestEdge(cell, row[e]))};
   }
 
-  /// Whether it takes exact numbers to tell that a cell has an area: with many edges that takes long.
+  /// Whether a cell is so flat that only exact arithmetic decides whether it has an area.
   [[nodiscard]] bool isFlat(std::size_t cell, std::span<const AnchoredPoint> corners) const {
     const auto m = measureCell(measuringOrigin(sites_, cell, corners.front()), corners);
     return !(m.area > 1e-6 * m.perimeter * m.perimeter);
   }
 
-  /// How far its corners are apart, or half of that.
+  /// Between half the diameter of the corners and the diameter.
   static double sizeOf(std::span<const AnchoredPoint> corners) {
     double size = 0;
     for (const AnchoredPoint& corner : corners)
@@ -126,7 +126,7 @@ class TieResolver {
     markAround(cell, row, e, disputed_);
   }
 
-  /// Whether cells that name different neighbors at an end of their edge differ about a wall there.
+  /// Whether two cells name different neighbors at an end of their edge, one of them a wall.
   [[nodiscard]] static bool differAboutWall(std::int32_t here, std::int32_t there) {
     return here != there && std::min(here, there) < 0;
   }
@@ -145,7 +145,7 @@ class TieResolver {
       const auto here = see(cell, row, e, corners[e], corners[after(row, e)]);
       if (here.span.isTie() && here.span.slack > much) markAround(cell, row, e, unsure_);
       if (here.span.is_coarse && here.span.isAboutATie()) markAround(cell, row, e, unsure_);
-      // Of a wall, rounding alone may say that a cell between two that nearly meet reaches it.
+      // Near the point where two cells meet at a wall, rounding decides whether a third reaches the wall.
       if (row[e] < 0 && here.span.isTie()) markAround(cell, row, e, unsure_);
       if (here.span.isTurned() && disputes_ == Disputes::are_listed) disputeAround(cell, row, e);
       if (row[e] < 0) {
@@ -205,7 +205,7 @@ class TieResolver {
       markAround(cell, row, e, unsure_);
       markAround(other, other_row, back, unsure_);
     }
-    // Whoever is not tied has passed its check, also of this edge, which then looks alike.
+    // A cell that is not tied has passed its check, and with it this edge.
     if (other_k == TiedCells::not_tied || other < cell) return;
     sets_.join(cornerNumber(k, e), cornerNumber(other_k, back_end));
     sets_.join(cornerNumber(k, after(row, e)), cornerNumber(other_k, back));
@@ -221,8 +221,8 @@ class TieResolver {
     settle(other_k, other_row, back, tie);
   }
 
-  /// Whether two cells see the ends of their edge at places so far apart that an edge which is no tie may be
-  /// between them, and both cells lack it.
+  /// Whether the ends of an edge, computed from its two cells, are so far apart that an edge longer than a
+  /// tie may fit between them, which both cells lack.
   static bool areApart(const Seen& here, const Seen& there) {
     constexpr double share = 0.01;
     const double apart =
@@ -236,15 +236,15 @@ class TieResolver {
     if (tie) sets_.join(corner, cornerNumber(k, after(row, e)));
   }
 
-  /// Of an edge that they do not agree about.
+  /// Marks both cells of an edge about which they disagree.
   void disputeBoth(std::size_t cell, std::int32_t neighbor) {
     if (disputes_ == Disputes::are_ties) return;
     dispute(static_cast<std::int32_t>(cell));
     dispute(neighbor);
   }
 
-  /// Whether an edge is a tie whose cells differ about where it ends; they must agree about that, and if it
-  /// is none, nearly so about its ends.
+  /// Whether an edge, whose cells name different sites at its ends, is a tie. Disputes it where they disagree
+  /// about that, or where it is none and its ends are farther apart than the slack.
   bool compare(std::size_t cell, std::int32_t neighbor, const Seen& here, const Seen& there) {
     if (here.span.isTie() != there.span.isTie()) disputeBoth(cell, neighbor);
     if (here.span.isTie() || there.span.isTie()) return true;
@@ -268,7 +268,7 @@ class TieResolver {
   std::vector<std::uint8_t> disputed_, unsure_;  ///< by tied cell
 };
 
-/// The first cell from `begin` on that is marked with 1; as many as there are if none is.
+/// The first cell from `begin` on that is marked with 1; suspect.size() without one.
 std::size_t nextMarked(std::span<const std::uint8_t> suspect, std::size_t begin) {
   const auto* found =
       begin < suspect.size() ? std::memchr(&suspect[begin], 1, suspect.size() - begin) : nullptr;

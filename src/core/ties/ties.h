@@ -10,9 +10,9 @@
 
 namespace vorpipe::core {
 
-/// The cells that ties make differ from what their neighbors alone say. Corners of these cells that
-/// ties join are one vertex, with one place for all of them. Corner offsets[k] + e begins edge e of
-/// cell[k].
+/// Cells at ties, whose vertices do not follow from their own neighbors alone. Corners that ties join are one
+/// vertex, with one position. Corner offsets[k] + e is where edge e of
+/// cell[k] begins.
 struct TiedCells {
   std::vector<std::uint32_t> cell;   ///< ascending
   std::vector<std::uint32_t> entry;  ///< by cell: its index in `cell`, or not_tied; empty without tied cells
@@ -35,20 +35,20 @@ struct TiedCells {
   }
 };
 
-/// What becomes of edges that their cells see differently.
+/// What resolveTies does with edges about which their two cells disagree.
 enum class Disputes : std::uint8_t { are_listed, are_ties };
 
-/// Joins the corners of the cells marked in `suspect`. Two corners are one vertex when a tie lies between
-/// them, or when they are ends of the same edge in its two cells. The vertex is a corner of the domain
-/// if walls of both directions meet in it, else where its lowest corner on a wall is, so that ties do not
-/// pull the domain's border inward; else the center of the circle through three sites far apart that meet
-/// there: it follows from the cells, not from the ties between them that were proposed.
+/// Joins the corners of the cells marked in `suspect`. Two corners are one vertex where a tie lies between
+/// them, or where they are ends of the same edge in its two cells. The vertex is a corner of the domain where
+/// two perpendicular walls meet in it; else it lies where its lowest corner on a wall is, so that ties do not
+/// pull the domain's border inward; else at the power center of three of its sites that are far apart: it
+/// depends on the cells that meet there, not on which ties between them were proposed.
 ///
 /// An edge whose two ends ties join is a tie as well, and so are all edges of cells that ties enclose; see
-/// collapsed_edges.h. Vertices that many ties make wide are for the caller to make finer. What is unsure is
-/// no dispute: cells differ about the ends of an edge at a wall, of whose edges those count that are far
-/// shorter than ties; or about those of an edge that is about as long as a tie, or that rounding is longer
-/// than; a tie is much of a cell; or a vertex is wide.
+/// collapsed_edges.h. The caller makes ties finer where many of them make a vertex wide. A cell is unsure,
+/// but not disputed, where: cells differ about the ends of an edge at a wall, where edges count that are far
+/// shorter than ties; or about those of an edge that is about as long as a tie, or shorter than rounding; a
+/// tie is long relative to the cell; or a vertex is wide.
 ///
 /// Error (input): more than 2^32 - 2 corners.
 ///
@@ -61,13 +61,13 @@ enum class Disputes : std::uint8_t { are_listed, are_ties };
 Result<TiedCells> resolveTies(const ProposedCells& proposed, std::span<const std::uint8_t> suspect,
                               const Fineness& fineness, Disputes disputes);
 
-/// What is left of tied cell k without its ties: the numbers of its edges, from that of the smallest
+/// The edges of tied cell k that are no ties: their indices, beginning with that of the smallest
 /// neighbor. A corner after which only ties follow is left out, so that each vertex
 /// stands once and begins the edge that it stands with.
 void keptEdges(const ProposedCells& proposed, const TiedCells& tied, std::size_t k,
                std::vector<std::uint32_t>& edges);
 
-/// The place where edge e of tied cell k begins.
+/// The position where edge e of tied cell k begins.
 inline const AnchoredPoint& tiedPosition(const TiedCells& tied, std::size_t k, std::size_t e) {
   return tied.position[tied.vertex[tied.offsets[k] + e]];
 }

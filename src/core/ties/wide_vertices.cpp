@@ -10,12 +10,12 @@ namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 1024;
-/// Each counts in both of its cells, even where only one of them has it: who has an edge that is next to
-/// nothing depends on who proposed the cell. With fewer ties a vertex is not wide.
+/// A vertex with fewer ties is not wide. A tie counts twice, even where one of its two cells lacks it: which
+/// cells have an edge of nearly no length depends on the backend.
 constexpr std::uint32_t fewest_ties = 6;
-/// Of a cell's reach, or of the domain's shorter side if that is less: how far its vertices may be from its
-/// corners. The check allows a quarter more. With weights more cells nearly meet in a point, and ties with
-/// sites far away are long.
+/// How far vertices may be from a cell's corners, relative to its reach, or to the domain's shorter side if
+/// that is less. `--check` allows 1.25 times that. With weights more cells nearly meet in a point, and ties
+/// with sites far away are long.
 constexpr double wide = 8e-6, wide_with_weights = 8e-5, nearly = 0.5;
 
 class VertexWidths {
@@ -83,8 +83,8 @@ class VertexWidths {
     }
   }
 
-  /// How far what determines the corners of a cell may be from its site: its corners, or with weights its
-  /// neighbors.
+  /// The distance from a cell's site to its farthest corner; with weights, at least that to its farthest
+  /// neighbor.
   [[nodiscard]] double reachOf(std::size_t cell, std::span<const std::int32_t> row,
                                const std::vector<AnchoredPoint>& corners) const {
     const Point site{sites_.x[cell], sites_.y[cell]};

@@ -1,4 +1,4 @@
-/// Vertices that ties in a row make wide.
+/// Vertices that chains of ties make wide.
 #pragma once
 
 #include "core/ties/ties.h"
@@ -11,8 +11,8 @@ struct WideVertices {
   std::vector<std::uint32_t> quite;   ///< these need finer ties, if all of them are exact
 };
 
-/// Where a corner that ties have joined to a vertex is farther from its place than the check of polygons
-/// allows, or half as far.
+/// A vertex is wide where one of the corners that ties joined is farther from it than `--check` allows for
+/// polygons, and nearly wide at half of that.
 WideVertices findWideVertices(const ProposedCells& proposed, const TiedCells& tied, const Fineness& fineness);
 
 }  // namespace vorpipe::core
