@@ -54,7 +54,8 @@ class HilbertWalk {
   void run() { walk(0, 0, std::bit_ceil(std::max(grid_.columns, grid_.rows)), 0); }
 
  private:
-  /// How the curve runs through a square: through the quarters (column, row) in this order, each in its way.
+  /// How the curve runs through a square: through the quarters (column, row) in this order, each with its own
+  /// orientation.
   struct Quarter {
     std::uint32_t column, row;
     std::size_t way;

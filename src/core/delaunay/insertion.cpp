@@ -35,12 +35,13 @@ bool Insertion::mayLookAt(std::int32_t t) const {
   return mayChange(t) || mesh_.region[static_cast<std::size_t>(t)] == of_several;
 }
 
-/// Whether point i is inside a triangle's circle. That of an edge of the hull and the point at infinity is
-/// the half-plane outside, and the edge itself, as far as it does not hide the point by weight.
+/// Whether point i conflicts with triangle t: true strictly inside its circumcircle. For a ghost triangle
+/// that circle is the half-plane outside its hull edge; true on the edge itself as well, unless weights hide
+/// i there. False on the circle without weights.
 ///
-/// By weight, ties are broken as if each square of a distance counted for (1 - e) of itself: what changes
-/// by that is the plain test with its sign turned. So a point whose cell has no area is hidden, and not a
-/// corner of triangles or not as the order of insertion has it.
+/// With weights, ties are broken by a symbolic perturbation that scales all squared distances by 1 - e, for
+/// an infinitesimal e > 0: its sign is that of the unweighted test, negated. So a point whose cell has no
+/// area is hidden, independent of the order of insertion.
 bool Insertion::conflicts(std::int32_t t, std::int32_t i) {
   const auto& corner = triangle(t).corner;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -55,7 +56,7 @@ bool Insertion::conflicts(std::int32_t t, std::int32_t i) {
   return inside != 0 ? inside > 0 : inPlain() < 0;
 }
 
-/// For point i on the line through a and b.
+/// For point i on the line through a and b: whether it conflicts with the ghost triangle of edge ab.
 bool Insertion::conflictsOnLine(std::int32_t a, std::int32_t b, std::int32_t i) {
   const bool between = isBetween(at(a), at(b), at(i));
   if (mesh_.weights.empty()) return between;
@@ -63,7 +64,7 @@ bool Insertion::conflictsOnLine(std::int32_t a, std::int32_t b, std::int32_t i) 
   return inside != 0 ? inside > 0 : !between;
 }
 
-/// A triangle at the point that was inserted and is next to i in the order of points, or near it there.
+/// A triangle at an inserted point that precedes i closely in the order of points; else the newest triangle.
 std::int32_t Insertion::nearby(std::int32_t i) {
   constexpr std::int32_t most_looked_at = 64;
   const auto first = std::max(i >= first_ ? first_ : 0, i - most_looked_at);
@@ -89,8 +90,8 @@ std::int32_t Insertion::locate(std::int32_t i) {
   return none;
 }
 
-/// The triangle across an edge of t that has p on its other side; t if there is none. The way here came from
-/// the triangle `from`, on whose side p is not.
+/// The neighbor of t across an edge that separates t from p; t if it contains p. The walk came from triangle
+/// `from`, which is skipped: p is not on its side.
 std::int32_t Insertion::neighborTowards(Point p, std::int32_t t, std::int32_t from) {
   const auto& here = triangle(t);
   for (std::size_t k = 0; k < 3; ++k) {
@@ -119,8 +120,8 @@ bool Insertion::insert(std::int32_t point, std::int32_t room) {
   return true;
 }
 
-/// Finds the triangles that conflict with point i, and the edges around them. False if it comes upon a
-/// triangle that is not to be changed.
+/// Finds the cavity, the triangles that conflict with point i, and its rim. False where it reaches a triangle
+/// of another region.
 bool Insertion::findCavity(std::int32_t i, std::int32_t first) {
   cavity_.clear();
   rim_.clear();
@@ -147,14 +148,14 @@ bool Insertion::findCavity(std::int32_t i, std::int32_t first) {
   return true;
 }
 
-/// Each corner that is hidden leaves two triangles fewer.
+/// Lists the corners of the cavity; each that becomes hidden makes two triangles fewer.
 void Insertion::noteCorners() {
   for (const auto t : cavity_) {
     for (const auto corner : triangle(t).corner) corners_.push_back(corner);
   }
 }
 
-/// Hides those of the noted corners that no triangle is at any more.
+/// Hides those of the listed corners that have no incident triangle any more.
 void Insertion::hideCorners() {
   for (const auto corner : corners_) {
     auto& at_corner = incident(corner);
@@ -167,8 +168,8 @@ void Insertion::hideCorners() {
   corners_.clear();
 }
 
-/// Makes a triangle of p and each edge of the cavity's rim. Every corner of a triangle that goes begins a rim
-/// edge of those that replace it, or is hidden.
+/// Makes a triangle of p and each edge of the cavity's rim. Every corner of a removed triangle begins an edge
+/// of the rim, or is hidden.
 void Insertion::fill(std::int32_t p, std::int32_t room) {
   const auto newTriangle = [&] {
     mesh_.region[static_cast<std::size_t>(room)] = region_;

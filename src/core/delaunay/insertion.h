@@ -10,16 +10,16 @@
 
 namespace vorpipe::core {
 
-/// Regions are numbered from 0; a triangle is of that region which all of its corners but `ghost` are of.
+/// Regions are numbered from 0; a triangle belongs to a region if all of its corners but the ghost do.
 using Region = std::uint8_t;
-inline constexpr Region of_several = 254;  ///< of a triangle: of no one region
-inline constexpr Region anywhere = 255;    ///< of an Insertion: all triangles are its own
+inline constexpr Region of_several = 254;  ///< of a triangle: its corners are in different regions
+inline constexpr Region anywhere = 255;    ///< of an Insertion: it may change all triangles
 
 /// A triangulation of those points that have been inserted.
 struct GrowingMesh {
   const std::vector<Point>& points;
   const std::vector<double>& weights;      ///< empty, or by point
-  BigVector<MeshTriangle> triangles;       ///< those that are none have `ghost` for all corners
+  BigVector<MeshTriangle> triangles;       ///< unused ones have the ghost for all corners
   BigVector<Region> region;                ///< by triangle; read only by insertions into regions
   std::vector<std::uint8_t> is_in_cavity;  ///< by triangle
   std::vector<std::int32_t> incident;      ///< by point: a triangle there, or `none`
@@ -27,22 +27,22 @@ struct GrowingMesh {
   static constexpr std::int32_t none = -1;
 };
 
-/// Inserts points. Several may work on one mesh at a time, each in a region of its own: they change and look
-/// at triangles of their own, and look at those of several, which stay as they are meanwhile.
+/// Inserts points. Several threads may work on one mesh, each in a region of its own: an insertion reads and
+/// writes triangles of its region, and only reads those of several, which are constant meanwhile.
 class Insertion {
  public:
   /// Into a region whose points begin with `first`; after the last of all points may come the very first.
   Insertion(GrowingMesh& mesh, Region region, std::int32_t first);
 
-  /// Anywhere; `start` is a triangle to set out from.
+  /// Into the whole mesh; `start` is a triangle where the first walk begins.
   Insertion(GrowingMesh& mesh, std::int32_t start);
 
-  /// Inserts a point. Up to two new triangles take the places `room` and `room` + 1; what is not needed of
-  /// these becomes none. False, and the mesh is as it was, if that takes triangles beyond the region.
+  /// Inserts a point. Up to two new triangles take the slots `room` and `room` + 1; a slot that is not needed
+  /// becomes unused. False, and the mesh is unchanged, where the cavity leaves the region.
   bool insert(std::int32_t point, std::int32_t room);
 
-  /// A triangle with point i in it; outside the hull, one that conflicts with it. `none` if the way there
-  /// leads beyond the region.
+  /// A triangle with point i in it; outside the hull, one that conflicts with it. `none` where the walk
+  /// leaves the region.
   std::int32_t locate(std::int32_t i);
 
   /// Points that were found hidden, or were hidden by others.
@@ -76,9 +76,9 @@ class Insertion {
   std::int32_t first_;  ///< of the region's points
   std::vector<std::int32_t> cavity_;
   std::vector<RimEdge> rim_;
-  std::vector<std::int32_t> corners_;  ///< of the cavity, if some go with it
+  std::vector<std::int32_t> corners_;  ///< of the cavity, where a corner may become hidden
   std::int32_t incident_to_ghost_ = GrowingMesh::none;
-  std::int32_t last_;  ///< the triangle made last, or where to set out from; or none
+  std::int32_t last_;  ///< the newest triangle, or where a walk begins; or none
 };
 
 }  // namespace vorpipe::core

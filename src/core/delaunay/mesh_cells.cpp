@@ -10,7 +10,7 @@
 namespace vorpipe::core {
 namespace {
 
-/// Stands in a ring for what is infinitely far away.
+/// In a ring: the arc at infinity that closes an unbounded cell.
 constexpr std::int32_t infinity = -5;
 
 constexpr std::size_t none = 3;
@@ -23,8 +23,8 @@ std::size_t cornerOf(const MeshTriangle& triangle, std::int32_t site) {
 
 std::size_t next(std::size_t k) { return k == 2 ? 0 : k + 1; }
 
-/// By triangle of a mesh: the walls on or beyond which its center lies, found when it is first asked for. Any
-/// thread may ask.
+/// By triangle of a mesh: the walls on or beyond which its power center lies, computed at the first use.
+/// Thread safe.
 class WallsOfTriangles {
  public:
   explicit WallsOfTriangles(const Mesh& mesh) : walls_(mesh.triangles.size(), unknown) {}
@@ -78,7 +78,7 @@ class MeshCellFinder {
     return {{sites_.x[i], sites_.y[i]}, sites_.weight.empty() ? 0 : sites_.weight[i]};
   }
 
-  /// The neighbors of the whole cell, which lies beyond the domain.
+  /// Appends the neighbors of the unclipped cell, which lies beyond the domain.
   void putProof(std::vector<std::int32_t>& neighbors) {
     walkAround();
     for (const auto& edge : ring_) {
@@ -86,7 +86,7 @@ class MeshCellFinder {
     }
   }
 
-  /// Lists the whole cell, whose vertices are the centers of its triangles.
+  /// Lists the unclipped cell, whose vertices are the power centers of its triangles.
   void walkAround() {
     ring_.clear();
     reached_ = 0;
@@ -108,7 +108,7 @@ class MeshCellFinder {
     } while (t != first);
   }
 
-  /// Cuts off what is beyond a wall; false if that is all.
+  /// Cuts off what is beyond a wall; false if nothing is left.
   bool cutAt(std::int32_t wall) {
     if ((reached_ & wallBit(wall)) == 0) return true;
     const auto count = ring_.size();
@@ -143,8 +143,8 @@ class MeshCellFinder {
     return crossesBeyond(wall, crossed, other);
   }
 
-  /// Whether the bisector with a site meets the wall `crossed` on or beyond another, in whose corner the one
-  /// of the two sites is nearer that lies ahead.
+  /// Whether the bisector with `other` meets the wall `crossed` on or beyond `wall`: decided by which of the
+  /// two sites is nearer to the corner of both walls.
   [[nodiscard]] bool crossesBeyond(std::int32_t wall, std::int32_t crossed, std::int32_t other) const {
     const auto a = at(cell_), b = at(other);
     const bool upright = isVerticalWall(crossed);
@@ -157,7 +157,7 @@ class MeshCellFinder {
     return outward(wall) * passes >= 0;
   }
 
-  /// Whether an edge that goes on for ever, forward or backward, ends beyond a wall.
+  /// Whether an unbounded edge, forward (1) or backward (-1), ends beyond a wall.
   [[nodiscard]] bool isBeyondFar(std::int32_t wall, std::int32_t edge, int direction) const {
     const bool vertical = isVerticalWall(wall);
     if (edge < 0) {

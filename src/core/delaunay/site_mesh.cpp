@@ -14,8 +14,8 @@ namespace {
 /// Two triangles for each site are numbered by 32 bits with a sign.
 constexpr std::size_t most_sites = std::size_t{1} << 29;
 
-/// Whether the differences of sites and walls are what exact decisions ask for: two doubles differ by at
-/// least one part in 2^53 of the smaller.
+/// Whether coordinates and their differences are in the range of predicates.h: two doubles differ by at least
+/// 2^-53 of the smaller.
 bool isInRange(const SiteSet& sites) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   const auto look = [&](double coordinate) {

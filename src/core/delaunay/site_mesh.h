@@ -14,8 +14,8 @@ class SiteMesh {
   SiteMesh(const SiteSet& sites, int threads) : sites_(sites), threads_(threads) {}
 
   [[nodiscard]] const SiteSet& sites() const { return sites_; }
-  /// Whether there is a mesh unless all sites lie on one line: there is none of too many sites, and of
-  /// coordinates and weights too large or too near to 0 for exact decisions.
+  /// False where there are too many sites, or coordinates or weights are out of the range of predicates.h.
+  /// True otherwise: then there is a mesh unless all sites are collinear.
   [[nodiscard]] bool isPossible();
   [[nodiscard]] bool isMade() const { return mesh_.has_value(); }
 

@@ -1,6 +1,6 @@
-/// Bowyer 1981, Watson 1981, by weight Edelsbrunner and Shah 1996, inserting in rounds of growing size
-/// (Amenta, Choi, Rote 2003). In large rounds the points of one part of the order are inserted beside those
-/// of the others, and what reaches beyond a part is inserted after them.
+/// Incremental insertion (Bowyer 1981, Watson 1981; with weights Edelsbrunner and Shah 1996) in a biased
+/// randomized order of rounds (Amenta, Choi, Rote 2003). In large rounds the parts of the order are inserted
+/// in parallel; points whose cavity leaves their part follow.
 #include "core/delaunay/triangulation.h"
 
 #include <algorithm>
@@ -47,8 +47,8 @@ InsertionOrder insertionOrder(std::size_t count) {
   return order;
 }
 
-/// The points cut into parts as long as each other; or by half a part further on, where the last part goes
-/// on with the first points: most of what lies across the border of two parts lies inside one then.
+/// The points cut into parts of equal size; or cut half a part further on, cyclically: then most cavities
+/// that crossed a border of the first cut lie inside one part.
 class Parts {
  public:
   Parts(std::size_t points, std::size_t count, bool further)
@@ -121,14 +121,14 @@ class Triangulation {
     return true;
   }
 
-  /// Where the triangles go that the k-th insertion adds.
+  /// The slots of the triangles that the k-th insertion adds.
   static std::int32_t roomOf(std::size_t k) { return static_cast<std::int32_t>(2 * k - 2); }
 
   [[nodiscard]] std::int32_t anyTriangle() const {
     return *std::find_if(mesh_.incident.begin(), mesh_.incident.end(), [](auto t) { return t != none; });
   }
 
-  /// Does the insertions begin to end - 1. Where many reach beyond their part, as across the wide gaps
+  /// Does the insertions begin to end - 1. Where many cavities leave their part, as across the wide gaps
   /// between curves, the next round has fewer parts.
   void insertRound(std::size_t begin, std::size_t end) {
     constexpr std::size_t worth_sharing = 1024;
@@ -147,7 +147,7 @@ class Triangulation {
     takeHidden(insertion);
   }
 
-  /// Does those of some insertions that stay in one part; returns the others.
+  /// Does those of `insertions` whose cavity stays in one part; returns the others.
   std::vector<std::size_t> insertSideBySide(std::span<const std::size_t> insertions, const Parts& parts) {
     std::vector<std::vector<std::size_t>> left(parts.count());
     parallelFor(parts.count(), 1, threads_, [&](std::size_t part, std::size_t) {
@@ -164,7 +164,7 @@ class Triangulation {
     return all;
   }
 
-  /// Says of the triangles before a place in which part they are.
+  /// Assigns regions to the triangles in slots 0 to end_place - 1.
   void shareTriangles(std::int32_t end_place, const Parts& parts) {
     constexpr std::size_t grain = std::size_t{1} << 15;
     parallelFor(static_cast<std::size_t>(end_place), grain, threads_,
@@ -186,7 +186,7 @@ class Triangulation {
 
   /// Hidden points lie in triangles of others.
   void placeHidden() {
-    // The parts came in any order.
+    // Threads appended in any order.
     std::sort(hidden_.begin(), hidden_.end());
     Insertion insertion(mesh_, anyTriangle());
     for (const auto i : hidden_) mesh_.incident[static_cast<std::size_t>(i)] = insertion.locate(i);
