@@ -18,15 +18,15 @@ void takeRecords(std::span<const CellRecord> records, Detail detail, int threads
 void writeEdges(const ProposedCells& proposed, const TiedCells& tied, Detail detail, const Unscale& unscale,
                 Diagram& diagram);
 
-/// Leaves of a diagram what Detail::measures has.
+/// Removes from a diagram what Detail::measures does not have.
 void dropPolygons(Diagram& diagram);
 
-/// Of the domain's area, what the areas may miss or exceed it by: what double leaves, and what no diagram of
-/// cells that agree has ever come near.
+/// Bounds of areaGap: by rounding alone; and far above that of any diagram whose cells agree, so that more
+/// means an error.
 inline constexpr double area_rounding = 1e-12, area_wrong = 1e-6;
 
-/// By how much the sum of all areas differs from the domain's area, as a part of that. Summation
-/// itself loses nothing that counts. 0 if areas of the domain's size are beyond the range of doubles.
+/// |sum of all areas - the domain's area| / the domain's area, with a compensated sum. 0 if the domain's area
+/// is out of the range of double.
 double areaGap(const Diagram& diagram, const Box& domain, int threads);
 double areaGap(std::span<const CellRecord> records, const Box& domain, int threads);
 

@@ -24,7 +24,7 @@ Triple sorted(std::int32_t a, std::int32_t b, std::int32_t c) {
   return {a, b, c};
 }
 
-/// Whether a direction comes before another, counter-clockwise from a ray.
+/// Whether direction a comes before b, counter-clockwise from the positive x axis.
 bool turnsLess(Point a, Point b) {
   const bool a_below = a.y < 0 || (a.y == 0 && a.x < 0);
   const bool b_below = b.y < 0 || (b.y == 0 && b.x < 0);
@@ -48,8 +48,8 @@ std::vector<std::uint8_t> plainVertices(const ProposedCells& agreed, const TiedC
   return plain;
 }
 
-/// Orders sites counter-clockwise around the polygon that they are the corners of (Andrew's chains). Returns
-/// false if some are no corners.
+/// Orders sites counter-clockwise along their convex hull (Andrew's monotone chain). Returns false where a
+/// site is no corner of it.
 bool sortAroundPolygon(const SiteSet& sites, std::vector<std::uint32_t>& around) {
   if (around.size() < 3) return true;
   const auto at = [&](std::uint32_t site) { return Point{sites.x[site], sites.y[site]}; };

@@ -37,7 +37,7 @@ bool isOpen(const ProposedCells& agreed, const TiedCells& tied, std::size_t cell
                      [&](auto vertex) { return tied.walls[vertex] != 0; });
 }
 
-/// The Delaunay mesh of some of the sites.
+/// The Delaunay mesh of a subset of the sites.
 class OuterMesh {
  public:
   OuterMesh(const SiteSet& sites, std::vector<std::uint32_t> cells)

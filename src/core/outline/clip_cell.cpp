@@ -9,7 +9,7 @@
 namespace vorpipe::core {
 namespace {
 
-/// A ring of a clipped cell in the making.
+/// A ring of a clipped cell under construction.
 struct Ring {
   std::vector<Point> points;
   std::vector<std::int64_t> neighbors;
@@ -62,9 +62,9 @@ double outlineLength(const Ring& ring) {
   return sum;
 }
 
-/// Whether a ring, part of the outline's and part of a cell's, is no more than what rounding left between an
-/// edge of the outline and one of the cell that are one: the outline has one half of it then. A narrow cell
-/// that the outline crosses has hardly any of that.
+/// Whether a ring is only the gap that rounding left between an edge of the outline and a coincident edge of
+/// the cell: its area is below rounding, and at least a quarter of its length is the outline's. A narrow cell
+/// that the outline crosses has much less of the outline.
 bool isSliver(const Ring& ring) {
   constexpr double rounding = 2 * std::numeric_limits<double>::epsilon(), share = 0.25;
   if (ring.points.empty()) return true;
@@ -177,7 +177,7 @@ struct OutlineClip::State {
     std::vector<std::vector<std::uint32_t>> holes(outer.size());
     for (const auto ring : crossings.wholeRings()) {
       if (index.rings().isOuter(ring)) continue;
-      // A hole of none lies in what was dropped.
+      // Holes without an outer ring lie in dropped slivers.
       if (const auto in = partAround(ring); in < outer.size()) holes[in].push_back(ring);
     }
     clipped.clear();
@@ -196,7 +196,7 @@ struct OutlineClip::State {
   std::vector<Ring> outer;  ///< first the parts of rings that are cut, then those that are whole
   std::size_t parts = 0;
   std::vector<std::size_t> part_of;        ///< outer ring of each whole ring that is no hole
-  std::vector<std::size_t> place, arc_of;  ///< by crossing: where it stands around; the arc that enters there
+  std::vector<std::size_t> place, arc_of;  ///< by crossing: rank around the polygon; arc that enters there
   std::vector<bool> used;                  ///< by arc
 };
 

@@ -15,10 +15,10 @@
 namespace vorpipe::core {
 namespace {
 
-/// Cells that ask for the edges near them together: most are far from all edges.
+/// Cells that share one query for the edges near them: most cells are far from all edges.
 constexpr std::size_t group_size = 32;
 constexpr std::size_t grain = 16 * group_size;
-/// What double leaves of an area beside a line of length 1.
+/// Rounding error of an area along an outline of length 1.
 constexpr double line_rounding = 1e-14;
 
 /// Clips cells, group by group.

@@ -32,8 +32,8 @@ class ScaledDiagram {
   [[nodiscard]] std::size_t next(std::size_t site, std::size_t edge) const {
     return edge + 1 < end(site) ? edge + 1 : begin(site);
   }
-  /// Whether both ends of an edge of a site's cell are rounded to one place. Clipped cells leave such edges
-  /// out, on both sides.
+  /// Whether both ends of an edge of a site's cell are equal after rounding. Clipped cells omit such edges,
+  /// in both of their cells.
   [[nodiscard]] bool isPoint(std::size_t site, std::size_t edge) const {
     const Point a = vertex(edge), b = vertex(next(site, edge));
     return a.x == b.x && a.y == b.y;

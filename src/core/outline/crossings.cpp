@@ -67,7 +67,7 @@ bool Crossings::isInside(Point p) const {
   return inside;
 }
 
-/// Crossings along a line enter and leave in turns, whatever rounding did to their places.
+/// Crossings along a line alternately enter and leave, even where rounding changed their order.
 bool Crossings::inTurns(std::vector<std::size_t>& crossings, bool enters_first, double Crossing::*along) {
   std::ranges::stable_sort(crossings, {}, [&](std::size_t c) { return crossings_[c].*along; });
   turn_ = crossings;

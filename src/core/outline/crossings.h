@@ -21,7 +21,7 @@ struct Crossing {
   std::size_t side;
   Point at;
   double along_edge, along_side;
-  bool enters;  ///< the polygon, as the edge runs
+  bool enters;  ///< whether the edge enters the polygon there
 };
 
 /// A part of a ring inside a polygon, between two crossings.
@@ -32,7 +32,7 @@ struct Arc {
 
 inline constexpr std::size_t no_crossing = ~std::size_t{0};
 
-/// Crossings and arcs of one polygon at a time; keeps its room from one to the next.
+/// Crossings and arcs of one polygon at a time; reuses its memory for the next.
 class Crossings {
  public:
   explicit Crossings(const Rings& rings) : rings_(rings) {}

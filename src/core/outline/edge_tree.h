@@ -1,4 +1,4 @@
-/// The edges of rings, found by where they are.
+/// A spatial index of the edges of rings.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,7 @@
 
 namespace vorpipe::core {
 
-/// Can be asked by several threads at a time.
+/// Thread safe.
 class OutlineIndex {
  public:
   /// Keeps a reference to `rings`.

@@ -9,7 +9,7 @@
 
 namespace vorpipe::core {
 
-/// An order of points, by x and then by y.
+/// Lexicographic order: by x, then by y.
 inline bool isLess(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
 /// Closed rings, outer ones counter-clockwise and holes clockwise, so that the inside lies to the left of
@@ -38,21 +38,21 @@ Result<void> checkOutline(const Outline& outline, Periodic periodic);
 /// that scales to about 1.
 Result<Rings> ringsOf(const Outline& outline, int exponent);
 
-/// The area of the rings' inside that lies in the box.
+/// The area of the intersection of the rings' inside and the box.
 double areaInside(const Rings& rings, const Box& box);
 
-/// Points and edges of rings are compared with others as if all rings lay shifted by (e, e^2), e smaller than
-/// any number but more than 0 (Edelsbrunner and Mucke 1990, "Simulation of simplicity"): no point of a ring
-/// then lies on a line through other points, nor any other point on an edge of a ring.
+/// Predicates between a ring and other points, exact: all rings are perturbed by (e, e^2) for an
+/// infinitesimal e > 0 (Edelsbrunner and Mucke 1990, "Simulation of simplicity"). So no vertex of a ring lies
+/// on a line through other points, no other point lies on an edge of a ring, and 0 is never returned.
 ///
-/// Positive if p, of a ring, lies to the left of the way from a to b, two different points of none; else
-/// negative.
+/// p is a vertex of a ring; a and b are not, and differ. 1: p lies to the left of the line from a to b; -1:
+/// to the right.
 int sideOf(Point a, Point b, Point p);
 
-/// The same for a point of none, and the edge from p to q of a ring.
+/// p to q is an edge of a ring; a is no vertex of one. 1: a lies to the left of the edge; -1: to the right.
 int sideOfEdge(Point p, Point q, Point a);
 
-/// Whether the edge from p to q of a ring crosses the ray from a, a point of none, to the right.
+/// p to q is an edge of a ring; a is no vertex of one. Whether the edge crosses the ray from a to the right.
 bool crossesRay(Point p, Point q, Point a);
 
 }  // namespace vorpipe::core

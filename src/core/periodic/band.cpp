@@ -60,10 +60,10 @@ Strip stripOf(const PeriodicSites& placed, const Band& band, std::size_t a, doub
   return strip;
 }
 
-/// An upper bound, over all places of the line where the domain begins along an axis, of how far away a
-/// site that is no nearer than the nearest can be, if it is as heavy as any but the heavy. That distance is
-/// the one from the place to a site lifted out of the plane, so that from place to place it changes no
-/// more than the place does: samples tell of all of them.
+/// An upper bound, over all points of the line where the domain begins along an axis, of the distance within
+/// which a site of the largest weight, heavy ones apart, can be nearest. For one point it is the least
+/// distance to the sites, each lifted out of the plane by its missing weight. It is 1-Lipschitz, so that
+/// samples bound it everywhere.
 double reachOnLine(const PeriodicSites& placed, const Strip& strip, std::size_t a, int threads) {
   const PeriodicAxis& other = placed.axis[1 - a];
   const auto samples =
@@ -142,7 +142,7 @@ Band bandForPlaces(const PeriodicSites& placed, int threads) {
   Band band;
   findHeavy(placed, band);
   for (const std::size_t a : {0u, 1u}) {
-    // A little more than computed, for what rounding may take.
+    // Slightly more than computed: covers rounding.
     band.width[a] = cappedBand(placed.axis[a], 1.001 * bandForPlaces(placed, band, a, threads));
   }
   return band;

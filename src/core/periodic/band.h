@@ -5,17 +5,17 @@
 
 namespace vorpipe::core {
 
-/// A band so wide that, for every place in the domain, an image beyond it is no nearer than the nearest
-/// site or image within: all that a picture of the domain needs.
+/// A band so wide that, for every point of the domain, no image beyond it is nearer than the nearest site or
+/// image within: enough for a picture of the domain.
 Band bandForPlaces(const PeriodicSites& placed, int threads);
 
 /// What is likely to be enough for whole cells, which reach beyond the domain.
 Band likelyBandForCells(const PeriodicSites& placed, int threads);
 
-/// Makes the band of an axis as wide as is always enough where `width` is not much less.
+/// `width`, or a whole period, which is always enough, where `width` is not much less.
 double cappedBand(const PeriodicAxis& axis, double width);
 
-/// Whether the band is as wide as is always enough along an axis.
+/// Whether the band along an axis is a whole period, which is always enough.
 inline bool isWhole(const Band& band, const PeriodicSites& placed, std::size_t a) {
   return !placed.axis[a].periodic || band.width[a] >= placed.axis[a].length;
 }

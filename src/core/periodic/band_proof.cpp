@@ -10,7 +10,7 @@ namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 1 << 14;
-/// More than what rounding may take from a distance, as a part of it, and from a place, of the period.
+/// Bounds of the rounding of a distance, relative to it, and of a coordinate, relative to the period.
 constexpr double distance_rounding = 1e-9, place_rounding = 1e-12;
 
 /// By how much the bands should be wider for some cells.

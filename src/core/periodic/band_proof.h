@@ -1,22 +1,22 @@
-/// Whether images were enough for the cells of the sites themselves.
+/// Proves that images were enough for the cells of the sites themselves.
 #pragma once
 
 #include "core/periodic/images.h"
 
 namespace vorpipe::core {
 
-/// The cells of sites and images, `diagram`, as far as they show which band their sites' own cells need: a
-/// cell is right if no image that was left out can lie nearer to one of its vertices v than its site. Along
-/// each axis that is so within the site's distance from v, and within half a period of v anyway, because of
-/// the images of one site the nearest to v says it all.
+/// The band that the cells of the sites need, from the cells of sites and images in `diagram`. A cell is
+/// correct if no omitted image can be nearer to one of its vertices v than its site. Images farther from v
+/// along an axis than the site's distance cannot be; nor need images farther than half a period be
+/// considered, because of the images of one site the nearest to v decides.
 ///
-/// Returns `band` itself if it was enough, else a wider one: if no cell of a site reached the end of the box,
-/// one that is enough.
+/// Returns `band` itself if it was enough, else a wider one; that one is enough if no cell of a site reached
+/// the end of the box.
 Band bandThatProves(const PeriodicSites& placed, const ImagedSites& imaged, const Diagram& diagram,
                     const Band& band, int threads);
 
-/// Whether every cell that a site's cell meets is the image of a cell of a site. Where all those are right
-/// this proves that they fill the domain: a hidden site has no cell far away from itself.
+/// Whether every neighbor of a site's cell is the image of a cell of a site. Where all those cells are
+/// correct, this proves that they fill the domain: no hidden site has a cell far away from itself.
 bool isClosed(const ImagedSites& imaged, const Diagram& diagram);
 
 }  // namespace vorpipe::core

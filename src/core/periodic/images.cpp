@@ -15,10 +15,11 @@ namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 1 << 16;
-/// Beyond so many periods a double hardly tells where in the domain a site would be.
+/// Beyond this many periods a double is too coarse to hold a position in the domain.
 constexpr double most_periods = 0x1p50;
 
-/// What places are multiples of: sums of three lengths and every place in the domain have 53 bits.
+/// The quantum of coordinates: sums of three lengths, and all coordinates in the domain, have at most 53
+/// bits.
 double quantumOf(double low, double high) {
   const double largest = std::max(0.75 * (high - low), 0.5 * std::max(std::abs(low), std::abs(high)));
   int exponent = 0;
@@ -66,10 +67,10 @@ class SiteWrapper {
   PeriodicSites& out_;
 };
 
-/// Whether a place, moved by a shift, lies in the box along an axis.
+/// Whether a coordinate lies in the box along its axis, both ends included.
 bool isCovered(double place, double low, double high) { return place >= low && place <= high; }
 
-/// The domain, wider by so much on both sides of each axis.
+/// The domain, wider by `by_x` on the left and right and by `by_y` below and above.
 Box widened(const PeriodicSites& placed, double by_x, double by_y) {
   const Box box = placed.domain();
   return {box.xmin - by_x, box.ymin - by_y, box.xmax + by_x, box.ymax + by_y};

@@ -1,4 +1,4 @@
-/// A domain that repeats itself along one axis or both: where its sites stand, and their images.
+/// A periodic domain, along one axis or both: the positions of its sites, and their images.
 #pragma once
 
 #include <array>
@@ -10,47 +10,47 @@
 
 namespace vorpipe::core {
 
-/// One axis of a domain, in scaled units. Where it is periodic, places are whole multiples of a quantum,
-/// and so is the period, so that images are exact copies: what is computed of two copies is the same.
+/// One axis of a domain, in scaled units. Where it is periodic, coordinates and the period are multiples of a
+/// quantum, so that images are exact copies: results computed from two copies are equal.
 class PeriodicAxis {
  public:
-  /// Places of an axis between two scaled numbers; without a period they are the numbers themselves.
+  /// The axis of a domain from low_end to high_end; without a period, coordinates are the scaled numbers.
   PeriodicAxis(double low_end, double high_end, bool repeats);
 
   struct Placed {
     double place;    ///< in [low, high) where the axis is periodic
-    double periods;  ///< from there to the site; huge where the site is too far away to tell
+    double periods;  ///< from there to the site; 2^51 where the site is more than 2^50 periods away
   };
   [[nodiscard]] Placed put(double scaled) const;
-  /// Whether a scaled number lies in the domain, its ends among it.
+  /// Whether a scaled number lies in the domain, both ends included.
   [[nodiscard]] bool contains(double scaled) const { return scaled >= low_ && scaled <= high_; }
-  /// The scaled number that a place, some whole number of periods further, stands for; exact where it lies in
-  /// the domain.
+  /// The scaled number of a coordinate moved by a whole number of periods; exact where it lies in the
+  /// domain.
   [[nodiscard]] double number(double place, double periods) const {
     return (place + periods * length) + offset_;
   }
 
   bool periodic;
-  double low, high;  ///< as places
+  double low, high;  ///< of the domain, in coordinates of this axis
   double length;     ///< the period
 
  private:
   double low_, high_, offset_ = 0, quantum_ = 0;
 };
 
-/// An image of a site: so many widths and heights of the domain from the site's place in it.
+/// An image of a site: shift[0] widths and shift[1] heights of the domain away from it.
 struct SiteImage {
   std::uint32_t site;
   std::array<std::int8_t, 2> shift;
 };
 
-/// The sites of a periodic domain. Axis 0 is x, axis 1 is y; coordinates are places.
+/// The sites of a periodic domain. Axis 0 is x, axis 1 is y.
 struct PeriodicSites {
   std::array<PeriodicAxis, 2> axis;
   int exponent;  ///< scaled units are the input's times 2^exponent
   Sites sites;   ///< each in the domain along the axes that are periodic; weights scaled
-  /// By site: how many periods from its place its cell is to be, 0 or 1: a site at the domain's upper end
-  /// keeps its own place.
+  /// By site: how many periods, 0 or 1, its cell is reported away from `sites`: a site at the domain's upper
+  /// end is computed at the lower end, but reported where it is.
   std::vector<std::array<std::int8_t, 2>> home;
   bool all_inside = true;  ///< no site lies outside of the domain along an axis that is not periodic
 
@@ -63,8 +63,8 @@ Result<PeriodicSites> placeSites(const Sites& sites, const Box& domain, Periodic
 /// How far beyond the domain images are needed, along each axis; a whole period is always enough.
 struct Band {
   std::array<double, 2> width{0, 0};
-  /// The heaviest sites, ascending, all of whose images within a period are needed; else every cell near
-  /// the domain's border would ask for a band as wide as they reach.
+  /// The heaviest sites, ascending, all of whose images within a period are included. Otherwise every cell
+  /// near the domain's border would need a band as wide as the reach of these sites.
   std::vector<std::uint32_t> heavy;
   double heaviest = 0;  ///< largest weight of the others
 };
@@ -81,7 +81,7 @@ struct ImagedSites {
   [[nodiscard]] std::uint32_t siteOf(std::uint32_t i) const { return i < count ? i : images[i - count].site; }
 };
 
-/// Calls `take` for each image that the band asks for.
+/// Calls `take` for each image in the band, and for all of heavy sites.
 void eachImage(const PeriodicSites& placed, const Band& band,
                const std::function<void(const SiteImage&)>& take);
 

@@ -12,8 +12,8 @@ Result<Scene> sceneOf(const Sites& sites, const RenderOptions& options, int thre
   if (!placed) return tl::unexpected(placed.error());
   auto imaged = withImages(*placed, bandForPlaces(*placed, threads));
   const Box picture = placed->domain();
-  // A device finds cells in the domain faster. But beyond the picture cells may be too large: they do not
-  // tell whether a site has one, unless every site does, or weights have others asked.
+  // A device finds cells clipped to the domain faster. But cells clipped to more than the picture do not show
+  // which sites have one in it; that must be known by other means: all have one, or cells were measured.
   const bool may_be_larger = placed->all_inside || hasWeights(sites);
   const Box clip = may_be_larger ? imaged.box : picture;
   return Scene{std::move(imaged.sites), imaged.count, std::move(imaged.images), clip, picture};

@@ -34,7 +34,7 @@ struct SeamEdge {
   [[nodiscard]] auto key() const { return std::tuple(site, other, shift); }
 };
 
-/// Corners that are one, up to whole periods; a corner stands for all that have its place.
+/// Corners that are one, up to whole periods (union-find with offsets); corners at equal positions are one.
 class Corners {
  public:
   std::uint32_t at(Point p) {
@@ -60,7 +60,7 @@ class Corners {
     for (; above_[corner] != corner; corner = above_[corner]) shift = shift + shift_[corner];
     return {corner, shift};
   }
-  /// Says that corner a is corner b moved by a shift.
+  /// Joins corners: a is b moved by a shift.
   void join(std::uint32_t a, std::uint32_t b, Shift shift) {
     const Root of_a = rootOf(a), of_b = rootOf(b);
     if (of_a.corner == of_b.corner) return;
@@ -156,7 +156,7 @@ class SeamRepair {
     return std::max(of_ends, tieScale(of_sites, shorterSide(placed_.domain())));
   }
 
-  /// Compares an edge with its copy; false where they differ by more than ties explain.
+  /// Compares an edge with its copy; false where they differ by more than ties explain, true otherwise.
   bool look(const SeamEdge& edge) {
     const double reach = reachOf(edge);
     double off = 0;

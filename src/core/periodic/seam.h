@@ -5,14 +5,14 @@
 
 namespace vorpipe::core {
 
-/// Makes the cells of the sites agree across the border. Each edge between a site's cell and an image's
-/// has a copy, between the other site's cell and an image of the first; copies were found apart, and which
-/// ties joined which corners may differ between them, and with it whether an edge is a tie. Corners that
-/// are one in any copy become one in all, and edges between them go. Areas and moments do not depend on
-/// ties. Where all copies agree to rounding, nothing changes.
+/// Makes the cells of the sites agree across the border. Each edge between a site's cell and an image's has a
+/// copy, between the other site's cell and an image of the first. Copies were computed independently, so that
+/// ties may join different corners in them, and an edge may be a tie in one alone. Corners that are one in
+/// any copy become one in all, and the edges between them are removed. Areas and moments do not depend on
+/// ties. Where all copies agree up to rounding, nothing changes.
 ///
-/// `diagram` has vertices, and of cells those of the sites alone, whose neighbors are still entries of
-/// `imaged`. Returns false, and changes nothing, where copies differ by more than ties may explain.
+/// `diagram` has vertices, and only the cells of the sites, whose neighbors are still entries of `imaged`.
+/// Returns false, and changes nothing, where copies differ by more than ties explain.
 bool settleSeam(const PeriodicSites& placed, const ImagedSites& imaged, Diagram& diagram);
 
 }  // namespace vorpipe::core

@@ -5,7 +5,7 @@
 
 namespace vorpipe::core {
 
-/// Leaves of a diagram only the cells of the sites themselves, not yet their neighbors' names.
+/// Removes the cells of images from a diagram; neighbors are still entries of `imaged`.
 void keepSites(const ImagedSites& imaged, Diagram& diagram);
 
 /// Names neighbors and shifts, moves every cell to its site and all lengths to the caller's units, and
