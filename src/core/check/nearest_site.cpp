@@ -32,8 +32,8 @@ constexpr std::size_t leaf_size = 16;
 
 double square(double a) { return a * a; }
 
-/// The power of site i, whose lead over site 0 counts as its weight, at the place that is nearest to it of
-/// all that are asked for, and at the one that is farthest.
+/// The least and the largest power of site i over all query points, with its weight relative to that of
+/// site 0.
 struct Powers {
   double least, most;
 };
@@ -53,8 +53,8 @@ Powers powersIn(const CheckedSites& run, std::size_t i) {
   return {square(x.least) + square(y.least) - weight, square(x.most) + square(y.most) - weight};
 }
 
-/// Lifts the sites that may be nearest to some place of the domain: the others might be so much lighter that
-/// the heights would lose all digits.
+/// Lifts the sites that may be nearest to a point of the domain. The others may be so much lighter that
+/// heights would lose all digits.
 Cloud liftedCloud(const CheckedSites& run) {
   double bound = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < run.size(); ++i) bound = std::min(bound, powersIn(run, i).most);

@@ -92,7 +92,7 @@ Arrays planTies(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
   return kept;
 }
 
-/// Plans the arrays of a Diagram of so many sites.
+/// Plans the arrays of a Diagram of `sites` sites.
 Arrays planArrays(MemoryPlan& plan, const Workload& work, std::uint64_t sites, Detail detail) {
   const auto edges = partOf(sites, work.spread.edges);
   Arrays arrays;

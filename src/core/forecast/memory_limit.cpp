@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t unlimited = std::numeric_limits<std::uint64_t>::max();
 
-/// What is left of a, down to nothing.
+/// a - b, or 0 where b is larger.
 std::uint64_t less(std::uint64_t a, std::uint64_t b) { return a > b ? a - b : 0; }
 
 /// The first number of a file; none if it begins with something else, such as "max", or is not there.

@@ -23,8 +23,8 @@ struct Placed {
   std::uint32_t id, bin;
 };
 
-/// A stable counting sort in two steps, so that no step writes to more places than caches hold: blocks of
-/// sites into buckets of bins, then each bucket into its bins.
+/// A stable counting sort in two passes, so that neither writes to more cache lines than the caches hold:
+/// blocks of sites into buckets of bins, then each bucket into its bins.
 class BinSorter {
  public:
   BinSorter(const Sites& sites, const PowerOfTwo& scale, int threads, SiteSet& set,
@@ -52,7 +52,7 @@ class BinSorter {
   }
 
  private:
-  /// Fresh memory is expensive to touch for the first time; so that is done on all threads too.
+  /// Page faults dominate here: allocates on all threads.
   void makeRoom() {
     const auto count = sites_.size();
     placed_.resize(count);
@@ -78,7 +78,7 @@ class BinSorter {
     }
   }
 
-  /// Turns the number of sites that each block has for each bucket into the place of the first of them.
+  /// Prefix sums: turns the number of sites of each block in each bucket into the slot of the first of them.
   void countBlocks() {
     places_.resize(blocks_ * buckets_);
     parallelFor(blocks_, 1, threads_, [&](std::size_t block, std::size_t) {

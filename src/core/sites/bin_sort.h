@@ -15,7 +15,7 @@ class PowerOfTwo {
   double first_, second_;
 };
 
-/// Fills x, y, id and grid.first of `set`, whose grid has its shape: sites bin by bin, rows first, inside
+/// Fills x, y, id and grid.offsets of `set`, whose grid has its shape: sites bin by bin, rows first, inside
 /// a bin by index. Of equal positions only the heaviest site is in the set, of equally heavy ones the lowest
 /// index; owner[i] is its index.
 void orderByBins(const Sites& sites, const PowerOfTwo& scale, int threads, SiteSet& set,

@@ -8,11 +8,11 @@
 
 namespace vorpipe::core {
 
-/// What the walk over the grid is fastest with.
+/// At this density the walk over the grid is fastest.
 inline constexpr double sites_per_bin = 2;
 
 /// Lays square bins over `box`, which may be a segment or a point, about one for every two of the
-/// `count` sites in it. The grid's `first` is left empty.
+/// `count` sites in it. The grid's `offsets` are left empty.
 Grid layGrid(const Box& box, std::size_t count);
 
 /// The column of x, or the row of y: `low` is the grid's xmin or ymin, `bins` its columns or rows.

@@ -28,7 +28,7 @@ std::vector<Level> levelsOf(const Grid& grid) {
   return levels;
 }
 
-/// Of one number of a level and what is below it, as far as it lies in a block of bins.
+/// The largest weight in a block of bins, by descent through the pyramid.
 class BlockQuery {
  public:
   BlockQuery(const Grid& grid, const BinBlock& block) : grid_(grid), block_(block), levels_(levelsOf(grid)) {}
@@ -108,8 +108,8 @@ void buildPyramid(Grid& grid) {
 
 double heaviestIn(const Grid& grid, const BinBlock& block) { return BlockQuery(grid, block).run(); }
 
-/// Where a set ends with its own grid, its bins at the border count what lies beyond; where it does not
-/// know that either, so does the part.
+/// Where the part ends with the set's own grid, the set's border bins already account for sites beyond; where
+/// the coverage of the set ends there, the part's coverage does too.
 void countBeyond(const SiteSet& set, const BinBlock& of, SiteSet& part) {
   const auto& grid = set.grid;
   auto& bins = part.grid;

@@ -14,9 +14,9 @@ void buildPyramid(Grid& grid);
 /// The largest weight in a block of bins.
 double heaviestIn(const Grid& grid, const BinBlock& block);
 
-/// Counts in a part of a set what the part does not know, for its bins have `of` alone, a block of the
-/// set's: a site beyond one side of part.coverage, heavier than all there, in each bin that such a site may
-/// stand in. part.grid.heaviest has the numbers of the bins; the pyramid is to be made after this.
+/// Accounts for the sites of a set that are outside of a part, whose bins hold those of the block `of` alone:
+/// raises each bin of the part that may stand for a site beyond a side of part.coverage to the largest weight
+/// there. Needs the bins' numbers in part.grid.heaviest; buildPyramid comes after this.
 void countBeyond(const SiteSet& set, const BinBlock& of, SiteSet& part);
 
 }  // namespace vorpipe::core

@@ -68,9 +68,9 @@ void subtractIfExact(double least, int threads, std::vector<double>& weights) {
   });
 }
 
-/// A site that is heavier by e than all others, in bins of size s, makes some e / s^2 cells around it look
-/// at as many bins; one that is tried by every cell costs as much as there are sites. So it is worth that
-/// when e / s^2 is more than the root of their number.
+/// A site that is heavier by e than all others, in bins of size s, makes about e / s^2 cells around it search
+/// e / s^2 bins each, (e / s^2)^2 in all. Trying it for every cell costs one step per site, n in all. The
+/// break-even is e / s^2 = sqrt(n).
 void findHeavy(SiteSet& set) {
   std::vector<std::uint32_t> all(set.size()), top(std::min(set.size(), most_heavy + 1));
   std::iota(all.begin(), all.end(), 0u);

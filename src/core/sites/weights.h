@@ -5,7 +5,7 @@
 
 namespace vorpipe::core {
 
-/// Whether not all weights are equal.
+/// Whether two weights differ; false without weights.
 bool hasWeights(const Sites& sites);
 
 /// Weights by input index in the units of a SiteSet, which are the input's times 4^exponent. The least is

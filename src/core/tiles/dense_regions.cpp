@@ -9,11 +9,11 @@ namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t rows_at_once = 16;
-/// With more sites than this in 3 x 3 bins, where 18 are normal, a finer grid is worth its making ...
+/// Break-even for a finer grid, in sites in 3 x 3 bins, where 18 are normal ...
 constexpr std::uint64_t crowd = 128;
 /// ... but not for fewer cells than this ...
 constexpr std::size_t least_region = 256;
-/// ... unless there are so many that the judge, who has no grid, is the faster.
+/// ... unless there are more than this: then the judge, which uses a tree, is faster.
 constexpr std::uint64_t hopeless_crowd = 1024;
 
 enum class Density : std::uint8_t { even, crowded, hopeless };

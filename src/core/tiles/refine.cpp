@@ -31,7 +31,7 @@ Grid gridOver(const SiteSet& sites, const std::vector<std::uint32_t>& own) {
   return grid;
 }
 
-/// Gives weights to a refined region, whose sites' places in the tile around it are `in_tile`.
+/// Gives weights to a refined region; in_tile[i] is the index of its site i in the tile around it.
 void takeWeights(const SiteSet& sites, const BinBlock& block, const SiteSet& tile,
                  const std::vector<std::uint32_t>& in_tile, int threads, SiteSet& refined) {
   std::vector<std::uint32_t> place(tile.size());

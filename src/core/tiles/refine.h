@@ -12,8 +12,8 @@ struct RefinedRegion {
   std::vector<std::uint32_t> own;    ///< the region's own sites, indices in `sites`, ascending
 };
 
-/// The grid covers the region's own sites and little more; what else is known stands in the bins at its
-/// border. All sites whose cells are asked for lie within the grid.
+/// The grid covers the region's own sites with a small margin; the other sites of its coverage are in the
+/// bins at its border. All sites whose cells are to be found lie within the grid.
 RefinedRegion refine(const SiteSet& sites, const CrowdedRegion& region, int threads);
 
 }  // namespace vorpipe::core

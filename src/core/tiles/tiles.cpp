@@ -90,7 +90,7 @@ class Parts {
     for (const auto i : cells) left.push_back(part.wholeIndex(i));
   }
 
-  /// A cluster in a cluster in a cluster; each grid may be a thousand times finer than the one before.
+  /// Depth of nested clusters; each grid may be a thousand times finer than the one before.
   static constexpr int deepest = 4;
 
   const BackendInfo& info_;
