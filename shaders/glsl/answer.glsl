@@ -1,4 +1,4 @@
-// What edges.geom and neighbors.comp tell of an entry. Whoever includes this file has included site_entry.glsl or
+// What edges.geom and neighbors.comp answer for an entry. Its includer has included site_entry.glsl or
 // list_entry.glsl.
 
 #ifdef WEIGHTED

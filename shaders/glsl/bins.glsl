@@ -1,5 +1,5 @@
-// The bins of a uniform grid over sites, and which of them a search turns to when. Whoever includes this
-// file defines before it
+// The bins of a uniform grid over sites, and the order in which a search visits them. Its includer defines
+// before it
 //   cell_int firstOfBin(cell_int bin)  the first site of a bin, row by row; at columns * rows, the number of sites
 // and with WEIGHTED
 //   real weightExcess(cell_int number)  a number of Grid::heaviest minus the weight of the cell's site, rounded up
@@ -21,7 +21,7 @@ struct Bins {
 #endif
 };
 
-// Bins by column and row, all inclusive.
+// A rectangle of bins; its bounds are inclusive.
 struct BinRange {
     cell_int west;
     cell_int south;
@@ -59,7 +59,7 @@ struct BinRow {
     cell_int to;
 };
 
-// The sites first .. behind - 1.
+// The half-open range of sites [first, behind).
 struct Span {
     cell_int first;
     cell_int behind;
@@ -86,7 +86,7 @@ cell_int placeInBlock(IN(Runs) runs, cell_int i) {
     return (i < runs.end[0] ? runs.shift[0] : (i < runs.end[1] ? runs.shift[1] : runs.shift[2])) + i;
 }
 
-// Which of the block's sites stands at a place; runs.count if none does.
+// The index among the block's sites of the site at `place`; runs.count if it is not in the block.
 cell_int indexInBlock(IN(Runs) runs, cell_int place) {
     cell_int index = runs.count;
     cell_int begin = cell_int(0);
@@ -144,7 +144,7 @@ Runs runsOfBlock(IN(Bins) bins, cell_int column, cell_int row) {
 }
 
 #ifdef WEIGHTED
-// The heavy sites come before step 0, some in each step.
+// The heavy sites come before step 0, MOST_RUNS in each step.
 int firstStep(IN(Bins) bins) { return -((bins.heavy + MOST_RUNS - 1) / MOST_RUNS); }
 
 Runs runsOfHeavy(IN(Bins) bins, int step) {

@@ -1,6 +1,6 @@
 // The cell and its clipping: the one place where vorpipe cuts a cell.
 //
-// Pure functions over a struct Cell. Whoever includes this file defines before it
+// Pure functions over a struct Cell. Its includer defines before it
 //   real                     float, or double in C++
 //   cell_int, cell_bool      int and bool where cells differ. In C++ these two and real may be vectors that
 //                            hold one number for each of several cells: so such a bool is selected by, not

@@ -1,9 +1,9 @@
-// The search over a uniform grid, fused with the clipping. Whoever includes this file has included
+// The search over a uniform grid, fused with the clipping. Its includer has included
 // cell.glsl and defines before it
 //   ANY(condition)            whether a cell_bool holds for any cell of those side by side
 //   cell_int firstOfBin(cell_int bin)  the first site of a bin, row by row; at columns * rows, the number of sites
 //   vec2 offsetTo(cell_int place)  the site at `place` minus the site of the cell, exact or nearly so
-// and with WEIGHTED, besides what bins.glsl wants,
+// and with WEIGHTED, besides what bins.glsl needs,
 //   real weightDifference(cell_int place)  the weight of the cell's site minus that of the site at `place`
 //   real weightNear(cell_int place)        the larger of the two, by amount; for what is drawn
 // and defines or not
@@ -21,12 +21,12 @@
 //
 // Loops are of the form do { } while, with a first pass that always has something to do. Lanes of a
 // software driver pass through a loop together, and once more than the longest of them where the test
-// comes first. Cells side by side do so as well: a loop goes on while ANY of them does, and those that are done
-// turn to their own site, which cuts nothing.
+// comes first. Cells side by side do so as well: a loop continues while ANY of them does, and finished cells
+// process their own site, which cuts nothing.
 
 #include "bins.glsl"
 
-// A site as the clipping sees it.
+// The site whose cell is clipped, relative to the origin of the cell.
 struct Viewpoint {
     cell_int self;       // its place
     vec2 origin_offset;  // the way from the origin of its cell to it
@@ -293,8 +293,8 @@ Search searchFrom(IN(Bins) bins, vec2 outset, cell_int self, vec2 origin_offset)
 }
 
 // Begins the cell of the site at place `self`, which lies at `origin_offset` from the origin of the cell, and cuts
-// it by every site of the block. outset moves every line outward, by up to its two components along x and y: nothing, to
-// measure; what view_uniform.h says, to draw. Where it is negative, lines move inward.
+// it by every site of the block. outset moves every line outward, by up to its two components along x and y: 0 to
+// measure; what view_uniform.h says to draw. Where it is negative, lines move inward.
 Search searchBlock(INOUT(Cell) c, IN(Bins) bins, vec4 walls, vec2 outset, cell_int self, vec2 origin_offset) {
     beginCell(c, vec4(walls.x - outset.x, walls.y - outset.y, walls.z + outset.x, walls.w + outset.y));
     Search s = searchFrom(bins, outset, self, origin_offset);
@@ -341,8 +341,8 @@ void searchBeyond(INOUT(Cell) c, IN(Bins) bins, INOUT(Search) s) {
 
 // What became of a cell when the search is over.
 cell_int outcomeOf(IN(Cell) c, IN(Bins) bins, IN(Search) s) {
-    cell_bool unknown =
-        s.box.x < bins.coverage.x || s.box.y < bins.coverage.y || s.box.z > bins.coverage.z || s.box.w > bins.coverage.w;
+    cell_bool unknown = s.box.x < bins.coverage.x || s.box.y < bins.coverage.y || s.box.z > bins.coverage.z ||
+        s.box.w > bins.coverage.w;
     cell_bool given_up = s.tried > bins.most;
     return outcome(c, unknown || given_up || !s.certain);
 }

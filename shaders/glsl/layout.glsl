@@ -10,8 +10,8 @@
 #define WEIGHT_ROUNDING 3.552713678800501e-15
 
 // Room for the edges of one cell while it is clipped, a multiple of 4: the fast pipeline, which
-// overflows for 5.2 % of the cells of white noise, and the roomy one for those (some 40 of a million
-// cells go on to the host). Time grows with the room, and the time that software
+// overflows for 5.2 % of the cells of white noise, and the roomy one for those (about 40 of a million
+// cells remain for the host). Time grows with the room, and the time that software
 // drivers compile grows with its square: 16 would take them three times as long as 12.
 #define EDGES_FAST 8
 #define EDGES_MOST 12

@@ -1,4 +1,4 @@
-// The search in a list, fused with the clipping. Whoever includes this file has included cell.glsl and
+// The search in a list, fused with the clipping. Its includer has included cell.glsl and
 // defines before it
 //   vec4 lineAt(int index)  line `index` of the list: normal.xy, h, bound
 

@@ -1,4 +1,4 @@
-// What a picture needs of a cell. Whoever includes this file has included cell.glsl and view.glsl.
+// What a picture needs of a cell. Its includer has included cell.glsl and view.glsl.
 
 #define SEVERAL 2
 

@@ -1,7 +1,7 @@
-// The cell of one site of an upload, found by the search over its grid. Whoever includes this file has
+// The cell of one site of an upload, found by the search over its grid. Its includer has
 // included cell.glsl and defines before it
 //   vec4 siteAt(int place)   a site: x_high, y_high, x_low, y_low from the center of the domain
-//   int firstOfBin(int bin)  as grid.glsl wants it
+//   int firstOfBin(int bin)  as for grid.glsl
 // and with WEIGHTED
 //   vec2 weightAt(int place)     its weight: high, low
 //   float heaviestAt(int number)  of Grid::heaviest, rounded up
