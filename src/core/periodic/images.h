@@ -69,16 +69,20 @@ struct Band {
   double heaviest = 0;  ///< largest weight of the others
 };
 
-/// Sites together with their images in the domain and a band around it, and all of those of heavy sites.
-struct ImagedSites {
-  Sites sites;  ///< first the sites themselves, then their images
+/// Sites and images in one list: entries 0 to count - 1 are the sites, the others their images.
+struct SiteImages {
   std::size_t count = 0;
   std::vector<SiteImage> images;
+
+  /// The site that entry i is or is an image of.
+  [[nodiscard]] std::uint32_t siteOf(std::uint32_t i) const { return i < count ? i : images[i - count].site; }
+};
+
+/// Sites together with their images in the domain and a band around it, and all of those of heavy sites.
+struct ImagedSites : SiteImages {
+  Sites sites;    ///< of the entries
   Box covered{};  ///< holds images of all sites
   Box box{};      ///< what cells are clipped to: the same, or all periods where heavy sites have images
-
-  /// The site that entry i of `sites` is or is an image of.
-  [[nodiscard]] std::uint32_t siteOf(std::uint32_t i) const { return i < count ? i : images[i - count].site; }
 };
 
 /// Calls `take` for each image in the band, and for all of heavy sites.

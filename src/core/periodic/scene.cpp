@@ -6,7 +6,7 @@
 namespace vorpipe::core {
 Result<Scene> sceneOf(const Sites& sites, const RenderOptions& options, int threads) {
   if (options.periodic == Periodic::none) {
-    return Scene{{}, sites.size(), {}, options.domain, options.domain};
+    return Scene{{sites.size(), {}}, {}, options.domain, options.domain};
   }
   auto placed = placeSites(sites, options.domain, options.periodic, threads);
   if (!placed) return tl::unexpected(placed.error());
@@ -16,7 +16,7 @@ Result<Scene> sceneOf(const Sites& sites, const RenderOptions& options, int thre
   // which sites have one in it; that must be known by other means: all have one, or cells were measured.
   const bool may_be_larger = placed->all_inside || hasWeights(sites);
   const Box clip = may_be_larger ? imaged.box : picture;
-  return Scene{std::move(imaged.sites), imaged.count, std::move(imaged.images), clip, picture};
+  return Scene{{imaged.count, std::move(imaged.images)}, std::move(imaged.sites), clip, picture};
 }
 
 void nameSites(const Scene& scene, std::span<std::uint32_t> ids) {

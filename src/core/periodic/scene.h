@@ -9,17 +9,14 @@
 namespace vorpipe::core {
 
 /// The sites to draw: the caller's, or these with images.
-struct Scene {
-  Sites sites;        ///< empty where the domain is not periodic: then they are the caller's
-  std::size_t count;  ///< sites of the caller, which come first
-  std::vector<SiteImage> images;
+struct Scene : SiteImages {
+  Sites sites;  ///< of the entries; empty where the domain is not periodic: then they are the caller's
   Box clip;     ///< what cells are clipped to
   Box picture;  ///< what is drawn
 
   [[nodiscard]] const Sites& sitesOr(const Sites& callers) const {
     return sites.size() == 0 ? callers : sites;
   }
-  [[nodiscard]] std::uint32_t siteOf(std::uint32_t i) const { return i < count ? i : images[i - count].site; }
 };
 
 /// Errors: as placeSites'.
