@@ -70,12 +70,12 @@ NearImage imageOf(const CheckedSites& run, std::uint32_t site, Shift shift) {
 double squaredTo(const NearImage& image, Point p) { return dot(p - image.place, p - image.place); }
 
 /// By how much an image is nearer to p than another, squared.
-double leadOf(const CheckedSites& run, const NearImage& a, const NearImage& b, Point p) {
+double nearerBy(const CheckedSites& run, const NearImage& a, const NearImage& b, Point p) {
   return squaredTo(b, p) - squaredTo(a, p) + run.weightDifference(a.site, b.site);
 }
 
 /// What that may have lost to rounding, of places a period away as well.
-double leadRounding(const CheckedSites& run, const NearImage& a, const NearImage& b, Point p) {
+double nearerRounding(const CheckedSites& run, const NearImage& a, const NearImage& b, Point p) {
   const double of_squares =
       squaredTo(a, p) + squaredTo(b, p) + std::abs(run.weightDifference(a.site, b.site));
   const double of_places = run.largest * (length(p - a.place) + length(p - b.place));
@@ -92,7 +92,7 @@ NearImage nearestImage(const CheckedSites& run, const NearestSite& nearest, Poin
   NearImage best{no_site, {}, {}};
   for (const Frame& frame : framesOf(run, p)) {
     const NearImage image = imageOf(run, nearest.at(frame.from), frame.shift);
-    if (best.site == no_site || leadOf(run, image, best, p) > 0) best = image;
+    if (best.site == no_site || nearerBy(run, image, best, p) > 0) best = image;
   }
   return best;
 }
@@ -104,10 +104,10 @@ std::vector<NearImage> nearestImages(const CheckedSites& run, const NearestSite&
   }
   if (!run.repeats()) return images;
   const auto best = std::ranges::max_element(
-      images, [&](const NearImage& a, const NearImage& b) { return leadOf(run, b, a, p) > 0; });
+      images, [&](const NearImage& a, const NearImage& b) { return nearerBy(run, b, a, p) > 0; });
   std::iter_swap(images.begin(), best);
   std::erase_if(images, [&, first = images.front()](const NearImage& image) {
-    return leadOf(run, first, image, p) > leadRounding(run, first, image, p);
+    return nearerBy(run, first, image, p) > nearerRounding(run, first, image, p);
   });
   return images;
 }
