@@ -28,7 +28,7 @@ set(may_include
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/opengl/.*|layout\\.glsl|shaders\\.h)$"
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl)$"
     "^(vorpipe\\.h|geos\\.h|io/.*)$"
-    "^(vorpipe\\.h|base/.*|bench/.*|io/site_source\\.h|core/(cells/cells_run|picture/picture)\\.h|backend/(backend|registry)\\.h)$"
+    "^(vorpipe\\.h|base/.*|bench/.*|io/(json_text|site_source)\\.h|core/(cells/cells_run|picture/picture)\\.h|backend/(backend|registry)\\.h)$"
     "^(vorpipe\\.h|vorpipe/selftest\\.h|selftest/.*)$"
     "^(vorpipe\\.h|vorpipe/selftest\\.h|base/stopwatch\\.h|io/.*|bench/.*|cli/.*)$")
 
@@ -76,7 +76,7 @@ set(users
     "^geos\\.h$"
     "^(core/outline/validity|io/hole_triangles)\\."
     "^core/outline/"
-    "^cli/"
+    "^cli/command_line\\.cpp$"
     "^base/parallel\\.cpp$")
 
 # Sets allowed to whether file (relative to src) may include header, quoted or in angle brackets.

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/json_text.h"
+
 namespace vorpipe::bench {
 
 std::string markdown(const Conditions& conditions) {
@@ -23,10 +25,10 @@ std::string markdown(const Conditions& conditions) {
                     threads > 0 ? fmt::format("{} threads", threads) : "all threads");
 }
 
-nlohmann::ordered_json json(const Conditions& conditions) {
+std::string reportJson(const Conditions& conditions, std::span<const Table> tables) {
   using Json = nlohmann::ordered_json;
   const auto& [machine, opened, unusable, settings] = conditions;
-  Json devices = Json::array();
+  Json devices = Json::array(), found = Json::array();
   for (const auto& [name, device] : opened) {
     devices.push_back({{"name", name},
                        {"backend", device.backend},
@@ -34,13 +36,17 @@ nlohmann::ordered_json json(const Conditions& conditions) {
                        {"driver", device.driver},
                        {"type", device.type}});
   }
-  return {{"machine", json(machine)},
-          {"backends", std::move(devices)},
-          {"not_measured", unusable},
-          {"repetitions", settings.repetitions},
-          {"max_sites", settings.max_sites},
-          {"max_side", settings.max_side},
-          {"threads", settings.options.threads > 0 ? Json(settings.options.threads) : Json(nullptr)}};
+  for (const Table& table : tables) found.push_back(json(table));
+  const Json report = {
+      {"machine", json(machine)},
+      {"backends", std::move(devices)},
+      {"not_measured", unusable},
+      {"repetitions", settings.repetitions},
+      {"max_sites", settings.max_sites},
+      {"max_side", settings.max_side},
+      {"threads", settings.options.threads > 0 ? Json(settings.options.threads) : Json(nullptr)},
+      {"tables", std::move(found)}};
+  return jsonText(report, 1);
 }
 
 }  // namespace vorpipe::bench

@@ -1,12 +1,13 @@
 /// Under which conditions was measured: the head of a report of `vorpipe bench`.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "bench/lab.h"
 #include "bench/machine.h"
+#include "bench/measured.h"
 
 namespace vorpipe::bench {
 
@@ -28,7 +29,7 @@ struct Conditions {
 /// A heading and a list.
 std::string markdown(const Conditions& conditions);
 
-/// An object without the tables.
-nlohmann::ordered_json json(const Conditions& conditions);
+/// A whole report, an object with a line's end.
+std::string reportJson(const Conditions& conditions, std::span<const Table> tables);
 
 }  // namespace vorpipe::bench

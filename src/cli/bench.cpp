@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "bench/conditions.h"
 #include "bench/driver_threads.h"
@@ -173,17 +172,13 @@ Result<ExitCode> bench(const BenchCommand& command) {
   if (!command.plot.empty() && std::ranges::none_of(wanted, &NamedTable::has_curves)) {
     return inputError("--plot: the tables that were named have no curves; scaling, memory and thesis have");
   }
-  std::string text;
+  std::string text, report, caption;
   bench::Findings findings;
-  nlohmann::ordered_json report;
   std::vector<Output> outputs;
   if (!command.json.empty()) {
-    outputs.push_back({command.json, [&] {
-                         return report.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-                       }});
+    outputs.push_back({command.json, [&] { return report; }});
   }
   if (!command.markdown.empty()) outputs.push_back({command.markdown, [&] { return text; }});
-  std::string caption;
   if (!command.plot.empty()) outputs.push_back({command.plot, [&] { return svg(findings.plots, caption); }});
   std::vector<std::string> paths(outputs.size());
   std::ranges::transform(outputs, paths.begin(), &Output::path);
@@ -204,18 +199,16 @@ Result<ExitCode> bench(const BenchCommand& command) {
     std::fflush(stdout);
   };
   const bench::Machine machine = bench::thisMachine();
-  const bench::Conditions conditions{machine, *opened, unusable, *settings};
+  bench::Lab lab(std::move(*settings));
+  const bench::Conditions conditions{machine, *opened, unusable, lab.settings()};
   say(bench::markdown(conditions));
-  report = bench::json(conditions);
   caption = fmt::format("vorpipe {}, revision {}; {}, {} threads; {}", machine.version, machine.revision,
                         machine.cpu, machine.hardware_threads, machine.time);
-  bench::Lab lab(std::move(*settings));
   auto measured = measure(command, lab, say);
   bar.clear();
   if (!measured) return tl::unexpected(std::move(measured.error()));
   findings = std::move(*measured);
-  report["tables"] = nlohmann::json::array();
-  for (const auto& table : findings.tables) report["tables"].push_back(bench::json(table));
+  report = bench::reportJson(conditions, findings.tables);
   if (auto written = writeFiles(outputs, *files); !written) return tl::unexpected(std::move(written.error()));
   if (lab.failures().empty()) return exit_done;
   return deviceError(
@@ -232,41 +225,42 @@ std::string wrongTable(const std::string& text) {
 
 }  // namespace
 
-Subcommand addBench(CLI::App& app) {
+void addBench(CommandLine& line) {
   auto command = std::make_shared<BenchCommand>();
-  CLI::App* sub = app.add_subcommand(
+  Options options = line.addSubcommand(
       "bench",
-      "measures how fast it is, and prints tables in Markdown: scaling, stages, inputs, memory, thesis");
-  sub->add_option(
-         "TABLE", command->tables,
-         fmt::format("scaling, stages, inputs, memory, thesis or all [all, up to {} sites: some minutes]",
-                     quick_sites))
-      ->type_name("")
-      ->check(wrongTable);
-  addParsed(*sub, "--backend", command->backends, "NAME[,NAME...]",
+      "measures how fast it is, and prints tables in Markdown: scaling, stages, inputs, memory, thesis",
+      [command] { return bench(*command); });
+  options.addList(
+      "TABLE",
+      {"", wrongTable, [tables = &command->tables](const std::string& name) { tables->push_back(name); }},
+      fmt::format("scaling, stages, inputs, memory, thesis or all [all, up to {} sites: some minutes]",
+                  quick_sites));
+  addParsed(options, "--backend", command->backends, "NAME[,NAME...]",
             fmt::format("{} [all that can be used]", fmt::join(backendNames(), ", ")), parseBackendList);
-  addDeviceChoice(*sub, command->backend);
+  addDeviceChoice(options, command->backend);
   const auto whole = [](std::uint64_t most) {
     return [most](std::string_view text) { return parseWhole(text, 1, most); };
   };
-  addParsed(*sub, "--repetitions", command->repetitions, "N",
+  addParsed(options, "--repetitions", command->repetitions, "N",
             fmt::format("of each measurement, after one to warm up [{}]", bench::usual_repetitions),
             whole(most_repetitions));
-  addParsed(*sub, "--max-sites", command->max_sites, "N", "leaves out what has more sites", whole(all_sites));
-  addParsed(*sub, "--max-side", command->max_side, "N", "leaves out pictures with longer sides",
+  addParsed(options, "--max-sites", command->max_sites, "N", "leaves out what has more sites",
+            whole(all_sites));
+  addParsed(options, "--max-side", command->max_side, "N", "leaves out pictures with longer sides",
             whole(bench::largest_picture));
   addRepeatable(
-      *sub, "--sites", "FILE", "real data for the table inputs, as other subcommands take them; repeatable",
+      options, "--sites", "FILE",
+      "real data for the table inputs, as other subcommands take them; repeatable",
       [](std::string_view text) { return Parsed<std::string>(text); },
       [sites = &command->sites](std::string path) { sites->push_back(std::move(path)); });
-  addRunOptions(*sub, command->backend);
-  addMemoryLimit(*sub, command->memory_limit);
-  addMaskOptions(*sub, command->backend.mask);
-  addFile(*sub, "--json", command->json, "", "every figure with all its samples");
-  addFile(*sub, "--markdown", command->markdown, "", "what is printed, in a file");
-  addFile(*sub, "--plot", command->plot, ".svg", "the curves");
-  addTalkOptions(*sub, command->talk);
-  return Subcommand{sub, [command] { return bench(*command); }};
+  addRunOptions(options, command->backend);
+  addMemoryLimit(options, command->memory_limit);
+  addMaskOptions(options, command->backend.mask);
+  addFile(options, "--json", command->json, "", "every figure with all its samples");
+  addFile(options, "--markdown", command->markdown, "", "what is printed, in a file");
+  addFile(options, "--plot", command->plot, ".svg", "the curves");
+  addTalkOptions(options, command->talk);
 }
 
 }  // namespace vorpipe::cli

@@ -158,31 +158,32 @@ Result<ExitCode> cells(const CellsCommand& command) {
 
 }  // namespace
 
-Subcommand addCells(CLI::App& app) {
+void addCells(CommandLine& line) {
   auto command = std::make_shared<CellsCommand>();
-  CLI::App* sub =
-      app.add_subcommand("cells",
+  Options options =
+      line.addSubcommand("cells",
                          "computes the cells of sites: areas, centroids, neighbors, polygons; with weights, "
-                         "those of the power diagram");
-  addInputOptions(*sub, command->input)->required();
-  addRepeatable(*sub, "-o", "FILE",
+                         "those of the power diagram",
+                         [command] { return cells(*command); });
+  addInputOptions(options, command->input).required();
+  addRepeatable(options, "-o", "FILE",
                 fmt::format("the cells in input order, by the extension: {}; repeatable",
                             fmt::join(cellsExtensions(), ", ")),
                 parseCellsFile,
                 [files = &command->files](CellsFile file) { files->push_back(std::move(file)); });
-  addFile(*sub, "--density", command->density, "",
+  addFile(options, "--density", command->density, "",
           "a density over the domain, .png (dark is dense) or .npy, pixels with row 0 at the top: the mass "
           "of each cell and its center");
-  addBackendChoice(*sub, command->backend);
-  addSearchOptions(*sub, command->search);
-  addRunOptions(*sub, command->backend);
-  addMemoryLimit(*sub, command->memory_limit);
-  addMaskOptions(*sub, command->backend.mask);
-  sub->add_flag("--check", command->check,
-                "verifies areas, neighbors, polygons and nearest sites; exit code 1 if a promise is broken");
-  addFile(*sub, "--stats", command->stats, "", "what was done, in JSON");
-  addTalkOptions(*sub, command->talk);
-  return Subcommand{sub, [command] { return cells(*command); }};
+  addBackendChoice(options, command->backend);
+  addSearchOptions(options, command->search);
+  addRunOptions(options, command->backend);
+  addMemoryLimit(options, command->memory_limit);
+  addMaskOptions(options, command->backend.mask);
+  options.addFlag(
+      "--check", command->check,
+      "verifies areas, neighbors, polygons and nearest sites; exit code 1 if a promise is broken");
+  addFile(options, "--stats", command->stats, "", "what was done, in JSON");
+  addTalkOptions(options, command->talk);
 }
 
 }  // namespace vorpipe::cli

@@ -1,30 +1,19 @@
-/// What the subcommands have in common with main.
+/// The subcommands.
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <functional>
 #include <string_view>
 
-#include "vorpipe.h"
+#include "cli/command_line.h"
 
 namespace vorpipe::cli {
 
-enum ExitCode : int { exit_done = 0, exit_different = 1, exit_input = 2, exit_device = 3 };
-
-/// A subcommand's options, and what runs it once they are parsed: the exit code, or an error that
-/// main prints and turns into one.
-struct Subcommand {
-  CLI::App* app;
-  std::function<Result<ExitCode>()> run;
-};
-
-Subcommand addRender(CLI::App& app);
-Subcommand addCells(CLI::App& app);
-Subcommand addDiff(CLI::App& app);
-Subcommand addCompare(CLI::App& app);
-Subcommand addDevices(CLI::App& app);
-Subcommand addBench(CLI::App& app);
-Subcommand addSelftest(CLI::App& app);
+void addRender(CommandLine& line);
+void addCells(CommandLine& line);
+void addDiff(CommandLine& line);
+void addCompare(CommandLine& line);
+void addDevices(CommandLine& line);
+void addBench(CommandLine& line);
+void addSelftest(CommandLine& line);
 
 /// Prints one line `vorpipe: MESSAGE` on standard error; what is not fit for one line is replaced.
 void printError(std::string_view message);

@@ -206,28 +206,30 @@ Result<ExitCode> compare(const CompareCommand& command) {
 
 }  // namespace
 
-Subcommand addCompare(CLI::App& app) {
+void addCompare(CommandLine& line) {
   auto command = std::make_shared<CompareCommand>();
-  CLI::App* sub = app.add_subcommand(
+  Options options = line.addSubcommand(
       "compare",
-      "draws and computes the same cells on several backends and compares every pair, pixels and cells");
-  addParsed(*sub, "--backends", command->backends, "A,B,...",
+      "draws and computes the same cells on several backends and compares every pair, pixels and cells",
+      [command] { return compare(*command); });
+  addParsed(options, "--backends", command->backends, "A,B,...",
             fmt::format("two or more of {}", fmt::join(backendNames(), ", ")), parseBackends)
-      ->required();
-  addInputOptions(*sub, command->input)->required();
-  addSizeOption(*sub, command->size);
-  addDeviceChoice(*sub, command->backend);
-  addSearchOptions(*sub, command->picture.search);
-  addRunOptions(*sub, command->backend);
-  addMemoryLimit(*sub, command->memory_limit);
-  addMaskOptions(*sub, command->backend.mask);
-  addFile(*sub, "--report", command->report, "", "what was found, in JSON");
-  addFile(*sub, "-o", command->png, ".png", "the pictures side by side, and below each pair's differences");
-  sub->add_flag("--check", command->check,
-                "verifies what render and cells verify, of each backend; exit code 1 if a promise is broken");
-  addFile(*sub, "--stats", command->stats, "", "what was done by all of them together, in JSON");
-  addTalkOptions(*sub, command->talk);
-  return Subcommand{sub, [command] { return compare(*command); }};
+      .required();
+  addInputOptions(options, command->input).required();
+  addSizeOption(options, command->size);
+  addDeviceChoice(options, command->backend);
+  addSearchOptions(options, command->picture.search);
+  addRunOptions(options, command->backend);
+  addMemoryLimit(options, command->memory_limit);
+  addMaskOptions(options, command->backend.mask);
+  addFile(options, "--report", command->report, "", "what was found, in JSON");
+  addFile(options, "-o", command->png, ".png",
+          "the pictures side by side, and below each pair's differences");
+  options.addFlag(
+      "--check", command->check,
+      "verifies what render and cells verify, of each backend; exit code 1 if a promise is broken");
+  addFile(options, "--stats", command->stats, "", "what was done by all of them together, in JSON");
+  addTalkOptions(options, command->talk);
 }
 
 }  // namespace vorpipe::cli

@@ -8,6 +8,7 @@
 
 #include "cli/difference_text.h"
 #include "cli/stats.h"
+#include "io/json_text.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -204,7 +205,7 @@ std::string comparisonJson(const Comparison& comparison, const Input& input) {
     entry["cells"] = cellsJson(comparison, pair);
     json["pairs"].push_back(std::move(entry));
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonText(json, 2);
 }
 
 Picture comparisonMontage(const Comparison& comparison) {

@@ -6,6 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/options.h"
+#include "io/json_text.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -51,7 +52,7 @@ void printJson(const std::vector<IndexedDevice>& listed) {
                      {"features", std::move(features)},
                      {"limits", std::move(limits)}});
   }
-  fmt::print("{}\n", array.dump(2, ' ', false, Json::error_handler_t::replace));
+  fmt::print("{}", jsonText(array, 2));
 }
 
 void printDevice(const IndexedDevice& device) {
@@ -82,13 +83,13 @@ Result<ExitCode> listDevices(const DevicesCommand& command) {
 
 }  // namespace
 
-Subcommand addDevices(CLI::App& app) {
+void addDevices(CommandLine& line) {
   auto command = std::make_shared<DevicesCommand>();
-  CLI::App* sub =
-      app.add_subcommand("devices", "lists every backend with its devices, or why one cannot be used");
-  sub->add_flag("--json", command->json, "prints JSON");
-  addMaskOptions(*sub, command->mask);
-  return Subcommand{sub, [command] { return listDevices(*command); }};
+  Options options =
+      line.addSubcommand("devices", "lists every backend with its devices, or why one cannot be used",
+                         [command] { return listDevices(*command); });
+  options.addFlag("--json", command->json, "prints JSON");
+  addMaskOptions(options, command->mask);
 }
 
 }  // namespace vorpipe::cli

@@ -126,15 +126,15 @@ Result<ExitCode> diff(const DiffCommand& command) {
 
 }  // namespace
 
-Subcommand addDiff(CLI::App& app) {
+void addDiff(CommandLine& line) {
   auto command = std::make_shared<DiffCommand>();
-  CLI::App* sub = app.add_subcommand("diff", "compares two id arrays (.npy) or two pictures (.png)");
-  sub->add_option("A", command->a, "one")->type_name("FILE")->required();
-  sub->add_option("B", command->b, "the other")->type_name("FILE")->required();
-  addFile(*sub, "-o", command->png, ".png", "where they differ: red is wrong, yellow a tie");
-  addInputOptions(*sub, command->input);
-  addTalkOptions(*sub, command->talk);
-  return Subcommand{sub, [command] { return diff(*command); }};
+  Options options = line.addSubcommand("diff", "compares two id arrays (.npy) or two pictures (.png)",
+                                       [command] { return diff(*command); });
+  options.addText("A", command->a, "FILE", "one").required();
+  options.addText("B", command->b, "FILE", "the other").required();
+  addFile(options, "-o", command->png, ".png", "where they differ: red is wrong, yellow a tie");
+  addInputOptions(options, command->input);
+  addTalkOptions(options, command->talk);
 }
 
 }  // namespace vorpipe::cli

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -9,7 +8,6 @@
 #include "cli/command.h"
 #include "cli/kept_memory.h"
 #include "cli/progress.h"
-#include "io/error.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {
@@ -35,10 +33,8 @@ int exitCode(const Error& error) {
   return exit_device;
 }
 
-int runSubcommand(std::span<const Subcommand> subcommands) {
-  const auto chosen =
-      std::ranges::find_if(subcommands, [](const Subcommand& sub) { return sub.app->parsed(); });
-  const auto done = chosen->run();
+int runSubcommand(const Run& run) {
+  const auto done = run();
   ignoreSignals();
   if (!done) {
     printError(done.error().code == ErrorCode::cancelled ? "interrupted" : done.error().message);
@@ -51,34 +47,12 @@ int runSubcommand(std::span<const Subcommand> subcommands) {
   return *done;
 }
 
-/// What CLI11 would only call a missing subcommand.
-bool namesNoSubcommand(std::span<const Subcommand> subcommands, std::string_view argument) {
-  return !argument.starts_with('-') && std::ranges::none_of(subcommands, [&](const Subcommand& sub) {
-    return sub.app->get_name() == argument;
-  });
-}
-
 int parseAndRun(int count, char** arguments) {
-  CLI::App app("Voronoi diagrams of sites in the plane, on any GPU or without one", "vorpipe");
-  app.require_subcommand(1);
-  const std::array subcommands = {addRender(app),  addCells(app), addDiff(app),    addCompare(app),
-                                  addDevices(app), addBench(app), addSelftest(app)};
-  const std::string version_line = fmt::format("vorpipe {}", version());
-  app.set_version_flag("--version", version_line);
-  for (const Subcommand& sub : subcommands) sub.app->set_version_flag("--version", version_line);
-  if (count > 1 && namesNoSubcommand(subcommands, arguments[1])) {
-    printError(fmt::format("{} is no subcommand; see vorpipe --help", quoted(arguments[1])));
-    return exit_input;
-  }
-  try {
-    app.parse(count, arguments);
-  } catch (const CLI::Success& asked) {
-    return app.exit(asked);
-  } catch (const CLI::ParseError& error) {
-    printError(fmt::format("{}; see vorpipe --help", error.what()));
-    return exit_input;
-  }
-  return runSubcommand(subcommands);
+  CommandLine line("vorpipe", "Voronoi diagrams of sites in the plane, on any GPU or without one");
+  for (const auto add : {addRender, addCells, addDiff, addCompare, addDevices, addBench, addSelftest})
+    add(line);
+  const auto run = line.parse(count, arguments, fmt::format("vorpipe {}", version()));
+  return run ? runSubcommand(*run) : run.error();
 }
 
 }  // namespace

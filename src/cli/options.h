@@ -1,53 +1,45 @@
 /// The options that several subcommands share.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "cli/command_line.h"
 #include "cli/parse.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {
 
-/// Adds an option whose value `parse` turns into `target`; the command line's error is `--name: ` and
-/// what parse says.
-template <class Target, class Parse>
-CLI::Option* addParsed(CLI::App& app, const std::string& name, Target& target, const std::string& value,
-                       const std::string& description, const Parse& parse) {
-  auto* option = app.add_option_function<std::string>(
-      name, [&target, parse](const std::string& text) { target = *parse(text); }, description);
-  option->type_name(value);
-  option->check([parse](const std::string& text) {
+/// A value that `parse` reads and `take` gets; the command line's error is `--name: ` and what parse says.
+template <class Parse, class Take>
+Value parsedValue(const std::string& name, const Parse& parse, const Take& take) {
+  const auto fault = [parse](const std::string& text) {
     const auto parsed = parse(text);
     return parsed ? std::string() : parsed.error();
-  });
-  return option;
+  };
+  return {name, fault, [parse, take](const std::string& text) { take(*parse(text)); }};
 }
 
-/// Adds an option that may be given any number of times, with one value each time so that it does not
-/// swallow what follows; `take` gets what `parse` makes of each value.
+/// Adds an option whose value `parse` turns into `target`.
+template <class Target, class Parse>
+Option addParsed(Options& options, const std::string& name, Target& target, const std::string& value,
+                 const std::string& description, const Parse& parse) {
+  const auto keep = [&target](auto parsed) { target = std::move(parsed); };
+  return options.add(name, parsedValue(value, parse, keep), description);
+}
+
+/// Adds an option that may be given any number of times; `take` gets what `parse` makes of each value.
 template <class Parse, class Take>
-CLI::Option* addRepeatable(CLI::App& app, const std::string& name, const std::string& value,
-                           const std::string& description, const Parse& parse, const Take& take) {
-  auto* option = app.add_option_function<std::vector<std::string>>(
-      name,
-      [parse, take](const std::vector<std::string>& texts) {
-        for (const std::string& text : texts) take(*parse(text));
-      },
-      description);
-  option->type_name(value)->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  option->check([parse](const std::string& text) {
-    const auto parsed = parse(text);
-    return parsed ? std::string() : parsed.error();
-  });
-  return option;
+Option addRepeatable(Options& options, const std::string& name, const std::string& value,
+                     const std::string& description, const Parse& parse, const Take& take) {
+  return options.addRepeatable(name, parsedValue(value, parse, take), description);
 }
 
 /// Adds an option that names a file to write; `extension` as for parseFile.
-CLI::Option* addFile(CLI::App& app, const std::string& name, std::string& target,
-                     const std::string& extension, const std::string& description);
+Option addFile(Options& options, const std::string& name, std::string& target, const std::string& extension,
+               const std::string& description);
 
 struct InputOptions {
   std::string sites;
@@ -63,24 +55,24 @@ struct TalkOptions {
 };
 
 /// --sites, --seed, --domain, --weights, --random-weights, --periodic
-CLI::Option* addInputOptions(CLI::App& app, InputOptions& options);
+Option addInputOptions(Options& options, InputOptions& input);
 /// --device
-void addDeviceChoice(CLI::App& app, BackendOptions& options);
+void addDeviceChoice(Options& options, BackendOptions& backend);
 /// --backend, --device
-void addBackendChoice(CLI::App& app, BackendOptions& options);
+void addBackendChoice(Options& options, BackendOptions& backend);
 /// --threads
-void addThreads(CLI::App& app, int& threads);
+void addThreads(Options& options, int& threads);
 /// --threads, --validate
-void addRunOptions(CLI::App& app, BackendOptions& options);
+void addRunOptions(Options& options, BackendOptions& backend);
 /// --memory-limit
-void addMemoryLimit(CLI::App& app, std::optional<std::uint64_t>& bytes);
+void addMemoryLimit(Options& options, std::optional<std::uint64_t>& bytes);
 /// --disable, --limit
-void addMaskOptions(CLI::App& app, Mask& mask);
+void addMaskOptions(Options& options, Mask& mask);
 /// --search
-void addSearchOptions(CLI::App& app, SearchOptions& options);
+void addSearchOptions(Options& options, SearchOptions& search);
 /// --size
-void addSizeOption(CLI::App& app, std::optional<Size>& size);
+void addSizeOption(Options& options, std::optional<Size>& size);
 /// --quiet, --verbose
-void addTalkOptions(CLI::App& app, TalkOptions& options);
+void addTalkOptions(Options& options, TalkOptions& talk);
 
 }  // namespace vorpipe::cli

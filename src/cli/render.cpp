@@ -135,37 +135,37 @@ Result<ExitCode> render(const RenderCommand& command) {
   return exit_done;
 }
 
-void addPictureOptions(CLI::App& app, RenderCommand& command) {
-  addFile(app, "-o", command.png, ".png", "the picture");
-  addSizeOption(app, command.size);
-  addFile(app, "--ids", command.ids, ".npy",
+void addPictureOptions(Options& options, RenderCommand& command) {
+  addFile(options, "-o", command.png, ".png", "the picture");
+  addSizeOption(options, command.size);
+  addFile(options, "--ids", command.ids, ".npy",
           "the site of each pixel: uint32, row 0 at the top, 4294967295 where there is none");
-  addParsed(app, "--color", command.picture.color, "BY", "site, area, neighbors or weight [site]",
+  addParsed(options, "--color", command.picture.color, "BY", "site, area, neighbors or weight [site]",
             parseColor);
-  addParsed(app, "--colormap", command.picture.colormap, "NAME",
+  addParsed(options, "--colormap", command.picture.colormap, "NAME",
             fmt::format("{} [{}]", fmt::join(colormaps(), ", "), command.picture.colormap), parseColormap);
-  app.add_flag("--edges", command.picture.edges, "darkens the edges of the cells");
-  app.add_flag("--show-sites", command.picture.show_sites, "a dot at each site");
+  options.addFlag("--edges", command.picture.edges, "darkens the edges of the cells");
+  options.addFlag("--show-sites", command.picture.show_sites, "a dot at each site");
 }
 
 }  // namespace
 
-Subcommand addRender(CLI::App& app) {
+void addRender(CommandLine& line) {
   auto command = std::make_shared<RenderCommand>();
-  CLI::App* sub =
-      app.add_subcommand("render", "draws the Voronoi diagram of sites; with weights, the power diagram");
-  addInputOptions(*sub, command->input)->required();
-  addPictureOptions(*sub, *command);
-  addBackendChoice(*sub, command->backend);
-  addSearchOptions(*sub, command->picture.search);
-  addRunOptions(*sub, command->backend);
-  addMemoryLimit(*sub, command->memory_limit);
-  addMaskOptions(*sub, command->backend.mask);
-  sub->add_flag("--check", command->check,
-                "verifies statuses and the nearest site of each pixel; exit code 1 if a promise is broken");
-  addFile(*sub, "--stats", command->stats, "", "what was done, in JSON");
-  addTalkOptions(*sub, command->talk);
-  return Subcommand{sub, [command] { return render(*command); }};
+  Options options =
+      line.addSubcommand("render", "draws the Voronoi diagram of sites; with weights, the power diagram",
+                         [command] { return render(*command); });
+  addInputOptions(options, command->input).required();
+  addPictureOptions(options, *command);
+  addBackendChoice(options, command->backend);
+  addSearchOptions(options, command->picture.search);
+  addRunOptions(options, command->backend);
+  addMemoryLimit(options, command->memory_limit);
+  addMaskOptions(options, command->backend.mask);
+  options.addFlag("--check", command->check,
+                  "verifies statuses and the nearest site of each pixel; exit code 1 if a promise is broken");
+  addFile(options, "--stats", command->stats, "", "what was done, in JSON");
+  addTalkOptions(options, command->talk);
 }
 
 }  // namespace vorpipe::cli

@@ -5,7 +5,6 @@
 
 #include <cstdio>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "bench/driver_threads.h"
 #include "cli/command.h"
@@ -59,10 +58,7 @@ Result<ExitCode> runSelftest(const SelftestCommand& command) {
   say(selftestDevices(*report) + selftestSummary(*report));
   std::vector<Writer> writers;
   if (!command.json.empty()) {
-    writers.emplace_back([&](OutputFile& to) {
-      return to.write(selftestJson(*report).dump(1, ' ', false, nlohmann::json::error_handler_t::replace) +
-                      "\n");
-    });
+    writers.emplace_back([&](OutputFile& to) { return to.write(selftestJson(*report)); });
   }
   if (auto written = writeOutputs(*files, writers); !written)
     return tl::unexpected(std::move(written.error()));
@@ -73,28 +69,27 @@ Result<ExitCode> runSelftest(const SelftestCommand& command) {
 
 }  // namespace
 
-Subcommand addSelftest(CLI::App& app) {
+void addSelftest(CommandLine& line) {
   auto command = std::make_shared<SelftestCommand>();
-  CLI::App* sub =
-      app.add_subcommand("selftest",
+  Options options =
+      line.addSubcommand("selftest",
                          "tests every backend and device here with scenes of its own, judged by cpu, and "
                          "measures how devices round; "
-                         "exit code 1 if a promise is broken. A bug report wants what --json writes");
-  SelftestOptions& options = command->options;
-  addParsed(*sub, "--backend", options.backend, "NAME",
+                         "exit code 1 if a promise is broken. A bug report wants what --json writes",
+                         [command] { return runSelftest(*command); });
+  SelftestOptions& wanted = command->options;
+  addParsed(options, "--backend", wanted.backend, "NAME",
             fmt::format("{} [all]", fmt::join(backendNames(), ", ")), parseBackend);
-  sub->add_option("--device", options.device,
-                  "index or part of the name, as `vorpipe devices` lists them [all]")
-      ->type_name("DEVICE");
-  sub->add_flag("--quick", options.quick, "fewer and smaller scenes: seconds instead of minutes");
-  addParsed(*sub, "--seed", options.seed, "S", "seed of the scenes [1]",
+  options.addText("--device", wanted.device, "DEVICE",
+                  "index or part of the name, as `vorpipe devices` lists them [all]");
+  options.addFlag("--quick", wanted.quick, "fewer and smaller scenes: seconds instead of minutes");
+  addParsed(options, "--seed", wanted.seed, "S", "seed of the scenes [1]",
             [](std::string_view text) { return parseWhole(text, 0, UINT64_MAX); });
-  addThreads(*sub, options.threads);
-  addMaskOptions(*sub, options.mask);
-  addFile(*sub, "--json", command->json, "",
+  addThreads(options, wanted.threads);
+  addMaskOptions(options, wanted.mask);
+  addFile(options, "--json", command->json, "",
           "everything that was found, with each scene: what a bug report wants");
-  addTalkOptions(*sub, command->talk);
-  return Subcommand{sub, [command] { return runSelftest(*command); }};
+  addTalkOptions(options, command->talk);
 }
 
 }  // namespace vorpipe::cli

@@ -3,6 +3,7 @@
 
 #include "bench/machine.h"
 #include "cli/selftest_text.h"
+#include "io/json_text.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -60,25 +61,26 @@ Json deviceJson(const SelftestDevice& device) {
 
 }  // namespace
 
-Json selftestJson(const SelftestReport& report) {
+std::string selftestJson(const SelftestReport& report) {
   Json devices = Json::array();
   for (const SelftestDevice& device : report.devices) devices.push_back(deviceJson(device));
-  return {{"version", std::string(version())},
-          {"command", "selftest"},
-          {"machine", bench::json(bench::thisMachine())},
-          {"quick", report.quick},
-          {"seed", report.seed},
-          {"passed", report.passed()},
-          {"time_ms", report.milliseconds},
-          {"allowed",
-           {{"quotient_ulp", allowed_quotient},
-            {"root_ulp", allowed_root},
-            {"inverse_root_ulp", allowed_inverse_root},
-            {"product_ulp", allowed_rounding},
-            {"sum_ulp", allowed_rounding},
-            {"sum_of_differences_ulp", allowed_rounding},
-            {"subpixel_bits", allowed_subpixel_bits}}},
-          {"devices", std::move(devices)}};
+  const Json json = {{"version", std::string(version())},
+                     {"command", "selftest"},
+                     {"machine", bench::json(bench::thisMachine())},
+                     {"quick", report.quick},
+                     {"seed", report.seed},
+                     {"passed", report.passed()},
+                     {"time_ms", report.milliseconds},
+                     {"allowed",
+                      {{"quotient_ulp", allowed_quotient},
+                       {"root_ulp", allowed_root},
+                       {"inverse_root_ulp", allowed_inverse_root},
+                       {"product_ulp", allowed_rounding},
+                       {"sum_ulp", allowed_rounding},
+                       {"sum_of_differences_ulp", allowed_rounding},
+                       {"subpixel_bits", allowed_subpixel_bits}}},
+                     {"devices", std::move(devices)}};
+  return jsonText(json, 1);
 }
 
 }  // namespace vorpipe::cli

@@ -1,7 +1,6 @@
 /// What a self-test found, as text and as JSON.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 
@@ -21,6 +20,7 @@ std::string selftestDevices(const SelftestReport& report);
 /// How many runs there were and how many broke a promise.
 std::string selftestSummary(const SelftestReport& report);
 
-nlohmann::ordered_json selftestJson(const SelftestReport& report);
+/// An object with a line's end.
+std::string selftestJson(const SelftestReport& report);
 
 }  // namespace vorpipe::cli

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "io/json_text.h"
+
 namespace vorpipe::cli {
 namespace {
 
@@ -89,8 +91,7 @@ std::string statsJson(const Stats& stats) {
       {"download", time(times.download)},  {"write", time(stats.write_ms)}, {"total", time(stats.total_ms)}};
   json["forecast_memory_bytes"] = stats.forecast;
   json["peak_memory_bytes"] = peakMemoryBytes();
-  // A driver's name may hold any bytes.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return jsonText(json, 2);
 }
 
 }  // namespace vorpipe::cli

@@ -1,0 +1,84 @@
+/// What may stand on the command line, declared here without the parser that reads it: its headers take
+/// longer to compile than most of what includes this.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "vorpipe.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace vorpipe::cli {
+
+enum ExitCode : int { exit_done = 0, exit_different = 1, exit_input = 2, exit_device = 3 };
+
+/// An option that was declared.
+class Option {
+ public:
+  explicit Option(CLI::Option* option) : option_(option) {}
+  Option& required();
+  /// Refused where `other` is not given.
+  Option& needs(const Option& other);
+  /// Refused where `other` is given.
+  Option& excludes(const Option& other);
+
+ private:
+  CLI::Option* option_;
+};
+
+/// A value: how help calls it, and what becomes of its text.
+struct Value {
+  std::string name;
+  std::function<std::string(const std::string&)> fault;  ///< what is wrong with it; empty: nothing
+  std::function<void(const std::string&)> keep;          ///< called with what has no fault
+};
+
+/// What a subcommand takes. Names are `--name`, `-n`, or for what stands without one `NAME`.
+class Options {
+ public:
+  explicit Options(CLI::App* app) : app_(app) {}
+  /// What is given once at most.
+  Option add(const std::string& name, Value value, const std::string& description);
+  /// What may be given any number of times, with one value each time so that it does not swallow what
+  /// follows.
+  Option addRepeatable(const std::string& name, Value value, const std::string& description);
+  /// Any number of values, one after the other.
+  Option addList(const std::string& name, Value value, const std::string& description);
+  /// Any text.
+  Option addText(const std::string& name, std::string& target, const std::string& value,
+                 const std::string& description);
+  Option addFlag(const std::string& name, bool& target, const std::string& description);
+
+ private:
+  CLI::App* app_;
+};
+
+/// What runs a subcommand once its options are parsed: the exit code, or an error that main prints and turns
+/// into one.
+using Run = std::function<Result<ExitCode>()>;
+
+class CommandLine {
+ public:
+  CommandLine(const std::string& program, const std::string& description);
+  ~CommandLine();
+  CommandLine(const CommandLine&) = delete;
+  CommandLine& operator=(const CommandLine&) = delete;
+
+  /// Options refer to what `run` reads.
+  Options addSubcommand(const std::string& name, const std::string& description, Run run);
+
+  /// The run of the subcommand that is named. Else the exit code: help or the version were asked for, and
+  /// printed; or the command line is wrong, and a line on standard error said how.
+  tl::expected<Run, int> parse(int count, char** arguments, const std::string& version_line);
+
+ private:
+  struct Parser;
+  std::unique_ptr<Parser> parser_;
+};
+
+}  // namespace vorpipe::cli
