@@ -1,6 +1,6 @@
 #include "backend/registry.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "backend/capabilities.h"
 #include "backend/cpu/cpu.h"

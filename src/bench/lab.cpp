@@ -1,6 +1,6 @@
 #include "bench/lab.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <sys/resource.h>
 
 #include <algorithm>

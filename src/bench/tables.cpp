@@ -1,6 +1,6 @@
 #include "bench/tables.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

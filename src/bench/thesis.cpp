@@ -1,6 +1,6 @@
 // The tables of S. Templeton, An Algorithm for Computing 2-Dimensional Voronoi Diagrams with the OpenGL
 // Graphics Pipeline, Middlebury College, May 2022.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "cli/forecast.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

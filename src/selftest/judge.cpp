@@ -1,6 +1,6 @@
 #include "selftest/judge.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <chrono>
 

@@ -1,6 +1,6 @@
 #include "selftest/run_scenes.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <map>

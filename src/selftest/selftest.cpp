@@ -1,6 +1,6 @@
 #include "vorpipe/selftest.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>

@@ -1,6 +1,6 @@
 #include "backend/opengl/batch.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstddef>
 

@@ -2,7 +2,7 @@
 // documentation and never run: no Mac was at hand.
 #define GL_SILENCE_DEPRECATION
 #include <OpenGL/OpenGL.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <string_view>

@@ -3,7 +3,7 @@
 // is never asked for: without an X server or a Wayland compositor that fails, or hangs.
 #include <dlfcn.h>
 #include <epoxy/egl.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <string>

@@ -1,6 +1,6 @@
 #include "backend/opengl/device.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

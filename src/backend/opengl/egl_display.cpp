@@ -1,6 +1,6 @@
 #include "backend/opengl/egl_display.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <string>
 

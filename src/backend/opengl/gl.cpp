@@ -1,6 +1,6 @@
 #include "backend/opengl/gl.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace vorpipe::opengl {
 namespace {

@@ -1,6 +1,6 @@
 #include "backend/opengl/opengl_backend.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cassert>

@@ -1,6 +1,6 @@
 #include "backend/opengl/picture.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cassert>

@@ -1,6 +1,6 @@
 #include "backend/opengl/sites.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <vector>
 

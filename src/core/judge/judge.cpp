@@ -1,6 +1,6 @@
 #include "core/judge/judge.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <numeric>
 

@@ -1,6 +1,6 @@
 #include "core/periodic/periodic_diagram.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

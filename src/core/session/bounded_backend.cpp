@@ -1,6 +1,6 @@
 #include "core/session/bounded_backend.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <new>

@@ -1,6 +1,6 @@
 #include "core/session/input_check.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <new>
 

@@ -1,6 +1,6 @@
 #include "core/sites/site_set.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
