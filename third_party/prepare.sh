@@ -81,7 +81,21 @@ buildPreset() {
   elif [[ -n ${packages_changed-} ]]; then
     cmake -S "$root" --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; return 1; }
   fi
-  ninja -C "$dir" "$@" >"$log" 2>&1 || { cat "$log" >&2; return 1; }
+  NINJA_STATUS='[%f/%t] ' ninja -C "$dir" "$@" 2>&1 | tee "$log" | showProgress
+  [[ ${PIPESTATUS[0]} == 0 ]] || { cat "$log" >&2; return 1; }
+}
+
+# On a terminal, one line that says how far ninja is, and nothing once it is done.
+showProgress() {
+  if [[ ! -t 2 ]]; then cat >/dev/null; return; fi
+  local line shown=
+  while IFS= read -r line; do
+    if [[ $line =~ ^\[([0-9]+)/([0-9]+)\]\  ]]; then
+      printf '\r\033[K[%*d/%d] building' ${#BASH_REMATCH[2]} "${BASH_REMATCH[1]}" "${BASH_REMATCH[2]}" >&2
+      shown=1
+    fi
+  done
+  if [[ -n $shown ]]; then printf '\r\033[K' >&2; fi
 }
 
 # Two commands at once build one after the other.
