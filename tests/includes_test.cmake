@@ -1,5 +1,5 @@
-# Who may include what: cli -> io -> vorpipe.h <- core -> backend/backend.h <- backend/*; in core, a room those
-# that src/core/CMakeLists.txt says it uses; and which folder alone knows a library.
+# Who may include what: cli -> io -> vorpipe.h <- core -> backend/backend.h <- backend/*; a room those that the
+# CMakeLists.txt beside it says it uses; and which folder alone knows a library.
 # cmake -D root=DIR -P includes_test.cmake
 cmake_minimum_required(VERSION 3.25)
 
@@ -14,7 +14,6 @@ set(kinds
     "^backend/vulkan/"
     "^backend/opengl/"
     "^backend/[^/]*$"
-    "^io/"
     "^bench/"
     "^selftest/"
     "^cli/")
@@ -27,31 +26,41 @@ set(may_include
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/vulkan/.*|layout\\.glsl|shaders\\.h)$"
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/opengl/.*|layout\\.glsl|shaders\\.h)$"
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl)$"
-    "^(vorpipe\\.h|geos\\.h|io/.*)$"
-    "^(vorpipe\\.h|base/.*|bench/.*|io/(json_text|site_source)\\.h|core/(cells/cells_run|picture/picture)\\.h|backend/(backend|registry)\\.h)$"
+    "^(vorpipe\\.h|base/.*|bench/.*|io/(text/json_text|sites/site_source)\\.h|core/(cells/cells_run|picture/picture)\\.h|backend/(backend|registry)\\.h)$"
     "^(vorpipe\\.h|vorpipe/selftest\\.h|selftest/.*)$"
     "^(vorpipe\\.h|vorpipe/selftest\\.h|base/stopwatch\\.h|io/.*|bench/.*|cli/.*)$")
 
-# Of every room: itself, those that it uses, each of which comes before it, and what all of core may know.
-file(STRINGS ${root}/src/core/CMakeLists.txt rooms REGEX "^vorpipe_room\\(")
-set(below "")
-foreach(line IN LISTS rooms)
-  if(NOT line MATCHES "^vorpipe_room\\(([a-z]+)( USES ([a-z ]+[a-z]))?")
-    message(FATAL_ERROR "src/core/CMakeLists.txt: cannot read: ${line}")
+# Adds the rooms of a folder: a room may include itself, those that it uses, each of which comes before it, and
+# what matches `all_may`.
+function(vorpipe_read_rooms folder all_may)
+  set(list src/${folder}/CMakeLists.txt)
+  file(STRINGS ${root}/${list} rooms REGEX "^vorpipe_room\\(")
+  if(NOT rooms)
+    message(FATAL_ERROR "No rooms in ${list}.")
   endif()
-  set(room ${CMAKE_MATCH_1})
-  string(REPLACE " " ";" uses "${CMAKE_MATCH_3}")
-  foreach(used IN LISTS uses)
-    if(NOT used IN_LIST below)
-      message(SEND_ERROR "src/core/CMakeLists.txt: ${room} uses ${used}, which does not come before it")
+  set(below "")
+  foreach(line IN LISTS rooms)
+    if(NOT line MATCHES "^vorpipe_room\\(([a-z]+)( USES ([a-z ]+[a-z]))?")
+      message(FATAL_ERROR "${list}: cannot read: ${line}")
     endif()
+    set(room ${CMAKE_MATCH_1})
+    string(REPLACE " " ";" uses "${CMAKE_MATCH_3}")
+    foreach(used IN LISTS uses)
+      if(NOT used IN_LIST below)
+        message(SEND_ERROR "${list}: ${room} uses ${used}, which does not come before it")
+      endif()
+    endforeach()
+    list(JOIN uses "|" uses)
+    list(APPEND kinds "^${folder}/${room}/")
+    list(APPEND may_include "^(${folder}/(${room}|${uses})/.*|${all_may})$")
+    list(APPEND below ${room})
   endforeach()
-  list(JOIN uses "|" uses)
-  list(APPEND kinds "^core/${room}/")
-  list(APPEND may_include
-       "^(vorpipe\\.h|base/.*|geos\\.h|core/(${room}|${uses})/.*|backend/(backend|collect|device_needs|precision|registry|tie)\\.h)$")
-  list(APPEND below ${room})
-endforeach()
+  set(kinds ${kinds} PARENT_SCOPE)
+  set(may_include ${may_include} PARENT_SCOPE)
+endfunction()
+vorpipe_read_rooms(
+  core "vorpipe\\.h|base/.*|geos\\.h|backend/(backend|collect|device_needs|precision|registry|tie)\\.h")
+vorpipe_read_rooms(io "vorpipe\\.h|geos\\.h")
 
 # Headers, most of them a library's, and the only files that may include them.
 set(guarded_headers
@@ -60,7 +69,9 @@ set(guarded_headers
     "^(epoxy|GL|GLES.|EGL|OpenGL)/"
     "^glm/"
     "^flann/"
-    "^(csv|png|zip)\\.h$"
+    "^csv\\.h$"
+    "^png\\.h$"
+    "^zip\\.h$"
     "^geos_c\\.h$"
     "^geos\\.h$"
     "^boost/geometry/"
@@ -72,9 +83,11 @@ set(users
     "^backend/opengl/"
     "^backend/cpu/"
     "^core/search/flann_"
-    "^io/"
+    "^io/text/csv_reader\\."
+    "^io/pictures/png_file\\."
+    "^io/arrays/zip_"
     "^geos\\.h$"
-    "^(core/outline/validity|io/hole_triangles)\\."
+    "^(core/outline/validity|io/cells/hole_triangles)\\."
     "^core/outline/"
     "^cli/command_line\\.cpp$"
     "^base/parallel\\.cpp$")
@@ -115,7 +128,10 @@ vorpipe_expect(FALSE core/check/cells.cpp core/diagram/diagram_writer.h TRUE)
 vorpipe_expect(TRUE core/search/flann_search.cpp flann/flann.hpp FALSE)
 vorpipe_expect(TRUE backend/registry.cpp backend/cpu/cpu.h TRUE)
 vorpipe_expect(TRUE backend/vulkan/device.cpp backend/capabilities.h TRUE)
-vorpipe_expect(TRUE cli/render.cpp io/png.h TRUE)
+vorpipe_expect(TRUE cli/render.cpp io/pictures/png_file.h TRUE)
+vorpipe_expect(TRUE io/cells/cells_npz.cpp io/arrays/zip_file.h TRUE)
+vorpipe_expect(FALSE io/arrays/zip_file.cpp io/cells/cells_file.h TRUE)
+vorpipe_expect(FALSE io/text/number.cpp csv.h FALSE)
 vorpipe_expect(FALSE core/picture/picture.cpp backend/cpu/cpu.h TRUE)
 vorpipe_expect(FALSE bench/lab.cpp core/judge/judge.h TRUE)
 vorpipe_expect(FALSE core/picture/picture.cpp flann/flann.hpp FALSE)
@@ -126,7 +142,7 @@ vorpipe_expect(FALSE backend/opengl/draw.cpp backend/vulkan/device.h TRUE)
 vorpipe_expect(FALSE backend/opengl/draw.cpp backend/registry.h TRUE)
 vorpipe_expect(FALSE backend/backend.h volk.h FALSE)
 vorpipe_expect(FALSE backend/cpu/cpu.cpp epoxy/gl.h FALSE)
-vorpipe_expect(FALSE io/png.cpp core/cells/cells_run.h TRUE)
+vorpipe_expect(FALSE io/pictures/png_file.cpp core/cells/cells_run.h TRUE)
 vorpipe_expect(FALSE cli/render.cpp core/cells/cells_run.h TRUE)
 vorpipe_expect(FALSE vorpipe.h glm/vec2.hpp FALSE)
 vorpipe_expect(FALSE elsewhere/file.cpp vorpipe.h TRUE)

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "io/json_text.h"
+#include "io/text/json_text.h"
 
 namespace vorpipe::bench {
 

@@ -14,7 +14,7 @@
 #include "bench/driver_threads.h"
 #include "core/cells/cells_run.h"
 #include "core/picture/picture.h"
-#include "io/site_source.h"
+#include "io/sites/site_source.h"
 
 namespace vorpipe::bench {
 namespace {

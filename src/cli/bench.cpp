@@ -16,8 +16,8 @@
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/run_end.h"
-#include "io/error.h"
-#include "io/forecast_files.h"
+#include "io/files/error.h"
+#include "io/forecast/forecast_files.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -13,9 +13,9 @@
 #include "cli/progress.h"
 #include "cli/run_end.h"
 #include "cli/stats.h"
-#include "io/cells_file.h"
-#include "io/density_file.h"
-#include "io/forecast_files.h"
+#include "io/cells/cells_file.h"
+#include "io/domain/density_file.h"
+#include "io/forecast/forecast_files.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "cli/command.h"
-#include "io/error.h"
+#include "io/files/error.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -13,7 +13,7 @@
 #include "cli/progress.h"
 #include "cli/run_end.h"
 #include "cli/stats.h"
-#include "io/png_file.h"
+#include "io/pictures/png_file.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "cli/difference_text.h"
 #include "cli/stats.h"
-#include "io/json_text.h"
+#include "io/text/json_text.h"
 
 namespace vorpipe::cli {
 namespace {

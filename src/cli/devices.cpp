@@ -6,7 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/options.h"
-#include "io/json_text.h"
+#include "io/text/json_text.h"
 
 namespace vorpipe::cli {
 namespace {

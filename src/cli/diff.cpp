@@ -12,10 +12,10 @@
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/run_end.h"
-#include "io/error.h"
-#include "io/extension.h"
-#include "io/npy_ids.h"
-#include "io/png_file.h"
+#include "io/files/error.h"
+#include "io/files/extension.h"
+#include "io/pictures/npy_ids.h"
+#include "io/pictures/png_file.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "io/error.h"
-#include "io/forecast_files.h"
-#include "io/site_source.h"
+#include "io/files/error.h"
+#include "io/forecast/forecast_files.h"
+#include "io/sites/site_source.h"
 
 namespace vorpipe::cli {
 namespace {

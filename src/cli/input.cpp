@@ -8,10 +8,10 @@
 
 #include "base/stopwatch.h"
 #include "cli/progress.h"
-#include "io/error.h"
-#include "io/outline_file.h"
-#include "io/site_source.h"
-#include "io/weights_file.h"
+#include "io/domain/outline_file.h"
+#include "io/files/error.h"
+#include "io/sites/site_source.h"
+#include "io/sites/weights_file.h"
 
 namespace vorpipe::cli {
 namespace {

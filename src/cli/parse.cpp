@@ -8,9 +8,9 @@
 #include <charconv>
 #include <cmath>
 
-#include "io/error.h"
-#include "io/extension.h"
-#include "io/number.h"
+#include "io/files/error.h"
+#include "io/files/extension.h"
+#include "io/text/number.h"
 
 namespace vorpipe::cli {
 namespace {

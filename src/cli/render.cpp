@@ -12,9 +12,9 @@
 #include "cli/progress.h"
 #include "cli/run_end.h"
 #include "cli/stats.h"
-#include "io/error.h"
-#include "io/npy_ids.h"
-#include "io/png_file.h"
+#include "io/files/error.h"
+#include "io/pictures/npy_ids.h"
+#include "io/pictures/png_file.h"
 
 namespace vorpipe::cli {
 namespace {

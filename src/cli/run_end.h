@@ -9,7 +9,7 @@
 
 #include "cli/command.h"
 #include "cli/options.h"
-#include "io/output_file.h"
+#include "io/files/output_file.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {

@@ -3,7 +3,7 @@
 
 #include "bench/machine.h"
 #include "cli/selftest_text.h"
-#include "io/json_text.h"
+#include "io/text/json_text.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "io/json_text.h"
+#include "io/text/json_text.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/sites_file.h"
+#include "io/sites/sites_file.h"
 #include "support/backends.h"
 #include "support/data_sets.h"
 #include "support/exact_comparison.h"

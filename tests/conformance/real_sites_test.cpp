@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "exact_fixture.h"
-#include "io/sites_file.h"
+#include "io/sites/sites_file.h"
 #include "support/backends.h"
 #include "support/oracle.h"
 #include "support/real_sets.h"

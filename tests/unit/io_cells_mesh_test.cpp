@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "io/cells_mesh.h"
-#include "io/npy_elements.h"
+#include "io/arrays/npy_elements.h"
+#include "io/cells/cells_mesh.h"
 #include "io_cells_test.h"
 
 namespace vorpipe::test {

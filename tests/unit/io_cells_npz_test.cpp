@@ -7,8 +7,8 @@
 #include <thread>
 #include <vector>
 
-#include "io/npy_array.h"
-#include "io/zip_file.h"
+#include "io/arrays/npy_array.h"
+#include "io/arrays/zip_file.h"
 #include "io_cells_test.h"
 
 namespace vorpipe::test {

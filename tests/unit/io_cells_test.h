@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "io/cells_file.h"
+#include "io/cells/cells_file.h"
 #include "io_test_files.h"
 
 namespace vorpipe::test {

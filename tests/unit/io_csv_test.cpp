@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/line_reader.h"
-#include "io/sites_file.h"
+#include "io/sites/sites_file.h"
+#include "io/text/line_reader.h"
 #include "io_test_files.h"
 
 namespace vorpipe::test {

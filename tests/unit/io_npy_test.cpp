@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
-#include "io/npy_header.h"
-#include "io/npy_ids.h"
-#include "io/output_file.h"
-#include "io/sites_file.h"
+#include "io/arrays/npy_header.h"
+#include "io/files/output_file.h"
+#include "io/pictures/npy_ids.h"
+#include "io/sites/sites_file.h"
 #include "io_test_files.h"
 
 namespace vorpipe::test {

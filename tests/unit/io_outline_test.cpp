@@ -1,9 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/density_file.h"
-#include "io/outline_file.h"
-#include "io/png_file.h"
+#include "io/domain/density_file.h"
+#include "io/domain/outline_file.h"
+#include "io/pictures/png_file.h"
 #include "io_test_files.h"
 
 namespace vorpipe::test {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "another_user.h"
-#include "io/output_file.h"
+#include "io/files/output_file.h"
 #include "io_test_files.h"
 
 namespace vorpipe::test {

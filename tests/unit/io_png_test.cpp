@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "io/output_file.h"
-#include "io/png_file.h"
+#include "io/files/output_file.h"
+#include "io/pictures/png_file.h"
 #include "io_test_files.h"
 
 namespace vorpipe::test {

@@ -8,8 +8,8 @@
 #include <string_view>
 
 #include "another_user.h"
-#include "io/site_source.h"
-#include "io/sites_file.h"
+#include "io/sites/site_source.h"
+#include "io/sites/sites_file.h"
 #include "io_test_files.h"
 #include "support/real_sets.h"
 

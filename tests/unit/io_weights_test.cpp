@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "io/npy_array.h"
-#include "io/weights_file.h"
+#include "io/arrays/npy_array.h"
+#include "io/sites/weights_file.h"
 #include "io_test_files.h"
 
 namespace vorpipe::test {

@@ -1,0 +1,71 @@
+/// The elements of a .npy file, in the order in which they stand in the file.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "io/arrays/npy_header.h"
+#include "io/files/error.h"
+#include "io/files/input_file.h"
+
+namespace vorpipe {
+
+/// `bytes` as one Value of the byte order given.
+template <class Value>
+Value valueOf(const char* bytes, bool big_endian) {
+  char native[sizeof(Value)];
+  std::memcpy(native, bytes, sizeof(Value));
+  if (big_endian != (std::endian::native == std::endian::big)) {
+    std::reverse(native, native + sizeof(Value));
+  }
+  return std::bit_cast<Value>(native);
+}
+
+/// Calls `take(index, value)` for each of `count` elements in a row, through a buffer of fixed size;
+/// take returns Result<void>, and its first error ends the reading. Error (input): the file ends first.
+template <class Value, class Take>
+Result<void> eachElement(InputFile& file, const NpyHeader& header, std::uint64_t count, Take take) {
+  constexpr std::size_t chunk = std::size_t{1} << 16;
+  std::vector<char> buffer(chunk * sizeof(Value));
+  for (std::uint64_t first = 0; first < count; first += chunk) {
+    const auto length = static_cast<std::size_t>(std::min<std::uint64_t>(chunk, count - first));
+    const auto got = file.read(std::span(buffer).first(length * sizeof(Value)));
+    if (!got) {
+      return tl::unexpected(got.error());
+    }
+    if (*got < length * sizeof(Value)) {
+      return inputError(file.name() + ": is truncated: its data end after " +
+                        std::to_string(first * sizeof(Value) + *got) + " of " +
+                        std::to_string(count * sizeof(Value)) + " bytes");
+    }
+    for (std::size_t i = 0; i < length; ++i) {
+      const auto value = valueOf<Value>(buffer.data() + i * sizeof(Value), header.big_endian);
+      if (Result<void> taken = take(first + i, value); !taken) {
+        return taken;
+      }
+    }
+  }
+  return {};
+}
+
+/// Pixels in a row or a column of an array that is an image.
+inline constexpr std::uint64_t max_extent = 1 << 20;
+
+/// The same for all elements of an array of two axes: `take(row, column, value)`.
+template <class Value, class Take>
+Result<void> eachPixel(InputFile& file, const NpyHeader& header, Take take) {
+  const std::uint64_t rows = header.shape[0], columns = header.shape[1];
+  return eachElement<Value>(file, header, rows * columns, [&](std::uint64_t index, Value value) {
+    return header.fortran_order ? take(index % rows, index / rows, value)
+                                : take(index / columns, index % columns, value);
+  });
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,88 @@
+/// One record after the other out of a Diagram, and into a file.
+#pragma once
+
+#include <fmt/compile.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "io/files/output_file.h"
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+inline std::span<const Point> verticesOf(const Diagram& diagram, std::size_t site) {
+  const std::uint64_t begin = diagram.cell_offsets[site];
+  return std::span(diagram.vertices).subspan(begin, diagram.cell_offsets[site + 1] - begin);
+}
+
+inline std::span<const std::int64_t> neighborsOf(const Diagram& diagram, std::size_t site) {
+  const std::uint64_t begin = diagram.cell_offsets[site];
+  return std::span(diagram.neighbors).subspan(begin, diagram.cell_offsets[site + 1] - begin);
+}
+
+/// The shifts of neighborsOf(); empty where the domain does not repeat itself.
+inline std::span<const std::array<std::int32_t, 2>> shiftsOf(const Diagram& diagram, std::size_t site) {
+  if (diagram.neighbor_shifts.empty()) {
+    return {};
+  }
+  const std::uint64_t begin = diagram.cell_offsets[site];
+  return std::span(diagram.neighbor_shifts).subspan(begin, diagram.cell_offsets[site + 1] - begin);
+}
+
+inline std::string_view statusWord(Status status) {
+  switch (status) {
+    case Status::ok:
+      return "ok";
+    case Status::empty:
+      return "empty";
+    case Status::duplicate:
+      break;
+  }
+  return "duplicate";
+}
+
+/// Bytes of a file before they are written.
+using Bytes = fmt::memory_buffer;
+
+/// Appends text; `format` is a FMT_COMPILE, and a double prints as the shortest text that reads back to it.
+template <class Format, class... Values>
+void print(Bytes& bytes, const Format& format, const Values&... values) {
+  fmt::format_to(fmt::appender(bytes), format, values...);
+}
+
+/// Appends what `put(bytes, index)` appends for each index below `count`, `separator` between them.
+template <class Put>
+void join(Bytes& bytes, std::size_t count, std::string_view separator, const Put& put) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i != 0) {
+      bytes.append(separator);
+    }
+    put(bytes, i);
+  }
+}
+
+/// Writes what `put(bytes, index)` appends for each index below `count`, through a buffer that is handed
+/// on when it is full. Error (device): writing failed.
+template <class Put>
+Result<void> writeEach(OutputFile& file, std::size_t count, const Put& put) {
+  constexpr std::size_t full = std::size_t{1} << 16;
+  Bytes bytes;
+  for (std::size_t i = 0; i < count; ++i) {
+    put(bytes, i);
+    if (bytes.size() >= full || i + 1 == count) {
+      if (auto written = file.write({bytes.data(), bytes.size()}); !written) {
+        return written;
+      }
+      bytes.clear();
+    }
+  }
+  return {};
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,68 @@
+#include "io/cells/cells_file.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <new>
+
+#include "io/files/error.h"
+#include "io/files/extension.h"
+
+namespace vorpipe {
+
+// One line for each kind of file: the name of what cells_NAME.cpp defines, NAME_cells.
+// clang-format off
+#define CELLS_FORMATS(format) \
+  format(csv)                 \
+  format(npz)                 \
+  format(geojson)             \
+  format(geojsonl)            \
+  format(svg)                 \
+  format(obj)                 \
+  format(ply)                 \
+  format(vtk)                 \
+  format(wkt)
+// clang-format on
+
+#define DECLARED(name) extern const CellsFormat name##_cells;
+CELLS_FORMATS(DECLARED)
+#undef DECLARED
+
+namespace {
+
+#define LISTED(name) &name##_cells,
+constexpr std::array formats{CELLS_FORMATS(LISTED)};
+#undef LISTED
+
+}  // namespace
+
+std::vector<std::string_view> cellsExtensions() {
+  std::vector<std::string_view> extensions;
+  for (const CellsFormat* format : formats) extensions.push_back(format->extension);
+  return extensions;
+}
+
+Result<const CellsFormat*> cellsFormatOf(const std::string& path) {
+  const std::string extension = lowerExtension(path);
+  const auto found = std::ranges::find_if(
+      formats, [&](const CellsFormat* format) { return format->extension == extension; });
+  if (found != formats.end()) return *found;
+  return inputError(fmt::format("{}: unknown kind of file for cells; known are {}", path,
+                                fmt::join(cellsExtensions(), ", ")));
+}
+
+Result<void> writeCells(OutputFile& file, const Sites& sites, const Diagram& diagram,
+                        const CellsFormat& format) {
+  assert(diagram.status.size() == sites.size() && diagram.cell_offsets.size() == sites.size() + 1);
+  assert(diagram.vertices.size() == diagram.cell_offsets.back());
+  try {
+    return format.write(file, sites, diagram);
+  } catch (const std::bad_alloc&) {
+    return deviceError(file.name() + ": there is not enough memory to write its cells");
+  }
+}
+
+}  // namespace vorpipe

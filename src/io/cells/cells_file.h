@@ -1,0 +1,35 @@
+/// Cells as a file of any known kind.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/files/output_file.h"
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+/// A kind of file for cells. Each has a file of its own, cells_NAME.cpp, and a line in cells_file.cpp.
+struct CellsFormat {
+  std::string_view extension;
+  Detail detail;  ///< the parts of a Diagram that it writes
+  bool mesh;      ///< whether it is made of faces that share their vertices, which takes memory
+  /// Writes the cells of `sites`; the errors are those of writeCells.
+  Result<void> (*write)(OutputFile& file, const Sites& sites, const Diagram& diagram);
+};
+
+/// The extensions of all kinds, in the order in which messages name them.
+std::vector<std::string_view> cellsExtensions();
+
+/// The format that the path's extension names; never null. Error (input): it names none.
+Result<const CellsFormat*> cellsFormatOf(const std::string& path);
+
+/// Writes `diagram`, the cells of `sites` with the format's detail or more, in input order; equal cells give
+/// equal bytes. Numbers in text read back to the same double, but for .svg, which is in pixels. Errors: .obj,
+/// .ply or .vtk with more vertices than its indices can count (input); writing failed or memory ran out
+/// (device).
+Result<void> writeCells(OutputFile& file, const Sites& sites, const Diagram& diagram,
+                        const CellsFormat& format);
+
+}  // namespace vorpipe

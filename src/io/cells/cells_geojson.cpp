@@ -1,0 +1,27 @@
+#include "io/cells/cells_file.h"
+#include "io/cells/geojson_feature.h"
+
+namespace vorpipe {
+namespace {
+
+/// A FeatureCollection, with a feature for each site.
+Result<void> write(OutputFile& file, const Sites& sites, const Diagram& diagram) {
+  if (auto written = file.write(R"({"type":"FeatureCollection","features":[)"); !written) {
+    return written;
+  }
+  auto features = writeEach(file, sites.size(), [&](Bytes& text, std::size_t site) {
+    text.append(std::string_view(site == 0 ? "\n" : ",\n"));
+    printFeature(text, sites, diagram, site);
+  });
+  if (!features) {
+    return features;
+  }
+  return file.write("\n]}\n");
+}
+
+}  // namespace
+
+extern const CellsFormat geojson_cells;
+const CellsFormat geojson_cells{".geojson", Detail::polygons, /*mesh=*/false, write};
+
+}  // namespace vorpipe

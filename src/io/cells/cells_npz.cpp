@@ -1,0 +1,81 @@
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "io/arrays/npy_array.h"
+#include "io/arrays/zip_file.h"
+#include "io/cells/cells_file.h"
+
+namespace vorpipe {
+namespace {
+
+template <class Number, std::uint64_t columns = 1, class Row>
+void add(std::vector<ZipEntry>& entries, const char* name, const std::vector<Row>& rows) {
+  NpyArray array = npyArray<Number, columns>(std::span<const Row>(rows));
+  entries.push_back({std::string(name) + ".npy", std::move(array.header), zipBody(array.elements)});
+}
+
+/// Positions as pairs, which stand nowhere in memory: tens of millions of sites are not copied.
+ZipBody pairsOf(const Sites& sites) {
+  constexpr std::size_t row = 2 * sizeof(double);
+  return {sites.size() * row, [&sites](std::uint64_t offset, char* to, std::size_t length) {
+            // An offset may lie inside of a pair: libzip asks for as many bytes as it likes.
+            std::size_t copied = 0;
+            for (std::uint64_t site = offset / row; copied < length && site < sites.size(); ++site) {
+              const double pair[] = {sites.x[site], sites.y[site]};
+              const std::string_view bytes(reinterpret_cast<const char*>(pair), row);
+              copied += bytes.copy(to + copied, length - copied, (offset + copied) % row);
+            }
+            return copied;
+          }};
+}
+
+/// Arrays of N sites, M vertices and T triangles: sites (N, 2), weights (N) where sites have them, status
+/// uint8 (N) with 0 ok, 1 empty, 2 duplicate, owners uint32 (N), areas (N), perimeters (N), centroids
+/// (N, 2), second_moments (N, 3), cell_offsets int64 (N + 1), cell_vertices (M, 2), neighbor_offsets int64
+/// (N + 1), neighbors int64 (M), edge_lengths (M), triangles uint32 (T, 3); float64 where nothing is said.
+/// Where a diagram has them: neighbor_shifts int32 (M, 2); ring_starts int64, one for each ring; mass (N) and
+/// mass_centroids (N, 2).
+Result<void> write(OutputFile& file, const Sites& sites, const Diagram& diagram) {
+  std::vector<ZipEntry> entries;
+  const std::uint64_t shape[] = {sites.size(), 2};
+  entries.push_back({"sites.npy", npyHeader(npyType<double>(), shape), pairsOf(sites)});
+  if (!sites.weight.empty()) {
+    add<double>(entries, "weights", sites.weight);
+  }
+  add<std::uint8_t>(entries, "status", diagram.status);
+  add<std::uint32_t>(entries, "owners", diagram.owner);
+  add<double>(entries, "areas", diagram.area);
+  add<double>(entries, "perimeters", diagram.perimeter);
+  add<double, 2>(entries, "centroids", diagram.centroid);
+  add<double, 3>(entries, "second_moments", diagram.second_moments);
+  // NumPy makes float64 of a sum of uint64 and int64, so that offsets are signed.
+  add<std::int64_t>(entries, "cell_offsets", diagram.cell_offsets);
+  add<double, 2>(entries, "cell_vertices", diagram.vertices);
+  add<std::int64_t>(entries, "neighbor_offsets", diagram.cell_offsets);
+  add<std::int64_t>(entries, "neighbors", diagram.neighbors);
+  if (!diagram.neighbor_shifts.empty()) {
+    add<std::int32_t, 2>(entries, "neighbor_shifts", diagram.neighbor_shifts);
+  }
+  if (!diagram.ring_starts.empty()) {
+    add<std::int64_t>(entries, "ring_starts", diagram.ring_starts);
+  }
+  if (!diagram.mass.empty()) {
+    add<double>(entries, "mass", diagram.mass);
+    add<double, 2>(entries, "mass_centroids", diagram.mass_centroid);
+  }
+  add<double>(entries, "edge_lengths", diagram.edge_lengths);
+  add<std::uint32_t, 3>(entries, "triangles", diagram.triangles);
+  return writeZip(file, entries);
+}
+
+}  // namespace
+
+extern const CellsFormat npz_cells;
+const CellsFormat npz_cells{".npz", Detail::everything, /*mesh=*/false, write};
+
+}  // namespace vorpipe

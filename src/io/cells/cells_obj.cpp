@@ -1,0 +1,46 @@
+#include "io/cells/cell_records.h"
+#include "io/cells/cells_file.h"
+#include "io/cells/cells_mesh.h"
+
+namespace vorpipe {
+
+namespace {
+
+/// The faces stand in the order of their sites; z is 0. A piece of a cell is a face, one with holes several
+/// triangles; where cells may have several faces, these stand in groups site_N.
+Result<void> write(OutputFile& file, const Sites& /*sites*/, const Diagram& diagram) {
+  const auto mesh = cellsMesh(file, diagram);
+  if (!mesh) {
+    return tl::unexpected(mesh.error());
+  }
+  const bool in_pieces = !diagram.ring_starts.empty();
+  const std::string_view head = in_pieces
+                                    ? "# Faces are pieces of cells; the group is the cell's site.\n"
+                                    : "# Faces are the cells of the sites that have one, in their order.\n";
+  if (auto written = file.write(head); !written) {
+    return written;
+  }
+  auto points = writeEach(file, mesh->points.size(), [&](Bytes& text, std::size_t i) {
+    print(text, FMT_COMPILE("v {} {} 0\n"), mesh->points[i].x, mesh->points[i].y);
+  });
+  if (!points) {
+    return points;
+  }
+  return writeEach(file, mesh->size(), [&](Bytes& text, std::size_t face) {
+    if (in_pieces && (face == 0 || mesh->sites[face] != mesh->sites[face - 1])) {
+      print(text, FMT_COMPILE("g site_{}\n"), mesh->sites[face]);
+    }
+    text.push_back('f');
+    for (const std::int32_t corner : mesh->cornersOf(face)) {
+      print(text, FMT_COMPILE(" {}"), corner + 1);
+    }
+    text.push_back('\n');
+  });
+}
+
+}  // namespace
+
+extern const CellsFormat obj_cells;
+const CellsFormat obj_cells{".obj", Detail::polygons, /*mesh=*/true, write};
+
+}  // namespace vorpipe

@@ -1,0 +1,115 @@
+#include <algorithm>
+#include <cmath>
+
+#include "io/cells/cell_records.h"
+#include "io/cells/cell_rings.h"
+#include "io/cells/cells_file.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr double longer_side = 1000;
+
+/// From the diagram's coordinates to pixels, y downward.
+struct PixelMap {
+  double xmin, ymax, scale, width, height;  ///< width and height are in pixels
+};
+
+/// Cells that tile the domain have it for the box of their vertices; those of a periodic one reach beyond it,
+/// and are shown whole.
+PixelMap pixelMap(const Diagram& diagram) {
+  if (diagram.vertices.empty()) {
+    return {0, 0, 1, longer_side, longer_side};
+  }
+  const Box box = boxOf(diagram.vertices);
+  const double width = box.xmax - box.xmin, height = box.ymax - box.ymin;
+  const double scale = longer_side / std::max(width, height);
+  return {box.xmin, box.ymax, scale, width * scale, height * scale};
+}
+
+/// Thin beside a polygon of mean size.
+double strokeWidth(const PixelMap& map, const Diagram& diagram) {
+  std::size_t polygons = 0;
+  for (std::size_t site = 0; site < diagram.status.size(); ++site) {
+    if (hasPolygon(diagram, site)) ++polygons;
+  }
+  const auto count = static_cast<double>(std::max<std::size_t>(polygons, 1));
+  return std::min(1.0, std::sqrt(map.width * map.height / count) / 20);
+}
+
+/// A light color as 0xRRGGBB. Golden steps around the hues keep sites of near indices far apart.
+std::uint32_t fillColor(std::size_t site) {
+  constexpr std::uint32_t golden_step = 0x9E3779B9, low = 0x78, high = 0xF0;
+  const std::uint32_t turn = static_cast<std::uint32_t>(site) * golden_step;
+  const std::uint64_t hue = std::uint64_t{turn} * 6;
+  const auto fraction = static_cast<std::uint32_t>(hue >> 24 & 0xFF);
+  const std::uint32_t rising = low + (high - low) * fraction / 0xFF, falling = high + low - rising;
+  switch (hue >> 32) {
+    case 0:
+      return high << 16 | rising << 8 | low;
+    case 1:
+      return falling << 16 | high << 8 | low;
+    case 2:
+      return low << 16 | high << 8 | rising;
+    case 3:
+      return low << 16 | falling << 8 | high;
+    case 4:
+      return rising << 16 | low << 8 | high;
+    default:
+      return high << 16 | low << 8 | falling;
+  }
+}
+
+void printVertices(Bytes& text, const PixelMap& map, std::span<const Point> vertices) {
+  join(text, vertices.size(), " ", [&](Bytes& out, std::size_t k) {
+    print(out, FMT_COMPILE("{:.8g},{:.8g}"), (vertices[k].x - map.xmin) * map.scale,
+          (map.ymax - vertices[k].y) * map.scale);
+  });
+}
+
+void printCell(Bytes& text, const PixelMap& map, const Diagram& diagram, std::size_t site) {
+  const auto rings = ringsOf(diagram, site);
+  if (rings.empty()) {
+    return;
+  }
+  const std::string_view shape = rings.size() == 1 ? "polygon" : "path";
+  print(text, FMT_COMPILE("<{} fill=\"#{:06x}\" {}=\""), shape, fillColor(site),
+        rings.size() == 1 ? "points" : "d");
+  if (rings.size() == 1) {
+    printVertices(text, map, verticesOf(diagram, rings.front()));
+  } else {
+    for (const Ring& ring : rings) {
+      text.push_back('M');
+      printVertices(text, map, verticesOf(diagram, ring));
+      text.push_back('Z');
+    }
+  }
+  print(text, FMT_COMPILE("\"><title>site {}, area {}</title></{}>\n"), site, diagram.area[site], shape);
+}
+
+/// The longer side is 1000 pixels, the largest y is at the top; a site's hue follows from its index.
+Result<void> write(OutputFile& file, const Sites& /*sites*/, const Diagram& diagram) {
+  const PixelMap map = pixelMap(diagram);
+  const std::string head = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.8g}\" height=\"{1:.8g}\" "
+      "viewBox=\"0 0 {0:.8g} {1:.8g}\">\n"
+      "<style>polygon,path{{stroke:#333;stroke-width:{2:.4g};stroke-linejoin:round;fill-rule:evenodd}}"
+      "polygon:hover,path:hover{{fill-opacity:.5}}</style>\n",
+      map.width, map.height, strokeWidth(map, diagram));
+  if (auto written = file.write(head); !written) {
+    return written;
+  }
+  auto polygons = writeEach(file, diagram.status.size(),
+                            [&](Bytes& text, std::size_t site) { printCell(text, map, diagram, site); });
+  if (!polygons) {
+    return polygons;
+  }
+  return file.write("</svg>\n");
+}
+
+}  // namespace
+
+extern const CellsFormat svg_cells;
+const CellsFormat svg_cells{".svg", Detail::polygons, /*mesh=*/false, write};
+
+}  // namespace vorpipe

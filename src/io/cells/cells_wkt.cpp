@@ -1,0 +1,49 @@
+#include "io/cells/cell_records.h"
+#include "io/cells/cells_file.h"
+#include "io/cells/polygon_text.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr ListText wkt_list{"(", ", ", ")"};
+
+void printPoint(Bytes& text, const Point& point) { print(text, FMT_COMPILE("{} {}"), point.x, point.y); }
+
+void printCell(Bytes& text, const Diagram& diagram, std::size_t site) {
+  const auto rings = ringsOf(diagram, site);
+  const auto pieces = piecesOf(rings);
+  if (pieces.empty()) {
+    text.append(std::string_view("POLYGON EMPTY"));
+  } else if (pieces.size() == 1) {
+    text.append(std::string_view("POLYGON "));
+    printPolygon(text, wkt_list, diagram, pieces.front(), printPoint);
+  } else {
+    text.append(std::string_view("MULTIPOLYGON "));
+    printPolygons(text, wkt_list, diagram, pieces, printPoint);
+  }
+}
+
+/// Polygons begin and end at the same vertex.
+Result<void> write(OutputFile& file, const Sites& /*sites*/, const Diagram& diagram) {
+  if (diagram.status.empty()) {
+    return file.write("GEOMETRYCOLLECTION EMPTY\n");
+  }
+  if (auto written = file.write("GEOMETRYCOLLECTION ("); !written) {
+    return written;
+  }
+  auto polygons = writeEach(file, diagram.status.size(), [&](Bytes& text, std::size_t site) {
+    print(text, FMT_COMPILE("{}"), site == 0 ? "\n" : ",\n");
+    printCell(text, diagram, site);
+  });
+  if (!polygons) {
+    return polygons;
+  }
+  return file.write("\n)\n");
+}
+
+}  // namespace
+
+extern const CellsFormat wkt_cells;
+const CellsFormat wkt_cells{".wkt", Detail::polygons, /*mesh=*/false, write};
+
+}  // namespace vorpipe

@@ -1,0 +1,44 @@
+/// Polygons with holes as nested lists of points, as GeoJSON and WKT have them.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "io/cells/cell_records.h"
+#include "io/cells/cell_rings.h"
+
+namespace vorpipe {
+
+/// How a format writes a list.
+struct ListText {
+  std::string_view open, separator, close;
+};
+
+/// Appends a list of what `put(bytes, index)` appends for each index below `count`.
+template <class Put>
+void printList(Bytes& text, const ListText& list, std::size_t count, const Put& put) {
+  text.append(list.open);
+  join(text, count, list.separator, put);
+  text.append(list.close);
+}
+
+/// Appends the rings of one polygon, each of which ends where it began; `put(bytes, point)` appends a point.
+template <class Put>
+void printPolygon(Bytes& text, const ListText& list, const Diagram& diagram, std::span<const Ring> piece,
+                  const Put& put) {
+  printList(text, list, piece.size(), [&](Bytes& rings, std::size_t r) {
+    const auto vertices = verticesOf(diagram, piece[r]);
+    printList(rings, list, vertices.size() + 1,
+              [&](Bytes& points, std::size_t k) { put(points, vertices[k % vertices.size()]); });
+  });
+}
+
+/// Appends the polygons of a cell, one after the other.
+template <class Put>
+void printPolygons(Bytes& text, const ListText& list, const Diagram& diagram,
+                   std::span<const std::span<const Ring>> pieces, const Put& put) {
+  printList(text, list, pieces.size(),
+            [&](Bytes& polygons, std::size_t p) { printPolygon(polygons, list, diagram, pieces[p], put); });
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,78 @@
+#include "io/domain/density_file.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include "io/arrays/npy_elements.h"
+#include "io/arrays/npy_header.h"
+#include "io/files/error.h"
+#include "io/files/extension.h"
+#include "io/files/input_file.h"
+#include "io/pictures/png_file.h"
+
+namespace vorpipe {
+namespace {
+
+template <class Number>
+Result<Density> readElements(InputFile& file, const NpyHeader& header) {
+  const std::uint64_t rows = header.shape[0], columns = header.shape[1];
+  Density density{static_cast<int>(columns), static_cast<int>(rows), {}};
+  density.values.resize(rows * columns);
+  const auto read = eachPixel<Number>(
+      file, header, [&](std::uint64_t row, std::uint64_t column, Number element) -> Result<void> {
+        const auto value = static_cast<double>(element);
+        if (!std::isfinite(value) || value < 0) {
+          return inputError(fmt::format("{}: element [{}, {}] (counted from 0) is {}; a density is 0 or more",
+                                        file.name(), row, column, value));
+        }
+        density.values[row * columns + column] = value;
+        return {};
+      });
+  if (!read) {
+    return tl::unexpected(read.error());
+  }
+  return density;
+}
+
+Result<Density> readNpy(const std::string& path) {
+  auto file = InputFile::open(path);
+  if (!file) {
+    return tl::unexpected(file.error());
+  }
+  const auto header = readNpyHeader(*file);
+  if (!header) {
+    return tl::unexpected(header.error());
+  }
+  const auto& shape = header->shape;
+  if (shape.size() == 2 && std::min(shape[0], shape[1]) >= 1 && std::max(shape[0], shape[1]) <= max_extent) {
+    const char kind = header->kind;
+    const std::size_t size = header->size;
+    if (kind == 'f' && size == 4) return readElements<float>(*file, *header);
+    if (kind == 'f' && size == 8) return readElements<double>(*file, *header);
+    if (kind == 'u' && size == 1) return readElements<std::uint8_t>(*file, *header);
+    if (kind == 'u' && size == 2) return readElements<std::uint16_t>(*file, *header);
+    if (kind == 'u' && size == 4) return readElements<std::uint32_t>(*file, *header);
+  }
+  return inputError(fmt::format(
+      "{}: holds {}; float32, float64, uint8, uint16 or uint32 (H, W) with 1 to {} rows and columns "
+      "is needed",
+      path, header->description, max_extent));
+}
+
+}  // namespace
+
+Result<Density> readDensity(const std::string& path) {
+  const std::string extension = lowerExtension(path);
+  try {
+    if (extension == ".png") return readPngDarkness(path);
+    if (extension == ".npy") return readNpy(path);
+  } catch (const std::bad_alloc&) {
+    return deviceError(path + ": there is not enough memory for its pixels");
+  }
+  return inputError(path + ": unknown kind of file; known are .png and .npy");
+}
+
+}  // namespace vorpipe

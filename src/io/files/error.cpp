@@ -1,0 +1,38 @@
+#include "io/files/error.h"
+
+#include <fmt/core.h>
+
+#include <system_error>
+#include <utility>
+
+namespace vorpipe {
+
+tl::unexpected<Error> inputError(std::string message) {
+  return tl::unexpected(Error{ErrorCode::input, std::move(message)});
+}
+
+tl::unexpected<Error> deviceError(std::string message) {
+  return tl::unexpected(Error{ErrorCode::device, std::move(message)});
+}
+
+tl::unexpected<Error> systemError(ErrorCode kind, std::string_view file, std::string_view what, int code) {
+  return tl::unexpected(
+      Error{kind, fmt::format("{}: {}: {}", file, what, std::generic_category().message(code))});
+}
+
+std::string quoted(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  std::string result(1, '"');
+  for (const char c : text.substr(0, longest)) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F) {
+      result += fmt::format("\\x{:02x}", byte);
+    } else {
+      result += c;
+    }
+  }
+  result += text.size() > longest ? "...\"" : "\"";
+  return result;
+}
+
+}  // namespace vorpipe

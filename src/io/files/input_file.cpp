@@ -1,0 +1,69 @@
+#include "io/files/input_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <utility>
+
+#include "io/files/error.h"
+
+namespace vorpipe {
+
+InputFile::InputFile(int descriptor, std::string name, std::optional<std::uint64_t> size)
+    : descriptor_(descriptor), name_(std::move(name)), size_(size) {}
+
+InputFile::InputFile(InputFile&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1)), name_(std::move(other.name_)), size_(other.size_) {}
+
+InputFile& InputFile::operator=(InputFile&& other) noexcept {
+  std::swap(descriptor_, other.descriptor_);
+  std::swap(name_, other.name_);
+  std::swap(size_, other.size_);
+  return *this;
+}
+
+InputFile::~InputFile() {
+  if (descriptor_ > STDIN_FILENO) {
+    ::close(descriptor_);
+  }
+}
+
+Result<InputFile> InputFile::open(const std::string& path) {
+  const bool standard = path == "-";
+  const int descriptor = standard ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) {
+    return systemError(ErrorCode::input, path, "cannot be read", errno);
+  }
+  InputFile file(descriptor, standard ? "<stdin>" : path, std::nullopt);
+  struct stat status {};
+  if (::fstat(descriptor, &status) != 0) {
+    return systemError(ErrorCode::input, file.name_, "cannot be read", errno);
+  }
+  if (S_ISDIR(status.st_mode)) {
+    return inputError(file.name_ + ": is a directory; a file is needed");
+  }
+  if (S_ISREG(status.st_mode) && !standard) {
+    file.size_ = static_cast<std::uint64_t>(status.st_size);
+  }
+  return file;
+}
+
+Result<std::size_t> InputFile::read(std::span<char> bytes) {
+  std::size_t count = 0;
+  while (count < bytes.size()) {
+    const ssize_t got = ::read(descriptor_, bytes.data() + count, bytes.size() - count);
+    if (got == 0) {
+      break;
+    }
+    if (got > 0) {
+      count += static_cast<std::size_t>(got);
+    } else if (errno != EINTR) {
+      return systemError(ErrorCode::device, name_, "reading failed", errno);
+    }
+  }
+  return count;
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,23 @@
+/// What files and generators add to a MemoryPlan.
+#pragma once
+
+#include <string>
+
+#include "io/cells/cells_file.h"
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+/// Plans the sites of `--sites SPEC`, of which there are so many, with or without weights of their own.
+void planSites(MemoryPlan& plan, const std::string& spec, std::uint64_t sites, bool weighted);
+
+/// Plans readWeights of a file; or randomWeights, where the path is empty.
+void planWeights(MemoryPlan& plan, const std::string& path, std::uint64_t sites);
+
+/// Plans readDensity.
+void planDensity(MemoryPlan& plan, std::uint64_t pixels);
+
+/// Plans writeCells.
+void planCellsFile(MemoryPlan& plan, const Workload& work, const CellsFormat& format);
+
+}  // namespace vorpipe

@@ -1,0 +1,107 @@
+#include "io/pictures/npy_ids.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <new>
+#include <type_traits>
+#include <utility>
+
+#include "io/arrays/npy_array.h"
+#include "io/arrays/npy_elements.h"
+#include "io/arrays/npy_header.h"
+#include "io/files/error.h"
+#include "io/files/input_file.h"
+
+namespace vorpipe {
+namespace {
+
+template <class Integer>
+Result<void> readElements(InputFile& file, const NpyHeader& header, Image& image) {
+  const std::uint64_t columns = header.shape[1];
+  image.ids.resize(header.shape[0] * columns);
+  return eachPixel<Integer>(
+      file, header, [&](std::uint64_t row, std::uint64_t column, Integer value) -> Result<void> {
+        const bool none = std::is_signed_v<Integer> && value == static_cast<Integer>(-1);
+        if (!none && (std::cmp_less(value, 0) || std::cmp_greater(value, no_site))) {
+          return inputError(fmt::format("{}: element [{}, {}] (counted from 0) is {}; an id is 0 to {}",
+                                        file.name(), row, column, value, no_site));
+        }
+        image.ids[row * columns + column] = none ? no_site : static_cast<std::uint32_t>(value);
+        return {};
+      });
+}
+
+Result<void> readByType(InputFile& file, const NpyHeader& header, Image& image) {
+  const bool is_signed = header.kind == 'i';
+  if (header.size == 4) {
+    return is_signed ? readElements<std::int32_t>(file, header, image)
+                     : readElements<std::uint32_t>(file, header, image);
+  }
+  return is_signed ? readElements<std::int64_t>(file, header, image)
+                   : readElements<std::uint64_t>(file, header, image);
+}
+
+Result<Image> readImage(InputFile& file) {
+  const auto header = readNpyHeader(file);
+  if (!header) {
+    return tl::unexpected(header.error());
+  }
+  const bool integer =
+      (header->kind == 'i' || header->kind == 'u') && (header->size == 4 || header->size == 8);
+  const auto& shape = header->shape;
+  if (!integer || shape.size() != 2 || std::min(shape[0], shape[1]) < 1 ||
+      std::max(shape[0], shape[1]) > max_extent) {
+    return inputError(
+        fmt::format("{}: holds {}; uint32, int32, uint64 or int64 (H, W) with 1 to {} rows and "
+                    "columns is needed",
+                    file.name(), header->description, max_extent));
+  }
+  Image image;
+  image.height = static_cast<int>(shape[0]);
+  image.width = static_cast<int>(shape[1]);
+  if (const auto read = readByType(file, *header, image); !read) {
+    return tl::unexpected(read.error());
+  }
+  return image;
+}
+
+}  // namespace
+
+Result<void> writeNpyIds(OutputFile& file, int width, int height, std::span<const std::uint32_t> ids) {
+  const std::uint64_t shape[] = {static_cast<std::uint64_t>(height), static_cast<std::uint64_t>(width)};
+  if (auto written = file.write(npyHeader("<u4", shape)); !written) {
+    return written;
+  }
+  std::array<char, std::size_t{1} << 16> chunk;
+  constexpr std::size_t chunk_ids = chunk.size() / sizeof(std::uint32_t);
+  while (!ids.empty()) {
+    const std::size_t count = std::min(chunk_ids, ids.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t byte = 0; byte < sizeof(std::uint32_t); ++byte) {
+        chunk[i * sizeof(std::uint32_t) + byte] = static_cast<char>(ids[i] >> (8 * byte) & 0xFF);
+      }
+    }
+    if (auto written = file.write({chunk.data(), count * sizeof(std::uint32_t)}); !written) {
+      return written;
+    }
+    ids = ids.subspan(count);
+  }
+  return {};
+}
+
+Result<Image> readNpyIds(const std::string& path) {
+  try {
+    auto file = InputFile::open(path);
+    if (!file) {
+      return tl::unexpected(file.error());
+    }
+    return readImage(*file);
+  } catch (const std::bad_alloc&) {
+    return deviceError(path + ": there is not enough memory for its ids");
+  }
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,95 @@
+#include "io/sites/site_source.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <new>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "io/files/error.h"
+#include "io/sites/sites_file.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr std::array<std::pair<std::string_view, Pattern>, 6> patterns = {{
+    {"random", Pattern::random},
+    {"square", Pattern::square},
+    {"hex", Pattern::hex},
+    {"jitter", Pattern::jitter},
+    {"clusters", Pattern::clusters},
+    {"circle", Pattern::circle},
+}};
+
+std::optional<Pattern> patternNamed(std::string_view name) {
+  for (const auto& [known, pattern] : patterns) {
+    if (known == name) {
+      return pattern;
+    }
+  }
+  return std::nullopt;
+}
+
+/// A whole number from 1 to max_sites.
+std::optional<std::uint64_t> countOf(std::string_view text) {
+  std::uint64_t n = 0;
+  const char* const last = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), last, n);
+  if (stop != last || error != std::errc() || n < 1 || n > max_sites) {
+    return std::nullopt;
+  }
+  return n;
+}
+
+Result<SiteSource> generateSites(Pattern pattern, std::string_view spec, std::string_view count,
+                                 std::uint64_t seed) {
+  const auto n = countOf(count);
+  if (!n) {
+    return inputError(fmt::format("{}: {} is not a number of sites; it must be a whole number from 1 to {}",
+                                  spec, quoted(count), max_sites));
+  }
+  try {
+    return SiteSource{generate(pattern, *n, seed), seed};
+  } catch (const std::bad_alloc&) {
+    return deviceError(fmt::format("{}: there is not enough memory for so many sites", spec));
+  }
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> generatedCount(std::string_view spec) {
+  const std::size_t colon = spec.find(':');
+  if (colon == std::string_view::npos || !patternNamed(spec.substr(0, colon))) {
+    return std::nullopt;
+  }
+  return countOf(spec.substr(colon + 1));
+}
+
+Result<SiteSource> loadSites(const std::string& spec, std::uint64_t seed) {
+  const std::string_view text = spec;
+  const std::size_t colon = text.find(':');
+  const auto pattern = patternNamed(text.substr(0, colon));
+  if (pattern && colon != std::string_view::npos) {
+    return generateSites(*pattern, text, text.substr(colon + 1), seed);
+  }
+  auto sites = readSites(spec);
+  if (!sites && pattern) {
+    return inputError(fmt::format("{0}: a generator needs a number of sites, as in {0}:1000", spec));
+  }
+  if (!sites) {
+    if (colon != std::string_view::npos && !std::filesystem::exists(spec)) {
+      return inputError(
+          fmt::format("{}: is neither a file nor a generator (random, square, hex, jitter, "
+                      "clusters, circle)",
+                      spec));
+    }
+    return tl::unexpected(std::move(sites.error()));
+  }
+  return SiteSource{std::move(*sites), std::nullopt};
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,63 @@
+/// Comma-separated text, record by record, through libcsv.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/text/line_reader.h"
+
+struct csv_parser;
+
+namespace vorpipe {
+
+class CsvReader {
+ public:
+  /// Error (device): out of memory.
+  static Result<CsvReader> create(LineReader lines);
+
+  /// Reads the next record that is not blank; false after the last one. Errors: a quote that is not
+  /// closed or stands inside an unquoted field, a line or a record that is too long (input); reading
+  /// failed, out of memory (device).
+  Result<bool> next();
+
+  [[nodiscard]] std::size_t fields() const { return record_.ends.size(); }
+  /// Text of a field of the last record, without its quotes and the blanks around it.
+  [[nodiscard]] std::string_view field(std::size_t index) const;
+  [[nodiscard]] const std::string& name() const { return lines_.name(); }
+
+  /// "FILE:LINE:COLUMN: what" as an input error about the beginning of a field of the last record;
+  /// index fields() is the end of the record.
+  [[nodiscard]] tl::unexpected<Error> errorAt(std::size_t index, std::string_view what) const;
+
+ private:
+  struct Free {
+    void operator()(csv_parser* parser) const;
+  };
+  using Parser = std::unique_ptr<csv_parser, Free>;
+
+  struct Record {
+    std::string text;               ///< all fields, one after the other
+    std::vector<std::size_t> ends;  ///< where each ends in text
+    bool complete = false;
+    bool out_of_memory = false;
+    void clear();
+  };
+
+  CsvReader(LineReader lines, Parser parser);
+  static Parser makeParser();
+  static void onField(void* text, std::size_t length, void* record);
+  static void onRecordEnd(int character, void* record);
+  Result<void> parse(std::string_view line);
+  [[nodiscard]] std::size_t fieldBegin(std::size_t index) const;
+
+  LineReader lines_;
+  Parser parser_;
+  Record record_;
+  std::string earlier_;    ///< earlier lines of a record with a line end inside quotes, LF after each
+  std::string_view line_;  ///< the line that was parsed last
+};
+
+}  // namespace vorpipe

@@ -1,0 +1,11 @@
+#include "io/text/json_text.h"
+
+#include <nlohmann/json.hpp>
+
+namespace vorpipe {
+
+std::string jsonText(const nlohmann::ordered_json& json, int indent) {
+  return json.dump(indent, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace vorpipe
