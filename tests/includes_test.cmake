@@ -11,7 +11,7 @@ set(kinds
     "^geos\\.h$"
     "^backend/registry\\."
     "^backend/cpu/"
-    "^backend/vulkan/"
+    "^backend/vulkan/[^/]*$"
     "^backend/opengl/"
     "^backend/[^/]*$"
     "^bench/"
@@ -60,6 +60,7 @@ function(vorpipe_read_rooms folder all_may)
 endfunction()
 vorpipe_read_rooms(
   core "vorpipe\\.h|base/.*|geos\\.h|backend/(backend|collect|device_needs|precision|registry|tie)\\.h")
+vorpipe_read_rooms(backend/vulkan "vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl|shaders\\.h")
 vorpipe_read_rooms(io "vorpipe\\.h|geos\\.h")
 
 # Headers, most of them a library's, and the only files that may include them.
@@ -127,7 +128,10 @@ vorpipe_expect(FALSE core/check/run.h backend/registry.h TRUE)
 vorpipe_expect(FALSE core/check/cells.cpp core/diagram/diagram_writer.h TRUE)
 vorpipe_expect(TRUE core/search/flann_search.cpp flann/flann.hpp FALSE)
 vorpipe_expect(TRUE backend/registry.cpp backend/cpu/cpu.h TRUE)
-vorpipe_expect(TRUE backend/vulkan/device.cpp backend/capabilities.h TRUE)
+vorpipe_expect(TRUE backend/vulkan/device/device.cpp backend/capabilities.h TRUE)
+vorpipe_expect(TRUE backend/vulkan/compute/painter.h backend/vulkan/memory/target.h TRUE)
+vorpipe_expect(FALSE backend/vulkan/memory/target.h backend/vulkan/geometry/pipelines.h TRUE)
+vorpipe_expect(FALSE backend/vulkan/geometry/draw.cpp backend/vulkan/compute/compute.h TRUE)
 vorpipe_expect(TRUE cli/render.cpp io/pictures/png_file.h TRUE)
 vorpipe_expect(TRUE io/cells/cells_npz.cpp io/arrays/zip_file.h TRUE)
 vorpipe_expect(FALSE io/arrays/zip_file.cpp io/cells/cells_file.h TRUE)
@@ -138,7 +142,7 @@ vorpipe_expect(FALSE core/picture/picture.cpp flann/flann.hpp FALSE)
 vorpipe_expect(TRUE base/parallel.cpp tbb/parallel_for.h FALSE)
 vorpipe_expect(FALSE core/picture/picture.cpp tbb/parallel_for.h FALSE)
 vorpipe_expect(FALSE core/picture/picture.cpp ../backend/cpu/cpu.h TRUE)
-vorpipe_expect(FALSE backend/opengl/draw.cpp backend/vulkan/device.h TRUE)
+vorpipe_expect(FALSE backend/opengl/draw.cpp backend/vulkan/device/device.h TRUE)
 vorpipe_expect(FALSE backend/opengl/draw.cpp backend/registry.h TRUE)
 vorpipe_expect(FALSE backend/backend.h volk.h FALSE)
 vorpipe_expect(FALSE backend/cpu/cpu.cpp epoxy/gl.h FALSE)

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "backend/vulkan/instance.h"
+#include "backend/vulkan/device/instance.h"
 
 namespace vorpipe::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <string_view>
 
-#include "backend/vulkan/error.h"
+#include "backend/vulkan/device/error.h"
 #include "backend_scene.h"
 #include "faulty_device.h"
 

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "backend/vulkan/buffer.h"
-#include "backend/vulkan/device.h"
-#include "backend/vulkan/instance.h"
-#include "backend/vulkan/physical.h"
-#include "backend/vulkan/structure.h"
+#include "backend/vulkan/device/device.h"
+#include "backend/vulkan/device/instance.h"
+#include "backend/vulkan/device/physical.h"
+#include "backend/vulkan/device/structure.h"
+#include "backend/vulkan/memory/buffer.h"
 
 namespace vorpipe::vulkan {
 namespace {

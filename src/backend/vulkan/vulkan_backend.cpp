@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <utility>
 
-#include "backend/vulkan/compute.h"
-#include "backend/vulkan/device_pool.h"
-#include "backend/vulkan/geometry.h"
-#include "backend/vulkan/instance.h"
-#include "backend/vulkan/physical.h"
+#include "backend/vulkan/compute/compute.h"
+#include "backend/vulkan/device/device_pool.h"
+#include "backend/vulkan/device/instance.h"
+#include "backend/vulkan/device/physical.h"
+#include "backend/vulkan/geometry/geometry.h"
 #include "base/parallel.h"
 
 namespace vorpipe {

@@ -1,0 +1,162 @@
+#include "backend/vulkan/compute/painter.h"
+
+#include <array>
+#include <cstring>
+#include <utility>
+
+#include "backend/vulkan/device/error.h"
+#include "backend/vulkan/device/structure.h"
+#include "shaders.h"
+
+namespace vorpipe::vulkan {
+namespace {
+
+constexpr std::array<VkDescriptorSetLayoutBinding, 1> paint_bindings = {{
+    {BINDING_PALETTE, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, VK_SHADER_STAGE_FRAGMENT_BIT, nullptr},
+}};
+
+constexpr VkVertexInputBindingDescription vertices{0, vertex_bytes, VK_VERTEX_INPUT_RATE_VERTEX};
+constexpr std::array<VkVertexInputAttributeDescription, 2> attributes = {{
+    {0, 0, VK_FORMAT_R32G32_SFLOAT, 0},
+    {1, 0, VK_FORMAT_R32G32_UINT, 2 * sizeof(float)},
+}};
+
+constexpr std::array<VkDynamicState, 2> dynamic_states = {VK_DYNAMIC_STATE_VIEWPORT,
+                                                          VK_DYNAMIC_STATE_SCISSOR};
+
+constexpr VkPipelineColorBlendAttachmentState write_all{VK_FALSE,
+                                                        VK_BLEND_FACTOR_ZERO,
+                                                        VK_BLEND_FACTOR_ZERO,
+                                                        VK_BLEND_OP_ADD,
+                                                        VK_BLEND_FACTOR_ZERO,
+                                                        VK_BLEND_FACTOR_ZERO,
+                                                        VK_BLEND_OP_ADD,
+                                                        VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
+                                                            VK_COLOR_COMPONENT_B_BIT |
+                                                            VK_COLOR_COMPONENT_A_BIT};
+
+Result<Handle<VkShaderModule>> createModule(const Device& device, std::span<const std::uint32_t> code) {
+  auto info = structure<VkShaderModuleCreateInfo>(VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO);
+  info.codeSize = code.size_bytes();
+  info.pCode = code.data();
+  return create(device.handle(), device.api().vkCreateShaderModule, device.api().vkDestroyShaderModule, info,
+                "vkCreateShaderModule");
+}
+
+VkPipelineShaderStageCreateInfo stageOf(VkShaderStageFlagBits stage, VkShaderModule module) {
+  auto info = structure<VkPipelineShaderStageCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO);
+  info.stage = stage;
+  info.module = module;
+  info.pName = "main";
+  return info;
+}
+
+// The stages make up the rest of the pipeline.
+Result<Handle<VkPipeline>> build(const Device& device, VkPipelineLayout layout, VkRenderPass pass,
+                                 std::span<const VkPipelineShaderStageCreateInfo> stages) {
+  auto input = structure<VkPipelineVertexInputStateCreateInfo>(
+      VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO);
+  input.vertexBindingDescriptionCount = 1;
+  input.pVertexBindingDescriptions = &vertices;
+  input.vertexAttributeDescriptionCount = static_cast<std::uint32_t>(attributes.size());
+  input.pVertexAttributeDescriptions = attributes.data();
+  auto assembly = structure<VkPipelineInputAssemblyStateCreateInfo>(
+      VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO);
+  assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+  auto viewport =
+      structure<VkPipelineViewportStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO);
+  viewport.viewportCount = 1;
+  viewport.scissorCount = 1;
+  auto raster = structure<VkPipelineRasterizationStateCreateInfo>(
+      VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO);
+  raster.polygonMode = VK_POLYGON_MODE_FILL;
+  raster.cullMode = VK_CULL_MODE_NONE;
+  raster.lineWidth = 1.0F;
+  auto samples = structure<VkPipelineMultisampleStateCreateInfo>(
+      VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO);
+  samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+  const std::array writes = {write_all, write_all};
+  auto blend = structure<VkPipelineColorBlendStateCreateInfo>(
+      VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO);
+  blend.attachmentCount = static_cast<std::uint32_t>(writes.size());
+  blend.pAttachments = writes.data();
+  auto dynamic =
+      structure<VkPipelineDynamicStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO);
+  dynamic.dynamicStateCount = static_cast<std::uint32_t>(dynamic_states.size());
+  dynamic.pDynamicStates = dynamic_states.data();
+  auto info = structure<VkGraphicsPipelineCreateInfo>(VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO);
+  info.stageCount = static_cast<std::uint32_t>(stages.size());
+  info.pStages = stages.data();
+  info.pVertexInputState = &input;
+  info.pInputAssemblyState = &assembly;
+  info.pViewportState = &viewport;
+  info.pRasterizationState = &raster;
+  info.pMultisampleState = &samples;
+  info.pColorBlendState = &blend;
+  info.pDynamicState = &dynamic;
+  info.layout = layout;
+  info.renderPass = pass;
+  VkPipeline pipeline = VK_NULL_HANDLE;
+  VORPIPE_TRY(check(
+      device.api().vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
+      "vkCreateGraphicsPipelines"));
+  return Handle<VkPipeline>(device.handle(), pipeline, device.api().vkDestroyPipeline);
+}
+
+}  // namespace
+
+Result<Painter> Painter::create(const Device& device) {
+  Result<Bindings> bindings = Bindings::create(device, paint_bindings, 0);
+  if (!bindings) return tl::unexpected(std::move(bindings).error());
+  Result<Handle<VkRenderPass>> pass = createRenderPass(device);
+  if (!pass) return tl::unexpected(std::move(pass).error());
+  const Result<Handle<VkShaderModule>> vertex = createModule(device, shaders::polygon_vert());
+  if (!vertex) return tl::unexpected(vertex.error());
+  const Result<Handle<VkShaderModule>> fragment = createModule(device, shaders::cell_frag());
+  if (!fragment) return tl::unexpected(fragment.error());
+  const std::array stages = {stageOf(VK_SHADER_STAGE_VERTEX_BIT, vertex->get()),
+                             stageOf(VK_SHADER_STAGE_FRAGMENT_BIT, fragment->get())};
+  Result<Handle<VkPipeline>> pipeline = build(device, bindings->layout(), pass->get(), stages);
+  if (!pipeline) return tl::unexpected(std::move(pipeline).error());
+  return Painter(std::move(*bindings), std::move(*pass), std::move(*pipeline));
+}
+
+Result<void> Painter::setPalette(const Device& device, const Palette& palette) {
+  VORPIPE_TRY(palette_.reserve(device, sizeof(Palette), sizeof(Palette)));
+  std::memcpy(palette_.data(), palette.data(), sizeof(Palette));
+  bindings_.setTexels(device, BINDING_PALETTE, palette_.texels());
+  return {};
+}
+
+void Painter::record(const Device& device, VkCommandBuffer commands, const Target& target,
+                     const Triangles& triangles) const {
+  const VolkDeviceTable& api = device.api();
+  auto order = structure<VkMemoryBarrier>(VK_STRUCTURE_TYPE_MEMORY_BARRIER);
+  order.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
+  order.dstAccessMask =
+      VK_ACCESS_INDIRECT_COMMAND_READ_BIT | VK_ACCESS_INDEX_READ_BIT | VK_ACCESS_VERTEX_ATTRIBUTE_READ_BIT;
+  api.vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+                           VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_VERTEX_INPUT_BIT, 0, 1,
+                           &order, 0, nullptr, 0, nullptr);
+  const VkRect2D area{{0, 0}, target.extent()};
+  auto begin = structure<VkRenderPassBeginInfo>(VK_STRUCTURE_TYPE_RENDER_PASS_BEGIN_INFO);
+  begin.renderPass = pass_.get();
+  begin.framebuffer = target.framebuffer();
+  begin.renderArea = area;
+  api.vkCmdBeginRenderPass(commands, &begin, VK_SUBPASS_CONTENTS_INLINE);
+  const VkViewport viewport{
+      0, 0, static_cast<float>(area.extent.width), static_cast<float>(area.extent.height), 0, 1};
+  api.vkCmdSetViewport(commands, 0, 1, &viewport);
+  api.vkCmdSetScissor(commands, 0, 1, &area);
+  api.vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_.get());
+  const VkDescriptorSet set = bindings_.set();
+  api.vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, bindings_.layout(), 0, 1, &set, 0,
+                              nullptr);
+  const VkDeviceSize start = 0;
+  api.vkCmdBindVertexBuffers(commands, 0, 1, &triangles.vertices, &start);
+  api.vkCmdBindIndexBuffer(commands, triangles.indices, 0, VK_INDEX_TYPE_UINT32);
+  api.vkCmdDrawIndexedIndirect(commands, triangles.arguments, 0, 1, 0);
+  api.vkCmdEndRenderPass(commands);
+}
+
+}  // namespace vorpipe::vulkan

@@ -1,0 +1,48 @@
+/// Draws the polygons of the compute pipeline onto a Target.
+#pragma once
+
+#include <volk.h>
+
+#include <cstddef>
+
+#include "backend/backend.h"
+#include "backend/vulkan/device/device.h"
+#include "backend/vulkan/device/handle.h"
+#include "backend/vulkan/memory/bindings.h"
+#include "backend/vulkan/memory/buffer.h"
+#include "backend/vulkan/memory/target.h"
+
+namespace vorpipe::vulkan {
+
+/// Of a vertex as polygons.comp writes it: position, id, palette_index.
+inline constexpr std::size_t vertex_bytes = 4 * sizeof(std::uint32_t);
+
+/// What is drawn: vertices of vertex_bytes, indices as uint32, one VkDrawIndexedIndirectCommand.
+struct Triangles {
+  VkBuffer vertices, indices, arguments;
+};
+
+class Painter {
+ public:
+  static Result<Painter> create(const Device& device);
+
+  /// The device must not be drawing.
+  Result<void> setPalette(const Device& device, const Palette& palette);
+  /// Records that compute shaders come before, and the drawing over what is there.
+  void record(const Device& device, VkCommandBuffer commands, const Target& target,
+              const Triangles& triangles) const;
+
+  [[nodiscard]] VkRenderPass pass() const { return pass_.get(); }
+
+ private:
+  Painter(Bindings bindings, Handle<VkRenderPass> pass, Handle<VkPipeline> pipeline)
+      : bindings_(std::move(bindings)), pass_(std::move(pass)), pipeline_(std::move(pipeline)) {}
+
+  Bindings bindings_;
+  Handle<VkRenderPass> pass_;
+  Handle<VkPipeline> pipeline_;
+  Buffer palette_{
+      {"the palette", VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT, Placement::upload, VK_FORMAT_R8G8B8A8_UNORM}};
+};
+
+}  // namespace vorpipe::vulkan

@@ -1,0 +1,55 @@
+/// An opened device with its queue and the means to run commands on it.
+#pragma once
+
+#include <volk.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "backend/vulkan/device/clock.h"
+#include "backend/vulkan/device/handle.h"
+#include "backend/vulkan/device/physical.h"
+#include "vorpipe.h"
+
+namespace vorpipe::vulkan {
+
+class Device {
+ public:
+  /// Opens a usable device with exactly the features that the pipelines need.
+  static Result<Device> open(const Physical& physical);
+  Device(Device&& other) noexcept;
+  Device& operator=(Device&&) = delete;
+  ~Device();
+
+  [[nodiscard]] VkDevice handle() const { return device_; }
+  [[nodiscard]] const VolkDeviceTable& api() const { return *api_; }
+  [[nodiscard]] const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
+  /// In bytes; what is more need not be asked for.
+  [[nodiscard]] std::uint64_t largestAllocation() const { return largest_allocation_; }
+
+  /// Runs what record writes into a command buffer, and waits until it is done and the host sees
+  /// what it wrote.
+  Result<void> run(const std::function<void(VkCommandBuffer)>& record);
+
+  /// How long all of that took by the device's own clock; negative if none is read.
+  [[nodiscard]] double seconds() const { return clock_.seconds(); }
+
+ private:
+  Device() = default;
+  Result<void> prepare(std::uint32_t queue_family);
+
+  VkDevice device_ = VK_NULL_HANDLE;
+  std::unique_ptr<VolkDeviceTable> api_ = std::make_unique<VolkDeviceTable>();
+  VkPhysicalDeviceMemoryProperties memory_{};
+  std::uint64_t largest_allocation_ = 0;
+  VkQueue queue_ = VK_NULL_HANDLE;
+  Handle<VkCommandPool> pool_;
+  Handle<VkFence> done_;
+  Clock clock_;
+  VkCommandBuffer commands_ = VK_NULL_HANDLE;
+};
+
+}  // namespace vorpipe::vulkan

@@ -1,0 +1,51 @@
+/// The picture: a color image, an id image, and the way back to the host.
+#pragma once
+
+#include <volk.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "backend/vulkan/device/device.h"
+#include "backend/vulkan/device/handle.h"
+#include "backend/vulkan/memory/buffer.h"
+
+namespace vorpipe::vulkan {
+
+inline constexpr VkFormat color_format = VK_FORMAT_R8G8B8A8_UNORM;
+inline constexpr VkFormat id_format = VK_FORMAT_R32_UINT;
+
+/// Draws onto a Target: color is attachment 0, id is attachment 1, and both keep what is there.
+Result<Handle<VkRenderPass>> createRenderPass(const Device& device);
+
+class Target {
+ public:
+  /// Replaces the images unless they have this size already.
+  Result<void> resize(const Device& device, VkRenderPass pass, std::uint32_t width, std::uint32_t height);
+  /// Color 0 and no_site everywhere.
+  Result<void> clear(Device& device) const;
+  /// Rows as they lie in memory. Both spans hold width * height.
+  Result<void> read(Device& device, std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids);
+
+  [[nodiscard]] VkExtent2D extent() const { return extent_; }
+  [[nodiscard]] VkFramebuffer framebuffer() const { return framebuffer_.get(); }
+
+ private:
+  struct Plane {
+    Handle<VkDeviceMemory> memory;
+    Handle<VkImage> image;
+    Handle<VkImageView> view;
+  };
+
+  static Result<Plane> createPlane(const Device& device, VkFormat format, VkExtent2D extent);
+  Result<void> readPlane(Device& device, const Plane& plane, std::span<std::uint32_t> to);
+  [[nodiscard]] std::size_t planeBytes() const;
+
+  VkExtent2D extent_{0, 0};
+  Plane color_, id_;
+  Handle<VkFramebuffer> framebuffer_;
+  Buffer host_{{"the picture", VK_BUFFER_USAGE_TRANSFER_DST_BIT, Placement::download}};  ///< a plane
+};
+
+}  // namespace vorpipe::vulkan
