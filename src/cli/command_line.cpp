@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "cli/command.h"
+#include "cli/error_line.h"
 #include "io/files/error.h"
 
 namespace vorpipe::cli {

@@ -7,6 +7,7 @@
 #include "bench/driver_threads.h"
 #include "cli/command.h"
 #include "cli/comparison.h"
+#include "cli/error_line.h"
 #include "cli/forecast.h"
 #include "cli/input.h"
 #include "cli/options.h"

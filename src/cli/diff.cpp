@@ -7,6 +7,7 @@
 #include "cli/command.h"
 #include "cli/difference_picture.h"
 #include "cli/difference_text.h"
+#include "cli/error_line.h"
 #include "cli/forecast.h"
 #include "cli/input.h"
 #include "cli/options.h"

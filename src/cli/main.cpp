@@ -1,23 +1,16 @@
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
 
 #include "cli/command.h"
+#include "cli/error_line.h"
 #include "cli/kept_memory.h"
 #include "cli/progress.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {
-
-void printError(std::string_view message) {
-  std::string line(message);
-  std::ranges::replace_if(
-      line, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, ' ');
-  fmt::print(stderr, "vorpipe: {}\n", line);
-}
 
 namespace {
 

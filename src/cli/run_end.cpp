@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "cli/error_line.h"
 #include "cli/progress.h"
 
 namespace vorpipe::cli {

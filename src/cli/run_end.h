@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "cli/command.h"
 #include "cli/options.h"
 #include "io/files/output_file.h"
 #include "vorpipe.h"

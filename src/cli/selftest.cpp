@@ -8,6 +8,7 @@
 
 #include "bench/driver_threads.h"
 #include "cli/command.h"
+#include "cli/error_line.h"
 #include "cli/options.h"
 #include "cli/progress.h"
 #include "cli/run_end.h"
