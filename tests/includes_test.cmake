@@ -16,7 +16,7 @@ set(kinds
     "^backend/[^/]*$"
     "^bench/"
     "^selftest/"
-    "^cli/")
+    "^cli/[^/]*$")
 set(may_include
     "^vorpipe/"
     "^(vorpipe\\.h|base/.*)$"
@@ -28,7 +28,7 @@ set(may_include
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl)$"
     "^(vorpipe\\.h|base/.*|bench/.*|io/(text/json_text|sites/site_source)\\.h|core/(cells/cells_run|picture/picture)\\.h|backend/(backend|registry)\\.h)$"
     "^(vorpipe\\.h|vorpipe/selftest\\.h|selftest/.*)$"
-    "^(vorpipe\\.h|vorpipe/selftest\\.h|base/stopwatch\\.h|io/.*|bench/.*|cli/.*)$")
+    "^(vorpipe\\.h|cli/.*)$")
 
 # Adds the rooms of a folder: a room may include itself, those that it uses, each of which comes before it, and
 # what matches `all_may`.
@@ -62,6 +62,7 @@ vorpipe_read_rooms(
   core "vorpipe\\.h|base/.*|geos\\.h|backend/(backend|collect|device_needs|precision|registry|tie)\\.h")
 vorpipe_read_rooms(backend/vulkan "vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl|shaders\\.h")
 vorpipe_read_rooms(io "vorpipe\\.h|geos\\.h")
+vorpipe_read_rooms(cli "vorpipe\\.h|vorpipe/selftest\\.h|base/stopwatch\\.h|io/.*|bench/.*")
 
 # Headers, most of them a library's, and the only files that may include them.
 set(guarded_headers
@@ -90,7 +91,7 @@ set(users
     "^geos\\.h$"
     "^(core/outline/validity|io/cells/hole_triangles)\\."
     "^core/outline/"
-    "^cli/command_line\\.cpp$"
+    "^cli/options/command_line\\.cpp$"
     "^base/parallel\\.cpp$")
 
 # Sets allowed to whether file (relative to src) may include header, quoted or in angle brackets.
@@ -132,7 +133,7 @@ vorpipe_expect(TRUE backend/vulkan/device/device.cpp backend/capabilities.h TRUE
 vorpipe_expect(TRUE backend/vulkan/compute/painter.h backend/vulkan/memory/target.h TRUE)
 vorpipe_expect(FALSE backend/vulkan/memory/target.h backend/vulkan/geometry/pipelines.h TRUE)
 vorpipe_expect(FALSE backend/vulkan/geometry/draw.cpp backend/vulkan/compute/compute.h TRUE)
-vorpipe_expect(TRUE cli/render.cpp io/pictures/png_file.h TRUE)
+vorpipe_expect(TRUE cli/commands/render.cpp io/pictures/png_file.h TRUE)
 vorpipe_expect(TRUE io/cells/cells_npz.cpp io/arrays/zip_file.h TRUE)
 vorpipe_expect(FALSE io/arrays/zip_file.cpp io/cells/cells_file.h TRUE)
 vorpipe_expect(FALSE io/text/number.cpp csv.h FALSE)
@@ -147,7 +148,8 @@ vorpipe_expect(FALSE backend/opengl/draw.cpp backend/registry.h TRUE)
 vorpipe_expect(FALSE backend/backend.h volk.h FALSE)
 vorpipe_expect(FALSE backend/cpu/cpu.cpp epoxy/gl.h FALSE)
 vorpipe_expect(FALSE io/pictures/png_file.cpp core/cells/cells_run.h TRUE)
-vorpipe_expect(FALSE cli/render.cpp core/cells/cells_run.h TRUE)
+vorpipe_expect(FALSE cli/options/options.cpp cli/runs/input.h TRUE)
+vorpipe_expect(FALSE cli/commands/render.cpp core/cells/cells_run.h TRUE)
 vorpipe_expect(FALSE vorpipe.h glm/vec2.hpp FALSE)
 vorpipe_expect(FALSE elsewhere/file.cpp vorpipe.h TRUE)
 

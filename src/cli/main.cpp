@@ -4,10 +4,10 @@
 #include <exception>
 #include <new>
 
-#include "cli/command.h"
-#include "cli/error_line.h"
+#include "cli/commands/command.h"
 #include "cli/kept_memory.h"
-#include "cli/progress.h"
+#include "cli/terminal/error_line.h"
+#include "cli/terminal/progress.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {

@@ -1,4 +1,4 @@
-#include "cli/difference_picture.h"
+#include "cli/reports/difference_picture.h"
 
 #include <algorithm>
 

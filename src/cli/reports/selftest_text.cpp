@@ -1,4 +1,4 @@
-#include "cli/selftest_text.h"
+#include "cli/reports/selftest_text.h"
 
 #include <fmt/core.h>
 

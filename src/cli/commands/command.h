@@ -1,7 +1,7 @@
 /// The subcommands.
 #pragma once
 
-#include "cli/command_line.h"
+#include "cli/options/command_line.h"
 
 namespace vorpipe::cli {
 

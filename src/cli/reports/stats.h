@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "cli/input.h"
+#include "cli/runs/input.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {

@@ -1,4 +1,4 @@
-#include "cli/parse.h"
+#include "cli/options/parse.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "cli/error_line.h"
+#include "cli/terminal/error_line.h"
 
 #include <fmt/core.h>
 

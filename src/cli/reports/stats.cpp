@@ -1,4 +1,4 @@
-#include "cli/stats.h"
+#include "cli/reports/stats.h"
 
 #include <sys/resource.h>
 

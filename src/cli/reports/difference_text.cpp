@@ -1,4 +1,4 @@
-#include "cli/difference_text.h"
+#include "cli/reports/difference_text.h"
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include "cli/input.h"
+#include "cli/runs/input.h"
 
 #include <fmt/core.h>
 
@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/stopwatch.h"
-#include "cli/progress.h"
+#include "cli/terminal/progress.h"
 #include "io/domain/outline_file.h"
 #include "io/files/error.h"
 #include "io/sites/site_source.h"

@@ -1,4 +1,4 @@
-#include "cli/comparison.h"
+#include "cli/reports/comparison.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "cli/difference_text.h"
-#include "cli/stats.h"
+#include "cli/reports/difference_text.h"
+#include "cli/reports/stats.h"
 #include "io/text/json_text.h"
 
 namespace vorpipe::cli {

@@ -7,12 +7,12 @@
 #include <memory>
 
 #include "bench/driver_threads.h"
-#include "cli/command.h"
-#include "cli/error_line.h"
-#include "cli/options.h"
-#include "cli/progress.h"
-#include "cli/run_end.h"
-#include "cli/selftest_text.h"
+#include "cli/commands/command.h"
+#include "cli/options/options.h"
+#include "cli/reports/selftest_text.h"
+#include "cli/runs/run_end.h"
+#include "cli/terminal/error_line.h"
+#include "cli/terminal/progress.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "cli/options.h"
+#include "cli/options/options.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {

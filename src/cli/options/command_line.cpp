@@ -1,10 +1,10 @@
-#include "cli/command_line.h"
+#include "cli/options/command_line.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <string_view>
 
-#include "cli/error_line.h"
+#include "cli/terminal/error_line.h"
 #include "io/files/error.h"
 
 namespace vorpipe::cli {

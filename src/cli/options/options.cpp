@@ -1,4 +1,4 @@
-#include "cli/options.h"
+#include "cli/options/options.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -4,8 +4,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "cli/command.h"
-#include "cli/options.h"
+#include "cli/commands/command.h"
+#include "cli/options/options.h"
 #include "io/text/json_text.h"
 
 namespace vorpipe::cli {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-#include "cli/input.h"
+#include "cli/runs/input.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {

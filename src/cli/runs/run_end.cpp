@@ -1,4 +1,4 @@
-#include "cli/run_end.h"
+#include "cli/runs/run_end.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cassert>
 
-#include "cli/error_line.h"
-#include "cli/progress.h"
+#include "cli/terminal/error_line.h"
+#include "cli/terminal/progress.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "cli/command_line.h"
-#include "cli/parse.h"
+#include "cli/options/command_line.h"
+#include "cli/options/parse.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {

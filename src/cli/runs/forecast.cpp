@@ -1,4 +1,4 @@
-#include "cli/forecast.h"
+#include "cli/runs/forecast.h"
 
 #include <fmt/core.h>
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "cli/difference_picture.h"
-#include "cli/input.h"
+#include "cli/reports/difference_picture.h"
+#include "cli/runs/input.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {

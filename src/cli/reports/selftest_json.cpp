@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/machine.h"
-#include "cli/selftest_text.h"
+#include "cli/reports/selftest_text.h"
 #include "io/text/json_text.h"
 
 namespace vorpipe::cli {
