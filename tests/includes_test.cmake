@@ -21,12 +21,12 @@ set(may_include
     "^vorpipe/"
     "^(vorpipe\\.h|base/.*)$"
     "^vorpipe\\.h$"
-    "^(vorpipe\\.h|backend/[^/]*\\.h|backend/cpu/cpu\\.h|backend/vulkan/vulkan_backend\\.h|backend/opengl/opengl_backend\\.h)$"
+    "^(vorpipe\\.h|backend/[^/]*\\.h|backend/cpu/(cpu|exact_tier)\\.h|backend/vulkan/vulkan_backend\\.h|backend/opengl/opengl_backend\\.h)$"
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/cpu/.*|(layout|bins|cell|grid|list)\\.glsl)$"
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/vulkan/.*|layout\\.glsl|shaders\\.h)$"
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/opengl/.*|layout\\.glsl|shaders\\.h)$"
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl)$"
-    "^(vorpipe\\.h|base/.*|bench/.*|io/(text/json_text|sites/site_source)\\.h|core/(cells/cells_run|picture/picture)\\.h|backend/(backend|registry)\\.h)$"
+    "^(vorpipe\\.h|base/.*|bench/.*|io/(text/json_text|sites/site_source)\\.h|core/(cells/cells_run|picture/picture)\\.h|backend/(backend|exact_tier|forwarding_backend|registry)\\.h)$"
     "^(vorpipe\\.h|vorpipe/selftest\\.h|selftest/.*)$"
     "^(vorpipe\\.h|cli/.*)$")
 
@@ -59,7 +59,7 @@ function(vorpipe_read_rooms folder all_may)
   set(may_include ${may_include} PARENT_SCOPE)
 endfunction()
 vorpipe_read_rooms(
-  core "vorpipe\\.h|base/.*|geos\\.h|backend/(backend|collect|device_needs|precision|registry|tie)\\.h")
+  core "vorpipe\\.h|base/.*|geos\\.h|backend/(backend|collect|device_needs|exact_tier|forwarding_backend|precision|registry|tie)\\.h")
 vorpipe_read_rooms(backend/vulkan "vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl|shaders\\.h")
 vorpipe_read_rooms(io "vorpipe\\.h|geos\\.h")
 vorpipe_read_rooms(cli "vorpipe\\.h|vorpipe/selftest\\.h|base/stopwatch\\.h|io/.*|bench/.*")
@@ -130,7 +130,7 @@ vorpipe_expect(FALSE core/check/cells.cpp core/diagram/diagram_writer.h TRUE)
 vorpipe_expect(TRUE core/search/flann_search.cpp flann/flann.hpp FALSE)
 vorpipe_expect(TRUE backend/registry.cpp backend/cpu/cpu.h TRUE)
 vorpipe_expect(TRUE backend/vulkan/device/device.cpp backend/capabilities.h TRUE)
-vorpipe_expect(TRUE backend/vulkan/compute/painter.h backend/vulkan/memory/target.h TRUE)
+vorpipe_expect(TRUE backend/vulkan/kernels/painter.h backend/vulkan/memory/target.h TRUE)
 vorpipe_expect(FALSE backend/vulkan/memory/target.h backend/vulkan/geometry/pipelines.h TRUE)
 vorpipe_expect(FALSE backend/vulkan/geometry/draw.cpp backend/vulkan/compute/compute.h TRUE)
 vorpipe_expect(TRUE cli/commands/render.cpp io/pictures/png_file.h TRUE)

@@ -89,9 +89,10 @@ enum class CellStatus : std::uint8_t {
   open = 5,       ///< its edges do not close: rounding was too coarse
 };
 
-/// Where and how an entry of a batch is drawn.
+/// A place in a picture, and what is drawn there: the origin of an entry of a batch, or a corner of a
+/// triangle.
 struct DrawMark {
-  float x, y;                   ///< the entry's origin in normalized device coordinates of the view
+  float x, y;                   ///< in normalized device coordinates of the view
   std::uint32_t id;             ///< what the id image gets
   std::uint32_t palette_index;  ///< index into the view's palette, 0 to 255
 };
@@ -122,7 +123,7 @@ struct BackendInfo {
   int max_view = 0;               ///< largest width and height of a View
   std::uint64_t max_sites = 0;    ///< most sites in one upload
   std::uint64_t max_bins = 0;     ///< most bins of their grid
-  std::uint64_t max_lines = 0;    ///< most lines in one batch
+  std::uint64_t max_lines = 0;    ///< most lines in one batch, corners or triangles in one call
   std::uint32_t max_entries = 0;  ///< most entries in one batch, most sites in one call of cells or draw
   int most_edges = 0;             ///< room for edges with Effort::roomy
   int subpixel_bits = 8;          ///< vertices are snapped to 1 / 2^bits of a pixel
@@ -146,15 +147,10 @@ struct Computed {
   float offset;         ///< (a - b) + (c - d), in this order
 };
 
-/// What a backend puts into a cell. Every backend has the first two; `in_double` and `exact` are the
-/// judge's, which is the backend "cpu". With them no certified cell is wrong, and no other status but
-/// `empty` comes back: `exact` always answers.
+/// How much room a cell is clipped with, in float.
 enum class Effort : std::uint8_t {
-  fast,       ///< in float, with room for EDGES_FAST edges at any time of the clipping
-  roomy,      ///< in float, with the most room that the backend has
-  in_double,  ///< in double, any number of edges, any distribution of sites; `open` when double does not
-              ///< decide
-  exact,      ///< with as many digits as it takes
+  fast,   ///< EDGES_FAST edges at any time of the clipping
+  roomy,  ///< the most that the backend has
 };
 
 class Backend {
@@ -168,9 +164,9 @@ class Backend {
   /// calls for batches, and begin(), may come when they are gone.
   virtual Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) = 0;
 
-  /// Finds the cells of the sites `which` (indices in the set) by the search over the grid, or by
-  /// the judge's over a tree. `out` is replaced, with an entry for each. In float, a neighborhood is
-  /// what rounding lets through: neighbors across an edge of nearly no length may be there or not.
+  /// Finds the cells of the sites `which` (indices in the set) by the search over the grid. `out` is
+  /// replaced, with an entry for each. A neighborhood is what rounding lets through: neighbors across an edge
+  /// of nearly no length may be there or not.
   virtual Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) = 0;
 
   /// Clips each entry of a batch and returns its neighborhood, with the most room there is.
@@ -182,7 +178,7 @@ class Backend {
   /// Finds the cells of the sites `which`, widened by half a step of the device's vertex grid so that
   /// neighbors leave no gap, and draws those that come out `certified` over what is there, in order. Where
   /// the grid is coarse they are shrunk instead, and may leave pixels at their edges; a cell of which floats
-  /// might lose more than shows is `unsecured` (precision.h). effort is fast or roomy. status has one element
+  /// might lose more than shows is `unsecured` (precision.h). status has one element
   /// for each. Every site has a cell: one that is shrunk to nothing is `certified`.
   virtual Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
                             std::span<CellStatus> status) = 0;
@@ -192,25 +188,16 @@ class Backend {
   virtual Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
                             std::span<CellStatus> status) = 0;
 
+  /// Draws triangles over what is there, in order: the corners of triangle t are those that `corner_of` names
+  /// from 3 t on. They are at most max_lines corners and triangles; all corners of one have the same mark.
+  virtual Result<void> drawTriangles(std::span<const DrawMark> corners,
+                                     std::span<const std::uint32_t> corner_of) = 0;
+
   /// Reads the picture back. Row 0 is the bottom row of the view. Both spans hold width * height.
   virtual Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) = 0;
 
-  /// Finds the site nearest to the center of each of some pixels of a view, by power, in double: its index in
-  /// the set, or no_site where all of them are hidden. A pixel's number is row * width + column, from the
-  /// bottom row on. The judge's alone.
-  virtual Result<void> nearest(const View& /*view*/, std::span<const std::uint32_t> /*pixels*/,
-                               std::span<std::uint32_t> /*sites*/) {
-    return tl::unexpected(Error{
-        ErrorCode::device, info().device.backend + " does not find the sites of single pixels; cpu does"});
-  }
-
   /// Computes in float, in one shader or another. out has one element for each of the operands.
-  virtual Result<void> compute(std::span<const Operands> operands, std::span<Computed> out) {
-    static_cast<void>(operands);
-    static_cast<void>(out);
-    return tl::unexpected(
-        Error{ErrorCode::device, info().device.backend + ": it does not say how it computes"});
-  }
+  virtual Result<void> compute(std::span<const Operands> operands, std::span<Computed> out) = 0;
 
   /// How long the device has been at work, by its own clock, since it was opened; negative where none is
   /// read: software devices, and those without timestamps.

@@ -4,6 +4,7 @@
 
 #include "backend/capabilities.h"
 #include "backend/cpu/cpu.h"
+#include "backend/cpu/exact_tier.h"
 #include "backend/opengl/opengl_backend.h"
 #include "backend/vulkan/vulkan_backend.h"
 
@@ -95,11 +96,7 @@ Result<OpenedBackend> openBackend(const BackendOptions& options) {
                                     name)});
 }
 
-std::unique_ptr<Backend> openJudge(int threads) {
-  BackendOptions options;
-  options.threads = threads;
-  return makeCpuBackend(options);
-}
+std::unique_ptr<ExactTier> openExactTier(int threads) { return makeExactTier(threads); }
 
 std::vector<std::string> backendNames() {
   return {"auto", "vulkan", "vulkan-geometry", "vulkan-compute", "opengl", "cpu"};

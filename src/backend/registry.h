@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "backend/backend.h"
+#include "backend/exact_tier.h"
 
 namespace vorpipe {
 
@@ -22,7 +23,7 @@ struct OpenedBackend {
 /// (input); no such device (device).
 Result<OpenedBackend> openBackend(const BackendOptions& options);
 
-/// The backend that clips in double and decides exactly: the judge of the others.
-std::unique_ptr<Backend> openJudge(int threads);
+/// What finds the cells that a device leaves.
+std::unique_ptr<ExactTier> openExactTier(int threads);
 
 }  // namespace vorpipe

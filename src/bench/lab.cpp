@@ -66,13 +66,10 @@ Result<Run> timeRun(const Options& options, const Work& work) {
   return Run{watch.seconds(), cpuSeconds() - cpu_before, std::move(done->report)};
 }
 
-Work workOf(const TimedBackend& backend, const TimedBackend& judge, const Run& run) {
+Work workOf(const TimedBackend& backend, const TimedExactTier& exact, const Run& run) {
   Work work = backend.work();
   const auto at = [&work](Stage stage) -> StageWork& { return work[static_cast<std::size_t>(stage)]; };
-  for (const StageWork& judged : judge.work()) {
-    at(Stage::resolve).seconds += judged.seconds;
-    at(Stage::resolve).calls += judged.calls;
-  }
+  at(Stage::resolve) = exact.work();
   const Times& times = run.report.time_ms;
   at(Stage::order).seconds = 1e-3 * std::max(times.order, 0.0);
   at(Stage::search).seconds = 1e-3 * std::max(times.search, 0.0);
@@ -97,7 +94,7 @@ void keep(Outcome& outcome, Run run, const Work& work, bool has_clock) {
 
 struct Lab::Opened {
   OpenedBackend opened;
-  std::unique_ptr<Backend> judge;
+  std::unique_ptr<ExactTier> exact;
   int threads;
 };
 
@@ -184,7 +181,8 @@ Result<Lab::Opened*> Lab::open(const Job& job) {
     setDriverThreads(options.threads);
     auto opened = openBackend(options);
     if (!opened) return tl::unexpected(std::move(opened.error()));
-    known = std::make_unique<Opened>(Opened{std::move(*opened), openJudge(options.threads), options.threads});
+    known =
+        std::make_unique<Opened>(Opened{std::move(*opened), openExactTier(options.threads), options.threads});
   }
   return known.get();
 }
@@ -198,7 +196,9 @@ Result<void> Lab::run(Outcome& outcome, bool counts) {
     if (!opened) return tl::unexpected(opened.error());
     const DataSet& data = **set;
     outcome.sites = data.sites.size();
-    TimedBackend backend(*(*opened)->opened.backend), judge(*(*opened)->judge);
+    TimedBackend backend(*(*opened)->opened.backend);
+    TimedExactTier exact(*(*opened)->exact);
+    const Machine machine{backend, exact, (*opened)->threads};
     CellsOptions cells{};
     cells.domain = data.domain;
     cells.search = job.search;
@@ -209,20 +209,18 @@ Result<void> Lab::run(Outcome& outcome, bool counts) {
     picture.search = job.search;
     picture.progress = progress_;
     std::tie(picture.width, picture.height) = sizeOf(data.domain, job.side);
-    const int threads = (*opened)->threads;
-    auto done = job.side > 0 ? timeRun(picture,
-                                       [&](const auto& options) {
-                                         return core::renderOn(backend, judge, threads, data.sites, options);
-                                       })
-                             : timeRun(cells, [&](const auto& options) {
-                                 return core::cellsOn(backend, judge, threads, data.sites, options);
-                               });
+    auto done =
+        job.side > 0
+            ? timeRun(picture,
+                      [&](const auto& options) { return core::renderOn(machine, data.sites, options); })
+            : timeRun(cells,
+                      [&](const auto& options) { return core::cellsOn(machine, data.sites, options); });
     if (!done) return tl::unexpected(std::move(done.error()));
     if (const auto& said = done->report.validation_messages; !said.empty()) {
       return tl::unexpected(Error{ErrorCode::device, "validation: " + said.front()});
     }
     outcome.last_seconds = done->seconds;
-    const Work work = workOf(backend, judge, *done);
+    const Work work = workOf(backend, exact, *done);
     if (counts) keep(outcome, std::move(*done), work, backend.deviceSeconds() >= 0);
     return {};
   } catch (const std::bad_alloc&) {

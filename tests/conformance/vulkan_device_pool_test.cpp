@@ -45,6 +45,10 @@ class Device final : public Backend {
     return {};
   }
   Result<void> read(std::span<std::uint32_t>, std::span<std::uint32_t>) override { return {}; }
+  Result<void> drawTriangles(std::span<const DrawMark>, std::span<const std::uint32_t>) override {
+    return {};
+  }
+  Result<void> compute(std::span<const Operands>, std::span<Computed>) override { return {}; }
 
  private:
   [[nodiscard]] CellStatus of(std::uint32_t site) const {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "backend/backend.h"
+#include "backend/forwarding_backend.h"
 
 namespace vorpipe::test {
 
@@ -24,40 +24,35 @@ inline constexpr std::array lies{Lie::statuses, Lie::neighbors, Lie::turned, Lie
                                  Lie::offsets,  Lie::lengths,   Lie::pixels};
 
 /// Passes every call on to a backend and spoils about one cell or pixel in `one_in` of what it answers.
-class LyingBackend final : public Backend {
+class LyingBackend final : public ForwardingBackend {
  public:
   LyingBackend(Backend& honest, Lie lie, std::uint32_t one_in, std::uint64_t seed)
-      : honest_(honest), lie_(lie), one_in_(one_in), random_(seed) {}
+      : ForwardingBackend(honest), lie_(lie), one_in_(one_in), random_(seed) {}
 
-  const BackendInfo& info() const override { return honest_.info(); }
-  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) override {
-    return honest_.upload(sites, palette_index);
-  }
   Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
-    auto done = honest_.cells(which, effort, out);
+    auto done = ForwardingBackend::cells(which, effort, out);
     if (done) spoil(out);
     return done;
   }
   Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override {
-    auto done = honest_.cells(batch, out);
+    auto done = ForwardingBackend::cells(batch, out);
     if (done) spoil(out);
     return done;
   }
-  Result<void> begin(const View& view) override { return honest_.begin(view); }
   Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
                     std::span<CellStatus> status) override {
-    auto done = honest_.draw(which, effort, status);
+    auto done = ForwardingBackend::draw(which, effort, status);
     if (lie_ == Lie::statuses) spoil(status);
     return done;
   }
   Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
                     std::span<CellStatus> status) override {
-    auto done = honest_.draw(batch, marks, effort, status);
+    auto done = ForwardingBackend::draw(batch, marks, effort, status);
     if (lie_ == Lie::statuses) spoil(status);
     return done;
   }
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override {
-    auto done = honest_.read(rgba, ids);
+    auto done = ForwardingBackend::read(rgba, ids);
     if (lie_ != Lie::pixels) return done;
     constexpr std::uint32_t many = std::uint32_t{1} << 31;
     for (auto& id : ids) {
@@ -68,7 +63,7 @@ class LyingBackend final : public Backend {
     }
     return done;
   }
-  std::vector<std::string> validationMessages() override { return honest_.validationMessages(); }
+  std::vector<std::string> validationMessages() override { return ForwardingBackend::validationMessages(); }
 
   [[nodiscard]] std::uint64_t told() const { return told_; }
 
@@ -156,7 +151,6 @@ class LyingBackend final : public Backend {
     if (which == 3) cells = {};
   }
 
-  Backend& honest_;
   Lie lie_;
   std::uint32_t one_in_;
   std::mt19937_64 random_;

@@ -135,6 +135,7 @@ class Device final : public SloppyDevice {
       : options_(options), cpu_(makeCpuBackend(BackendOptions{})), info_(cpu_->info()) {
     info_.device.backend = "sloppy";
     info_.subpixel_bits = options.subpixel_bits;
+    info_.has_vertices = true;
     constexpr int largest_view = 4096;
     info_.max_view = largest_view;
     info_.most_edges = EDGES_MOST;
@@ -189,6 +190,23 @@ class Device final : public SloppyDevice {
     std::ranges::copy(rgba_, rgba.begin());
     std::ranges::copy(ids_, ids.begin());
     return {};
+  }
+  Result<void> drawTriangles(std::span<const DrawMark> corners,
+                             std::span<const std::uint32_t> corner_of) override {
+    for (std::size_t t = 0; t < corner_of.size(); t += 3) {
+      std::vector<Vertex> vertices;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto& corner = corners[corner_of[t + k]];
+        vertices.push_back(snapped({corner.x, corner.y}));
+      }
+      const auto& mark = corners[corner_of[t]];
+      measure(vertices, mark.id);
+      fill(vertices[0], vertices[1], vertices[2], mark.id, view_.palette[mark.palette_index]);
+    }
+    return {};
+  }
+  Result<void> compute(std::span<const Operands> operands, std::span<Computed> out) override {
+    return cpu_->compute(operands, out);
   }
   [[nodiscard]] double farthestBeyond() const override { return farthest_beyond_; }
   [[nodiscard]] std::uint64_t unsecured() const override { return unsecured_; }

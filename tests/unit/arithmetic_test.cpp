@@ -10,7 +10,7 @@
 
 #include "backend/registry.h"
 #include "core/session/subpixel_grid.h"
-#include "unit/passing_on.h"
+#include "unit/changed_cpu.h"
 
 namespace vorpipe::test {
 
@@ -19,13 +19,13 @@ using namespace core;
 namespace {
 
 /// Computes as the host does, but for what `change` makes of it.
-class InexactDevice final : public PassingOn {
+class InexactDevice final : public ChangedCpu {
  public:
   using Change = std::function<void(const Operands&, Computed&)>;
-  explicit InexactDevice(Change change) : PassingOn(openJudge(1)), change_(std::move(change)) {}
+  explicit InexactDevice(Change change) : ChangedCpu(1), change_(std::move(change)) {}
 
   Result<void> compute(std::span<const Operands> operands, std::span<Computed> out) override {
-    auto done = PassingOn::compute(operands, out);
+    auto done = ChangedCpu::compute(operands, out);
     for (std::size_t i = 0; i < operands.size(); ++i) change_(operands[i], out[i]);
     return done;
   }
@@ -108,9 +108,9 @@ TEST(Arithmetic, FindsFlushedNumbers) {
 }
 
 TEST(Arithmetic, SaysWhatFailed) {
-  class FailingDevice final : public PassingOn {
+  class FailingDevice final : public ChangedCpu {
    public:
-    FailingDevice() : PassingOn(openJudge(1)) {}
+    FailingDevice() : ChangedCpu(1) {}
     Result<void> compute(std::span<const Operands>, std::span<Computed>) override {
       return tl::unexpected(Error{ErrorCode::device, "it is gone"});
     }
@@ -121,10 +121,10 @@ TEST(Arithmetic, SaysWhatFailed) {
 }
 
 /// Draws the quadrilaterals of measureSubpixelBits, as a rasterizer whose vertices stand on a grid.
-class CoarseRasterizer final : public PassingOn {
+class CoarseRasterizer final : public ChangedCpu {
  public:
-  CoarseRasterizer(double step, double outset) : PassingOn(openJudge(1)), step_(step), outset_(outset) {
-    info_ = PassingOn::info();
+  CoarseRasterizer(double step, double outset) : ChangedCpu(1), step_(step), outset_(outset) {
+    info_ = ChangedCpu::info();
     info_.has_vertices = true;
   }
 
@@ -192,9 +192,9 @@ TEST(SubpixelGrid, IsNotKnownOfViewsThatAreTooSmall) {
 }
 
 TEST(SubpixelGrid, MakesNoSenseWhereNothingIsDrawn) {
-  class Empty final : public PassingOn {
+  class Empty final : public ChangedCpu {
    public:
-    Empty() : PassingOn(openJudge(1)) {}
+    Empty() : ChangedCpu(1) {}
     Result<void> draw(const CellBatch<float>&, std::span<const DrawMark>, Effort,
                       std::span<CellStatus>) override {
       return {};

@@ -7,9 +7,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "backend/cpu/cpu.h"
+#include "backend/registry.h"
 #include "core/search/neighbor_search.h"
 #include "core/sites/site_set.h"
+#include "unit/changed_cpu.h"
 #include "unit/proposed_cells.h"
 
 namespace vorpipe::test {
@@ -66,65 +67,63 @@ TEST(MeshCells, OfSitesThatTheMeshHasNoDecisionsFor) {
   EXPECT_EQ(std::count(cells.status.begin(), cells.status.end(), CellStatus::certified), 2);
 }
 
-/// Counts what is asked of it.
-class CallCounter final : public Backend {
+/// Counts the cells that a device is asked for.
+class CountingDevice final : public ChangedCpu {
  public:
-  const BackendInfo& info() const override { return cpu_->info(); }
-  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) override {
-    return cpu_->upload(sites, palette_index);
-  }
+  CountingDevice() : ChangedCpu(0) {}
   Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
     asked += which.size();
-    return cpu_->cells(which, effort, out);
+    return ChangedCpu::cells(which, effort, out);
   }
-  Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override {
-    return cpu_->cells(batch, out);
-  }
-  Result<void> begin(const View& view) override { return cpu_->begin(view); }
-  Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
-                    std::span<CellStatus> status) override {
+
+  std::size_t asked = 0;
+};
+
+/// Counts the cells that the exact tier is asked for.
+class CountingTier final : public ExactTier {
+ public:
+  void take(const SiteSet& sites) override { real_->take(sites); }
+  void cells(std::span<const std::uint32_t> which, Precision precision, CellNeighbors& out) override {
     asked += which.size();
-    return cpu_->draw(which, effort, status);
+    real_->cells(which, precision, out);
   }
-  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
-                    std::span<CellStatus> status) override {
-    return cpu_->draw(batch, marks, effort, status);
-  }
-  Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override {
-    return cpu_->read(rgba, ids);
+  void nearest(const View& view, std::span<const std::uint32_t> pixels,
+               std::span<std::uint32_t> sites) override {
+    real_->nearest(view, pixels, sites);
   }
 
   std::size_t asked = 0;
 
  private:
-  std::unique_ptr<Backend> cpu_ = makeCpuBackend(BackendOptions{});
+  std::unique_ptr<ExactTier> real_ = openExactTier(0);
 };
 
 struct Asked {
-  std::size_t device, judge;
+  std::size_t device, exact;
 };
 
 Asked askedFor(Pattern pattern) {
   const auto sites = prepared(generate(pattern, 40000, 1));
-  CallCounter device, judge_backend;
+  CountingDevice device;
+  CountingTier exact;
   SiteMesh mesh(sites, 2);
-  Judge judge(judge_backend, mesh);
+  Judge judge(exact, mesh);
   const SearchOptions search;
   const Progress progress;
   Report report;
   const auto rows = findNeighbors({device, judge, sites, search, 2, progress}, report);
   EXPECT_TRUE(rows);
   for (std::size_t i = 0; i < sites.size(); ++i) EXPECT_NE(rows->status(i), CellStatus::missing);
-  return {device.asked, judge_backend.asked};
+  return {device.asked, exact.asked};
 }
 
-TEST(MeshCells, SpareTheDeviceAndTheJudgeWhatTheyFailAt) {
+TEST(MeshCells, SpareTheDeviceAndTheExactTierWhatTheyFailAt) {
   const auto circle = askedFor(Pattern::circle);
   EXPECT_LT(circle.device, 2000u) << "a sample tells";
-  EXPECT_EQ(circle.judge, 0u);
+  EXPECT_EQ(circle.exact, 0u);
   const auto random = askedFor(Pattern::random);
   EXPECT_GE(random.device, 40000u);
-  EXPECT_LT(random.judge, 400u);
+  EXPECT_LT(random.exact, 400u);
 }
 
 }  // namespace

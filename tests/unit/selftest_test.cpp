@@ -8,7 +8,7 @@
 #include "core/cells/cells_run.h"
 #include "core/picture/picture.h"
 #include "selftest/run_scenes.h"
-#include "unit/passing_on.h"
+#include "unit/changed_cpu.h"
 
 namespace vorpipe::test {
 
@@ -202,11 +202,11 @@ TEST(Selftest, FindsArithmeticThatIsWorseThanAllowed) {
 }
 
 /// Exchanges two sites in every picture.
-class SiteExchanger final : public PassingOn {
+class SiteExchanger final : public ChangedCpu {
  public:
-  SiteExchanger() : PassingOn(openJudge(2)) {}
+  SiteExchanger() : ChangedCpu(2) {}
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override {
-    auto done = PassingOn::read(rgba, ids);
+    auto done = ChangedCpu::read(rgba, ids);
     for (auto& id : ids) id = id == 4 ? 5 : id == 5 ? 4 : id;
     return done;
   }
@@ -216,17 +216,18 @@ class SiteExchanger final : public PassingOn {
 class RunsOnBackend final : public Runs {
  public:
   explicit RunsOnBackend(std::unique_ptr<Backend> backend)
-      : backend_(std::move(backend)), judge_(openJudge(2)) {}
+      : backend_(std::move(backend)), exact_(openExactTier(2)) {}
   Result<Rendering> render(const Sites& sites, const RenderOptions& options) override {
-    return renderOn(*backend_, *judge_, 2, sites, options);
+    return renderOn({*backend_, *exact_, 2}, sites, options);
   }
   Result<Diagram> cells(const Sites& sites, const CellsOptions& options) override {
-    return cellsOn(*backend_, *judge_, 2, sites, options);
+    return cellsOn({*backend_, *exact_, 2}, sites, options);
   }
   Result<Arithmetic> arithmetic() override { return Arithmetic{}; }
 
  private:
-  std::unique_ptr<Backend> backend_, judge_;
+  std::unique_ptr<Backend> backend_;
+  std::unique_ptr<ExactTier> exact_;
 };
 
 TEST(Selftest, FindsABackendThatDrawsOtherSites) {

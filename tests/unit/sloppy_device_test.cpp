@@ -59,8 +59,8 @@ RenderOptions pictureOf(const Box& domain, int width, int height) {
 /// Draws on such a device, with all the rest of a run; no pixel may be wrong, nor a vertex too far.
 Report expectRight(const SloppyOptions& device_options, const Sites& sites, const RenderOptions& options) {
   const auto device = makeSloppyDevice(device_options);
-  const auto judge = openJudge(1);
-  const auto rendering = renderOn(*device, *judge, 1, sites, options);
+  const auto exact = openExactTier(1);
+  const auto rendering = renderOn({*device, *exact, 1}, sites, options);
   EXPECT_TRUE(rendering.has_value()) << rendering.error().message;
   if (!rendering) return {};
   EXPECT_LE(device->farthestBeyond(), promised);

@@ -7,9 +7,10 @@
 #include <limits>
 #include <numeric>
 
-#include "backend/cpu/cpu.h"
+#include "backend/registry.h"
 #include "core/search/neighbor_search.h"
 #include "core/sites/site_set.h"
+#include "unit/changed_cpu.h"
 
 namespace vorpipe::test {
 
@@ -30,10 +31,9 @@ std::vector<std::uint32_t> allOf(const SiteSet& sites) {
 }
 
 /// The cpu, which refuses more sites or bins than it says it takes.
-class Small final : public Backend {
+class Small final : public ChangedCpu {
  public:
-  Small(std::uint64_t most_sites, std::uint64_t most_bins)
-      : cpu_(makeCpuBackend(BackendOptions{})), info_(cpu_->info()) {
+  Small(std::uint64_t most_sites, std::uint64_t most_bins) : ChangedCpu(0), info_(ChangedCpu::info()) {
     info_.max_sites = most_sites;
     info_.max_bins = most_bins;
   }
@@ -43,31 +43,11 @@ class Small final : public Backend {
     ++uploads;
     EXPECT_LE(sites.size(), info_.max_sites);
     EXPECT_LE(sites.grid.offsets.size() - 1, info_.max_bins);
-    return cpu_->upload(sites, palette_index);
+    return ChangedCpu::upload(sites, palette_index);
   }
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
-    return cpu_->cells(which, effort, out);
-  }
-  Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override {
-    return cpu_->cells(batch, out);
-  }
-  Result<void> begin(const View& view) override { return cpu_->begin(view); }
-  Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
-                    std::span<CellStatus> status) override {
-    return cpu_->draw(which, effort, status);
-  }
-  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
-                    std::span<CellStatus> status) override {
-    return cpu_->draw(batch, marks, effort, status);
-  }
-  Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override {
-    return cpu_->read(rgba, ids);
-  }
-
   int uploads = 0;
 
  private:
-  std::unique_ptr<Backend> cpu_;
   BackendInfo info_;
 };
 
@@ -175,9 +155,9 @@ struct Found {
 
 Found cellsInTiles(const SiteSet& sites, std::uint64_t most_sites, std::uint64_t most_bins) {
   Small backend(most_sites, most_bins);
-  const auto cpu = makeCpuBackend(BackendOptions{});
+  const auto exact = openExactTier(0);
   SiteMesh mesh(sites, 2);
-  Judge judge(*cpu, mesh);
+  Judge judge(*exact, mesh);
   const SearchOptions search;
   const Progress progress;
   Report report;
@@ -192,11 +172,11 @@ TEST(Tiles, FindCrowdedCellsInFinerGrids) {
   const auto found = cellsInTiles(sites, all, all);
   EXPECT_GT(found.uploads, 3);
   EXPECT_LT(found.report.in_double, 3000u);
-  const auto cpu = makeCpuBackend(BackendOptions{});
+  const auto exact = openExactTier(0);
   SiteMesh mesh(sites, 2);
-  Judge judge(*cpu, mesh);
-  std::uint64_t exact = 0;
-  const auto judged = judge.find(allOf(sites), Effort::in_double, 2, {}, exact);
+  Judge judge(*exact, mesh);
+  std::uint64_t exact_cells = 0;
+  const auto judged = judge.find(allOf(sites), Precision::in_double, 2, {}, exact_cells);
   ASSERT_TRUE(judged);
   EXPECT_EQ(found.cells, rowsIn(*judged));
 }

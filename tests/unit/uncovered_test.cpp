@@ -7,6 +7,7 @@
 #include "core/picture/picture.h"
 #include "support/oracle.h"
 #include "support/random_sites.h"
+#include "unit/changed_cpu.h"
 
 namespace vorpipe::test {
 
@@ -18,36 +19,18 @@ constexpr std::uint32_t left_color = 0x01020304;
 
 /// The cpu, but that what is read back lacks what `keeps(pixel)` does not keep: every other one of those has
 /// an id of no site.
-class Patchy final : public Backend {
+class Patchy final : public ChangedCpu {
  public:
   using Keeps = bool (*)(std::size_t pixel);
   Patchy(Keeps keeps, std::uint32_t wrong_id)
-      : keeps_(keeps), wrong_id_(wrong_id), cpu_(openJudge(1)), info_(cpu_->info()) {
+      : ChangedCpu(1), keeps_(keeps), wrong_id_(wrong_id), info_(ChangedCpu::info()) {
     constexpr int several_views = 32;
     info_.max_view = several_views;
   }
 
   const BackendInfo& info() const override { return info_; }
-  Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) override {
-    return cpu_->upload(sites, palette_index);
-  }
-  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
-    return cpu_->cells(which, effort, out);
-  }
-  Result<void> cells(const CellBatch<double>& batch, CellNeighbors& out) override {
-    return cpu_->cells(batch, out);
-  }
-  Result<void> begin(const View& view) override { return cpu_->begin(view); }
-  Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
-                    std::span<CellStatus> status) override {
-    return cpu_->draw(which, effort, status);
-  }
-  Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
-                    std::span<CellStatus> status) override {
-    return cpu_->draw(batch, marks, effort, status);
-  }
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override {
-    if (auto read = cpu_->read(rgba, ids); !read) return read;
+    if (auto read = ChangedCpu::read(rgba, ids); !read) return read;
     for (std::size_t pixel = 0; pixel < ids.size(); ++pixel) {
       if (keeps_(pixel)) continue;
       ids[pixel] = pixel % 2 == 0 ? no_site : wrong_id_;
@@ -62,7 +45,6 @@ class Patchy final : public Backend {
  private:
   Keeps keeps_;
   std::uint32_t wrong_id_;
-  std::unique_ptr<Backend> cpu_;
   BackendInfo info_;
 };
 
@@ -88,14 +70,14 @@ RenderOptions picture() {
 }
 
 void expectSame(const Sites& sites, const RenderOptions& options, Patchy::Keeps keeps) {
-  const auto judge = openJudge(1), whole = openJudge(1);
-  const auto right = renderOn(*whole, *judge, 1, sites, options);
+  const auto exact = openExactTier(1);
+  ChangedCpu whole(1);
+  const auto right = renderOn({whole, *exact, 1}, sites, options);
   ASSERT_TRUE(right.has_value());
   EXPECT_EQ(right->report.pixels, 0u);
   for (const std::uint32_t wrong_id : {no_site - 1, 1000u, no_site}) {
-    const auto judge_of_patches = openJudge(1);
     Patchy patchy(keeps, wrong_id);
-    const auto mended = renderOn(patchy, *judge_of_patches, 1, sites, options);
+    const auto mended = renderOn({patchy, *exact, 1}, sites, options);
     ASSERT_TRUE(mended.has_value());
     EXPECT_EQ(mended->image.ids, right->image.ids);
     EXPECT_EQ(mended->image.rgba, right->image.rgba);

@@ -8,20 +8,14 @@
 #include <optional>
 
 #include "backend/cpu/batch_cells.h"
-#include "backend/cpu/exact_cells.h"
 #include "backend/cpu/grid_cells.h"
-#include "backend/cpu/near_cells.h"
 #include "backend/cpu/picture.h"
-#include "backend/cpu/tree_cells.h"
 #include "backend/view_uniform.h"
 #include "base/parallel.h"
 #include "layout.glsl"
 
 namespace vorpipe {
 namespace {
-
-/// A tree over all sites is worth its while from one cell for so many on.
-constexpr std::size_t sites_per_few = 256;
 
 std::string processorName() {
   std::ifstream info("/proc/cpuinfo");
@@ -52,17 +46,12 @@ class CpuBackend final : public Backend {
     sites_ = &sites;
     palette_index_ = palette_index;
     nearest_.reset();
-    tree_.reset();
     return {};
   }
 
   Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
     assert(sites_ != nullptr);
-    if (effort == Effort::fast || effort == Effort::roomy) {
-      cpu::findOnGrid(*sites_, which, effort, threads_, out);
-      return {};
-    }
-    judge(which, effort == Effort::exact ? cpu::findExactly : cpu::findInDouble, out);
+    cpu::findOnGrid(*sites_, which, effort, threads_, out);
     return {};
   }
 
@@ -91,22 +80,21 @@ class CpuBackend final : public Backend {
     return {};
   }
 
+  Result<void> drawTriangles(std::span<const DrawMark>, std::span<const std::uint32_t>) override {
+    return {};
+  }
+
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override {
     assert(ids.size() == rgba.size());
-    cpu::nearestSites(nearestSite(), view_, threads_, ids);
+    assert(sites_ != nullptr);
+    if (!nearest_) nearest_.emplace(*sites_);
+    cpu::nearestSites(*nearest_, view_, threads_, ids);
     parallelFor(ids.size(), 1 << 16, threads_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         rgba[i] = ids[i] == no_site ? 0 : view_.palette[palette_index_[ids[i]]];
         if (ids[i] != no_site) ids[i] = sites_->id[ids[i]];
       }
     });
-    return {};
-  }
-
-  Result<void> nearest(const View& view, std::span<const std::uint32_t> pixels,
-                       std::span<std::uint32_t> sites) override {
-    assert(sites.size() == pixels.size());
-    cpu::nearestSites(nearestSite(), view, pixels, threads_, sites);
     return {};
   }
 
@@ -122,36 +110,10 @@ class CpuBackend final : public Backend {
   }
 
  private:
-  const cpu::NearestSite& nearestSite() {
-    assert(sites_ != nullptr);
-    if (!nearest_) nearest_.emplace(*sites_);
-    return *nearest_;
-  }
-
-  /// Finds cells over the tree. For a few, among many sites, the tree would take longer than they do.
-  void judge(std::span<const std::uint32_t> which, cpu::FindOverTree find, CellNeighbors& out) {
-    std::vector<std::uint32_t> left;
-    const bool few = !tree_ && which.size() < sites_->size() / sites_per_few;
-    if (few) {
-      cpu::findNearby(*sites_, which, find, threads_, out);
-      for (std::size_t e = 0; e < which.size(); ++e) {
-        if (out.status[e] == CellStatus::unsecured) left.push_back(which[e]);
-      }
-      if (left.empty()) return;
-      which = left;
-    }
-    if (!tree_) tree_.emplace(*sites_, threads_);
-    if (!few) return find(*sites_, *tree_, which, threads_, out);
-    CellNeighbors anew;
-    find(*sites_, *tree_, which, threads_, anew);
-    cpu::replaceUnsecured(anew, out);
-  }
-
   int threads_;
   BackendInfo info_;
   const SiteSet* sites_ = nullptr;
   std::optional<cpu::NearestSite> nearest_;  // made when first asked
-  std::optional<cpu::SiteTree> tree_;        // made when first asked
   std::span<const std::uint8_t> palette_index_;
   View view_{};
 };

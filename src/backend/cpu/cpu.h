@@ -1,4 +1,4 @@
-/// The backend "cpu": the shared algorithm in C++, and the judge of every other backend.
+/// The backend "cpu": the shared algorithm in C++.
 #pragma once
 
 #include <memory>
@@ -7,8 +7,8 @@
 
 namespace vorpipe {
 
-/// Never fails. Cells in float are found by the shared walk over the grid, as on a GPU; in double and
-/// exactly over a tree. Pictures ask for every pixel center, in double, which site is nearest.
+/// Never fails. Cells are found by the shared walk over the grid, as on a GPU. Pictures ask for every pixel
+/// center, in double, which site is nearest.
 std::unique_ptr<Backend> makeCpuBackend(const BackendOptions& options);
 
 /// Whether `wanted` (BackendOptions::device) means the one device of this backend: empty, 0 or a part of

@@ -15,6 +15,7 @@
 #include "backend/opengl/gl.h"
 #include "backend/opengl/picture.h"
 #include "backend/opengl/sites.h"
+#include "backend/opengl/triangles.h"
 #include "backend/to_float.h"
 
 namespace vorpipe {
@@ -29,6 +30,7 @@ struct Resources {
   opengl::Batch batch;
   opengl::Sites sites;
   opengl::Geometry geometry;
+  opengl::Triangles triangles;
   opengl::Cells cells;
   opengl::Calculator calculator;
 };
@@ -39,7 +41,7 @@ Result<Resources> makeResources(int subpixel_bits) {
   glDisable(GL_MULTISAMPLE);
   auto picture = opengl::Picture::create(subpixel_bits);
   if (!picture) return tl::unexpected(picture.error());
-  Resources resources{std::move(*picture), {}, {}, {}, {}, {}};
+  Resources resources{std::move(*picture), {}, {}, {}, {}, {}, {}};
   if (auto made = opengl::takeErrors("making buffers"); !made) return tl::unexpected(made.error());
   return resources;
 }
@@ -98,6 +100,15 @@ class OpenGlBackend final : public Backend {
     gl_.picture.bind();
     if (auto sent = gl_.batch.send(batch, marks); !sent) return sent;
     return gl_.geometry.draw(Entries::lists, effort, status);
+  }
+
+  Result<void> drawTriangles(std::span<const DrawMark> corners,
+                             std::span<const std::uint32_t> corner_of) override {
+    assert(corners.size() <= info_.max_lines && corner_of.size() <= 3 * info_.max_lines);
+    const auto scope = context_.enter();
+    if (!scope) return tl::unexpected(scope.error());
+    gl_.picture.bind();
+    return gl_.triangles.draw(corners, corner_of);
   }
 
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override {

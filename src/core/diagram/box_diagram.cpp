@@ -12,7 +12,6 @@
 #include "core/diagram/diagram_writer.h"
 #include "core/diagram/dual_triangles.h"
 #include "core/search/neighbor_search.h"
-#include "core/sites/site_set.h"
 #include "core/ties/reconcile.h"
 
 namespace vorpipe::core {
@@ -27,7 +26,7 @@ Result<TiedCells> agree(const SearchInput& input, NeighborRows& rows, const Reco
   if (!tied || std::abs(areaGap(records.by_input, domain, input.threads)) <= area_rounding) return tied;
   std::vector<std::uint32_t> all(input.sites.size());
   std::iota(all.begin(), all.end(), 0u);
-  if (auto found = findAgain(input, all, Effort::in_double, rows); !found) {
+  if (auto found = findAgain(input, all, Precision::in_double, rows); !found) {
     return tl::unexpected(found.error());
   }
   report.in_double += all.size();
@@ -54,47 +53,35 @@ void keepSitesWithoutCells(const Sites& sites, int threads, Diagram& diagram) {
 
 }  // namespace
 
-Result<BoxDiagram> boxDiagramOn(Backend& backend, Backend& judge_backend, int threads, const Sites& sites,
-                                const CellsOptions& options, const CallersSites* callers) {
-  BoxDiagram box;
-  Diagram& diagram = box.diagram;
+Result<Diagram> boxDiagramOn(const Machine& machine, SiteRun& run, const Sites& sites,
+                             const CellsOptions& options) {
+  Diagram diagram;
   auto& times = diagram.report.time_ms;
-  Stopwatch order_watch;
-  auto prepared = prepare(sites, options.domain, threads, callers);
-  if (!prepared) return tl::unexpected(prepared.error());
-  times.order = 1e3 * order_watch.seconds();
-
-  Stopwatch cells_watch;
-  SiteMesh mesh(prepared->set, threads);
-  Judge judge(judge_backend, mesh);
-  const SearchInput input{backend, judge, prepared->set, options.search, threads, options.progress};
+  const Stopwatch watch;
+  const int threads = machine.threads;
+  const SiteSet& set = run.prepared.set;
+  const SearchInput input{machine.backend, run.judge, set, options.search, threads, options.progress};
   auto rows = findNeighbors(input, diagram.report);
   if (!rows) return tl::unexpected(rows.error());
-  auto by_input = makeRecords(*prepared, sites);
-  const Records records{prepared->set, Unscale(prepared->exponent), by_input};
+  auto by_input = makeRecords(run.prepared, sites);
+  const Records records{set, Unscale(run.prepared.exponent), by_input};
   const auto tied = agree(input, *rows, records, options.domain, diagram.report);
   if (!tied) return tl::unexpected(tied.error());
   takeRecords(by_input, options.detail, threads, diagram);
   BigVector<CellRecord>().swap(by_input);  // to be assigned nothing would leave it its memory
   if (diagram.report.empty > 0) keepSitesWithoutCells(sites, threads, diagram);
-  if (!prepared->set.weight.empty()) diagram.report.hidden = diagram.report.empty;
+  if (!set.weight.empty()) diagram.report.hidden = diagram.report.empty;
   {
     const EdgeIndex index(*rows, threads);
-    const ProposedCells agreed{prepared->set, *rows, index, threads};
+    const ProposedCells agreed{set, *rows, index, threads};
     writeEdges(agreed, *tied, options.detail, records.unscale, diagram);
-    if (options.detail == Detail::everything) diagram.triangles = dualTriangles(agreed, *tied, mesh);
+    if (options.detail == Detail::everything) diagram.triangles = dualTriangles(agreed, *tied, run.mesh);
   }
-  times.cells = 1e3 * cells_watch.seconds() - std::max(times.upload, 0.0) - std::max(times.search, 0.0);
-
-  diagram.owner = std::move(prepared->owner);
-  box.order = std::move(prepared->set.id);
-  box.exponent = prepared->exponent;
-  const auto& device = backend.info().device;
-  diagram.report.backend = device.backend;
-  diagram.report.device = device.name;
-  diagram.report.driver = device.driver;
-  diagram.report.validation_messages = backend.validationMessages();
-  return box;
+  run.cells = std::move(*rows);
+  diagram.owner = std::move(run.prepared.owner);
+  times.cells = 1e3 * watch.seconds() - std::max(times.upload, 0.0) - std::max(times.search, 0.0);
+  nameDevice(machine.backend, diagram.report);
+  return diagram;
 }
 
 }  // namespace vorpipe::core

@@ -1,6 +1,6 @@
 #include "core/drawing/batch_drawing.h"
 
-#include <cmath>
+#include <algorithm>
 
 #include "backend/precision.h"
 #include "base/parallel.h"
@@ -23,28 +23,6 @@ void boundReach(double allowed, int threads, CellBatch<float>& batch) {
   });
 }
 
-/// Moves the lines and walls of entries that are known to lie within their walls inward by what floats may
-/// lose of them, and `tolerance`, beyond what is allowed. What that leaves at their edges is found in double.
-void shrinkLarge(double allowed, double tolerance, CellBatch<float>& batch) {
-  for (auto& entry : batch.entries) {
-    const double reach = std::hypot(std::max(std::abs(entry.west), std::abs(entry.east)),
-                                    std::max(std::abs(entry.south), std::abs(entry.north)));
-    const double beyond =
-        reach_rounding * (reach + static_cast<double>(entry.origin_offset)) + tolerance - allowed;
-    if (beyond <= 0) continue;
-    const auto inward = static_cast<float>(beyond);
-    entry.west += inward;
-    entry.south += inward;
-    entry.east -= inward;
-    entry.north -= inward;
-    for (auto& line : std::span(batch.lines).subspan(entry.first, entry.count)) {
-      line.h -= inward;
-      // A site that cuts then may be farther than the cell's corners say.
-      line.bound = 0;
-    }
-  }
-}
-
 }  // namespace
 
 Result<std::vector<CellStatus>> BatchDrawing::draw(const View& view, const Candidates& candidates,
@@ -62,12 +40,7 @@ Result<std::vector<CellStatus>> BatchDrawing::draw(const View& view, const Candi
       continue;
     }
     packBatch(canvas_.sites, candidates, begin, end, canvas_.threads, batch_);
-    const double allowed = lossAllowed(view, info.subpixel_bits);
-    if (candidates.walls.empty()) {
-      boundReach(allowed, canvas_.threads, batch_);
-    } else {
-      shrinkLarge(allowed, 0, batch_);
-    }
+    boundReach(lossAllowed(view, info.subpixel_bits), canvas_.threads, batch_);
     const auto count = end - begin;
     if (auto drawn = drawBatch(view, batch_, std::span(candidates.site).subspan(begin, count), effort,
                                std::span(status).subspan(begin, count));
@@ -76,12 +49,6 @@ Result<std::vector<CellStatus>> BatchDrawing::draw(const View& view, const Candi
     }
   }
   return status;
-}
-
-Result<void> BatchDrawing::draw(const View& view, Pieces pieces) {
-  shrinkLarge(lossAllowed(view, canvas_.backend.info().subpixel_bits), pieces.tolerance, pieces.batch);
-  std::vector<CellStatus> status(pieces.site.size(), CellStatus::missing);
-  return drawBatch(view, pieces.batch, pieces.site, Effort::roomy, status);
 }
 
 Result<void> BatchDrawing::drawBatch(const View& view, const CellBatch<float>& batch,

@@ -2,40 +2,47 @@
 
 #include <algorithm>
 
-#include "base/stopwatch.h"
-#include "core/drawing/convex_pieces.h"
+#include "base/progress_steps.h"
 #include "core/search/device_eligible.h"
 
 namespace vorpipe::core {
-namespace {
 
-constexpr std::size_t lines_per_batch = std::size_t{1} << 21;
-/// The walls of an entry take room as its lines do.
-constexpr std::size_t walls = 4;
-/// By how much a cell drawn in pieces may be too large, in pixels. What else may be off about it is less by
-/// so much then.
-constexpr double pixels_beyond = 0.0005;
-
-}  // namespace
-
-CellDrawing::CellDrawing(const DrawingInput& input)
+CellDrawing::CellDrawing(const DrawingInput& input, std::optional<NeighborRows> known)
     : input_(input),
       upload_(input.backend, input.palette_index),
-      batches_({input.backend, input.sites, input.palette_index, input.threads}),
+      all_known_(known.has_value()),
+      polygons_({input.backend, input.sites, input.palette_index, input.threads}),
       status_(input.sites.size(), CellStatus::certified),
-      pixels_(input.sites, input.palette_index, input.threads) {}
+      pixels_(input.sites, input.palette_index, input.threads) {
+  if (known) take(std::move(*known));
+}
+
+/// A site without a cell may have an image at the end of the band that seems to have one.
+void CellDrawing::take(NeighborRows known) {
+  Indices which(known.size());
+  for (std::uint32_t i = 0; i < which.size(); ++i) {
+    which[i] = i;
+    const bool hidden = !input_.sites.hidden.empty() && input_.sites.hidden[i] != 0;
+    if (hidden) known.drop(i, CellStatus::empty);
+    status_[i] = known.status(i);
+  }
+  known_cells_.push_back({std::move(which), std::move(known)});
+}
 
 Result<void> CellDrawing::draw(const View& view) {
-  if (!lists_ && !grid_) {
+  const bool first = !all_known_ && !lists_ && !grid_;
+  if (first) {
     if (auto prepared = prepare(); !prepared) return prepared;
   }
   if (auto given = giveAll(); !given) return given;
   if (auto begun = input_.backend.begin(view); !begun) return begun;
-  auto left = grid_ ? grid_->draw(on_device_) : lists_->draw(view, on_device_);
-  if (!left) return tl::unexpected(left.error());
-  if (auto found = judge(std::move(*left)); !found) return found;
-  for (const auto& cells : judged_) {
-    if (auto drawn = drawJudged(view, cells); !drawn) return drawn;
+  if (!all_known_) {
+    auto left = grid_ ? grid_->draw(on_device_) : lists_->draw(view, on_device_);
+    if (!left) return tl::unexpected(left.error());
+    if (auto found = judge(std::move(*left)); !found) return found;
+  }
+  for (const auto& cells : known_cells_) {
+    if (auto drawn = polygons_.draw(view, cells, input_.progress); !drawn) return drawn;
   }
   return giveAll();
 }
@@ -47,8 +54,10 @@ Result<void> CellDrawing::read(const View& view, std::span<std::uint32_t> rgba,
   return {};
 }
 
-/// Whatever the search, a backend may look at all sites when it begins or finishes a picture.
+/// Whatever the search, a backend may look at all sites when it begins or finishes a picture; but not for
+/// triangles alone.
 Result<void> CellDrawing::giveAll() {
+  if (all_known_ && input_.backend.info().has_vertices) return {};
   return fits(input_.sites, input_.backend.info()) ? upload_.give({input_.sites, {}, {}}) : Result<void>{};
 }
 
@@ -87,56 +96,20 @@ Result<void> CellDrawing::judge(Indices which) {
   if (which.empty()) return {};
   std::sort(which.begin(), which.end());
   const Stopwatch watch;
-  auto found = input_.judge.find(which, Effort::in_double, input_.threads, input_.progress, exact_);
+  auto found = input_.judge.find(which, Precision::in_double, input_.threads, input_.progress, exact_);
   if (!found) return tl::unexpected(found.error());
   judge_seconds_ += watch.seconds();
   in_double_ += which.size();
   for (std::size_t e = 0; e < which.size(); ++e) status_[which[e]] = found->status(e);
   std::erase_if(on_device_,
                 [&](std::uint32_t site) { return std::binary_search(which.begin(), which.end(), site); });
-  judged_.push_back({std::move(which), std::move(*found)});
+  known_cells_.push_back({std::move(which), std::move(*found)});
   return {};
 }
 
-Result<void> CellDrawing::drawJudged(const View& view, const JudgedCells& cells) {
-  const auto room = static_cast<std::size_t>(input_.backend.info().most_edges);
-  Indices whole;
-  Indices in_pieces;
-  for (std::uint32_t e = 0; e < cells.which.size(); ++e) {
-    if (cells.found.status(e) != CellStatus::certified) continue;
-    (cells.found.edges(e).size() + walls > room ? in_pieces : whole).push_back(e);
-  }
-  const auto candidates = boundaries(input_.sites, cells, whole, input_.threads);
-  const auto status = batches_.draw(view, candidates, Effort::roomy);
-  if (!status) return tl::unexpected(status.error());
-  for (std::size_t k = 0; k < whole.size(); ++k) {
-    if (!isDone((*status)[k])) in_pieces.push_back(whole[k]);
-  }
-  return drawPieces(view, cells, in_pieces);
-}
-
-Result<void> CellDrawing::drawPieces(const View& view, const JudgedCells& cells, const Indices& entries) {
-  const auto& info = input_.backend.info();
-  const auto most_lines = std::min<std::uint64_t>(info.max_lines, lines_per_batch);
-  const auto edges = static_cast<std::size_t>(info.most_edges) - walls;
-  const auto& box = view.box;
-  const double tolerance =
-      pixels_beyond * std::min((box.xmax - box.xmin) / view.width, (box.ymax - box.ymin) / view.height);
-  Pieces pieces{{}, {}, tolerance};
-  for (const auto e : entries) {
-    const auto polygon = cellPolygon(input_.sites, cells.which[e], cells.found.edges(e));
-    if (pieces.batch.lines.size() + 2 * polygon.size() > most_lines) {
-      if (auto drawn = batches_.draw(view, std::move(pieces)); !drawn) return drawn;
-      pieces = {{}, {}, tolerance};
-    }
-    const auto added = appendPieces(polygon, edges, tolerance, pieces.batch);
-    pieces.site.insert(pieces.site.end(), added, cells.which[e]);
-  }
-  return pieces.site.empty() ? Result<void>{} : batches_.draw(view, std::move(pieces));
-}
-
 void CellDrawing::describe(Report& report) const {
-  report.retried += grid_ ? grid_->retried() : lists_->retried();
+  if (grid_) report.retried += grid_->retried();
+  if (lists_) report.retried += lists_->retried();
   report.in_double += in_double_;
   report.exact += exact_;
   auto& times = report.time_ms;
@@ -144,7 +117,9 @@ void CellDrawing::describe(Report& report) const {
   add(upload_.seconds(), times.upload);
   if (lists_) add(tree_seconds_ + lists_->searchSeconds(), times.search);
   if (in_double_ > 0) add(judge_seconds_, times.cells);
-  times.draw = 1e3 * (batches_.seconds() + (grid_ ? grid_->seconds() : lists_->drawSeconds()));
+  times.draw = 1e3 * polygons_.seconds();
+  if (grid_) times.draw += 1e3 * grid_->seconds();
+  if (lists_) times.draw += 1e3 * lists_->drawSeconds();
 }
 
 }  // namespace vorpipe::core

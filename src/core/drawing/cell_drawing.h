@@ -2,10 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "core/drawing/grid_drawing.h"
-#include "core/drawing/judged_cells.h"
 #include "core/drawing/list_drawing.h"
+#include "core/drawing/polygon_drawing.h"
 #include "core/judge/answers.h"
 #include "core/judge/judge.h"
 
@@ -23,11 +24,13 @@ struct DrawingInput {
   bool several_views;  ///< draw is called more than once
 };
 
-/// The device finds and draws what it can; the judge finds the rest, which is drawn from the sites that
-/// bound it. Cells are drawn in an order that depends on nothing but the sites.
+/// Cells that are known already are drawn from the sites that bound them. Else the device finds and draws
+/// what it can; the judge finds the rest, which is drawn in the same way as known ones. Cells are drawn in an
+/// order that depends on nothing but the sites.
 class CellDrawing {
  public:
-  explicit CellDrawing(const DrawingInput& input);
+  /// `known`: all cells, by index in the set, or nothing.
+  CellDrawing(const DrawingInput& input, std::optional<NeighborRows> known);
 
   /// Begins a picture on the backend and draws all cells into it.
   Result<void> draw(const View& view);
@@ -46,19 +49,19 @@ class CellDrawing {
   using Indices = std::vector<std::uint32_t>;
 
   Result<void> prepare();
+  void take(NeighborRows known);
   Result<void> giveAll();
   void leaveHidden(Indices& which);
   Result<void> judge(Indices which);
-  Result<void> drawJudged(const View& view, const JudgedCells& cells);
-  Result<void> drawPieces(const View& view, const JudgedCells& cells, const Indices& entries);
 
   DrawingInput input_;
   Upload upload_;
-  std::unique_ptr<ListDrawing> lists_;  ///< one of these two
+  bool all_known_;                      ///< all cells were, from the start
+  std::unique_ptr<ListDrawing> lists_;  ///< one of these two, unless they were
   std::unique_ptr<GridDrawing> grid_;
-  BatchDrawing batches_;             ///< of cells that the judge found
-  Indices on_device_;                ///< what the device finds, ascending
-  std::vector<JudgedCells> judged_;  ///< what it does not
+  PolygonDrawing polygons_;
+  Indices on_device_;                    ///< what the device finds, ascending
+  std::vector<KnownCells> known_cells_;  ///< what it does not
   std::vector<CellStatus> status_;
   PixelCheck pixels_;
   std::uint64_t in_double_ = 0;

@@ -22,6 +22,19 @@ void planUpload(MemoryPlan& plan, const Workload& work, std::uint64_t sites, boo
 /// the mesh of all sites, whose arrays are returned.
 std::vector<MemoryPlan::Array> planJudge(MemoryPlan& plan, const Workload& work, std::uint64_t sites);
 
+using Arrays = std::vector<MemoryPlan::Array>;
+
+inline void append(Arrays& to, const Arrays& from) { to.insert(to.end(), from.begin(), from.end()); }
+
+/// What cells take, by how long they stay.
+struct PlannedCells {
+  Arrays diagram;
+  Arrays run;  ///< where a picture follows: the sites, and the neighbors of cells
+};
+
+/// Plans findCells, and mass.
+PlannedCells planCellsFor(MemoryPlan& plan, const Workload& work, Detail detail, ImagesFor purpose);
+
 /// Plans a reserve of 3 % of what there is so far: for what is smaller than arrays by site, and because
 /// threads take arrays in any order, so that they fit together in one way or another.
 MemoryPlan::Array planReserve(MemoryPlan& plan);

@@ -1,5 +1,6 @@
 /// What Session::cells takes, array by array: each line stands for one of cells_run.cpp and of what it calls.
 #include <algorithm>
+#include <utility>
 
 #include "core/forecast/forecast.h"
 #include "core/vertices/cell_record.h"
@@ -9,10 +10,6 @@ namespace vorpipe {
 using namespace core;
 
 namespace {
-
-using Arrays = std::vector<MemoryPlan::Array>;
-
-void append(Arrays& to, const Arrays& from) { to.insert(to.end(), from.begin(), from.end()); }
 
 /// Edges that a cell is found with: 6 on average, since cells cover the plane, and where four cells meet in a
 /// point also some that one of two cells alone has. The result has spread.edges of them, those that are no
@@ -128,7 +125,8 @@ void planClipping(MemoryPlan& plan, const Workload& work, Arrays& arrays) {
 }
 
 /// Plans boxDiagramOn for all sites, images among them.
-Arrays planRun(MemoryPlan& plan, const Workload& work, std::uint64_t sites, Detail detail) {
+PlannedCells planRun(MemoryPlan& plan, const Workload& work, std::uint64_t sites, Detail detail,
+                     ImagesFor purpose) {
   PlannedSet set = planPrepare(plan, sites, work.weighted);
   Arrays working = planNeighbors(plan, work, sites);
   const auto records = plan.take("records of cells", sites * sizeof(CellRecord));
@@ -143,14 +141,14 @@ Arrays planRun(MemoryPlan& plan, const Workload& work, std::uint64_t sites, Deta
   if (work.outlined) planClipping(plan, work, arrays);
   planReserve(plan);
   plan.drop(ties);
-  plan.drop(working);
-  plan.drop(set.sites);
+  append(working, set.sites);
+  if (purpose == ImagesFor::cells) plan.drop(std::exchange(working, {}));
   arrays.push_back(set.owner);
-  return arrays;
+  return {std::move(arrays), std::move(working)};
 }
 
 /// Plans periodicCellsOn around that: the sites as the domain takes them, and with their images.
-Arrays planPeriodic(MemoryPlan& plan, const Workload& work, Detail detail) {
+PlannedCells planPeriodic(MemoryPlan& plan, const Workload& work, Detail detail, ImagesFor purpose) {
   const std::string_view what = "sites and images";
   const auto all = work.sites + work.images;
   const std::uint64_t coordinates = work.weighted ? 3 : 2;
@@ -164,25 +162,35 @@ Arrays planPeriodic(MemoryPlan& plan, const Workload& work, Detail detail) {
     plan.drop(copy);
   }
   placed.push_back(plan.take(what, 2 * work.images * number));
-  Arrays arrays = planRun(plan, work, all, std::max(detail, Detail::polygons));
-  arrays.push_back(plan.take("shifts of neighbors", partOf(work.sites, work.spread.edges) * 2 * word));
-  plan.drop(placed);
-  return arrays;
+  PlannedCells cells = planRun(plan, work, all, std::max(detail, Detail::polygons), purpose);
+  cells.diagram.push_back(plan.take("shifts of neighbors", partOf(work.sites, work.spread.edges) * 2 * word));
+  if (purpose == ImagesFor::cells) {
+    plan.drop(placed);
+  } else {
+    append(cells.run, placed);
+  }
+  return cells;
 }
 
 }  // namespace
 
-Arrays planCells(MemoryPlan& plan, const Workload& work, Detail detail) {
+PlannedCells planCellsFor(MemoryPlan& plan, const Workload& work, Detail detail, ImagesFor purpose) {
   const bool massive = work.density_pixels > 0;
   const auto needed = massive ? std::max(detail, Detail::polygons) : detail;
-  Arrays arrays = work.periodic ? planPeriodic(plan, work, needed) : planRun(plan, work, work.sites, needed);
+  PlannedCells cells = work.periodic ? planPeriodic(plan, work, needed, purpose)
+                                     : planRun(plan, work, work.sites, needed, purpose);
+  Arrays& arrays = cells.diagram;
   if (massive) arrays.push_back(plan.take("masses", work.sites * (number + point)));
   // Polygons that were not asked for.
   const bool clipped = work.outlined || work.periodic || massive;
   if (detail == Detail::measures && clipped && !work.outlined) {
     plan.drop({arrays[0], arrays[1], arrays[2], arrays[3]});
   }
-  return arrays;
+  return cells;
+}
+
+Arrays planCells(MemoryPlan& plan, const Workload& work, Detail detail) {
+  return planCellsFor(plan, work, detail, ImagesFor::cells).diagram;
 }
 
 void planCellsCheck(MemoryPlan& plan, const Workload& work, Detail detail) {

@@ -1,6 +1,7 @@
 /// What Session::render takes, array by array: each line stands for one of picture.cpp and of what it calls.
 #include <algorithm>
 
+#include "backend/backend.h"
 #include "core/forecast/forecast.h"
 
 namespace vorpipe {
@@ -8,8 +9,6 @@ namespace vorpipe {
 using namespace core;
 
 namespace {
-
-using Arrays = std::vector<MemoryPlan::Array>;
 
 /// Plans what the device draws into, and the arrays that a view is read into.
 Arrays planViews(MemoryPlan& plan, const Workload& work, std::uint64_t width, std::uint64_t height) {
@@ -42,6 +41,35 @@ void planDrawing(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
   plan.drop(fast);
 }
 
+/// Plans cells that the device finds and draws, and those that the judge finds.
+Arrays planSearchAndDrawing(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
+  Arrays kept{plan.take("the search", sites * word)};
+  const auto even = plan.take("the search", sites * word);
+  const auto rest = plan.take("the search", sites * word);
+  planDrawing(plan, work, sites);
+  plan.drop({rest, even});
+  append(kept, planJudge(plan, work, sites));
+  return kept;
+}
+
+/// Plans cells that are known, drawn as polygons, some at a time.
+Arrays planPolygons(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
+  const DeviceNeeds needs = needsOf(work);
+  Arrays kept{plan.take("the search", sites * word)};
+  if (needs.entry == 0) return kept;  // cpu has no triangles
+  constexpr std::uint64_t cells_at_once = 1 << 16;
+  const auto corners = partOf(std::min(sites, cells_at_once), work.spread.edges);
+  const auto bytes = corners * sizeof(DrawMark) + 3 * corners * word;
+  const Arrays passing{plan.take("triangles of cells", bytes), plan.take("triangles of cells", bytes)};
+  if (work.device_on_host) {
+    plan.take("the driver", needs.rasterizing);
+    plan.take("triangles on the device", bytes);
+  }
+  plan.drop(passing);
+  plan.take("when cells were drawn", sites * needs.drawn);
+  return kept;
+}
+
 /// A tree of nanoflann over all sites, from which "cpu" draws.
 void planNearest(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
   if (work.backend != "cpu") return;
@@ -71,36 +99,31 @@ Arrays planScene(MemoryPlan& plan, const Workload& work) {
 }  // namespace
 
 Arrays planPicture(MemoryPlan& plan, const Workload& work, int width, int height, ColorBy color) {
-  const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
-  const bool measured =
-      color == ColorBy::area || color == ColorBy::neighbors || work.weighted || work.outlined;
-  const Arrays cells = measured ? planCells(plan, work, Detail::measures) : Arrays{};
+  const bool known = color == ColorBy::area || color == ColorBy::neighbors || work.weighted || work.outlined;
   const auto sites = work.sites + work.images;
-  const Arrays scene = planScene(plan, work);
-  const PlannedSet set = planPrepare(plan, sites, work.weighted);
-  Arrays working{plan.take("colors of sites", sites * (word + 1))};
+  Arrays working, image;
+  if (known) {
+    const PlannedCells cells = planCellsFor(plan, work, Detail::measures, ImagesFor::pictures);
+    append(working, cells.diagram);
+    append(working, cells.run);
+  } else {
+    append(working, planScene(plan, work));
+    const PlannedSet set = planPrepare(plan, sites, work.weighted);
+    append(working, set.sites);
+    image.push_back(set.owner);
+  }
+  working.push_back(plan.take("colors of sites", sites * (word + 1)));
   if (color != ColorBy::site) plan.drop(plan.take("colors of sites", sites * number));
   working.push_back(plan.take("statuses", sites + sites / number));
-  Arrays image{plan.take("the picture", pixels * word), plan.take("the picture", pixels * word)};
-  const auto on_device = plan.take("the search", sites * word);
-  const auto even = plan.take("the search", sites * word);
-  const auto rest = plan.take("the search", sites * word);
-  planDrawing(plan, work, sites);
-  plan.drop({rest, even});
-  for (const auto array : planJudge(plan, work, sites)) working.push_back(array);
-  working.push_back(on_device);
-  for (const auto array :
-       planViews(plan, work, static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height))) {
-    working.push_back(array);
-  }
+  const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+  for (int k = 0; k < 2; ++k) image.push_back(plan.take("the picture", pixels * word));
+  append(working, known ? planPolygons(plan, work, sites) : planSearchAndDrawing(plan, work, sites));
+  append(working,
+         planViews(plan, work, static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height)));
   planNearest(plan, work, sites);
   image.push_back(plan.take("statuses", work.sites));
   planReserve(plan);
   plan.drop(working);
-  plan.drop(set.sites);
-  plan.drop(scene);
-  plan.drop(cells);
-  image.push_back(set.owner);
   return image;
 }
 

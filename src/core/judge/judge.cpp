@@ -1,12 +1,10 @@
 #include "core/judge/judge.h"
 
-#include <fmt/core.h>
-
+#include <cassert>
 #include <numeric>
 
 #include "base/progress_steps.h"
 #include "core/delaunay/mesh_cells.h"
-#include "core/judge/answers.h"
 
 namespace vorpipe::core {
 namespace {
@@ -20,44 +18,40 @@ constexpr std::size_t sites_per_cell = 16, sites_per_weighted_cell = 64, sites_p
 /// point, that cell may take minutes with many digits.
 constexpr std::size_t few_weighted_sites = std::size_t{1} << 14;
 
+/// Cells between two calls of progress.
+constexpr std::size_t most_at_once = std::size_t{1} << 24;
+
 using Indices = std::vector<std::uint32_t>;
 
 bool isOpen(CellStatus status) { return !isDone(status); }
 
 }  // namespace
 
-Result<NeighborRows> Judge::find(std::span<const std::uint32_t> which, Effort effort, int threads,
+Result<NeighborRows> Judge::find(std::span<const std::uint32_t> which, Precision precision, int threads,
                                  const Progress& progress, std::uint64_t& exact) {
   NeighborRows cells(which.size(), threads);
   Indices entries(which.size());
   std::iota(entries.begin(), entries.end(), 0u);
   const bool few = !sites_.weight.empty() && sites_.size() <= few_weighted_sites && mesh_.isPossible();
-  const bool pays = effort == Effort::exact
+  const bool pays = precision == Precision::exact
                         ? few || (!mesh_.isMade() && which.size() > sites_.size() / sites_per_exact_cell)
                         : mesh_.isMade() || areMany(which.size());
   if (const auto* mesh = pays ? mesh_.get() : nullptr; mesh != nullptr) {
     cells.add(entries, meshCells(sites_, *mesh, which, threads));
     return cells;
   }
-  if (!which.empty()) {
-    if (auto given = ready(); !given) return tl::unexpected(given.error());
-  }
-  auto found = findSome(which, entries, effort, threads, progress, cells);
-  if (found && effort == Effort::in_double && !found->empty()) {
+  auto found = findSome(which, entries, precision, progress, cells);
+  if (found && precision == Precision::in_double && !found->empty()) {
     Indices open;
     for (const auto e : *found) open.push_back(which[e]);
-    auto exactly = find(open, Effort::exact, threads, progress, exact);
+    auto exactly = find(open, Precision::exact, threads, progress, exact);
     if (!exactly) return exactly;
     exact += open.size();
     cells.add(*found, std::move(*exactly));
     return cells;
   }
   if (!found) return tl::unexpected(found.error());
-  if (!found->empty()) {
-    return tl::unexpected(Error{
-        ErrorCode::device, fmt::format("{} did not decide the cell of site {}",
-                                       backend_.info().device.backend, sites_.id[which[found->front()]])});
-  }
+  assert(found->empty());
   return cells;
 }
 
@@ -71,17 +65,14 @@ std::optional<NeighborRows> Judge::findInMesh(std::span<const std::uint32_t> whi
   return cells;
 }
 
-Result<void> Judge::ready() {
-  if (ready_) return {};
-  if (auto uploaded = backend_.upload(sites_, {}); !uploaded) return uploaded;
+ExactTier& Judge::ready() {
+  if (!ready_) exact_.take(sites_);
   ready_ = true;
-  return {};
+  return exact_;
 }
 
-Result<void> Judge::nearest(const View& view, std::span<const std::uint32_t> pixels,
-                            std::span<std::uint32_t> sites) {
-  if (auto given = ready(); !given) return given;
-  return backend_.nearest(view, pixels, sites);
+void Judge::nearest(const View& view, std::span<const std::uint32_t> pixels, std::span<std::uint32_t> sites) {
+  ready().nearest(view, pixels, sites);
 }
 
 bool Judge::areMany(std::size_t cells) const {
@@ -90,8 +81,8 @@ bool Judge::areMany(std::size_t cells) const {
 }
 
 Result<std::vector<std::uint32_t>> Judge::findSome(std::span<const std::uint32_t> which,
-                                                   std::span<const std::uint32_t> entries, Effort effort,
-                                                   int threads, const Progress& progress,
+                                                   std::span<const std::uint32_t> entries,
+                                                   Precision precision, const Progress& progress,
                                                    NeighborRows& cells) {
   std::vector<std::uint32_t> open;
   std::vector<std::uint32_t> some;
@@ -100,14 +91,14 @@ Result<std::vector<std::uint32_t>> Judge::findSome(std::span<const std::uint32_t
     some.clear();
     for (const auto e : part) some.push_back(which[e]);
     CellNeighbors found;
-    if (auto done = askCells(backend_, sites_.size(), some, effort, threads, found); !done) return done;
+    ready().cells(some, precision, found);
     const auto left = withStatus(part, found.status, isOpen);
     open.insert(open.end(), left.begin(), left.end());
     cells.add(part, std::move(found));
     return {};
   };
-  const auto* stage = effort == Effort::exact ? "exact cells" : "cells in double";
-  if (auto done = runInSteps(progress, stage, entries.size(), backend_.info().max_entries, work); !done) {
+  const auto* stage = precision == Precision::exact ? "exact cells" : "cells in double";
+  if (auto done = runInSteps(progress, stage, entries.size(), most_at_once, work); !done) {
     return tl::unexpected(done.error());
   }
   return open;

@@ -39,14 +39,13 @@ Band wholeBand(const PeriodicSites& placed, Band band) {
 /// Runs over sites and images, with wider and wider bands.
 class Runs {
  public:
-  Runs(Backend& backend, Backend& judge, int threads, const Sites& sites, const PeriodicSites& placed,
-       CellsOptions options)
-      : backend_(backend),
-        judge_(judge),
-        threads_(threads),
+  Runs(const Machine& machine, const Sites& sites, const PeriodicSites& placed, CellsOptions options,
+       ImagesFor purpose)
+      : machine_(machine),
         callers_{sites, [this](std::uint32_t i) { return imaged.siteOf(i); }},
         placed_(placed),
-        options_(std::move(options)) {
+        options_(std::move(options)),
+        purpose_(purpose) {
     options_.periodic = Periodic::none;
     options_.density = {};
     options_.detail = Detail::polygons;  // The proof is about vertices.
@@ -54,15 +53,20 @@ class Runs {
 
   Result<void> cells(const Band& band) {
     const Stopwatch order_watch;
+    run.reset();
     diagram = {};
     imaged = {};
     imaged = withImages(placed_, band);
-    times.order = std::max(times.order, 0.0) + 1e3 * order_watch.seconds();
     options_.domain = imaged.box;
-    auto run = boxDiagramOn(backend_, judge_, threads_, imaged.sites, options_, &callers_);
-    if (!run) return tl::unexpected(run.error());
+    auto begun = beginRun(machine_, imaged.sites, options_.domain, &callers_);
+    if (!begun) return tl::unexpected(begun.error());
+    times.order = std::max(times.order, 0.0) + 1e3 * order_watch.seconds();
+    run = std::move(*begun);
+    auto found = boxDiagramOn(machine_, *run, imaged.sites, options_);
+    if (!found) return tl::unexpected(found.error());
+    if (purpose_ == ImagesFor::cells) run.reset();
     auto messages = std::move(diagram.report.validation_messages);
-    diagram = std::move(run->diagram);
+    diagram = std::move(*found);
     auto& said = diagram.report.validation_messages;
     said.insert(said.begin(), messages.begin(), messages.end());
     addTimes(diagram.report.time_ms, times);
@@ -75,13 +79,13 @@ class Runs {
   /// After `cells`: the next band to try, or `band` itself if the cells are right.
   Result<Band> settle(const Band& band) {
     const Stopwatch watch;
-    const Band proved = bandThatProves(placed_, imaged, diagram, band, threads_);
+    const Band proved = bandThatProves(placed_, imaged, diagram, band, machine_.threads);
     const bool whole = isWhole(band, placed_);
     if (proved.width != band.width) return proved;
     if (!whole && !isClosed(imaged, diagram)) return wholeBand(placed_, band);
     keepSites(imaged, diagram);
     const bool settled = settleSeam(placed_, imaged, diagram);
-    const double gap = areaGap(diagram, placed_.domain(), threads_);
+    const double gap = areaGap(diagram, placed_.domain(), machine_.threads);
     times.cells = std::max(times.cells, 0.0) + 1e3 * watch.seconds();
     if (!whole && !(settled && std::abs(gap) <= area_rounding)) return wholeBand(placed_, band);
     if (settled && std::abs(gap) <= area_wrong) return band;
@@ -92,28 +96,29 @@ class Runs {
                     1 + gap)));
   }
 
+  std::unique_ptr<SiteRun> run;
   ImagedSites imaged;
   Diagram diagram;
   Times times;
 
  private:
-  Backend& backend_;
-  Backend& judge_;
-  int threads_;
+  const Machine& machine_;
   CallersSites callers_;
   const PeriodicSites& placed_;
   CellsOptions options_;
+  ImagesFor purpose_;
 };
 
 }  // namespace
 
-Result<Diagram> periodicCellsOn(Backend& backend, Backend& judge_backend, int threads, const Sites& sites,
-                                const CellsOptions& options) {
+Result<FoundCells> periodicCellsOn(const Machine& machine, const Sites& sites, const CellsOptions& options,
+                                   ImagesFor purpose) {
   const Stopwatch order_watch;
-  auto placed = placeSites(sites, options.domain, options.periodic, threads);
+  auto placed = placeSites(sites, options.domain, options.periodic, machine.threads);
   if (!placed) return tl::unexpected(placed.error());
-  Band band = likelyBandForCells(*placed, threads);
-  Runs runs(backend, judge_backend, threads, sites, *placed, options);
+  // As wide as a picture needs it, and more.
+  Band band = likelyBandForCells(*placed, machine.threads);
+  Runs runs(machine, sites, *placed, options, purpose);
   runs.times.order = 1e3 * order_watch.seconds();
   for (;;) {
     if (auto run = runs.cells(band); !run) return tl::unexpected(run.error());
@@ -123,10 +128,12 @@ Result<Diagram> periodicCellsOn(Backend& backend, Backend& judge_backend, int th
     band = std::move(*next);
   }
   const Stopwatch records_watch;
-  finishRecords(*placed, runs.imaged, options.detail, threads, runs.diagram);
+  finishRecords(*placed, runs.imaged, options.detail, machine.threads, runs.diagram);
   runs.times.cells += 1e3 * records_watch.seconds();
   runs.diagram.report.time_ms = runs.times;
-  return std::move(runs.diagram);
+  const Box clip = runs.imaged.box;
+  return FoundCells{std::move(runs.diagram), std::move(runs.run),
+                    Scene{std::move(runs.imaged), clip, placed->domain()}};
 }
 
 }  // namespace vorpipe::core

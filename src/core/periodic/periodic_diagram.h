@@ -1,13 +1,23 @@
 /// Cells of a periodic domain: those of an ordinary diagram of the sites and some images.
 #pragma once
 
-#include "backend/backend.h"
+#include <memory>
+
+#include "core/judge/site_run.h"
+#include "core/periodic/scene.h"
 
 namespace vorpipe::core {
 
-/// What Session::cells does where options.periodic names an axis. Errors: those of boxDiagramOn and
-/// placeSites.
-Result<Diagram> periodicCellsOn(Backend& backend, Backend& judge_backend, int threads, const Sites& sites,
-                                const CellsOptions& options);
+/// Cells, and where the caller wants to draw them, what they were found with.
+struct FoundCells {
+  Diagram diagram;
+  std::unique_ptr<SiteRun> run;  ///< null where only data is wanted
+  Scene scene;                   ///< of the run
+};
+
+/// What Session::cells does where options.periodic names an axis, but for outlines and mass. Errors: those of
+/// boxDiagramOn and placeSites.
+Result<FoundCells> periodicCellsOn(const Machine& machine, const Sites& sites, const CellsOptions& options,
+                                   ImagesFor purpose);
 
 }  // namespace vorpipe::core

@@ -1,26 +1,29 @@
-/// What a picture of a domain is drawn from, whether it is periodic or not.
+/// The sites that a diagram or a picture of a domain is made from, whether it is periodic or not.
 #pragma once
 
 #include <span>
 
 #include "core/periodic/images.h"
-#include "core/sites/site_set.h"
 
 namespace vorpipe::core {
 
-/// The sites to draw: the caller's, or these with images.
-struct Scene : SiteImages {
-  Sites sites;  ///< of the entries; empty where the domain is not periodic: then they are the caller's
-  Box clip;     ///< what cells are clipped to
-  Box picture;  ///< what is drawn
+struct Scene {
+  ImagedSites imaged;  ///< `sites` is empty where the domain is not periodic: then they are the caller's
+  Box clip{};          ///< what cells are clipped to
+  Box picture{};       ///< the domain, in the same units
 
   [[nodiscard]] const Sites& sitesOr(const Sites& callers) const {
-    return sites.size() == 0 ? callers : sites;
+    return imaged.sites.size() == 0 ? callers : imaged.sites;
   }
+  /// The caller's site that entry i of these is or is an image of.
+  [[nodiscard]] std::uint32_t siteOf(std::uint32_t i) const { return imaged.siteOf(i); }
 };
 
-/// Errors: as placeSites'.
+/// The scene of a picture without cells. Errors: as placeSites'.
 Result<Scene> sceneOf(const Sites& sites, const RenderOptions& options, int threads);
+
+/// The scene of a domain that is not periodic.
+Scene plainScene(const Sites& sites, const Box& domain);
 
 /// Names images by their sites.
 void nameSites(const Scene& scene, std::span<std::uint32_t> ids);

@@ -92,16 +92,32 @@ bool areInside(const Sites& sites, const Box& domain, const Rings& rings, int ex
   return all;
 }
 
-/// The measures that the colors follow, and which cells weights and an outline leave, which takes proofs;
-/// nothing where none of it is asked for.
-Result<Diagram> measure(Backend& backend, Backend& judge, int threads, const Sites& sites,
-                        const RenderOptions& options, const Rings& rings) {
-  const bool colors = options.color == ColorBy::area || options.color == ColorBy::neighbors;
-  if (!colors && !hasWeights(sites)) {
-    if (options.outline.empty()) return Diagram{};
-    if (areInside(sites, options.domain, rings, scaleExponent(options.domain), threads)) return Diagram{};
+/// Whether the cells are to be found as data: for measures that the colors follow, and to prove which cells
+/// weights and an outline leave.
+bool needsCells(const Machine& machine, const Sites& sites, const RenderOptions& options,
+                const Rings& rings) {
+  if (options.color == ColorBy::area || options.color == ColorBy::neighbors || hasWeights(sites)) return true;
+  return !options.outline.empty() &&
+         !areInside(sites, options.domain, rings, scaleExponent(options.domain), machine.threads);
+}
+
+/// What the picture is drawn from: the cells, or prepared sites alone.
+Result<FoundCells> findWhatToDraw(const Machine& machine, const Sites& sites, const RenderOptions& options,
+                                  const Rings& rings) {
+  if (needsCells(machine, sites, options, rings)) {
+    return findCells(machine, sites, cellsOptions(options), ImagesFor::pictures);
   }
-  return cellsOn(backend, judge, threads, sites, cellsOptions(options));
+  const Stopwatch watch;
+  FoundCells found;
+  auto scene = sceneOf(sites, options, machine.threads);
+  if (!scene) return tl::unexpected(scene.error());
+  found.scene = std::move(*scene);
+  const CallersSites callers{sites, [&](std::uint32_t i) { return found.scene.siteOf(i); }};
+  auto run = beginRun(machine, found.scene.sitesOr(sites), found.scene.clip, &callers);
+  if (!run) return tl::unexpected(run.error());
+  found.run = std::move(*run);
+  found.diagram.report.time_ms.order = 1e3 * watch.seconds();
+  return found;
 }
 
 /// What was drawn of a picture, and how.
@@ -132,9 +148,7 @@ Result<Drawn> drawParts(Backend& backend, CellDrawing& drawing, const NearestSit
     ids.resize(rgba.size());
     Stopwatch watch;
     if (auto read = drawing.read(view, rgba, ids); !read) return tl::unexpected(read.error());
-    const auto covered = coverRest(nearest, view, rgba, ids);
-    if (!covered) return tl::unexpected(covered.error());
-    drawn.uncovered += *covered;
+    drawn.uncovered += coverRest(nearest, view, rgba, ids);
     place(part, rgba, image, image.rgba);
     place(part, ids, image, image.ids);
     drawn.download_seconds += watch.seconds();
@@ -153,22 +167,23 @@ std::vector<std::uint8_t> hiddenSites(const SiteSet& set, const Scene& scene, co
   return hidden;
 }
 
-/// A site has a cell if it or one of its images has one. A cell is what an outline leaves of it: as `cells`,
-/// if there are any, say.
-void countStatuses(const Prepared& prepared, const Scene& scene, const std::vector<CellStatus>& status,
-                   const Diagram& cells, Rendering& rendering) {
-  rendering.status.assign(scene.count, Status::duplicate);
-  for (std::size_t i = 0; i < prepared.set.size(); ++i) {
-    auto& site = rendering.status[scene.siteOf(prepared.set.id[i])];
-    if (status[i] != CellStatus::empty) {
+/// A site has a cell if it or one of its images was drawn with one.
+std::vector<Status> drawnStatuses(const SiteSet& set, const Scene& scene,
+                                  const std::vector<CellStatus>& drawn) {
+  std::vector<Status> status(scene.imaged.count, Status::duplicate);
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    auto& site = status[scene.siteOf(set.id[i])];
+    if (drawn[i] != CellStatus::empty) {
       site = Status::ok;
     } else if (site == Status::duplicate) {
       site = Status::empty;
     }
   }
-  if (!cells.status.empty()) rendering.status = cells.status;
-  auto& report = rendering.report;
-  for (const auto each : rendering.status) {
+  return status;
+}
+
+void countStatuses(const std::vector<Status>& status, Report& report) {
+  for (const auto each : status) {
     ++(each == Status::ok ? report.ok : each == Status::empty ? report.empty : report.duplicate);
   }
 }
@@ -204,63 +219,56 @@ CellsOptions cellsOptions(const RenderOptions& picture) {
 
 namespace vorpipe::core {
 
-Result<Rendering> renderOn(Backend& backend, Backend& judge, int threads, const Sites& sites,
-                           const RenderOptions& options) {
+Result<Rendering> renderOn(const Machine& machine, const Sites& sites, const RenderOptions& options) {
   if (auto checked = checkSize(options); !checked) return tl::unexpected(checked.error());
   const auto palette = paletteByName(options.colormap);
   if (!palette) return tl::unexpected(palette.error());
+  const auto rings = ringsOf(options.outline, scaleExponent(options.domain));
+  if (!rings) return tl::unexpected(rings.error());
+  auto found = findWhatToDraw(machine, sites, options, *rings);
+  if (!found) return tl::unexpected(found.error());
+  auto& [cells, run, scene] = *found;
 
   Rendering rendering;
   auto& report = rendering.report;
   auto& times = report.time_ms;
-  const auto rings = ringsOf(options.outline, scaleExponent(options.domain));
-  if (!rings) return tl::unexpected(rings.error());
-  const auto cells = measure(backend, judge, threads, sites, options, *rings);
-  if (!cells) return tl::unexpected(cells.error());
-  beginReport(cells->report, report);
-
+  beginReport(cells.report, report);
   const Stopwatch order_watch;
-  const auto scene = sceneOf(sites, options, threads);
-  if (!scene) return tl::unexpected(scene.error());
-  const Sites& drawn = scene->sitesOr(sites);
-  const CallersSites callers{sites, [&](std::uint32_t i) { return scene->siteOf(i); }};
-  auto prepared = prepare(drawn, scene->clip, threads, &callers);
-  if (!prepared) return tl::unexpected(prepared.error());
-  auto ids = prepared->set.id;
-  nameSites(*scene, ids);
-  const auto palette_indices = paletteIndices(options.color, sites, ids, *cells);
+  SiteSet& set = run->prepared.set;
+  auto ids = set.id;
+  nameSites(scene, ids);
+  const auto palette_indices = paletteIndices(options.color, sites, ids, cells);
   if (!palette_indices) return tl::unexpected(palette_indices.error());
-  times.order = std::max(times.order, 0.0) + 1e3 * order_watch.seconds();
+  times.order += 1e3 * order_watch.seconds();
 
-  const int most = backend.info().max_view;
-  SiteMesh mesh(prepared->set, threads);
-  Judge set_judge(judge, mesh);
-  prepared->set.hidden = hiddenSites(prepared->set, *scene, *cells);
-  CellDrawing drawing({backend, set_judge, prepared->set, *palette_indices, options.search, threads,
-                       options.progress, options.width > most || options.height > most});
-  const NearestSites nearest{set_judge, prepared->set, *palette_indices, drawn.size(), threads};
+  const int most = machine.backend.info().max_view;
+  if (run->cells) set.hidden = hiddenSites(set, scene, cells);
+  CellDrawing drawing({machine.backend, run->judge, set, *palette_indices, options.search, machine.threads,
+                       options.progress, options.width > most || options.height > most},
+                      std::move(run->cells));
+  const Sites& drawn = scene.sitesOr(sites);
+  const NearestSites nearest{run->judge, set, *palette_indices, drawn.size(), machine.threads};
+  const int exponent = run->prepared.exponent;
   auto picture =
-      drawParts(backend, drawing, nearest, scaled(scene->picture, prepared->exponent), *palette, options);
+      drawParts(machine.backend, drawing, nearest, scaled(scene.picture, exponent), *palette, options);
   if (!picture) return tl::unexpected(picture.error());
   rendering.image = std::move(picture->image);
   if (!options.outline.empty()) {
-    maskOutside(*rings, options.domain, prepared->exponent, threads, rendering.image);
+    maskOutside(*rings, options.domain, exponent, machine.threads, rendering.image);
   }
   if (options.edges) drawEdges(rendering.image);
-  if (options.show_sites) drawSites(rendering.image, drawn, scene->count, scene->picture);
-  nameSites(*scene, rendering.image.ids);
+  if (options.show_sites) drawSites(rendering.image, drawn, scene.imaged.count, scene.picture);
+  nameSites(scene, rendering.image.ids);
 
   times.download = 1e3 * picture->download_seconds;
   report.pixels = picture->uncovered;
   drawing.describe(report);
-  countStatuses(*prepared, *scene, drawing.status(), *cells, rendering);
-  rendering.owner = std::move(prepared->owner);
-  rendering.owner.resize(scene->count);
-  const auto& device = backend.info().device;
-  report.backend = device.backend;
-  report.device = device.name;
-  report.driver = device.driver;
-  for (auto& message : backend.validationMessages()) report.validation_messages.push_back(std::move(message));
+  const bool has_cells = !cells.status.empty();
+  rendering.status = has_cells ? std::move(cells.status) : drawnStatuses(set, scene, drawing.status());
+  countStatuses(rendering.status, report);
+  rendering.owner = std::move(has_cells ? cells.owner : run->prepared.owner);
+  rendering.owner.resize(scene.imaged.count);
+  nameDevice(machine.backend, report);
   return rendering;
 }
 

@@ -1,12 +1,11 @@
-/// The whole way from sites to a picture on one backend.
+/// The whole way from sites to a picture.
 #pragma once
 
-#include "backend/backend.h"
+#include "core/judge/machine.h"
 
 namespace vorpipe::core {
 
-/// What Session::render does, on an open backend; checkOptions found nothing to refuse.
-Result<Rendering> renderOn(Backend& backend, Backend& judge, int threads, const Sites& sites,
-                           const RenderOptions& options);
+/// What Session::render does; checkOptions found nothing to refuse.
+Result<Rendering> renderOn(const Machine& machine, const Sites& sites, const RenderOptions& options);
 
 }  // namespace vorpipe::core

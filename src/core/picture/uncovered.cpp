@@ -25,8 +25,8 @@ bool areAllCovered(const NearestSites& nearest, std::span<const std::uint32_t> i
 
 }  // namespace
 
-Result<std::uint64_t> coverRest(const NearestSites& nearest, const View& view, std::span<std::uint32_t> rgba,
-                                std::span<std::uint32_t> ids) {
+std::uint64_t coverRest(const NearestSites& nearest, const View& view, std::span<std::uint32_t> rgba,
+                        std::span<std::uint32_t> ids) {
   if (areAllCovered(nearest, ids)) return 0;
   std::uint64_t count = 0;
   std::vector<std::uint32_t> pixels;
@@ -37,7 +37,7 @@ Result<std::uint64_t> coverRest(const NearestSites& nearest, const View& view, s
       if (ids[next] >= nearest.ids) pixels.push_back(static_cast<std::uint32_t>(next));
     }
     sites.resize(pixels.size());
-    if (auto found = nearest.judge.nearest(view, pixels, sites); !found) return tl::unexpected(found.error());
+    nearest.judge.nearest(view, pixels, sites);
     for (std::size_t k = 0; k < pixels.size(); ++k) {
       const bool none = sites[k] == no_site;
       ids[pixels[k]] = none ? no_site : nearest.sites.id[sites[k]];

@@ -19,8 +19,8 @@ struct NearestSites {
 
 /// Gives every pixel of a view that a device left without a site, or with an id that no site has, its nearest
 /// site and the color of that, whatever the reason; if no site has a cell, none and color 0. Row 0 is the
-/// bottom. Returns how many there were: where there are none, this only looks. Errors: the judge's.
-Result<std::uint64_t> coverRest(const NearestSites& nearest, const View& view, std::span<std::uint32_t> rgba,
-                                std::span<std::uint32_t> ids);
+/// bottom. Returns how many there were: where there are none, this only looks.
+std::uint64_t coverRest(const NearestSites& nearest, const View& view, std::span<std::uint32_t> rgba,
+                        std::span<std::uint32_t> ids);
 
 }  // namespace vorpipe::core

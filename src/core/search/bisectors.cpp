@@ -71,7 +71,7 @@ void packBatch(const SiteSet& sites, const Candidates& candidates, std::size_t b
       const auto site = candidates.site[begin + e];
       const auto origin = cellOrigin(sites, site);
       const Point origin_offset{sites.x[site] - origin.x, sites.y[site] - origin.y};
-      const Box walls = candidates.walls.empty() ? domainFrom(sites, origin) : candidates.walls[begin + e];
+      const Box walls = domainFrom(sites, origin);
       const auto first = candidates.offsets[begin + e];
       const auto last = candidates.offsets[begin + e + 1];
       out.entries[e] = {first - first_line,

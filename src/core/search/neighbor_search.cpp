@@ -11,10 +11,10 @@
 
 namespace vorpipe::core {
 
-Result<void> findAgain(const SearchInput& input, const std::vector<std::uint32_t>& which, Effort effort,
+Result<void> findAgain(const SearchInput& input, const std::vector<std::uint32_t>& which, Precision precision,
                        NeighborRows& rows) {
   std::uint64_t exact = 0;
-  auto found = input.judge.find(which, effort, input.threads, input.progress, exact);
+  auto found = input.judge.find(which, precision, input.threads, input.progress, exact);
   if (!found) return tl::unexpected(found.error());
   rows.add(which, std::move(*found));
   proveEmpty(input.sites, which, input.threads, rows);
@@ -41,7 +41,7 @@ Result<NeighborRows> findNeighbors(const SearchInput& input, Report& report) {
   left->insert(left->end(), triage.outside.begin(), triage.outside.end());
   sortDistinct(*left, static_cast<std::uint32_t>(input.sites.size()));
   report.in_double += left->size();
-  auto found = input.judge.find(*left, Effort::in_double, input.threads, input.progress, report.exact);
+  auto found = input.judge.find(*left, Precision::in_double, input.threads, input.progress, report.exact);
   if (!found) return tl::unexpected(found.error());
   rows.add(*left, std::move(*found));
   std::vector<std::uint32_t> all(input.sites.weight.size());

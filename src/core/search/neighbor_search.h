@@ -24,9 +24,9 @@ struct SearchInput {
 /// Errors: those of the backends; progress said stop.
 Result<NeighborRows> findNeighbors(const SearchInput& input, Report& report);
 
-/// Has the judge find the cells of `which` (ascending) again, beginning with `effort`, in_double or exact,
-/// and replaces them.
-Result<void> findAgain(const SearchInput& input, const std::vector<std::uint32_t>& which, Effort effort,
+/// Has the judge find the cells of `which` (ascending) again, beginning with `precision`, and
+/// replaces them.
+Result<void> findAgain(const SearchInput& input, const std::vector<std::uint32_t>& which, Precision precision,
                        NeighborRows& rows);
 
 /// Replaces all cells by those of the judge's mesh; false, and nothing is changed, where there is none.

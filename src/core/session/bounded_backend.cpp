@@ -23,7 +23,7 @@ bool halve(std::uint64_t given, Number least, Number& bound) {
 }  // namespace
 
 BoundedBackend::BoundedBackend(Backend& backend, const Bounds& bounds)
-    : backend_(backend), bounds_(bounds), info_(backend.info()) {
+    : ForwardingBackend(backend), bounds_(bounds), info_(backend.info()) {
   info_.max_sites = std::min(info_.max_sites, bounds.sites);
   info_.max_bins = std::min(info_.max_bins, bounds.sites);
   info_.max_lines = std::min(info_.max_lines, bounds.lines);
@@ -53,40 +53,46 @@ Result<void> BoundedBackend::call(Call kind, const Make& make) {
 Result<void> BoundedBackend::upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) {
   given_.sites = sites.size();
   given_.bins = sites.grid.offsets.size();
-  return call(Call::upload, [&] { return backend_.upload(sites, palette_index); });
+  return call(Call::upload, [&] { return ForwardingBackend::upload(sites, palette_index); });
 }
 
 Result<void> BoundedBackend::cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) {
   given_.entries = which.size();
-  return call(Call::clip, [&] { return backend_.cells(which, effort, out); });
+  return call(Call::clip, [&] { return ForwardingBackend::cells(which, effort, out); });
 }
 
 Result<void> BoundedBackend::cells(const CellBatch<double>& batch, CellNeighbors& out) {
   given_.entries = batch.entries.size();
   given_.lines = batch.lines.size();
-  return call(Call::clip, [&] { return backend_.cells(batch, out); });
+  return call(Call::clip, [&] { return ForwardingBackend::cells(batch, out); });
 }
 
 Result<void> BoundedBackend::begin(const View& view) {
   given_.view = std::max(view.width, view.height);
-  return call(Call::picture, [&] { return backend_.begin(view); });
+  return call(Call::picture, [&] { return ForwardingBackend::begin(view); });
 }
 
 Result<void> BoundedBackend::draw(std::span<const std::uint32_t> which, Effort effort,
                                   std::span<CellStatus> status) {
   given_.entries = which.size();
-  return call(Call::clip, [&] { return backend_.draw(which, effort, status); });
+  return call(Call::clip, [&] { return ForwardingBackend::draw(which, effort, status); });
 }
 
 Result<void> BoundedBackend::draw(const CellBatch<float>& batch, std::span<const DrawMark> marks,
                                   Effort effort, std::span<CellStatus> status) {
   given_.entries = batch.entries.size();
   given_.lines = batch.lines.size();
-  return call(Call::clip, [&] { return backend_.draw(batch, marks, effort, status); });
+  return call(Call::clip, [&] { return ForwardingBackend::draw(batch, marks, effort, status); });
+}
+
+Result<void> BoundedBackend::drawTriangles(std::span<const DrawMark> corners,
+                                           std::span<const std::uint32_t> corner_of) {
+  given_.lines = corners.size();
+  return call(Call::clip, [&] { return ForwardingBackend::drawTriangles(corners, corner_of); });
 }
 
 Result<void> BoundedBackend::read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) {
-  return call(Call::picture, [&] { return backend_.read(rgba, ids); });
+  return call(Call::picture, [&] { return ForwardingBackend::read(rgba, ids); });
 }
 
 /// What was too much for the memory that was left may have been given by a call before.

@@ -4,7 +4,7 @@
 #include <limits>
 #include <optional>
 
-#include "backend/backend.h"
+#include "backend/forwarding_backend.h"
 
 namespace vorpipe::core {
 
@@ -20,7 +20,7 @@ struct Bounds {
 inline constexpr Bounds least_bounds{4096, 4096, 1024, 64};
 
 /// Passes every call on, keeps to bounds, and remembers the call that failed.
-class BoundedBackend final : public Backend {
+class BoundedBackend final : public ForwardingBackend {
  public:
   BoundedBackend(Backend& backend, const Bounds& bounds);
 
@@ -33,12 +33,9 @@ class BoundedBackend final : public Backend {
                     std::span<CellStatus> status) override;
   Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
                     std::span<CellStatus> status) override;
+  Result<void> drawTriangles(std::span<const DrawMark> corners,
+                             std::span<const std::uint32_t> corner_of) override;
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override;
-  Result<void> compute(std::span<const Operands> operands, std::span<Computed> out) override {
-    return backend_.compute(operands, out);
-  }
-  [[nodiscard]] double deviceSeconds() const override { return backend_.deviceSeconds(); }
-  std::vector<std::string> validationMessages() override { return backend_.validationMessages(); }
 
   /// The error of the first call that failed, if one did.
   [[nodiscard]] const std::optional<Error>& failure() const { return failure_; }
@@ -58,7 +55,6 @@ class BoundedBackend final : public Backend {
   template <class Make>
   Result<void> call(Call kind, const Make& make);
 
-  Backend& backend_;
   Bounds bounds_;
   BackendInfo info_;
   Given given_;

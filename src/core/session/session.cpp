@@ -22,15 +22,14 @@ Error outOfMemory() {
 }
 
 /// Cells, and their mass if there is a density: that takes their polygons, whether they are wanted or not.
-Result<Diagram> cellsAndMass(Backend& backend, Backend& judge, int threads, const Sites& sites,
-                             const CellsOptions& options) {
+Result<Diagram> cellsAndMass(const Machine& machine, const Sites& sites, const CellsOptions& options) {
   if (auto checked = checkOptions(sites, options); !checked) return tl::unexpected(checked.error());
-  if (options.density.values.empty()) return cellsOn(backend, judge, threads, sites, options);
+  if (options.density.values.empty()) return cellsOn(machine, sites, options);
   CellsOptions with_polygons = options;
   with_polygons.detail = std::max(options.detail, Detail::polygons);
-  auto diagram = cellsOn(backend, judge, threads, sites, with_polygons);
+  auto diagram = cellsOn(machine, sites, with_polygons);
   if (!diagram) return diagram;
-  measureMass(options.density, options.domain, options.periodic, threads, *diagram);
+  measureMass(options.density, options.domain, options.periodic, machine.threads, *diagram);
   if (options.detail == Detail::measures) dropPolygons(*diagram);
   return diagram;
 }
@@ -39,8 +38,10 @@ Result<Diagram> cellsAndMass(Backend& backend, Backend& judge, int threads, cons
 
 struct Session::State {
   DeviceInUse device;
-  std::unique_ptr<Backend> judge;
+  std::unique_ptr<ExactTier> exact;
   int threads;
+
+  [[nodiscard]] Machine with(Backend& backend) const { return {backend, *exact, threads}; }
 };
 
 Session::Session() = default;
@@ -53,7 +54,7 @@ Result<Session> Session::open(const BackendOptions& options) {
   if (!device) return tl::unexpected(device.error());
   Session session;
   session.state_ =
-      std::make_unique<State>(State{std::move(*device), openJudge(options.threads), options.threads});
+      std::make_unique<State>(State{std::move(*device), openExactTier(options.threads), options.threads});
   return session;
 }
 
@@ -63,7 +64,7 @@ Result<Rendering> Session::render(const Sites& sites, const RenderOptions& optio
       return tl::unexpected(checked.error());
     }
     return state_->device.run<Rendering>(
-        [&](Backend& backend) { return renderOn(backend, *state_->judge, state_->threads, sites, options); });
+        [&](Backend& backend) { return renderOn(state_->with(backend), sites, options); });
   } catch (const std::bad_alloc&) {
     return tl::unexpected(outOfMemory());
   }
@@ -71,9 +72,8 @@ Result<Rendering> Session::render(const Sites& sites, const RenderOptions& optio
 
 Result<Diagram> Session::cells(const Sites& sites, const CellsOptions& options) {
   try {
-    return state_->device.run<Diagram>([&](Backend& backend) {
-      return cellsAndMass(backend, *state_->judge, state_->threads, sites, options);
-    });
+    return state_->device.run<Diagram>(
+        [&](Backend& backend) { return cellsAndMass(state_->with(backend), sites, options); });
   } catch (const std::bad_alloc&) {
     return tl::unexpected(outOfMemory());
   }

@@ -13,42 +13,45 @@
 namespace vorpipe::core {
 namespace {
 
-/// The last effort that a disputed cell was found with.
-class Efforts {
+/// The precision that each disputed cell was found with last.
+class Precisions {
  public:
-  explicit Efforts(std::size_t cells) : cells_(cells) {}
+  explicit Precisions(std::size_t cells) : cells_(cells) {}
 
   /// The cells among `disputed` to find again, and how: in double where that has not been tried yet, else
   /// exactly. Both sides of a dispute are among them, so that one of them has something left to try.
-  std::pair<std::vector<std::uint32_t>, Effort> next(const std::vector<std::uint32_t>& disputed) {
-    for (const auto effort : {Effort::in_double, Effort::exact}) {
-      auto which = notYet(disputed, effort);
-      if (!which.empty()) return {std::move(which), effort};
+  std::pair<std::vector<std::uint32_t>, Precision> next(const std::vector<std::uint32_t>& disputed) {
+    for (const auto precision : {Precision::in_double, Precision::exact}) {
+      auto which = notYet(disputed, precision);
+      if (!which.empty()) return {std::move(which), precision};
     }
-    return {{}, Effort::exact};
+    return {{}, Precision::exact};
   }
 
   /// Those among `cells` to be found exactly.
   std::vector<std::uint32_t> notExact(const std::vector<std::uint32_t>& cells) {
-    return notYet(cells, Effort::exact);
+    return notYet(cells, Precision::exact);
   }
 
  private:
-  /// Those that have not been found with as much effort; from now on they have.
-  std::vector<std::uint32_t> notYet(const std::vector<std::uint32_t>& cells, Effort effort) {
+  enum class Last : std::uint8_t { by_device, in_double, exact };
+
+  /// Those that have not been found with that much precision; from now on they have.
+  std::vector<std::uint32_t> notYet(const std::vector<std::uint32_t>& cells, Precision precision) {
     std::vector<std::uint32_t> which;
     if (cells.empty()) return which;
-    if (last_.empty()) last_.assign(cells_, Effort::fast);
+    if (last_.empty()) last_.assign(cells_, Last::by_device);
+    const auto now = precision == Precision::exact ? Last::exact : Last::in_double;
     for (const auto cell : cells) {
-      if (last_[cell] >= effort) continue;
+      if (last_[cell] >= now) continue;
       which.push_back(cell);
-      last_[cell] = effort;
+      last_[cell] = now;
     }
     return which;
   }
 
   std::size_t cells_;
-  std::vector<Effort> last_;  ///< empty until something is in dispute
+  std::vector<Last> last_;  ///< empty until something is in dispute
 };
 
 void addWithNeighbors(const NeighborRows& rows, const std::vector<std::uint32_t>& which,
@@ -96,17 +99,17 @@ std::vector<std::uint32_t> cellsOfTies(const ProposedCells& proposed, const Tied
 
 /// The next cells to find again, and how. Where all disputed cells are exact already, a cell beside them must
 /// be wrong that agrees with both sides: tries the rings of cells around them, one after the other.
-std::pair<std::vector<std::uint32_t>, Effort> nextAround(const NeighborRows& rows,
-                                                         std::vector<std::uint32_t> disputed,
-                                                         Efforts& efforts) {
+std::pair<std::vector<std::uint32_t>, Precision> nextAround(const NeighborRows& rows,
+                                                            std::vector<std::uint32_t> disputed,
+                                                            Precisions& precisions) {
   constexpr int rings = 3;
-  auto next = efforts.next(disputed);
+  auto next = precisions.next(disputed);
   for (int ring = 0; next.first.empty() && ring < rings; ++ring) {
     std::vector<std::uint32_t> wider;
     addWithNeighbors(rows, disputed, wider);
     sortUnique(wider);
     disputed = std::move(wider);
-    next = efforts.next(disputed);
+    next = precisions.next(disputed);
   }
   return next;
 }
@@ -120,7 +123,7 @@ class Reconciliation {
         rows_(rows),
         records_(records),
         report_(report),
-        efforts_(input.sites.size()),
+        precisions_(input.sites.size()),
         suspect_(input.sites.size()) {}
 
   Result<TiedCells> run() {
@@ -164,9 +167,10 @@ class Reconciliation {
     const auto doubtful = agreed ? cellsOfTies(proposed, tied) : tied.disputed;
     if (resort_ != Resort::ties && dropVanished(doubtful)) return false;
     if (resort_ == Resort::judge) {
-      const auto [which, effort] = agreed ? efforts_.next(doubtful) : nextAround(rows_, doubtful, efforts_);
-      const bool many = effort == Effort::exact && which.size() > most_exact && input_.judge.hasMesh();
-      if (!which.empty() && !many) return find(which, effort);
+      const auto [which, precision] =
+          agreed ? precisions_.next(doubtful) : nextAround(rows_, doubtful, precisions_);
+      const bool many = precision == Precision::exact && which.size() > most_exact && input_.judge.hasMesh();
+      if (!which.empty() && !many) return find(which, precision);
       if (many) return takeResort(doubtful);
     }
     if (agreed) return narrow(tied);
@@ -177,9 +181,9 @@ class Reconciliation {
   /// likewise which edges at walls count: then results do not depend on the backend.
   Result<bool> narrow(const TiedCells& tied) {
     if (resort_ == Resort::judge) {
-      const auto which = efforts_.notExact(tied.unsure);
+      const auto which = precisions_.notExact(tied.unsure);
       if (which.size() > most_exact && input_.judge.hasMesh()) return takeResort(which);
-      if (!which.empty()) return find(which, Effort::exact);
+      if (!which.empty()) return find(which, Precision::exact);
     }
     fineness_.increase(tied.wide, sites_.size());
     return tied.wide.empty();
@@ -196,12 +200,12 @@ class Reconciliation {
 
   /// Finds the cells `which` again. Their neighbors, before and after, are checked again too: an edge is only
   /// right if both of its cells have it.
-  Result<bool> find(const std::vector<std::uint32_t>& which, Effort effort) {
+  Result<bool> find(const std::vector<std::uint32_t>& which, Precision precision) {
     addWithNeighbors(rows_, which, changed_);
-    if (auto found = findAgain(input_, which, effort, rows_); !found) {
+    if (auto found = findAgain(input_, which, precision, rows_); !found) {
       return tl::unexpected(found.error());
     }
-    (effort == Effort::exact ? report_.exact : report_.in_double) += which.size();
+    (precision == Precision::exact ? report_.exact : report_.in_double) += which.size();
     addWithNeighbors(rows_, which, changed_);
     sortUnique(changed_);
     return false;
@@ -229,7 +233,7 @@ class Reconciliation {
   NeighborRows& rows_;
   const Records& records_;
   Report& report_;
-  Efforts efforts_;
+  Precisions precisions_;
   Fineness fineness_;
   std::vector<std::uint8_t> suspect_;
   std::vector<std::uint32_t> changed_;

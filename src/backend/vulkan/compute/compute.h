@@ -12,13 +12,13 @@
 #include <vector>
 
 #include "backend/backend.h"
-#include "backend/vulkan/compute/painter.h"
 #include "backend/vulkan/compute/placed_sites.h"
 #include "backend/vulkan/compute/triangle_list.h"
 #include "backend/vulkan/device/device.h"
 #include "backend/vulkan/device/instance.h"
 #include "backend/vulkan/device/physical.h"
 #include "backend/vulkan/kernels/compute_kernels.h"
+#include "backend/vulkan/kernels/painter.h"
 #include "backend/vulkan/memory/bindings.h"
 #include "backend/vulkan/memory/buffer.h"
 #include "backend/vulkan/memory/target.h"
@@ -43,6 +43,8 @@ class ComputeBackend final : public Backend {
                     std::span<CellStatus> status) override;
   Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
                     std::span<CellStatus> status) override;
+  Result<void> drawTriangles(std::span<const DrawMark> corners,
+                             std::span<const std::uint32_t> corner_of) override;
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override;
   Result<void> compute(std::span<const Operands> operands, std::span<Computed> out) override;
   [[nodiscard]] double deviceSeconds() const override { return device_.seconds(); }

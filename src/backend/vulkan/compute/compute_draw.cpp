@@ -49,6 +49,11 @@ Result<void> ComputeBackend::draw(const CellBatch<float>& batch, std::span<const
                    status);
 }
 
+Result<void> ComputeBackend::drawTriangles(std::span<const DrawMark> corners,
+                                           std::span<const std::uint32_t> corner_of) {
+  return painter_.draw(device_, target_, corners, corner_of, info_.max_lines);
+}
+
 // Clips the entries that were sent and draws them, slice by slice.
 Result<void> ComputeBackend::drawCells(const Clipping& clipping, std::span<CellStatus> status) {
   assert(target_.framebuffer() != VK_NULL_HANDLE);

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <new>
 #include <optional>
+#include <utility>
 
 #include "backend/cell_answers.h"
 #include "backend/vulkan/device/error.h"
@@ -40,6 +41,15 @@ Result<void> onSlice(const CellBatch<Real>& batch, const Part& part, const Work&
   cut.lines.assign(batch.lines.begin() + first, batch.lines.begin() + last);
   for (auto& entry : cut.entries) entry.first -= first;
   return work(cut);
+}
+
+/// Has a device draw some of the triangles, with the corners that these have.
+Result<void> onTriangles(std::span<const DrawMark> corners, std::span<const std::uint32_t> corner_of,
+                         Backend& device) {
+  const auto [least, greatest] = std::ranges::minmax(corner_of);
+  std::vector<std::uint32_t> own(corner_of.size());
+  std::ranges::transform(corner_of, own.begin(), [first = least](auto corner) { return corner - first; });
+  return device.drawTriangles(corners.subspan(least, greatest - least + 1), own);
 }
 
 class DevicePool final : public Backend {
@@ -103,6 +113,19 @@ class DevicePool final : public Backend {
       });
     }));
     noteDrawings(status, [&](std::size_t entry) { return marks[entry].id; });
+    return {};
+  }
+
+  Result<void> drawTriangles(std::span<const DrawMark> corners,
+                             std::span<const std::uint32_t> corner_of) override {
+    VORPIPE_TRY(spread(corner_of.size() / 3, [&](Backend& device, const Part& part) {
+      return onTriangles(corners, corner_of.subspan(3 * part.begin, 3 * part.size()), device);
+    }));
+    auto last = no_site;
+    for (const DrawMark& corner : corners) {
+      if (std::exchange(last, corner.id) != corner.id) ++drawings_;
+      noteDrawing(corner.id);
+    }
     return {};
   }
 
@@ -216,10 +239,13 @@ class DevicePool final : public Backend {
   void noteDrawings(std::span<const CellStatus> status, const IdOf& id_of) {
     for (std::size_t entry = 0; entry < status.size(); ++entry) {
       ++drawings_;
-      const std::size_t id = id_of(entry);
-      if (id >= drawn_.size()) drawn_.resize(id + 1);
-      if (status[entry] == CellStatus::certified) drawn_[id] = drawings_;
+      if (status[entry] == CellStatus::certified) noteDrawing(id_of(entry));
     }
+  }
+
+  void noteDrawing(std::size_t id) {
+    if (id >= drawn_.size()) drawn_.resize(id + 1);
+    drawn_[id] = drawings_;
   }
 
   /// When the cell of an id was drawn last. A pixel that says nonsense was never drawn; it is core's to find.

@@ -55,6 +55,17 @@ Result<void> GeometryBackend::draw(std::span<const std::uint32_t> which, Effort 
   return drawEntries(siteEntries(), effort, {which_.get(), which_.get()}, status);
 }
 
+Result<void> GeometryBackend::drawTriangles(std::span<const DrawMark> corners,
+                                            std::span<const std::uint32_t> corner_of) {
+  if (!painter_) {
+    Result<Painter> painter = Painter::create(device_);
+    if (!painter) return tl::unexpected(std::move(painter).error());
+    painter_.emplace(std::move(*painter));
+  }
+  VORPIPE_TRY(painter_->setPalette(device_, shown_.palette));
+  return painter_->draw(device_, target_, corners, corner_of, info_.max_lines);
+}
+
 Result<void> GeometryBackend::drawEntries(Entries entries, Effort effort, std::array<VkBuffer, 2> vertices,
                                           std::span<CellStatus> status) {
   assert(target_.framebuffer() != VK_NULL_HANDLE);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "backend/vulkan/device/instance.h"
 #include "backend/vulkan/device/physical.h"
 #include "backend/vulkan/geometry/pipelines.h"
+#include "backend/vulkan/kernels/painter.h"
 #include "backend/vulkan/memory/bindings.h"
 #include "backend/vulkan/memory/buffer.h"
 #include "backend/vulkan/memory/target.h"
@@ -37,6 +39,8 @@ class GeometryBackend final : public Backend {
                     std::span<CellStatus> status) override;
   Result<void> draw(const CellBatch<float>& batch, std::span<const DrawMark> marks, Effort effort,
                     std::span<CellStatus> status) override;
+  Result<void> drawTriangles(std::span<const DrawMark> corners,
+                             std::span<const std::uint32_t> corner_of) override;
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override;
   Result<void> compute(std::span<const Operands> operands, std::span<Computed> out) override;
   [[nodiscard]] double deviceSeconds() const override { return device_.seconds(); }
@@ -80,6 +84,7 @@ class GeometryBackend final : public Backend {
   Bindings bindings_;
   Pipelines pipelines_;
   BackendInfo info_;
+  std::optional<Painter> painter_;  ///< made when first asked for
   Target target_;
   UploadedSites sites_;
   View shown_{{0, 0, 1, 1}, 1, 1, {}};

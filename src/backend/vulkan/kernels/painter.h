@@ -1,9 +1,11 @@
-/// Draws the polygons of the compute pipeline onto a Target.
+/// Draws triangles onto a Target: those of the compute pipeline, or the caller's.
 #pragma once
 
 #include <volk.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <span>
 
 #include "backend/backend.h"
 #include "backend/vulkan/device/device.h"
@@ -17,7 +19,8 @@ namespace vorpipe::vulkan {
 /// Of a vertex as polygons.comp writes it: position, id, palette_index.
 inline constexpr std::size_t vertex_bytes = 4 * sizeof(std::uint32_t);
 
-/// What is drawn: vertices of vertex_bytes, indices as uint32, one VkDrawIndexedIndirectCommand.
+/// What the compute pipeline made: vertices of vertex_bytes, indices as uint32, one
+/// VkDrawIndexedIndirectCommand.
 struct Triangles {
   VkBuffer vertices, indices, arguments;
 };
@@ -31,10 +34,17 @@ class Painter {
   /// Records that compute shaders come before, and the drawing over what is there.
   void record(const Device& device, VkCommandBuffer commands, const Target& target,
               const Triangles& triangles) const;
+  /// Draws the caller's triangles over what is there; at most `most` corners and triangles.
+  Result<void> draw(Device& device, const Target& target, std::span<const DrawMark> corners,
+                    std::span<const std::uint32_t> corner_of, std::uint64_t most);
 
   [[nodiscard]] VkRenderPass pass() const { return pass_.get(); }
 
  private:
+  template <class Draw>
+  void recordPass(const Device& device, VkCommandBuffer commands, const Target& target, VkBuffer vertices,
+                  VkBuffer indices, const Draw& draw) const;
+
   Painter(Bindings bindings, Handle<VkRenderPass> pass, Handle<VkPipeline> pipeline)
       : bindings_(std::move(bindings)), pass_(std::move(pass)), pipeline_(std::move(pipeline)) {}
 
@@ -43,6 +53,8 @@ class Painter {
   Handle<VkPipeline> pipeline_;
   Buffer palette_{
       {"the palette", VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT, Placement::upload, VK_FORMAT_R8G8B8A8_UNORM}};
+  Buffer corners_{{"corners of triangles", VK_BUFFER_USAGE_VERTEX_BUFFER_BIT, Placement::upload}};
+  Buffer corner_of_{{"triangles", VK_BUFFER_USAGE_INDEX_BUFFER_BIT, Placement::upload}};
 };
 
 }  // namespace vorpipe::vulkan

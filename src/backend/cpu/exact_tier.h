@@ -1,0 +1,13 @@
+/// The one exact tier that there is: cells over a tree, pixels by another.
+#pragma once
+
+#include <memory>
+
+#include "backend/exact_tier.h"
+
+namespace vorpipe {
+
+/// `threads`: 0 for all processors.
+std::unique_ptr<ExactTier> makeExactTier(int threads);
+
+}  // namespace vorpipe

@@ -1,0 +1,36 @@
+/// Draws cells that are known: their polygons, as triangles.
+#pragma once
+
+#include "core/drawing/canvas.h"
+#include "core/judge/neighbor_rows.h"
+
+namespace vorpipe::core {
+
+/// The cells of some sites; entry e of `found`, certified or empty, is the cell of which[e].
+struct KnownCells {
+  std::vector<std::uint32_t> which;
+  NeighborRows found;
+};
+
+class PolygonDrawing {
+ public:
+  explicit PolygonDrawing(const Canvas& canvas) : canvas_(canvas) {}
+
+  /// Draws the certified cells over what is there. Cells that meet have the same corners, so that they leave
+  /// no gap. Where the device's grid of vertices is coarse, they are smaller by what corners may move, and
+  /// leave pixels. Errors: the device's; progress said stop.
+  Result<void> draw(const View& view, const KnownCells& cells, const Progress& progress);
+
+  [[nodiscard]] double seconds() const { return seconds_; }
+
+ private:
+  struct Triangles;
+
+  Result<void> send(const std::vector<Triangles>& parts);
+  Result<void> sendSome(std::span<const DrawMark> corners, std::span<const std::uint32_t> triangles);
+
+  Canvas canvas_;
+  double seconds_ = 0;
+};
+
+}  // namespace vorpipe::core
