@@ -198,7 +198,7 @@ Result<void> Lab::run(Outcome& outcome, bool counts) {
     outcome.sites = data.sites.size();
     TimedBackend backend(*(*opened)->opened.backend);
     TimedExactTier exact(*(*opened)->exact);
-    const Machine machine{backend, exact, (*opened)->threads};
+    const core::Machine machine{backend, exact, (*opened)->threads};
     CellsOptions cells{};
     cells.domain = data.domain;
     cells.search = job.search;

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "support/random_sites.h"
+#include "support/sites/random_sites.h"
 
 namespace vorpipe::test {
 namespace {

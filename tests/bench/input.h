@@ -1,7 +1,7 @@
 /// What is measured on, such that every program can take it as it is.
 #pragma once
 
-#include "support/data_sets.h"
+#include "support/sites/data_sets.h"
 
 namespace vorpipe::test {
 

@@ -16,7 +16,7 @@
 #include "backend/backend.h"
 #include "backend/to_float.h"
 #include "core/sites/site_set.h"
-#include "support/oracle.h"
+#include "support/oracles/oracle.h"
 
 namespace vorpipe::test {
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "support/backends.h"
-#include "support/cell_oracle.h"
+#include "support/devices/backends.h"
+#include "support/oracles/cell_oracle.h"
 #include "support/shared.h"
 #include "vorpipe.h"
 

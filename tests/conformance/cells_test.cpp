@@ -7,7 +7,7 @@
 #include <set>
 
 #include "conformance/cells_fixture.h"
-#include "support/cell_oracle.h"
+#include "support/oracles/cell_oracle.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {

@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "conformance/periodic_fixture.h"
-#include "support/data_sets.h"
-#include "support/exact_cells.h"
+#include "support/exact/exact_cells.h"
+#include "support/sites/data_sets.h"
 
 namespace vorpipe::test {
 namespace {

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "exact_fixture.h"
-#include "support/backends.h"
-#include "support/data_sets.h"
+#include "support/devices/backends.h"
+#include "support/sites/data_sets.h"
 
 namespace vorpipe::test {
 namespace {

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "support/backends.h"
-#include "support/data_sets.h"
-#include "support/oracle.h"
+#include "support/devices/backends.h"
+#include "support/oracles/oracle.h"
 #include "support/shared.h"
+#include "support/sites/data_sets.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {

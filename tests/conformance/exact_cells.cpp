@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "io/sites/sites_file.h"
-#include "support/backends.h"
-#include "support/data_sets.h"
-#include "support/exact_comparison.h"
-#include "support/exact_triangles.h"
+#include "support/devices/backends.h"
+#include "support/exact/exact_comparison.h"
+#include "support/exact/exact_triangles.h"
+#include "support/sites/data_sets.h"
 
 namespace vorpipe::test {
 namespace {

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "support/data_sets.h"
-#include "support/exact_comparison.h"
-#include "support/exact_triangles.h"
+#include "support/exact/exact_comparison.h"
+#include "support/exact/exact_triangles.h"
+#include "support/sites/data_sets.h"
 
 namespace vorpipe::test {
 namespace {

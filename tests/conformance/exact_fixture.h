@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "support/exact_comparison.h"
-#include "support/exact_triangles.h"
+#include "support/exact/exact_comparison.h"
+#include "support/exact/exact_triangles.h"
 #include "support/shared.h"
 #include "vorpipe.h"
 

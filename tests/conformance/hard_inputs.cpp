@@ -18,8 +18,8 @@
 #include <utility>
 #include <vector>
 
-#include "support/backends.h"
-#include "support/hard_files.h"
+#include "support/devices/backends.h"
+#include "support/hard/hard_files.h"
 
 namespace vorpipe::test {
 namespace {

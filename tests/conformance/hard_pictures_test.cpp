@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "support/backends.h"
-#include "support/oracle.h"
-#include "support/random_sites.h"
+#include "support/devices/backends.h"
+#include "support/oracles/oracle.h"
 #include "support/shared.h"
+#include "support/sites/random_sites.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {

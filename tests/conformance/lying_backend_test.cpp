@@ -8,8 +8,8 @@
 #include "conformance/cells_fixture.h"
 #include "core/cells/cells_run.h"
 #include "core/picture/picture.h"
-#include "support/lying_backend.h"
-#include "support/oracle.h"
+#include "support/devices/lying_backend.h"
+#include "support/oracles/oracle.h"
 
 namespace vorpipe::test {
 

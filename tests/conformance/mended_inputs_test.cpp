@@ -4,8 +4,8 @@
 #include <array>
 
 #include "conformance/cells_fixture.h"
-#include "support/hard_runs.h"
-#include "support/mended_inputs.h"
+#include "support/hard/hard_runs.h"
+#include "support/mended/mended_inputs.h"
 
 namespace vorpipe::test {
 namespace {

@@ -10,10 +10,10 @@
 #include <random>
 
 #include "conformance/cells_fixture.h"
-#include "support/data_sets.h"
-#include "support/hard_random.h"
-#include "support/hard_runs.h"
-#include "support/moves.h"
+#include "support/hard/hard_random.h"
+#include "support/hard/hard_runs.h"
+#include "support/sites/data_sets.h"
+#include "support/sites/moves.h"
 
 namespace vorpipe::test {
 

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "conformance/periodic_fixture.h"
-#include "support/data_sets.h"
+#include "support/sites/data_sets.h"
 
 namespace vorpipe::test {
 namespace {

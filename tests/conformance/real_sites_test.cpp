@@ -10,9 +10,9 @@
 
 #include "exact_fixture.h"
 #include "io/sites/sites_file.h"
-#include "support/backends.h"
-#include "support/oracle.h"
-#include "support/real_sets.h"
+#include "support/devices/backends.h"
+#include "support/oracles/oracle.h"
+#include "support/sites/real_sets.h"
 
 namespace vorpipe::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "conformance/cells_fixture.h"
-#include "support/data_sets.h"
+#include "support/sites/data_sets.h"
 
 namespace vorpipe::test {
 namespace {

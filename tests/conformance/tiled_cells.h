@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-#include "support/oracle.h"
+#include "support/oracles/oracle.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {

@@ -6,7 +6,7 @@
 
 #include "backend_scene.h"
 #include "faulty_device.h"
-#include "support/backends.h"
+#include "support/devices/backends.h"
 
 namespace vorpipe::test {
 namespace {

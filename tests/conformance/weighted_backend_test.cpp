@@ -12,10 +12,10 @@
 #include "backend/registry.h"
 #include "conformance/backend_scene.h"
 #include "core/sites/weight_pyramid.h"
-#include "support/backends.h"
-#include "support/random_sites.h"
+#include "support/devices/backends.h"
 #include "support/shared.h"
-#include "unit/brute_force.h"
+#include "support/sites/random_sites.h"
+#include "unit/fixtures/brute_force.h"
 
 namespace vorpipe::test {
 

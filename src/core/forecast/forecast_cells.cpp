@@ -174,7 +174,7 @@ PlannedCells planPeriodic(MemoryPlan& plan, const Workload& work, Detail detail,
 
 }  // namespace
 
-PlannedCells planCellsFor(MemoryPlan& plan, const Workload& work, Detail detail, ImagesFor purpose) {
+PlannedCells core::planCellsFor(MemoryPlan& plan, const Workload& work, Detail detail, ImagesFor purpose) {
   const bool massive = work.density_pixels > 0;
   const auto needed = massive ? std::max(detail, Detail::polygons) : detail;
   PlannedCells cells = work.periodic ? planPeriodic(plan, work, needed, purpose)

@@ -1,0 +1,130 @@
+/// What the cells of the mesh are for: they agree, in every tie, and no device wastes time on their sites.
+/// judge_test compares them with brute force.
+#include "core/delaunay/mesh_cells.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "backend/registry.h"
+#include "core/search/neighbor_search.h"
+#include "core/sites/site_set.h"
+#include "unit/fixtures/changed_cpu.h"
+#include "unit/fixtures/proposed_cells.h"
+
+namespace vorpipe::test {
+
+using namespace core;
+
+namespace {
+
+SiteSet prepared(Sites sites, const Box& domain = {0, 0, 1, 1}) { return prepare(sites, domain, 2)->set; }
+
+std::vector<std::uint32_t> allOf(const SiteSet& sites) {
+  std::vector<std::uint32_t> all(sites.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
+
+CellNeighbors cellsFromMesh(const SiteSet& sites, int threads = 2) {
+  SiteMesh mesh(sites, threads);
+  return meshCells(sites, *mesh.get(), allOf(sites), threads);
+}
+
+TEST(MeshCells, AgreeWithoutADispute) {
+  const Box whole{0, 0, 1, 1}, at_bisectors{0.25, 0.5, 0.75, 1};
+  for (const auto& sites :
+       {prepared(generate(Pattern::circle, 20000, 1)), prepared(generate(Pattern::random, 5000, 1)),
+        prepared(generate(Pattern::random, 5000, 1), {0.4, 0.4, 0.6, 0.6}),
+        prepared(generate(Pattern::square, 4096, 1), whole),
+        prepared(generate(Pattern::square, 4096, 1), at_bisectors),
+        prepared(generate(Pattern::hex, 4000, 1))}) {
+    const auto result = assemble(sites, cellsFromMesh(sites));
+    EXPECT_TRUE(result.disputed.empty()) << result.disputed.size() << " of " << sites.size();
+    const double area = std::accumulate(result.diagram.area.begin(), result.diagram.area.end(), 0.0);
+    const auto& d = sites.domain;
+    EXPECT_NEAR(area / ((d.xmax - d.xmin) * (d.ymax - d.ymin)), 1, 1e-9);
+  }
+}
+
+TEST(MeshCells, AreTheSameForAnyNumberOfThreads) {
+  const auto sites = prepared(generate(Pattern::clusters, 30000, 1));
+  const auto one = cellsFromMesh(sites, 1), many = cellsFromMesh(sites, 5);
+  EXPECT_EQ(one.neighbor, many.neighbor);
+  EXPECT_EQ(one.offsets, many.offsets);
+}
+
+TEST(MeshCells, OfSitesThatTheMeshHasNoDecisionsFor) {
+  const auto row = prepared({{0.1, 0.2, 0.5}, {0.5, 0.5, 0.5}, {}});
+  EXPECT_EQ(SiteMesh(row, 1).get(), nullptr);
+  const auto near_zero = prepared({{1e-60, 0.2, 0.5}, {0.5, 0.1, 0.7}, {}});
+  EXPECT_EQ(SiteMesh(near_zero, 1).get(), nullptr);
+  const auto far = prepared({{1e80, 0.2, 0.5, -1e80}, {0.5, 0.1, 0.7, 1e70}, {}});
+  SiteMesh mesh(far, 1);
+  ASSERT_NE(mesh.get(), nullptr);
+  const auto cells = meshCells(far, *mesh.get(), allOf(far), 1);
+  EXPECT_EQ(std::count(cells.status.begin(), cells.status.end(), CellStatus::certified), 2);
+}
+
+/// Counts the cells that a device is asked for.
+class CountingDevice final : public ChangedCpu {
+ public:
+  CountingDevice() : ChangedCpu(0) {}
+  Result<void> cells(std::span<const std::uint32_t> which, Effort effort, CellNeighbors& out) override {
+    asked += which.size();
+    return ChangedCpu::cells(which, effort, out);
+  }
+
+  std::size_t asked = 0;
+};
+
+/// Counts the cells that the exact tier is asked for.
+class CountingTier final : public ExactTier {
+ public:
+  void take(const SiteSet& sites) override { real_->take(sites); }
+  void cells(std::span<const std::uint32_t> which, Precision precision, CellNeighbors& out) override {
+    asked += which.size();
+    real_->cells(which, precision, out);
+  }
+  void nearest(const View& view, std::span<const std::uint32_t> pixels,
+               std::span<std::uint32_t> sites) override {
+    real_->nearest(view, pixels, sites);
+  }
+
+  std::size_t asked = 0;
+
+ private:
+  std::unique_ptr<ExactTier> real_ = openExactTier(0);
+};
+
+struct Asked {
+  std::size_t device, exact;
+};
+
+Asked askedFor(Pattern pattern) {
+  const auto sites = prepared(generate(pattern, 40000, 1));
+  CountingDevice device;
+  CountingTier exact;
+  SiteMesh mesh(sites, 2);
+  Judge judge(exact, mesh);
+  const SearchOptions search;
+  const Progress progress;
+  Report report;
+  const auto rows = findNeighbors({device, judge, sites, search, 2, progress}, report);
+  EXPECT_TRUE(rows);
+  for (std::size_t i = 0; i < sites.size(); ++i) EXPECT_NE(rows->status(i), CellStatus::missing);
+  return {device.asked, exact.asked};
+}
+
+TEST(MeshCells, SpareTheDeviceAndTheExactTierWhatTheyFailAt) {
+  const auto circle = askedFor(Pattern::circle);
+  EXPECT_LT(circle.device, 2000u) << "a sample tells";
+  EXPECT_EQ(circle.exact, 0u);
+  const auto random = askedFor(Pattern::random);
+  EXPECT_GE(random.device, 40000u);
+  EXPECT_LT(random.exact, 400u);
+}
+
+}  // namespace
+}  // namespace vorpipe::test

@@ -1,0 +1,193 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "io/domain/density_file.h"
+#include "io/domain/outline_file.h"
+#include "io/pictures/png_file.h"
+#include "unit/fixtures/temporary_directory.h"
+
+namespace vorpipe::test {
+namespace {
+
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+
+class OutlineFile : public InTemporaryDirectory {
+ protected:
+  [[nodiscard]] Outline read(std::string_view name, std::string_view text) const {
+    const auto outline = readOutline(write(name, text));
+    EXPECT_TRUE(outline) << outline.error().message;
+    return outline ? *outline : Outline{};
+  }
+
+  /// What is wrong, after the file's name.
+  [[nodiscard]] std::string refusal(std::string_view name, std::string_view text) const {
+    const std::string file = write(name, text);
+    const auto outline = readOutline(file);
+    if (outline) return "accepted";
+    EXPECT_EQ(outline.error().code, ErrorCode::input);
+    EXPECT_THAT(outline.error().message, testing::StartsWith(file + ":"));
+    EXPECT_THAT(outline.error().message, testing::Not(HasSubstr("\n")));
+    return outline.error().message.substr(file.size() + 1);
+  }
+};
+
+using Offsets = std::vector<std::uint64_t>;
+
+TEST_F(OutlineFile, geoJsonPolygonsAndWhatHoldsThem) {
+  const std::string ring = "[[0,0],[4,0],[4,4.5,100],[0,0]]", hole = "[[1,1],[2,1],[2,2],[1,1]]";
+  const std::string polygon = "{\"type\":\"Polygon\",\"coordinates\":[" + ring + "," + hole + "]}";
+  const Outline one = read("a.geojson", polygon);
+  EXPECT_EQ(one.ring_offsets, (Offsets{0, 3, 6}));
+  EXPECT_EQ(one.polygon_offsets, (Offsets{0, 2}));
+  EXPECT_EQ(one.points[2].x, 4);
+  EXPECT_EQ(one.points[2].y, 4.5);
+  const Outline several =
+      read("b.JSON", "{\"type\":\"MultiPolygon\",\"coordinates\":[[" + ring + "],[" + hole + "]]}");
+  EXPECT_EQ(several.polygon_offsets, (Offsets{0, 1, 2}));
+  const std::string feature = "{\"type\":\"Feature\",\"properties\":{},\"geometry\":" + polygon + "}";
+  EXPECT_EQ(read("c.json", feature).ring_offsets, one.ring_offsets);
+  const Outline all =
+      read("d.json", "{\"type\":\"FeatureCollection\",\"features\":[" + feature +
+                         ",{\"type\":\"Feature\",\"geometry\":{\"type\":\"GeometryCollection\","
+                         "\"geometries\":[" +
+                         polygon + "]}}]}");
+  EXPECT_EQ(all.polygon_offsets, (Offsets{0, 2, 4}));
+}
+
+TEST_F(OutlineFile, aByteOrderMarkIsNoPartOfIt) {
+  const std::string mark = "\xEF\xBB\xBF", ring = "((0 0, 1 0, 1 1, 0 0))";
+  EXPECT_EQ(read("a.wkt", mark + "POLYGON " + ring).points.size(), 3u);
+  EXPECT_THAT(refusal("a.wkt", mark + "POINT " + ring), testing::StartsWith("1:1: \"POINT\""));
+  EXPECT_EQ(
+      read("a.json", mark + R"({"type":"Polygon","coordinates":[[[0,0],[4,0],[4,4],[0,0]]]})").points.size(),
+      3u);
+}
+
+TEST_F(OutlineFile, featuresWithoutAPlaceAreSkipped) {
+  const std::string none = R"({"type":"Feature","properties":{},"geometry":null})";
+  const std::string some = R"({"type":"Feature","geometry":{"type":"Polygon","coordinates":)"
+                           R"([[[0,0],[4,0],[4,4],[0,0]]]}})";
+  const auto collection = [](const std::string& features) {
+    return R"({"type":"FeatureCollection","features":[)" + features + "]}";
+  };
+  EXPECT_EQ(read("a.geojson", collection(none + "," + some + "," + none)).polygon_offsets, (Offsets{0, 1}));
+  EXPECT_THAT(refusal("a.geojson", collection(none)), EndsWith("holds no polygon"));
+  EXPECT_THAT(refusal("a.geojson", none), EndsWith("holds no polygon"));
+}
+
+TEST_F(OutlineFile, geoJsonErrorsNameThePlace) {
+  EXPECT_EQ(refusal("a.json", "{\"type\":\n  \"Polygon\",]"), "2:13: is no JSON from here on");
+  EXPECT_EQ(refusal("a.json", ""), "1:1: is no JSON from here on");
+  EXPECT_THAT(refusal("a.json", "[1]"), HasSubstr("the top object: a array, not an object"));
+  EXPECT_THAT(refusal("a.json", R"({"type":"Point","coordinates":[1,2]})"), HasSubstr("is a \"Point\""));
+  EXPECT_THAT(refusal("a.json", R"({"type":"Polygon"})"), HasSubstr("has no \"coordinates\""));
+  EXPECT_THAT(refusal("a.json", R"({"type":"Polygon","coordinates":[[[0,0],[1,0],["x",1],[0,0]]]})"),
+              HasSubstr("coordinates[0][2]: no position"));
+  EXPECT_THAT(refusal("a.json", R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[0,0]]]})"),
+              HasSubstr("coordinates[0]: the ring has 3 positions"));
+  EXPECT_THAT(refusal("a.json", R"({"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,1]]]})"),
+              HasSubstr("coordinates[0]: the ring is not closed: it begins at 0 0 and ends at 0 1"));
+  EXPECT_THAT(
+      refusal("a.json", R"({"type":"FeatureCollection","features":[{"type":"Feature","geometry":1}]})"),
+      HasSubstr("features[0].geometry: a number, not an object"));
+  EXPECT_THAT(refusal("a.json", R"({"type":"Feature"})"), HasSubstr("has no \"geometry\""));
+  EXPECT_THAT(refusal("a.json", R"({"type":"FeatureCollection","features":[]})"),
+              EndsWith("holds no polygon"));
+  EXPECT_EQ(refusal("a.json", "{\"type\":\"Polygon\",\n \"coordinates\":[[[0,0],[-1e999,0],[1,1],[0,0]]]}"),
+            "2:25: the number is too large for a double");
+  std::string deep;
+  for (int k = 0; k < 100000; ++k) deep += R"({"type":"GeometryCollection","geometries":[)";
+  for (int k = 0; k < 100000; ++k) deep += "]}";
+  EXPECT_THAT(refusal("a.json", deep), HasSubstr("stands in more than 32 collections"));
+}
+
+TEST_F(OutlineFile, wktPolygons) {
+  const Outline one = read("a.wkt", "polygon z((0 0 7,4 0 7,4 4.5e0 7,0 0 7),\n(1 1 7,2 1 7,2 2 7,1 1 7))\n");
+  EXPECT_EQ(one.ring_offsets, (Offsets{0, 3, 6}));
+  EXPECT_EQ(one.polygon_offsets, (Offsets{0, 2}));
+  EXPECT_EQ(one.points[2].y, 4.5);
+  const Outline several =
+      read("a.wkt",
+           "SRID=4326;MULTIPOLYGON (((0 0, 1 0, 1 1, 0 0)), EMPTY, ((5 5, 6 5, 6 6, 5 5)))\n"
+           "POLYGON((8 8,9 8,9 9,8 8))");
+  EXPECT_EQ(several.polygon_offsets, (Offsets{0, 1, 2, 3}));
+  EXPECT_EQ(several.points[6].x, 8);
+}
+
+TEST_F(OutlineFile, wktErrorsNameThePlace) {
+  EXPECT_EQ(refusal("a.wkt", "LINESTRING (0 0, 1 1)"),
+            "1:1: \"LINESTRING\", where POLYGON or MULTIPOLYGON is needed");
+  EXPECT_THAT(refusal("a.wkt", "POLYGON ((0 0, 1 x, 1 1, 0 0))"), testing::StartsWith("1:18: "));
+  EXPECT_EQ(refusal("a.wkt", "POLYGON\n ((0 0, 1 0, 1 1, 0 0"),
+            "2:22: the text ends, where \",\" or \")\" is needed");
+  EXPECT_EQ(refusal("a.wkt", "POLYGON ((0 0, 1, 1 1, 0 0))"), "1:17: \",\", where a number is needed");
+  EXPECT_THAT(refusal("a.wkt", "POLYGON ((0 0, 1 0, 1 1, 0 1))"), HasSubstr("1:10: the ring is not closed"));
+  EXPECT_THAT(refusal("a.wkt", "POLYGON EMPTY"), EndsWith("holds no polygon"));
+  EXPECT_THAT(refusal("a.txt", ""), HasSubstr("unknown kind of file"));
+  EXPECT_THAT(readOutline(path("none.wkt")).error().message, HasSubstr("cannot be read"));
+}
+
+class DensityFile : public InTemporaryDirectory {};
+
+TEST_F(DensityFile, darkPixelsAreDense) {
+  auto file = OutputFile::create(path("a.png"));
+  ASSERT_TRUE(file &&
+              writePng(*file, 3, 2,
+                       std::vector<std::uint32_t>{0xFF000000u, 0xFFFFFFFFu, 0xFF333333u, 0x00000000u,
+                                                  0x80000000u, 0xFF0000FFu}) &&
+              file->commit());
+  const auto density = readDensity(path("a.png"));
+  ASSERT_TRUE(density) << density.error().message;
+  EXPECT_EQ(density->width, 3);
+  EXPECT_EQ(density->height, 2);
+  EXPECT_EQ(density->values[0], 1);
+  EXPECT_EQ(density->values[1], 0);
+  EXPECT_DOUBLE_EQ(density->values[2], 0.8);
+  EXPECT_EQ(density->values[3], 0);
+  EXPECT_DOUBLE_EQ(density->values[4], 128 / 255.0);
+  EXPECT_DOUBLE_EQ(density->values[5], 1 - 0.2126);
+}
+
+TEST_F(DensityFile, sixteenBitsAreKept) {
+  if (!numpy(
+          "import zlib, struct\n"
+          "def chunk(kind, data):\n"
+          "  return struct.pack('>I', len(data)) + kind + data + struct.pack('>I', zlib.crc32(kind + data))\n"
+          "rows = b'\\0' + struct.pack('>HH', 65535, 1) + b'\\0' + struct.pack('>HH', 0, 32768)\n"
+          "open('b.png', 'wb').write(b'\\x89PNG\\r\\n\\x1a\\n' + chunk(b'IHDR', struct.pack('>IIBBBBB', 2, "
+          "2, 16, "
+          "0, 0, 0, 0)) + chunk(b'IDAT', zlib.compress(rows)) + chunk(b'IEND', b''))\n")) {
+    GTEST_SKIP() << without_numpy;
+  }
+  const auto density = readDensity(path("b.png"));
+  ASSERT_TRUE(density) << density.error().message;
+  EXPECT_EQ(density->values[0], 0);
+  EXPECT_DOUBLE_EQ(density->values[1], 65534 / 65535.0);
+  EXPECT_EQ(density->values[2], 1);
+  EXPECT_DOUBLE_EQ(density->values[3], 32767 / 65535.0);
+}
+
+TEST_F(DensityFile, arraysAreTakenAsTheyAre) {
+  if (!numpy("np.save('a.npy', np.array([[1, 2.5, 3], [4, 5, 6]]))\n"
+             "np.save('b.npy', np.asfortranarray(np.array([[1, 2, 3], [4, 5, 6]], dtype=np.uint16)))\n"
+             "np.save('c.npy', np.array([[1, -2.5]], dtype=np.float32))\n"
+             "np.save('d.npy', np.array([1, 2, 3.0]))\n")) {
+    GTEST_SKIP() << without_numpy;
+  }
+  const auto a = readDensity(path("a.npy"));
+  ASSERT_TRUE(a) << a.error().message;
+  EXPECT_EQ(a->width, 3);
+  EXPECT_EQ(a->height, 2);
+  EXPECT_EQ(a->values, (std::vector<double>{1, 2.5, 3, 4, 5, 6}));
+  const auto b = readDensity(path("b.npy"));
+  ASSERT_TRUE(b) << b.error().message;
+  EXPECT_EQ(b->values, (std::vector<double>{1, 2, 3, 4, 5, 6}));
+  EXPECT_THAT(readDensity(path("c.npy")).error().message,
+              HasSubstr("element [0, 1] (counted from 0) is -2.5"));
+  EXPECT_THAT(readDensity(path("d.npy")).error().message, HasSubstr("(H, W)"));
+  EXPECT_THAT(readDensity(path("d.txt")).error().message, HasSubstr("unknown kind"));
+}
+
+}  // namespace
+}  // namespace vorpipe::test
