@@ -5,8 +5,8 @@
 #include <functional>
 #include <utility>
 
+#include "base/double_double.h"
 #include "base/parallel.h"
-#include "base/wide.h"
 #include "core/vertices/size_order.h"
 #include "core/vertices/vertex_batch.h"
 
@@ -169,16 +169,16 @@ void makeArrays(std::size_t count, std::size_t edges, Detail detail, int threads
 /// areaGap of `count` cells.
 template <class AreaOf>
 double gapOf(std::size_t count, const AreaOf& areaOf, const Box& domain, int threads) {
-  std::vector<Wide> parts((count + grain - 1) / grain);
+  std::vector<DoubleDouble> parts((count + grain - 1) / grain);
   parallelFor(count, grain, threadsForSteps(count, threads), [&](std::size_t begin, std::size_t end) {
     // One sum would wait for itself.
-    std::array<Wide, 4> sums{};
-    for (auto i = begin; i < end; ++i) sums[i % 4] = sums[i % 4] + Wide{areaOf(i), 0};
+    std::array<DoubleDouble, 4> sums{};
+    for (auto i = begin; i < end; ++i) sums[i % 4] = sums[i % 4] + DoubleDouble{areaOf(i), 0};
     parts[begin / grain] = (sums[0] + sums[1]) + (sums[2] + sums[3]);
   });
   const double domain_area = (domain.xmax - domain.xmin) * (domain.ymax - domain.ymin);
   if (!std::isnormal(domain_area)) return 0;
-  Wide gap{-domain_area, 0};
+  DoubleDouble gap{-domain_area, 0};
   for (const auto part : parts) gap = gap + part;
   return gap.high / domain_area;
 }

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "base/wide.h"
+#include "base/double_double.h"
 
 namespace vorpipe::core {
 
@@ -27,7 +27,7 @@ void grow(Expansion<most>& sum, double value) {
   Expansion<most> grown;
   double carry = value;
   for (std::size_t k = 0; k < sum.size; ++k) {
-    const Wide s = Wide::sum(carry, sum.part[k]);
+    const DoubleDouble s = DoubleDouble::sum(carry, sum.part[k]);
     grown.append(s.low);
     carry = s.high;
   }
@@ -60,14 +60,14 @@ template <std::size_t a>
 Expansion<2 * a> scaled(const Expansion<a>& x, double factor) {
   Expansion<2 * a> result;
   if (x.size == 0) return result;
-  const Wide first = Wide::product(x.part[0], factor);
+  const DoubleDouble first = DoubleDouble::product(x.part[0], factor);
   result.append(first.low);
   double carry = first.high;
   for (std::size_t k = 1; k < x.size; ++k) {
-    const Wide next = Wide::product(x.part[k], factor);
-    const Wide s = Wide::sum(carry, next.low);
+    const DoubleDouble next = DoubleDouble::product(x.part[k], factor);
+    const DoubleDouble s = DoubleDouble::sum(carry, next.low);
     result.append(s.low);
-    const Wide t = Wide::sum(next.high, s.high);
+    const DoubleDouble t = DoubleDouble::sum(next.high, s.high);
     result.append(t.low);
     carry = t.high;
   }
@@ -86,7 +86,7 @@ Expansion<2 * a * b> operator*(const Expansion<a>& x, const Expansion<b>& y) {
 }
 
 inline Expansion<2> difference(double a, double b) {
-  const Wide d = Wide::sum(a, -b);
+  const DoubleDouble d = DoubleDouble::sum(a, -b);
   Expansion<2> result;
   result.append(d.low);
   result.append(d.high);

@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/double_double.h"
 #include "base/processors.h"
-#include "base/wide.h"
 #include "core/geometry/polygon_measures.h"
 #include "core/geometry/power_center.h"
 #include "core/geometry/wide_center.h"
@@ -46,17 +46,17 @@ double squaredDistance(Point a, Point b) {
 FOR_FUSED_TOO AnchoredPoint wideCenterOf(const Triple& t) { return wideCenterOf(t.i, t.j, t.k); }
 
 /// The y at which the bisector of i and j meets the wall x = at, in double-double.
-Wide wideCrossing(const WeightedPoint& i, const WeightedPoint& j, double at) {
-  const auto halved = [](Wide a) { return Wide{a.high / 2, a.low / 2}; };
-  const Wide dx = Wide::sum(j.x, -i.x), dy = Wide::sum(j.y, -i.y);
-  const Wide half = halved(dx * dx + dy * dy + Wide::sum(i.weight, -j.weight));
-  return Wide{i.y, 0} + (half - Wide::sum(at, -i.x) * dx) / dy;
+DoubleDouble wideCrossing(const WeightedPoint& i, const WeightedPoint& j, double at) {
+  const auto halved = [](DoubleDouble a) { return DoubleDouble{a.high / 2, a.low / 2}; };
+  const DoubleDouble dx = DoubleDouble::sum(j.x, -i.x), dy = DoubleDouble::sum(j.y, -i.y);
+  const DoubleDouble half = halved(dx * dx + dy * dy + DoubleDouble::sum(i.weight, -j.weight));
+  return DoubleDouble(i.y) + (half - DoubleDouble::sum(at, -i.x) * dx) / dy;
 }
 
 /// The same as the sum of i.y and a double. In double-double where the terms of that double are much larger
 /// than the distance from the nearer site: the bisector is nearly parallel to the wall, or sites have
 /// weights.
-Wide crossing(const WeightedPoint& i, const WeightedPoint& j, double at, bool weighted) {
+DoubleDouble crossing(const WeightedPoint& i, const WeightedPoint& j, double at, bool weighted) {
   const double dx = j.x - i.x, dy = j.y - i.y;
   const double way = (at - i.x) * dx;
   const double half = 0.5 * (dx * dx + dy * dy),
@@ -67,8 +67,8 @@ Wide crossing(const WeightedPoint& i, const WeightedPoint& j, double at, bool we
   const double length = std::min(from_i, from_j);
   const double terms = (half + std::abs(weight_difference) + std::abs(way)) / std::abs(dy);
   if (terms < most_terms * length && length < far) return {i.y, along};
-  const Wide wide = wideCrossing(i, j, at);
-  return std::isfinite(wide.high) ? wide : Wide{i.y, along};
+  const DoubleDouble wide = wideCrossing(i, j, at);
+  return std::isfinite(wide.high) ? wide : DoubleDouble{i.y, along};
 }
 
 /// Where the bisector of two sites meets a wall.
@@ -78,10 +78,10 @@ AnchoredPoint atWall(const SiteSet& s, std::int32_t a, std::int32_t b, std::int3
   const bool weighted = !s.weight.empty();
   const auto swapped = [](const WeightedPoint& p) { return WeightedPoint{{p.y, p.x}, p.weight}; };
   if (isVerticalWall(wall)) {
-    const Wide y = crossing(i, j, at, weighted);
+    const DoubleDouble y = crossing(i, j, at, weighted);
     return {{at, y.high}, {0, y.low}};
   }
-  const Wide x = crossing(swapped(i), swapped(j), at, weighted);
+  const DoubleDouble x = crossing(swapped(i), swapped(j), at, weighted);
   return {{x.high, at}, {x.low, 0}};
 }
 

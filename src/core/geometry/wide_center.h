@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "base/wide.h"
+#include "base/double_double.h"
 #include "core/geometry/vertex_position.h"
 
 namespace vorpipe::core {
@@ -25,17 +25,17 @@ inline double powerOfBiased(std::int64_t biased) { return std::bit_cast<double>(
   const auto biased = std::bit_cast<std::int64_t>(longest) >> 52;
   const auto exponent = biased < most ? biased : most;
   const double down = powerOfBiased(2 * bias - exponent), up = powerOfBiased(exponent);
-  const auto times = [](Wide a, double power) { return Wide{a.high * power, a.low * power}; };
-  const auto difference = [&](double a, double b) { return times(Wide::sum(a, -b), down); };
-  const Wide bx = difference(j.x, i.x), by = difference(j.y, i.y);
-  const Wide cx = difference(k.x, i.x), cy = difference(k.y, i.y);
-  const Wide area = bx * cy - by * cx;
-  const Wide twice = area + area;
-  const Wide bb = bx * bx + by * by + times(difference(i.weight, j.weight), down);
-  const Wide cc = cx * cx + cy * cy + times(difference(i.weight, k.weight), down);
-  const Wide rest_x = (cy * bb - by * cc) / twice;
-  const Wide rest_y = (bx * cc - cx * bb) / twice;
-  const Wide x = Wide{i.x, 0} + times(rest_x, up), y = Wide{i.y, 0} + times(rest_y, up);
+  const auto times = [](DoubleDouble a, double power) { return DoubleDouble{a.high * power, a.low * power}; };
+  const auto difference = [&](double a, double b) { return times(DoubleDouble::sum(a, -b), down); };
+  const DoubleDouble bx = difference(j.x, i.x), by = difference(j.y, i.y);
+  const DoubleDouble cx = difference(k.x, i.x), cy = difference(k.y, i.y);
+  const DoubleDouble area = bx * cy - by * cx;
+  const DoubleDouble twice = area + area;
+  const DoubleDouble bb = bx * bx + by * by + times(difference(i.weight, j.weight), down);
+  const DoubleDouble cc = cx * cx + cy * cy + times(difference(i.weight, k.weight), down);
+  const DoubleDouble rest_x = (cy * bb - by * cc) / twice;
+  const DoubleDouble rest_y = (bx * cc - cx * bb) / twice;
+  const DoubleDouble x = DoubleDouble(i.x) + times(rest_x, up), y = DoubleDouble(i.y) + times(rest_y, up);
   return {{x.high, y.high}, {x.low, y.low}};
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/wide.h"
+#include "base/double_double.h"
 
 namespace vorpipe::core {
 namespace {
@@ -18,8 +18,9 @@ bool areApart(const Box& a, const Box& b) {
 }
 
 /// Twice the area of the triangle a, b, c.
-Wide twiceArea(Point a, Point b, Point c) {
-  return Wide::sum(b.x, -a.x) * Wide::sum(c.y, -a.y) - Wide::sum(b.y, -a.y) * Wide::sum(c.x, -a.x);
+DoubleDouble twiceArea(Point a, Point b, Point c) {
+  return DoubleDouble::sum(b.x, -a.x) * DoubleDouble::sum(c.y, -a.y) -
+         DoubleDouble::sum(b.y, -a.y) * DoubleDouble::sum(c.x, -a.x);
 }
 
 double alongWay(Point from, Point to, Point p) {
@@ -31,10 +32,10 @@ double alongWay(Point from, Point to, Point p) {
 Point meeting(Point a, Point b, Point p, Point q) {
   if (isLess(b, a)) std::swap(a, b);
   if (isLess(q, p)) std::swap(p, q);
-  const Wide at_a = twiceArea(p, q, a), at_b = twiceArea(p, q, b);
-  const Wide along = at_a / (at_a - at_b);
+  const DoubleDouble at_a = twiceArea(p, q, a), at_b = twiceArea(p, q, b);
+  const DoubleDouble along = at_a / (at_a - at_b);
   const auto between = [&](double from, double to) {
-    return (Wide{from, 0} + along * Wide::sum(to, -from)).high;
+    return (DoubleDouble(from) + along * DoubleDouble::sum(to, -from)).high;
   };
   const Box ab = boxAround(a, b), pq = boxAround(p, q);
   return {std::clamp(between(a.x, b.x), std::max(ab.xmin, pq.xmin), std::min(ab.xmax, pq.xmax)),

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/double_double.h"
 #include "base/refusal.h"
-#include "base/wide.h"
 #include "core/geometry/predicates.h"
 
 namespace vorpipe::core {
@@ -39,7 +39,7 @@ struct StageRange {
 };
 
 /// What the edge from p to q adds to the area of the box's part to the left of it, down to xmin.
-Wide areaBeside(Point p, Point q, const Box& box) {
+DoubleDouble areaBeside(Point p, Point q, const Box& box) {
   StageRange rows;
   rows.keepBetween(p.y, q.y, box.ymin, box.ymax);
   StageRange inside = rows;
@@ -49,11 +49,11 @@ Wide areaBeside(Point p, Point q, const Box& box) {
     return std::clamp(p.x + along * (q.x - p.x), box.xmin, box.xmax) - box.xmin;
   };
   if (inside.begin >= inside.end) {
-    return Wide::product((rows.end - rows.begin) * height, x((rows.begin + rows.end) / 2));
+    return DoubleDouble::product((rows.end - rows.begin) * height, x((rows.begin + rows.end) / 2));
   }
-  return Wide::product((inside.begin - rows.begin) * height, x(rows.begin)) +
-         Wide::product((inside.end - inside.begin) * height, (x(inside.begin) + x(inside.end)) / 2) +
-         Wide::product((rows.end - inside.end) * height, x(rows.end));
+  return DoubleDouble::product((inside.begin - rows.begin) * height, x(rows.begin)) +
+         DoubleDouble::product((inside.end - inside.begin) * height, (x(inside.begin) + x(inside.end)) / 2) +
+         DoubleDouble::product((rows.end - inside.end) * height, x(rows.end));
 }
 
 }  // namespace
@@ -88,7 +88,7 @@ Result<Rings> ringsOf(const Outline& outline, int exponent) {
 }
 
 double areaInside(const Rings& rings, const Box& box) {
-  Wide sum{0, 0};
+  DoubleDouble sum{0, 0};
   for (std::uint32_t e = 0; e < rings.size(); ++e) {
     sum = sum + areaBeside(rings.points[e], rings.points[rings.next(e)], box);
   }

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/double_double.h"
 #include "base/parallel.h"
 #include "base/refusal.h"
-#include "base/wide.h"
 #include "core/sites/bin_sort.h"
 #include "core/sites/site_set.h"
 
@@ -122,12 +122,12 @@ PeriodicAxis::PeriodicAxis(double low_end, double high_end, bool repeats)
 
 PeriodicAxis::Placed PeriodicAxis::put(double scaled) const {
   if (!periodic) return {scaled, 0};
-  const Wide from_middle = Wide::sum(rounded(scaled, quantum_), -offset_);
+  const DoubleDouble from_middle = DoubleDouble::sum(rounded(scaled, quantum_), -offset_);
   double periods = std::floor((from_middle.high - low) / length);
   if (!(std::abs(periods) <= most_periods)) return {low, 2 * most_periods};
-  const Wide whole = Wide::product(periods, length);
+  const DoubleDouble whole = DoubleDouble::product(periods, length);
   // All of these are multiples of the quantum, and none of the sums needs more than 53 bits of it.
-  const Wide near = Wide::sum(from_middle.high, -whole.high);
+  const DoubleDouble near = DoubleDouble::sum(from_middle.high, -whole.high);
   double place = near.high + (near.low + (from_middle.low - whole.low));
   if (place < low) {
     place += length;

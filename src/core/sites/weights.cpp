@@ -9,9 +9,9 @@
 #include <limits>
 #include <numeric>
 
+#include "base/double_double.h"
 #include "base/parallel.h"
 #include "base/refusal.h"
-#include "base/wide.h"
 #include "core/sites/weight_pyramid.h"
 
 namespace vorpipe::core {
@@ -59,7 +59,7 @@ void subtractIfExact(double least, int threads, std::vector<double>& weights) {
   std::atomic<bool> exact = true;
   parallelFor(weights.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
     bool all = true;
-    for (auto i = begin; i < end; ++i) all = all && Wide::sum(weights[i], -least).low == 0;
+    for (auto i = begin; i < end; ++i) all = all && DoubleDouble::sum(weights[i], -least).low == 0;
     if (!all) exact = false;
   });
   if (!exact) return;
