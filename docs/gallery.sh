@@ -1,13 +1,25 @@
 #!/usr/bin/env bash
-# Draws every picture of docs/gallery anew: docs/gallery.sh
+# Draws every picture of docs/gallery anew: docs/gallery.sh [--program VORPIPE] [--into FOLDER]
+# The backend is cpu, whose pictures are the same on every machine. The test docs_gallery compares what this script
+# draws with what is committed.
 set -euo pipefail
 root=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+program=$root/run
+into=$root/docs/gallery
+while [[ $# -gt 0 ]]; do
+  case $1 in
+    --program) program=$2 ;;
+    --into) into=$2 ;;
+    *) echo "gallery.sh: $1: unknown option; there are --program VORPIPE and --into FOLDER" >&2; exit 2 ;;
+  esac
+  shift 2
+done
 
-# draw NAME OPTION...: docs/gallery/NAME.png
+# draw NAME OPTION...: NAME.png
 draw() {
   local name=$1
   shift
-  "$root/run" render -o "$root/docs/gallery/$name.png" "$@"
+  "$program" render --backend cpu -o "$into/$name.png" "$@"
 }
 
 # thesis NAME OPTION...: a figure of the thesis, in its colors
