@@ -1,4 +1,4 @@
-/// The interface between core and one device: what a backend is given and what it answers.
+/// The interface between core and one device: what a backend is given and what it answers (decision D1).
 ///
 /// A backend does the geometry that core asks for and decides nothing else: which sites, in which
 /// order, with which candidates, and what follows from a status is core's. Calls block.

@@ -1,4 +1,4 @@
-/// Runs a loop on several threads.
+/// Runs a loop on several threads (decision D73).
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-/// How a program keeps the memory of its runs.
+/// How a program keeps the memory of its runs (decision D61).
 #pragma once
 
 #if defined(__GLIBC__)

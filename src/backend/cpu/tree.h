@@ -1,4 +1,4 @@
-/// A kd-tree over the sites: the search that no distribution of sites makes slow.
+/// A kd-tree over the sites: the search that no distribution of sites makes slow (decision D36).
 #pragma once
 
 #include <cstdint>

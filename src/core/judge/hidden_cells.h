@@ -1,4 +1,4 @@
-/// Proofs that cells are empty: sites with weights hide others.
+/// Proofs that cells are empty: sites with weights hide others (decision D74).
 #pragma once
 
 #include <span>

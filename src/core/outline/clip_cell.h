@@ -1,4 +1,4 @@
-/// One cell clipped to an outline.
+/// One cell clipped to an outline (decision D78).
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-/// Where a grid is too coarse for its sites.
+/// Where a grid is too coarse for its sites (decision D26).
 #pragma once
 
 #include "core/sites/grid.h"

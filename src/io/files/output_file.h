@@ -1,4 +1,4 @@
-/// Output files that appear whole or not at all.
+/// Output files that appear whole or not at all (decision D68).
 #pragma once
 
 #include <cstdio>

@@ -1,4 +1,4 @@
-/// Comma-separated text, record by record, through libcsv.
+/// Comma-separated text, record by record, through libcsv (decision D64).
 #pragma once
 
 #include <cstddef>
