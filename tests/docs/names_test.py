@@ -1,0 +1,136 @@
+#!/usr/bin/env python3
+"""Whether what the documents name is there: names_test.py
+
+Links lead to files and headings. Decisions are numbered once, and the table of them lists all; comments in the code name
+numbers that exist. What stands in backticks in NAMING pages, files and names of the code, is in the tree.
+"""
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PAGES = sorted(ROOT.glob('*.md')) + sorted(ROOT.glob('docs/*.md')) + [ROOT / 'third_party/README.md',
+                                                                     ROOT / 'tests/data/README.md']
+NAMING = ['docs/hacking.md', 'docs/architecture.md', 'docs/shaders.md', 'docs/backends.md', 'CONTRIBUTING.md']
+# What stands in backticks and is of other programs, only an example, or made by the build. `NAME` stands for any name.
+FOREIGN = set('''
+mix VK_EXT_memory_budget /dev/dri
+LikeThis likeThis like_this Manager Helper Utils
+module_410 shaders.h
+'''.split())
+
+
+def sources():
+    for folder in ('src', 'shaders', 'tests', 'docs/examples', 'third_party'):
+        for file in (ROOT / folder).rglob('*'):
+            if file.is_file() and file.suffix not in ('.spv', '.npy', '.png', '.md') and 'docs' not in file.parts[-2:-1]:
+                yield file
+    yield from (ROOT / name for name in ('run', 'test', 'CMakeLists.txt', 'CMakePresets.json'))
+
+
+def without_blocks(text):
+    """The lines of a page, with what stands in fenced and indented blocks blanked out."""
+    fenced = False
+    for line in text.splitlines():
+        if line.lstrip().startswith('```'):
+            fenced = not fenced
+            yield ''
+        else:
+            yield '' if fenced or line.startswith('    ') else line
+
+
+def anchors(text):
+    found = set(re.findall(r'<a id="([^"]+)">', text))
+    for line in without_blocks(text):
+        heading = re.match(r'#+ (.*)', line)
+        if heading:
+            plain = re.sub(r'[^\w\- ]', '', heading[1].lower())
+            found.add(plain.strip().replace(' ', '-'))
+    return found
+
+
+def check_links(fault):
+    for page in PAGES:
+        for number, line in enumerate(without_blocks(page.read_text()), 1):
+            for target in re.findall(r'\]\(([^)\s]+)\)', line):
+                if re.match(r'[a-z]+:', target):
+                    continue
+                path, _, anchor = target.partition('#')
+                file = (page.parent / path).resolve() if path else page
+                if not file.exists():
+                    fault(page, number, f'the link to {target} leads nowhere')
+                elif anchor and anchor not in anchors(file.read_text()):
+                    fault(page, number, f'{path or page.name} has no heading #{anchor}')
+
+
+def check_decisions(fault, files):
+    page = ROOT / 'docs/decisions.md'
+    text = page.read_text()
+    numbers = re.findall(r'^### D(\d+)\. ', text, flags=re.M)
+    if sorted(map(int, numbers)) != list(range(1, len(numbers) + 1)):
+        fault(page, 1, 'the numbers of decisions are not 1, 2, 3 and so on, each once')
+    for number, title in re.findall(r'^### D(\d+)\. (.*)$', text, flags=re.M):
+        if f'- [D{number}](#d{number}) {title}\n' not in text or f'<a id="d{number}"></a>\n### D{number}.' not in text:
+            fault(page, 1, f'D{number}: its line in the table, or its anchor, is missing or has another title')
+    for file in files:
+        if file.suffix in ('.h', '.cpp', '.glsl', '.comp', '.geom', '.vert', '.frag'):
+            for number, line in enumerate(file.read_text().splitlines(), 1):
+                for named in re.findall(r'//.*\bdecision D(\d+)\b', line):
+                    if named not in numbers:
+                        fault(file, number, f'there is no decision D{named}')
+
+
+def file_exists(name, stems):
+    name = name.rstrip('/')
+    if '*' in name or '...' in name:
+        return any(ROOT.glob(name)) or any(ROOT.glob('src/' + name))
+    for base in ('', 'src', 'src/core', 'tests', 'shaders', 'build'):
+        path = ROOT / base / name
+        if path.exists() or (path.parent.is_dir() and any(path.parent.glob(path.name + '.*'))):
+            return True
+    return '/' not in name and name in stems
+
+
+def check_names(fault, files):
+    words, stems = set(), set()
+    for file in files:
+        words.update(re.findall(r'[\w-]+', file.read_text(errors='replace')))
+        words.update(re.findall(r'\w+', file.read_text(errors='replace')))
+        stems.update((file.stem, file.name))
+        words.update(file.relative_to(ROOT).parts[:-1])
+    for name in NAMING:
+        page = ROOT / name
+        if not page.exists():
+            continue
+        for number, line in enumerate(without_blocks(page.read_text()), 1):
+            for quoted in re.findall(r'(?<!`)`([^`]+)`(?!`)', line):
+                missing = None
+                if 'NAME' in quoted or quoted.rstrip("()") in FOREIGN:
+                    continue
+                if re.fullmatch(r'[\w.*-]*/[\w./*-]*', quoted) or re.fullmatch(r'[\w-]+\.(h|cpp|glsl|cmake|sh|py|md)', quoted):
+                    missing = None if file_exists(quoted, stems) else quoted
+                elif re.fullmatch(r'[\w:<>~]+(\(.*\))?', quoted) or re.fullmatch(r'[\w.]+\(.*\)', quoted):
+                    missing = next((word for word in re.findall(r'[A-Za-z_]\w*', quoted.split('(')[0])
+                                    if word not in words and word not in stems), None)
+                if missing:
+                    fault(page, number, f'`{missing}` is not in the tree')
+
+
+def main():
+    faults = []
+
+    def fault(file, line, text):
+        faults.append(f'{file.relative_to(ROOT)}:{line}: {text}')
+
+    files = list(sources())
+    check_links(fault)
+    check_decisions(fault, files)
+    check_names(fault, files)
+    for text in faults:
+        print(f'FAILED: {text}', file=sys.stderr)
+    print(f'{len(PAGES)} pages, {len(faults)} failures')
+    sys.exit(1 if faults else 0)
+
+
+if __name__ == '__main__':
+    main()
