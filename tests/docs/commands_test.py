@@ -47,6 +47,9 @@ NOT_RUN = {
     'tests/bench/run.sh --weights 0.5 --json speed.json': BUILDS,
     'cmake --preset asan && cmake --build --preset asan && ctest --preset asan': BUILDS,
     'cmake --build build/dev --target update-spv': BUILDS,
+    'cmake --preset dev': BUILDS,
+    'cmake --build --preset dev --target vorpipe': BUILDS,
+    'ctest --preset dev -R cli_cells': BUILDS,
 }
 
 

@@ -116,6 +116,34 @@ def check_names(fault, files):
                     fault(page, number, f'`{missing}` is not in the tree')
 
 
+def check_places(fault):
+    """In hacking.md: a file in a step of a walk is in the room of the step, a function beside a file is in that file, and
+    the functions of a step of the journey are in its files."""
+    page = ROOT / 'docs/hacking.md'
+    lines = list(without_blocks(page.read_text()))
+    room = None
+    for number, line in enumerate(lines, 1):
+        step = re.match(r'\d+\. +\*\*`([\w/]+)`\*\*', line)
+        room = ROOT / step[1] if step else room if line.startswith('  ') else None
+        if room is not None:
+            text = line
+            if number < len(lines) and lines[number].startswith('  '):
+                text += ' ' + lines[number].strip()
+            for file in re.findall(r'`([\w-]+\.(?:h|cpp|glsl|comp|geom|cmake|txt))`', line):
+                # The shared files are included from elsewhere.
+                if not any((folder / file).is_file() for folder in (room, ROOT / 'shaders/glsl')) and file not in FOREIGN:
+                    fault(page, number, f'{file} is not in {room.relative_to(ROOT)}')
+            for named, file in re.findall(r'`([\w:]+)` (?:\(|in )`([\w.]+)`', text):
+                if (room / file).is_file() and named.split('::')[-1] not in (room / file).read_text():
+                    fault(page, number, f'{file} does not have {named}')
+        cells = [cell.strip() for cell in re.split(r'(?<!\\)\|', line)[1:-1]]
+        if len(cells) == 4 and cells[0].isdigit():
+            texts = [(ROOT / file).read_text() for file in re.findall(r'`([^`]+)`', cells[3])]
+            for named in re.findall(r'`([^`]+)`', cells[2]):
+                if not any(re.search(rf'\b{named}\b', text) for text in texts):
+                    fault(page, number, f'{named} is in none of {cells[3]}')
+
+
 def main():
     faults = []
 
@@ -126,6 +154,7 @@ def main():
     check_links(fault)
     check_decisions(fault, files)
     check_names(fault, files)
+    check_places(fault)
     for text in faults:
         print(f'FAILED: {text}', file=sys.stderr)
     print(f'{len(PAGES)} pages, {len(faults)} failures')
