@@ -150,6 +150,7 @@ def run(page, vorpipe, folder):
     (folder / 'script').write_text('\n'.join(script) + '\n')
     subprocess.run(['bash', 'script'], cwd=folder, env={**os.environ, 'LC_ALL': 'C'})
     printed = {}
+    missing = False
     for at, line, command, code, log in chosen:
         said = log.read_text() if log.exists() else ''
         if not (folder / f'{log.name}.code').exists():
@@ -158,7 +159,10 @@ def run(page, vorpipe, folder):
         ended, begin, end = (folder / f'{log.name}.code').read_text().split()
         if os.environ.get('VORPIPE_TEST_TIMES'):
             print(f'{float(end) - float(begin):7.2f} s  {page.name}:{line}: {bare(command)}')
-        if int(ended) == 3 != code and not os.environ.get('VORPIPE_EXPECTED_BACKENDS'):
+        # Where a backend is missing, so is what later commands would read.
+        lacks = int(ended) == 3 != code and not os.environ.get('VORPIPE_EXPECTED_BACKENDS')
+        missing = missing or lacks
+        if lacks or (missing and int(ended) != code and 'No such file' in said):
             skipped(f'{page.name}:{line}', said.strip().splitlines()[-1])
             page.blocks[at][2] = None
         elif int(ended) != code:
