@@ -4,8 +4,8 @@
 Commands stand in blocks fenced with ```sh. Those of a page run in order, in one shell, in a folder laid out like a
 checkout that is just built: docs/examples, tests/data, and a ./run that starts VORPIPE. A command must end with 0, or
 with the code that its line names, as in `# exit code 3`. A block fenced with ```text right behind one of commands is
-what they print; `...` there stands for what differs from machine to machine, on a line of its own for any number of
-lines.
+what they print, but for how many spaces it has; `...` there stands for what differs from machine to machine, on a line
+of its own for any number of lines.
 """
 import os
 import pathlib
@@ -115,6 +115,10 @@ def bare(command):
     return re.sub(r'\s+# .*', '', command).strip()
 
 
+def spaced(text):
+    return re.sub(' +', ' ', text)
+
+
 def lay_out(folder, vorpipe):
     """A checkout whose ./run does not build: the lines of the script behind that, with another program."""
     shutil.copytree(ROOT / 'docs/examples', folder / 'docs/examples')
@@ -171,9 +175,9 @@ def run(page, vorpipe, folder):
     for at, (line, found, expected) in enumerate(page.blocks):
         if expected is None or all(bare(command) in NOT_RUN for _, command, _ in found):
             continue
-        parts = [r'(?:.*\n)*?' if text.strip() == '...' else re.escape(text).replace(r'\.\.\.', '.*') + '\n'
+        parts = [r'(?:.*\n)*?' if text.strip() == '...' else re.escape(spaced(text)).replace(r'\.\.\.', '.*') + '\n'
                  for text in expected]
-        if not re.fullmatch(''.join(parts), printed.get(at, '')):
+        if not re.fullmatch(''.join(parts), spaced(printed.get(at, ''))):
             page.fault(line, 'the commands print something else:\n    ' + printed.get(at, '').replace('\n', '\n    '))
     return len(chosen)
 
