@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Whether what the documents name is there: names_test.py
 
-Links lead to files and headings. Decisions are numbered once, and the table of them lists all; comments in the code name
-numbers that exist. What stands in backticks in NAMING pages, files and names of the code, is in the tree.
+Links lead to files and headings. Decisions are numbered once, and the table of them lists all; comments in the code
+name numbers that exist. What stands in backticks in NAMING pages, files and names of the code, is in the tree;
+architecture.md has all rooms; hacking.md names functions with their files.
 """
 import pathlib
 import re
@@ -116,6 +117,19 @@ def check_names(fault, files):
                     fault(page, number, f'`{missing}` is not in the tree')
 
 
+def check_rooms(fault):
+    """architecture.md has a row for each room of core, and names each folder of src and each backend."""
+    page = ROOT / 'docs/architecture.md'
+    text = page.read_text()
+    for folder in sorted((ROOT / 'src/core').iterdir()):
+        if folder.is_dir() and f'\n| `{folder.name}` |' not in text:
+            fault(page, 1, f'the room {folder.name} has no row')
+    for folder in sorted([*(ROOT / 'src').iterdir(), *(ROOT / 'src/backend').iterdir()]):
+        named = str(folder.relative_to(ROOT))
+        if folder.is_dir() and f'`{named}`' not in text:
+            fault(page, 1, f'`{named}` is not named')
+
+
 def check_places(fault):
     """In hacking.md: a file in a step of a walk is in the room of the step, a function beside a file is in that file, and
     the functions of a step of the journey are in its files."""
@@ -154,6 +168,7 @@ def main():
     check_links(fault)
     check_decisions(fault, files)
     check_names(fault, files)
+    check_rooms(fault)
     check_places(fault)
     for text in faults:
         print(f'FAILED: {text}', file=sys.stderr)
