@@ -5,10 +5,9 @@
 //   vec2 offsetTo(cell_int place)  the site at `place` minus the site of the cell, exact or nearly so
 // and with WEIGHTED, besides what bins.glsl needs,
 //   real weightDifference(cell_int place)  the weight of the cell's site minus that of the site at `place`
-//   real weightNear(cell_int place)        the larger of the two, by amount; for what is drawn
 // and defines or not
-//   DRAWN  whether cells are drawn: then what a device's roots and quotients lose is bounded and, with a negative
-//          outset, cells are shrunk
+//   DRAWN  whether cells are drawn, never with WEIGHTED: then what a device's roots and quotients lose is bounded
+//          and, with a negative outset, cells are shrunk
 //
 // The cell is cut by every site of the 3 x 3 bins around its origin. After that few sites cut, so the
 // rest of those that might is only tried, vertex by vertex, and the cell is cut by those that do: first
@@ -42,22 +41,13 @@ struct Viewpoint {
 struct LinesTried {
     real allowed;   // what may be lost of the cell, a length
     real nearest;   // the square of the least distance of their sites
-#ifdef WEIGHTED
-    real doubtful;  // how near to the origin a line may pass of which too much is lost
-#endif
 };
 
 LinesTried lines_tried;
 
-// Of what may be lost of a cell with weights, what any line alone may take; the rest is for how far the cell reaches.
-#define LINE_SHARE 0.25
-
 void beginLines(real allowed) {
     lines_tried.allowed = allowed;
     lines_tried.nearest = FAR;
-#ifdef WEIGHTED
-    lines_tried.doubtful = FAR;
-#endif
 }
 #endif
 
@@ -101,11 +91,6 @@ Bisector bisectorWith(IN(Viewpoint) view, cell_int place) {
     b.h = b.apart ? h + wider : FAR;
 #ifdef DRAWN
     lines_tried.nearest = b.apart ? min(lines_tried.nearest, squared) : lines_tried.nearest;
-#ifdef WEIGHTED
-    real lost = weightNear(place) * real(WEIGHT_ROUNDING) * inverse + distance * (real(8.0) * ROUNDING);
-    cell_bool doubtful = b.apart && lost > real(LINE_SHARE) * lines_tried.allowed;
-    lines_tried.doubtful = doubtful ? min(lines_tried.doubtful, b.h - lost) : lines_tried.doubtful;
-#endif
 #endif
     return b;
 }
@@ -361,12 +346,6 @@ cell_bool losesTooMuch(IN(Cell) c, vec2 origin_offset) {
     real farthest = sqrt(max(squaredRadius(c), real(0.0)));
     real reach = farthest + abs(origin_offset.x) + abs(origin_offset.y);
     real away = sqrt(lines_tried.nearest);
-#ifdef WEIGHTED
-    real of_cell = reach * (real(REACH_ROUNDING) * away + real(2.0) * real(PLACE_ROUNDING));
-    cell_bool doubtful = lines_tried.doubtful < farthest;
-    return doubtful || of_cell > real(1.0 - LINE_SHARE) * lines_tried.allowed * away;
-#else
     return reach * (real(REACH_ROUNDING) * away + real(PLACE_ROUNDING)) > lines_tried.allowed * away;
-#endif
 }
 #endif

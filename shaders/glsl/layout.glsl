@@ -3,11 +3,9 @@
 #define VORPIPE_LAYOUT
 
 // What floats lose of a cell at most, in pictures. Of its lines and corners, for each unit of the way to its farthest
-// corner; of the place of a site, seen from another: 49 bits of two floats from the center of the domain; and of a
-// weight, seen from another, of the larger one.
+// corner; and of the place of a site, seen from another: 49 bits of two floats from the center of the domain.
 #define REACH_ROUNDING 2.384185791015625e-6
 #define PLACE_ROUNDING 7.105427357601002e-15
-#define WEIGHT_ROUNDING 3.552713678800501e-15
 
 // Room for the edges of one cell while it is clipped, a multiple of 4: the fast pipeline, which
 // overflows for 5.2 % of the cells of white noise, and the roomy one for those (about 40 of a million

@@ -34,8 +34,6 @@ real weightDifference(int place) {
     return difference;
 }
 
-real weightNear(int place) { return max(abs(weight_here.x), abs(weightAt(place).x)); }
-
 real weightExcess(int number) {
     precise float weight_excess = (heaviestAt(number) - weight_here.x) - weight_here.y;
     return weight_excess + abs(weight_excess) * (2.0 * ROUNDING);

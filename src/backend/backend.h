@@ -175,11 +175,11 @@ class Backend {
   /// Clears the picture: every pixel has no_site and color 0.
   virtual Result<void> begin(const View& view) = 0;
 
-  /// Finds the cells of the sites `which`, widened by half a step of the device's vertex grid so that
-  /// neighbors leave no gap, and draws those that come out `certified` over what is there, in order. Where
-  /// the grid is coarse they are shrunk instead, and may leave pixels at their edges; a cell of which floats
-  /// might lose more than shows is `unsecured` (precision.h). status has one element
-  /// for each. Every site has a cell: one that is shrunk to nothing is `certified`.
+  /// Finds the cells of the sites `which`, which have no weights, widened by half a step of the device's
+  /// vertex grid so that neighbors leave no gap, and draws those that come out `certified` over what is
+  /// there, in order. Where the grid is coarse they are shrunk instead, and may leave pixels at their edges;
+  /// a cell of which floats might lose more than shows is `unsecured` (precision.h). status has one element
+  /// for each. One that is shrunk to nothing is `certified`.
   virtual Result<void> draw(std::span<const std::uint32_t> which, Effort effort,
                             std::span<CellStatus> status) = 0;
 

@@ -162,62 +162,6 @@ TEST_P(WeightedBackend, FindsTheCellsOfBruteForce) {
   }
 }
 
-// By how much the power of a point with respect to a site is more than the least, as the way from the point
-// to the bisector.
-double beyondBisector(const SiteSet& set, std::size_t site, double x, double y) {
-  const auto power = [&](std::size_t i) {
-    return (x - set.x[i]) * (x - set.x[i]) + (y - set.y[i]) * (y - set.y[i]) - set.weight[i];
-  };
-  double beyond = 0;
-  for (std::size_t i = 0; i < set.size(); i++) {
-    if (i == site) continue;
-    beyond = std::max(
-        beyond, (power(site) - power(i)) / (2 * std::hypot(set.x[i] - set.x[site], set.y[i] - set.y[site])));
-  }
-  return beyond;
-}
-
-TEST_P(WeightedBackend, DrawsTheCellsOfBruteForce) {
-  constexpr int size = 96;
-  const View view = makeView(size, size);
-  for (const auto& [name, set] : someSets()) {
-    SCOPED_TRACE(name);
-    std::vector<std::uint8_t> palette_index;
-    for (const std::uint32_t id : set.id) palette_index.push_back(static_cast<std::uint8_t>(id % 251));
-    ASSERT_TRUE(backend().upload(set, palette_index).has_value());
-    ASSERT_TRUE(backend().begin(view).has_value());
-    std::vector<std::uint32_t> wanted = range(0, set.size());
-    for (const Effort effort : {Effort::fast, Effort::roomy}) {
-      std::vector<CellStatus> status(wanted.size());
-      ASSERT_TRUE(backend().draw(wanted, effort, status).has_value());
-      std::vector<std::uint32_t> again;
-      for (std::size_t k = 0; k < wanted.size(); k++) {
-        if (status[k] != CellStatus::certified && status[k] != CellStatus::empty) again.push_back(wanted[k]);
-      }
-      wanted = std::move(again);
-    }
-    EXPECT_LE(wanted.size(), set.size() / 10) << "too many without an answer";
-    std::vector<std::size_t> place(set.size());
-    for (std::size_t i = 0; i < set.size(); i++) place[set.id[i]] = i;
-    std::set<std::size_t> not_drawn(wanted.begin(), wanted.end());
-    const Image image = read(backend(), view);
-    std::size_t bare = 0;
-    for (std::size_t pixel = 0; pixel < image.ids.size(); pixel++) {
-      const std::size_t row = pixel / size;
-      const double x = (static_cast<double>(pixel % size) + 0.5) / size;
-      const double y = 1 - (static_cast<double>(row) + 0.5) / size;
-      const std::uint32_t id = image.ids[pixel];
-      bare += id == no_site ? 1 : 0;
-      if (id == no_site) continue;
-      ASSERT_LT(id, set.size());
-      EXPECT_EQ(image.rgba[pixel], view.palette[id % 251]);
-      EXPECT_LT(beyondBisector(set, place[id], x, y) * size, 1.0 / 64)
-          << "pixel " << pixel << " shows " << id;
-    }
-    EXPECT_TRUE(bare == 0 || !not_drawn.empty()) << bare << " pixels";
-  }
-}
-
 // Without weights, with, and without again: on one device.
 TEST_P(WeightedBackend, ForgetsWeights) {
   const SiteSet heavy = withHeavy(200, 10, 4);

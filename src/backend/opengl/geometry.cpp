@@ -1,6 +1,7 @@
 #include "backend/opengl/geometry.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstring>
 
 #include "backend/cell_answers.h"
@@ -23,10 +24,8 @@ ProgramText textOf(Entries entries, bool fast) {
     const auto geometry = fast ? shaders::cell_list_fast_410() : shaders::cell_list_roomy_410();
     return {shaders::cell_vert_410(), geometry, shaders::cell_frag_410(), captured};
   }
-  auto geometry = fast ? shaders::cell_grid_fast_410() : shaders::cell_grid_roomy_410();
-  if (entries == Entries::weighted_sites) {
-    geometry = fast ? shaders::cell_grid_fast_weighted_410() : shaders::cell_grid_roomy_weighted_410();
-  }
+  assert(entries == Entries::sites);
+  const auto geometry = fast ? shaders::cell_grid_fast_410() : shaders::cell_grid_roomy_410();
   return {shaders::site_vert_410(), geometry, shaders::cell_frag_410(), captured};
 }
 

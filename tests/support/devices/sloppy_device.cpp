@@ -87,26 +87,6 @@ struct Words {
     const auto& line = batch->lines[static_cast<std::size_t>(index)];
     return {line.nx, line.ny, line.h, line.bound};
   }
-  [[nodiscard]] std::pair<float, float> weightAt(std::size_t i) const {
-    const auto high = static_cast<float>(sites->weight[i]);
-    return {high, static_cast<float>(sites->weight[i] - static_cast<double>(high))};
-  }
-  [[nodiscard]] Sloppy weightDifference(int place) const {
-    const auto mine = weightAt(whose), other = weightAt(static_cast<std::size_t>(place));
-    return (mine.first - other.first) + (mine.second - other.second);
-  }
-  [[nodiscard]] Sloppy weightNear(int place) const {
-    return std::max(std::abs(weightAt(whose).first),
-                    std::abs(weightAt(static_cast<std::size_t>(place)).first));
-  }
-  [[nodiscard]] Sloppy weightExcess(int number) const {
-    const double weight_excess =
-        sites->grid.heaviest[static_cast<std::size_t>(number)] - sites->weight[whose];
-    return std::clamp(weight_excess + std::abs(weight_excess) * 1e-6, -1e30, 1e30);
-  }
-  [[nodiscard]] int heavyAt(int k) const {
-    return static_cast<int>(sites->heavy[static_cast<std::size_t>(k)]);
-  }
 };
 
 #define DRAWN
@@ -115,12 +95,6 @@ struct Even : Words {
 #include "grid.glsl"
 #include "list.glsl"
 };
-#define WEIGHTED
-struct Weighted : Words {
-#include "cell.glsl"
-#include "grid.glsl"
-};
-#undef WEIGHTED
 #undef DRAWN
 
 }  // namespace glsl
@@ -163,8 +137,7 @@ class Device final : public SloppyDevice {
   }
   Result<void> draw(std::span<const std::uint32_t> which, Effort, std::span<CellStatus> status) override {
     for (std::size_t e = 0; e < which.size(); ++e) {
-      status[e] =
-          sites_->weight.empty() ? drawSite<glsl::Even>(which[e]) : drawSite<glsl::Weighted>(which[e]);
+      status[e] = drawSite(which[e]);
     }
     return {};
   }
@@ -216,10 +189,9 @@ class Device final : public SloppyDevice {
   using vec4 = glsl::Words::vec4;
 
   /// As sites.glsl does it.
-  template <class Clip>
   CellStatus drawSite(std::uint32_t site) {
     const SiteSet& s = *sites_;
-    Clip clip;
+    glsl::Even clip;
     clip.sites = &s;
     clip.whose = site;
     const Point p{s.x[site], s.y[site]};
@@ -233,7 +205,7 @@ class Device final : public SloppyDevice {
       return vec4(std::max(west, -far), std::max(south, -far), std::min(east, far), std::min(north, far));
     };
     const SiteGridUniform grid = siteGridUniform(s);
-    typename Clip::Bins bins;
+    glsl::Even::Bins bins;
     bins.columns = grid.columns;
     bins.rows = grid.rows;
     bins.size = grid.size;
@@ -245,10 +217,9 @@ class Device final : public SloppyDevice {
     bins.slack = static_cast<double>(grid.slack) * longest;
     bins.coverage = boxSeen(s.coverage);
     bins.most = grid.most;
-    if constexpr (std::is_same_v<Clip, glsl::Weighted>) bins.heavy = grid.heavy_count;
     const ViewUniform uniform = viewUniform(view_, info_.subpixel_bits, s.domain);
     const vec2 outset(uniform.outset_x, uniform.outset_y), origin_offset(p.x - origin.x, p.y - origin.y);
-    typename Clip::Cell cell;
+    glsl::Even::Cell cell;
     clip.beginLines(uniform.allowed);
     const int found =
         clip.clipSite(cell, bins, boxSeen(s.domain), outset, static_cast<int>(site), origin_offset);

@@ -17,22 +17,17 @@ constexpr std::size_t slice_entries = std::size_t{1} << 17;
 
 constexpr std::size_t word = sizeof(std::uint32_t);
 
-ComputeKernels::Code polygonCode(bool fast, bool weighted) {
-  if (weighted) {
-    return fast ? shaders::polygons_grid_fast_weighted() : shaders::polygons_grid_roomy_weighted();
-  }
-  return fast ? shaders::polygons_grid_fast() : shaders::polygons_grid_roomy();
-}
-
 }  // namespace
 
 Result<void> ComputeBackend::draw(std::span<const std::uint32_t> which, Effort effort,
                                   std::span<CellStatus> status) {
-  assert(status.size() == which.size());
+  assert(status.size() == which.size() && !weighted_);
   if (which.empty()) return {};
   const bool fast = effort == Effort::fast;
   VORPIPE_TRY(sendWhich(which));
-  return drawCells({sites_bindings_, polygonCode(fast, weighted_), roomOf(effort), which.size()}, status);
+  return drawCells({sites_bindings_, fast ? shaders::polygons_grid_fast() : shaders::polygons_grid_roomy(),
+                    roomOf(effort), which.size()},
+                   status);
 }
 
 Result<void> ComputeBackend::draw(const CellBatch<float>& batch, std::span<const DrawMark> marks,

@@ -1,5 +1,6 @@
 #include "backend/vulkan/geometry/pipelines.h"
 
+#include <cassert>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -157,9 +158,7 @@ Result<VkPipeline> Pipelines::draw(const Device& device, VkPipelineLayout layout
   const bool fast = effort == Effort::fast;
   Code geometry = fast ? shaders::cell_list_fast() : shaders::cell_list_roomy();
   if (entries == Entries::sites) geometry = fast ? shaders::cell_grid_fast() : shaders::cell_grid_roomy();
-  if (entries == Entries::weighted_sites) {
-    geometry = fast ? shaders::cell_grid_fast_weighted() : shaders::cell_grid_roomy_weighted();
-  }
+  assert(entries != Entries::weighted_sites);
   return made(
       device, layout,
       {vertexCode(entries), geometry, shaders::cell_frag(), targetPass(), 2, entries, sizeof(DrawMark)},
