@@ -1,7 +1,8 @@
 # How a shader module is made: GLSL -> SPIR-V -> optimized -> checked, and GLSL 4.10 from the same SPIR-V but for
 # unrolled loops; compute shaders have none, which OpenGL 4.1 does not know. Everything goes to the build folder;
 # the target update-spv copies it to shaders/spv.
-# Where a compiler is missing, the modules of shaders/spv are embedded as they are.
+# Where a compiler is missing, the modules of shaders/spv are embedded as they are. Where they are of the same
+# sources, defines and flags, there is no need to compile them again but for tests, which compare the two.
 
 include(${CMAKE_CURRENT_LIST_DIR}/manifest.cmake)
 find_program(GLSLANG NAMES glslangValidator glslang)
@@ -20,6 +21,13 @@ set(fold_flags --set-spec-const-default-value "0:false" --freeze-spec-const --fo
 set(rolled_flags -DROLLED)
 set(cross_flags --version 410 --no-es --no-420pack-extension)
 
+string(JOIN " " glslang_line flags glslang ${glslang_flags})
+string(JOIN " " optimize_line flags spirv_opt ${optimize_flags})
+string(JOIN " " rolled_line flags glslang for OpenGL ${rolled_flags})
+string(JOIN " " fold_line flags spirv_opt for OpenGL ${fold_flags})
+string(JOIN " " cross_line flags spirv_cross ${cross_flags})
+set(recipe_flags "${glslang_line}" "${optimize_line}" "${rolled_line}" "${fold_line}" "${cross_line}")
+
 set(glsl_dir ${CMAKE_CURRENT_LIST_DIR}/glsl)
 set(committed_dir ${CMAKE_CURRENT_LIST_DIR}/spv)
 set(built_dir ${CMAKE_CURRENT_BINARY_DIR}/spv)
@@ -27,6 +35,19 @@ set(shader_recipe ${CMAKE_CURRENT_BINARY_DIR}/recipe.txt)
 set(shader_modules "")
 set(translated_modules "")
 set(recipe_modules "")
+
+option(VORPIPE_COMPILE_SHADERS "Compile shaders that shaders/spv has of the same sources, too" ${VORPIPE_TESTS})
+set(committed_rows "")
+if(NOT VORPIPE_COMPILE_SHADERS)
+  file(GLOB shader_sources CONFIGURE_DEPENDS ${glsl_dir}/*)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${shader_sources} ${committed_dir}/MANIFEST)
+  file(STRINGS ${committed_dir}/MANIFEST committed_rows)
+  foreach(line IN LISTS recipe_flags)
+    if(NOT line IN_LIST committed_rows)
+      set(committed_rows "")
+    endif()
+  endforeach()
+endif()
 
 if(GLSLANG AND SPIRV_OPT AND SPIRV_VAL AND SPIRV_CROSS)
   set(shaders_dir ${built_dir})
@@ -59,6 +80,23 @@ function(vorpipe_shader module file)
     return()
   endif()
   set(out ${built_dir}/${module})
+  string(JOIN " " words ${defines})
+  vorpipe_manifest_row(${glsl_dir} ${module} ${file} "${words}" committed_row)
+  if(committed_row IN_LIST committed_rows)
+    set(files ${module}.spv)
+    if(NOT stage STREQUAL comp)
+      list(APPEND files ${module}.410.glsl)
+    endif()
+    foreach(copied IN LISTS files)
+      add_custom_command(
+        OUTPUT ${built_dir}/${copied}
+        COMMAND ${CMAKE_COMMAND} -E copy ${committed_dir}/${copied} ${built_dir}/${copied}
+        DEPENDS ${committed_dir}/${copied}
+        COMMENT "Copying shader ${copied}"
+        VERBATIM)
+    endforeach()
+    return()
+  endif()
   add_custom_command(
     OUTPUT ${out}.raw.spv
     COMMAND ${GLSLANG} --quiet ${glslang_flags} ${defines} --depfile ${out}.d -o ${out}.raw.spv ${source}
@@ -92,17 +130,9 @@ endfunction()
 
 # vorpipe_embed_shaders(target): a static library of all modules so far, with its header shaders.h.
 function(vorpipe_embed_shaders target)
-  string(JOIN " " glslang_line ${glslang_flags})
-  string(JOIN " " optimize_line ${optimize_flags})
-  string(JOIN " " rolled_line ${rolled_flags})
-  string(JOIN " " fold_line ${fold_flags})
-  string(JOIN " " cross_line ${cross_flags})
+  string(JOIN "\n" flag_lines ${recipe_flags})
   file(CONFIGURE OUTPUT ${shader_recipe} @ONLY CONTENT
-"@recipe_tools@flags glslang @glslang_line@
-flags spirv_opt @optimize_line@
-flags glslang for OpenGL @rolled_line@
-flags spirv_opt for OpenGL @fold_line@
-flags spirv_cross @cross_line@
+"@recipe_tools@@flag_lines@
 @recipe_modules@")
 
   set(files "")
