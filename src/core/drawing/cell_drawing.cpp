@@ -1,50 +1,92 @@
 #include "core/drawing/cell_drawing.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "base/progress_steps.h"
-#include "core/search/device_eligible.h"
+#include "base/stopwatch.h"
 
 namespace vorpipe::core {
+namespace {
 
-CellDrawing::CellDrawing(const DrawingInput& input, std::optional<NeighborRows> known)
+/// Fewer cells than this are clipped with room from the start: that costs less than a second pipeline.
+constexpr std::size_t worth_fast_pipeline = std::size_t{1} << 15;
+
+/// What a fast pipeline does not draw, a roomy one may; what has no shape is for the judge to say.
+void askForRoom(Effort effort, std::span<CellStatus> status) {
+  for (auto& each : status) {
+    if (each == CellStatus::certified) continue;
+    each = effort == Effort::fast ? CellStatus::overflow : CellStatus::open;
+  }
+}
+
+/// The same, but that more candidates may help.
+void askForCandidates(Effort effort, std::span<CellStatus> status) {
+  for (auto& each : status) {
+    if (each == CellStatus::certified || each == CellStatus::unsecured) continue;
+    each = effort == Effort::fast ? CellStatus::overflow : CellStatus::open;
+  }
+}
+
+}  // namespace
+
+CellDrawing::CellDrawing(const SearchInput& input, std::span<const std::uint8_t> palette_index,
+                         std::optional<NeighborRows> known)
     : input_(input),
-      upload_(input.backend, input.palette_index),
+      upload_(input.backend, palette_index),
       all_known_(known.has_value()),
-      polygons_({input.backend, input.sites, input.palette_index, input.threads}),
+      ladder_(input, upload_, worth_fast_pipeline),
+      batches_({input.backend, input.sites, palette_index, input.threads}),
+      polygons_({input.backend, input.sites, palette_index, input.threads}),
       status_(input.sites.size(), CellStatus::certified),
-      pixels_(input.sites, input.palette_index, input.threads) {
+      pixels_(input.sites, palette_index, input.threads) {
   if (known) take(std::move(*known));
 }
 
 /// A site without a cell may have an image at the end of the band that seems to have one.
 void CellDrawing::take(NeighborRows known) {
-  Indices which(known.size());
+  std::vector<std::uint32_t> which(known.size());
   for (std::uint32_t i = 0; i < which.size(); ++i) {
     which[i] = i;
     const bool hidden = !input_.sites.hidden.empty() && input_.sites.hidden[i] != 0;
     if (hidden) known.drop(i, CellStatus::empty);
     status_[i] = known.status(i);
   }
-  known_cells_.push_back({std::move(which), std::move(known)});
+  known_.push_back({std::move(which), std::move(known)});
 }
 
 Result<void> CellDrawing::draw(const View& view) {
-  const bool first = !all_known_ && !lists_ && !grid_;
-  if (first) {
-    if (auto prepared = prepare(); !prepared) return prepared;
-  }
   if (auto given = giveAll(); !given) return given;
   if (auto begun = input_.backend.begin(view); !begun) return begun;
   if (!all_known_) {
-    auto left = grid_ ? grid_->draw(on_device_) : lists_->draw(view, on_device_);
-    if (!left) return tl::unexpected(left.error());
-    if (auto found = judge(std::move(*left)); !found) return found;
+    if (auto climbed = climb(view); !climbed) return climbed;
   }
-  for (const auto& cells : known_cells_) {
+  for (const auto& cells : known_) {
     if (auto drawn = polygons_.draw(view, cells, input_.progress); !drawn) return drawn;
   }
   return giveAll();
+}
+
+/// Has the device find and draw what it can.
+Result<void> CellDrawing::climb(const View& view) {
+  const auto by_grid = [&](const Tile&, auto which, Effort effort, auto status) -> Result<void> {
+    const Stopwatch watch;
+    if (auto drawn = askToDraw(input_.backend, which, effort, status); !drawn) return drawn;
+    grid_seconds_ += watch.seconds();
+    askForRoom(effort, status);
+    return {};
+  };
+  const auto by_lists = [&](const Candidates& candidates, Effort effort, auto status) -> Result<void> {
+    const auto drawn = batches_.draw(view, candidates, effort);
+    if (!drawn) return tl::unexpected(drawn.error());
+    std::ranges::copy(*drawn, status.begin());
+    askForCandidates(effort, status);
+    return {};
+  };
+  auto judged = ladder_.climb({by_grid, by_lists});
+  if (!judged) return tl::unexpected(judged.error());
+  for (std::size_t e = 0; e < judged->which.size(); ++e) status_[judged->which[e]] = judged->found.status(e);
+  known_.push_back(std::move(*judged));
+  return {};
 }
 
 Result<void> CellDrawing::read(const View& view, std::span<std::uint32_t> rgba,
@@ -61,65 +103,13 @@ Result<void> CellDrawing::giveAll() {
   return fits(input_.sites, input_.backend.info()) ? upload_.give({input_.sites, {}, {}}) : Result<void>{};
 }
 
-/// Sorts out the cells.
-Result<void> CellDrawing::prepare() {
-  const bool by_grid = input_.search.method == Search::grid;
-  auto triage = sortOut(input_.sites, input_.threads);
-  leaveHidden(triage.inside);
-  leaveHidden(triage.outside);
-  on_device_ = std::move(triage.inside);
-  if (by_grid) {
-    grid_ = std::make_unique<GridDrawing>(input_.backend, upload_, input_.judge, input_.sites, input_.threads,
-                                          input_.progress);
-  } else {
-    const Stopwatch watch;
-    lists_ = std::make_unique<ListDrawing>(
-        Canvas{input_.backend, input_.sites, input_.palette_index, input_.threads},
-        static_cast<std::size_t>(input_.search.neighbors), input_.several_views, input_.progress);
-    tree_seconds_ = watch.seconds();
-  }
-  return judge(std::move(triage.outside));
-}
-
-/// Takes the cells that are known to be empty from some.
-void CellDrawing::leaveHidden(Indices& which) {
-  const auto& hidden = input_.sites.hidden;
-  if (hidden.empty()) return;
-  std::erase_if(which, [&](std::uint32_t site) {
-    if (hidden[site] != 0) status_[site] = CellStatus::empty;
-    return hidden[site] != 0;
-  });
-}
-
-/// Finds cells that the device does not, and takes them from it.
-Result<void> CellDrawing::judge(Indices which) {
-  if (which.empty()) return {};
-  std::sort(which.begin(), which.end());
-  const Stopwatch watch;
-  auto found = input_.judge.find(which, Precision::in_double, input_.threads, input_.progress, exact_);
-  if (!found) return tl::unexpected(found.error());
-  judge_seconds_ += watch.seconds();
-  in_double_ += which.size();
-  for (std::size_t e = 0; e < which.size(); ++e) status_[which[e]] = found->status(e);
-  std::erase_if(on_device_,
-                [&](std::uint32_t site) { return std::binary_search(which.begin(), which.end(), site); });
-  known_cells_.push_back({std::move(which), std::move(*found)});
-  return {};
-}
-
 void CellDrawing::describe(Report& report) const {
-  if (grid_) report.retried += grid_->retried();
-  if (lists_) report.retried += lists_->retried();
-  report.in_double += in_double_;
-  report.exact += exact_;
+  ladder_.describe(report);
   auto& times = report.time_ms;
   const auto add = [](double seconds, double& to) { to = std::max(to, 0.0) + 1e3 * seconds; };
   add(upload_.seconds(), times.upload);
-  if (lists_) add(tree_seconds_ + lists_->searchSeconds(), times.search);
-  if (in_double_ > 0) add(judge_seconds_, times.cells);
-  times.draw = 1e3 * polygons_.seconds();
-  if (grid_) times.draw += 1e3 * grid_->seconds();
-  if (lists_) times.draw += 1e3 * lists_->drawSeconds();
+  if (ladder_.judgeSeconds() > 0) add(ladder_.judgeSeconds(), times.cells);
+  times.draw = 1e3 * (polygons_.seconds() + batches_.seconds() + grid_seconds_);
 }
 
 }  // namespace vorpipe::core

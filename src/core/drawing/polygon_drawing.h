@@ -6,12 +6,6 @@
 
 namespace vorpipe::core {
 
-/// The cells of some sites; entry e of `found`, certified or empty, is the cell of which[e].
-struct KnownCells {
-  std::vector<std::uint32_t> which;
-  NeighborRows found;
-};
-
 class PolygonDrawing {
  public:
   explicit PolygonDrawing(const Canvas& canvas) : canvas_(canvas) {}

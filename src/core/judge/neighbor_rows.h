@@ -62,6 +62,12 @@ class NeighborRows {
   int threads_;
 };
 
+/// The cells of some sites; entry e of `found`, certified or empty, is the cell of which[e].
+struct KnownCells {
+  std::vector<std::uint32_t> which;
+  NeighborRows found;
+};
+
 /// The sites among `which` whose entries in `status` have one of the wanted statuses.
 template <class Wanted>
 std::vector<std::uint32_t> withStatus(std::span<const std::uint32_t> which,

@@ -241,11 +241,9 @@ Result<Rendering> renderOn(const Machine& machine, const Sites& sites, const Ren
   if (!palette_indices) return tl::unexpected(palette_indices.error());
   times.order += 1e3 * order_watch.seconds();
 
-  const int most = machine.backend.info().max_view;
   if (run->cells) set.hidden = hiddenSites(set, scene, cells);
-  CellDrawing drawing({machine.backend, run->judge, set, *palette_indices, options.search, machine.threads,
-                       options.progress, options.width > most || options.height > most},
-                      std::move(run->cells));
+  CellDrawing drawing({machine.backend, run->judge, set, options.search, machine.threads, options.progress},
+                      *palette_indices, std::move(run->cells));
   const Sites& drawn = scene.sitesOr(sites);
   const NearestSites nearest{run->judge, set, *palette_indices, drawn.size(), machine.threads};
   const int exponent = run->prepared.exponent;

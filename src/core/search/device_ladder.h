@@ -1,0 +1,92 @@
+/// Which try follows which until a cell is certified: for cells that are found and for cells that are drawn.
+///
+/// A device clips a cell fast; one that overflows, with more room. With the grid it walks the bins, tile by
+/// tile where the sites do not fit; with lists it gets twice as many neighbors for cells that others might
+/// still cut. What it leaves is the judge's (judge.h): in double, exactly, or from the mesh of all sites,
+/// which a sample may tell to be the quickest.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "core/judge/judge.h"
+#include "core/search/candidates.h"
+#include "core/search/flann_search.h"
+#include "core/search/sample.h"
+#include "core/search/uploader.h"
+
+namespace vorpipe::core {
+
+/// What finding cells works with; all of it outlives the call.
+struct SearchInput {
+  Backend& backend;
+  Judge& judge;  ///< of the same sites
+  const SiteSet& sites;
+  const SearchOptions& search;
+  int threads;
+  const Progress& progress;
+};
+
+class CellLadder {
+ public:
+  using Which = std::span<const std::uint32_t>;
+  using Statuses = std::span<CellStatus>;
+  /// Ask the device about some cells, one status for each: of a tile, by index in its sites; or from
+  /// candidates. `overflow` asks for more room, `unsecured` for more candidates; what else is neither
+  /// certified nor empty is left to the judge.
+  struct Ask {
+    std::function<Result<void>(const Tile& tile, Which which, Effort effort, Statuses status)> by_grid;
+    std::function<Result<void>(const Candidates& candidates, Effort effort, Statuses status)> by_lists;
+  };
+
+  /// `upload` gives the backend its sites. Fewer cells than `worth_fast` have room from the start.
+  CellLadder(const SearchInput& input, Upload& upload, std::size_t worth_fast);
+
+  /// Asks the device about the cells that it is fit for, in later calls about those that it did before, and
+  /// the judge about the rest: these are returned, ascending. Errors: the device's; progress said stop.
+  Result<KnownCells> climb(const Ask& ask);
+
+  /// Adds how many cells took which way, and the times of searching on the host and of the judge.
+  void describe(Report& report) const;
+
+  [[nodiscard]] double judgeSeconds() const { return judge_seconds_; }
+
+ private:
+  using Indices = std::vector<std::uint32_t>;
+  /// Cells of a tile that need more room.
+  struct Large {
+    Indices cells;
+    std::size_t overflowed = 0;  ///< so many of them by a fast try now
+  };
+  /// What became of cells from lists.
+  struct Outcome {
+    Indices roomier, unsecured;
+  };
+
+  void sortOutOnce();
+  Result<KnownCells> askJudge(Indices which);
+
+  Result<void> climbGrid(const Ask& ask);
+  Result<void> tryTile(const Tile& tile, const Ask& ask);
+  Result<void> tryFast(const Tile& tile, Which which, const Ask& ask, Large& large);
+  Result<void> tryLarge(const Tile& tile, const Ask& ask, Large& large);
+  Result<void> tryCells(const Tile& tile, Which which, Effort effort, const Ask& ask, Large& large);
+  [[nodiscard]] bool areMany(std::size_t more) const;
+  void leave(const Tile& tile, Which which);
+
+  Result<void> climbLists(const Ask& ask);
+  Result<Outcome> tryLists(Which which, std::size_t k, Effort effort, const Ask& ask);
+
+  SearchInput input_;
+  Upload& upload_;
+  bool sorted_out_ = false;
+  Indices on_device_;        ///< what the device is asked about, ascending
+  Indices left_;             ///< in the whole set: neither certified nor worth another try on the device
+  std::vector<bool> roomy_;  ///< by site: needs more room than a fast try has
+  std::size_t done_ = 0;     ///< cells of this climb, for the progress
+  std::optional<FlannSearch> lists_;
+  std::uint64_t retried_ = 0, in_double_ = 0, exact_ = 0;
+  double search_seconds_ = 0, judge_seconds_ = 0;
+};
+
+}  // namespace vorpipe::core
