@@ -152,7 +152,11 @@ def check_places(fault):
                     fault(page, number, f'{file} does not have {named}')
         cells = [cell.strip() for cell in re.split(r'(?<!\\)\|', line)[1:-1]]
         if len(cells) == 4 and cells[0].isdigit():
-            texts = [(ROOT / file).read_text() for file in re.findall(r'`([^`]+)`', cells[3])]
+            places = [ROOT / file for file in re.findall(r'`([^`]+)`', cells[3])]
+            for file in places:
+                if not file.is_file():
+                    fault(page, number, f'{file.relative_to(ROOT)} is not in the tree')
+            texts = [file.read_text() for file in places if file.is_file()]
             for named in re.findall(r'`([^`]+)`', cells[2]):
                 if not any(re.search(rf'\b{named}\b', text) for text in texts):
                     fault(page, number, f'{named} is in none of {cells[3]}')
