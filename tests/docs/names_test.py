@@ -3,7 +3,7 @@
 
 Links lead to files and headings. Decisions are numbered once, and the table of them lists all; comments in the code
 name numbers that exist. What stands in backticks in NAMING pages, files and names of the code, is in the tree;
-architecture.md has all rooms; hacking.md names functions with their files.
+architecture.md has all rooms, in the order of the build; hacking.md names functions with their files.
 """
 import pathlib
 import re
@@ -118,12 +118,20 @@ def check_names(fault, files):
 
 
 def check_rooms(fault):
-    """architecture.md has a row for each room of core, and names each folder of src and each backend."""
+    """architecture.md has a row for each room, and none else, in the order in which the rooms are listed for the build;
+    files to begin with are there; each folder of src and each backend is named."""
     page = ROOT / 'docs/architecture.md'
     text = page.read_text()
-    for folder in sorted((ROOT / 'src/core').iterdir()):
-        if folder.is_dir() and f'\n| `{folder.name}` |' not in text:
-            fault(page, 1, f'the room {folder.name} has no row')
+    for house in ('src/core', 'src/io', 'src/cli', 'src/backend/vulkan'):
+        built = re.findall(r'^vorpipe_room\((\w+)', (ROOT / house / 'CMakeLists.txt').read_text(), flags=re.M)
+        table = re.search(rf'\n\| room of `{house}` \|.*\n\|[-|]+\n((?:\|.*\n)+)', text)
+        rows = re.findall(r'^\| `(\w+)` \|.*\| (.*) \|$', table[1], flags=re.M) if table else []
+        if [room for room, _ in rows] != built:
+            fault(page, 1, f'the table of the rooms of {house} is not that of its CMakeLists.txt: {" ".join(built)}')
+        for room, files in rows:
+            for file in re.findall(r'`(\w+)`', files):
+                if not any((ROOT / house / room).glob(file + '.*')):
+                    fault(page, 1, f'{house}/{room} has no {file}')
     for folder in sorted([*(ROOT / 'src').iterdir(), *(ROOT / 'src/backend').iterdir()]):
         named = str(folder.relative_to(ROOT))
         if folder.is_dir() and f'`{named}`' not in text:
