@@ -140,12 +140,15 @@ def run(page, vorpipe, folder):
     numpy = subprocess.run([sys.executable, '-c', 'import numpy'], capture_output=True).returncode == 0
     script = ['export PATH="$PWD/bin:$PATH"', 'set -o pipefail']
     chosen = []
+    missing = False
     for at, (_, found, _) in enumerate(page.blocks):
         for line, command, code in found:
             if bare(command) in NOT_RUN:
                 continue
             if 'numpy' in command and not numpy:
                 skipped(f'{page.name}:{line}', 'there is no numpy')
+                page.blocks[at][2] = None
+                missing = True
                 continue
             log = folder / f'log.{len(chosen)}'
             chosen.append((at, line, command, code, log))
@@ -154,7 +157,6 @@ def run(page, vorpipe, folder):
     (folder / 'script').write_text('\n'.join(script) + '\n')
     subprocess.run(['bash', 'script'], cwd=folder, env={**os.environ, 'LC_ALL': 'C'})
     printed = {}
-    missing = False
     for at, line, command, code, log in chosen:
         said = log.read_text() if log.exists() else ''
         if not (folder / f'{log.name}.code').exists():
@@ -163,7 +165,7 @@ def run(page, vorpipe, folder):
         ended, begin, end = (folder / f'{log.name}.code').read_text().split()
         if os.environ.get('VORPIPE_TEST_TIMES'):
             print(f'{float(end) - float(begin):7.2f} s  {page.name}:{line}: {bare(command)}')
-        # Where a backend is missing, so is what later commands would read.
+        # Where a backend or numpy is missing, so is what later commands would read.
         lacks = int(ended) == 3 != code and not os.environ.get('VORPIPE_EXPECTED_BACKENDS')
         missing = missing or lacks
         if lacks or (missing and int(ended) != code and 'No such file' in said):
