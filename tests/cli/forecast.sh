@@ -24,6 +24,8 @@ for backend in $backends; do
   measures 90 "$backend, measures" cells --backend "$backend" --sites random:$n
   measures 90 "$backend, everything" cells --backend "$backend" --sites random:$n -o out/cells.npz
 done
+# So many that some of them have ties.
+measures 90 "cpu, a million sites" cells --backend cpu --sites random:1000000 -o out/cells.npz
 for format in csv obj; do
   ln -s /dev/null out/cells.$format
   measures 90 "cpu, .$format" cells --backend cpu --sites random:$n -o out/cells.$format
@@ -39,6 +41,9 @@ measures 90 "cpu, sites from a file" cells --backend cpu --sites in/sites.csv
 # busy, a third less than planned.
 for backend in $backends; do
   measures 60 "$backend, a picture" render --backend "$backend" --sites random:$n --size 2000x1500 -o out/picture.png
+done
+for backend in $backends; do
+  [ "$backend" = cpu ] || measures 50 "$backend, by area" render --backend "$backend" --sites random:$n --color area -o out/picture.png
 done
 measures 87 "cpu, a picture by area" render --backend cpu --sites random:$n --color area -o out/picture.png
 measures 90 "cpu, a picture, checked" render --backend cpu --sites random:$n --check -o out/picture.png

@@ -111,20 +111,40 @@ bool isAbout(const SiteSet& sites, const std::array<std::uint32_t, 3>& cells, co
          ties * shortest_edge * std::min({way(a, b), way(b, c), way(c, a)});
 }
 
-/// Calls put(triangle) for the fan of triangles that fills the polygon of the sites around a tie. Returns
-/// false where that is no Delaunay triangulation: some sites lie on one line, or are as near to each other as
-/// ties of others are long.
+/// The sites of a fan's triangle k, which all begin with the fan's apex.
+std::array<std::uint32_t, 3> fanTriangle(const std::vector<std::uint32_t>& around, std::size_t apex,
+                                         std::size_t k) {
+  const auto size = around.size();
+  return {around[apex], around[(apex + k - 1) % size], around[(apex + k) % size]};
+}
+
+/// Whether a fan is a Delaunay triangulation of the sites around a tie. It is none where three of them lie on
+/// one line, or where those of a triangle are as near to each other as ties of others are long.
+bool isProperFan(const SiteSet& sites, const std::vector<std::uint32_t>& around, std::size_t apex,
+                 const AnchoredPoint& vertex) {
+  const auto at = [&](std::uint32_t site) { return Point{sites.x[site], sites.y[site]}; };
+  for (std::size_t k = 2; k < around.size(); ++k) {
+    const auto cells = fanTriangle(around, apex, k);
+    if (!(orientation(at(cells[0]), at(cells[1]), at(cells[2])) > 0) || !isAbout(sites, cells, vertex)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Calls put(triangle) for the triangles that fill the polygon of the sites around a tie: the fan of the
+/// first of them whose fan is proper. Returns false where there is none.
 template <class Put>
 bool forFan(const SiteSet& sites, const std::vector<std::uint32_t>& around, const AnchoredPoint& vertex,
             const Put& put) {
-  const auto at = [&](std::size_t k) { return Point{sites.x[around[k]], sites.y[around[k]]}; };
-  bool proper = true;
+  std::size_t apex = 0;
+  while (apex < around.size() && !isProperFan(sites, around, apex, vertex)) ++apex;
+  if (apex == around.size()) return around.size() < 3;
   for (std::size_t k = 2; k < around.size(); ++k) {
-    proper = proper && orientation(at(0), at(k - 1), at(k)) > 0 &&
-             isAbout(sites, {around[0], around[k - 1], around[k]}, vertex);
-    put({sites.id[around[0]], sites.id[around[k - 1]], sites.id[around[k]]});
+    const auto [a, b, c] = fanTriangle(around, apex, k);
+    put({sites.id[a], sites.id[b], sites.id[c]});
   }
-  return proper;
+  return true;
 }
 
 /// Calls put(triangle) for each triangle of plain vertices whose lowest input index is that of `cell`.
