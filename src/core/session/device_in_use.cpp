@@ -47,9 +47,9 @@ Result<void> DeviceInUse::reopen() {
   return {};
 }
 
-/// Whether there is something else to try; says what in `notes`.
-bool DeviceInUse::reportProgress(const Error& failure, const BoundedBackend& failed,
-                                 std::vector<std::string>& notes) {
+/// Turns to less at a time, or to the next backend, and says so in `notes`; false if neither is left.
+bool DeviceInUse::fallBack(const Error& failure, const BoundedBackend& failed,
+                           std::vector<std::string>& notes) {
   const auto less = failure.out_of_memory ? failed.smaller() : std::nullopt;
   opened_.backend.reset();
   if (less && reopen()) {

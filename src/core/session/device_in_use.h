@@ -37,8 +37,7 @@ class DeviceInUse {
       }
       if (made || made.error().code != ErrorCode::device) return made;
       for (auto& message : bounded.validationMessages()) messages.push_back(std::move(message));
-      if (!reportProgress(made.error(), bounded, notes))
-        return tl::unexpected(withEarlier(made.error(), notes));
+      if (!fallBack(made.error(), bounded, notes)) return tl::unexpected(withEarlier(made.error(), notes));
     }
   }
 
@@ -49,7 +48,7 @@ class DeviceInUse {
   DeviceInUse(BackendOptions options, OpenedBackend opened);
 
   Result<void> reopen();
-  bool reportProgress(const Error& failure, const BoundedBackend& failed, std::vector<std::string>& notes);
+  bool fallBack(const Error& failure, const BoundedBackend& failed, std::vector<std::string>& notes);
   void take(OpenedBackend opened);
   static Error withEarlier(Error error, const std::vector<std::string>& notes);
 
