@@ -23,7 +23,7 @@ struct Input {
 /// each other (input).
 Result<Input> loadInput(const InputOptions& options);
 
-/// The error of what an option names, with the option in front where that is to blame.
+/// The error of what an option names, with the option in front where the input is wrong.
 tl::unexpected<Error> named(std::string_view option, Error error);
 
 /// An error of the library, which begins with what is wrong, in the words of the command line, which begin

@@ -18,8 +18,8 @@ namespace vorpipe::core {
 namespace {
 
 /// Agrees on cells whose areas add up to that of the domain. That they do not although neighbors agree
-/// everywhere takes a diagram that lies over itself, so that no cell on its own can be blamed: all are
-/// found again.
+/// everywhere takes a diagram that lies over itself, so that no cell on its own is known to be wrong:
+/// all are found again.
 Result<TiedCells> agree(const SearchInput& input, NeighborRows& rows, const Records& records,
                         const Box& domain, Report& report) {
   auto tied = reconcileCells(input, rows, records, report);

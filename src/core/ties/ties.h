@@ -11,8 +11,7 @@
 namespace vorpipe::core {
 
 /// Cells at ties, whose vertices do not follow from their own neighbors alone. Corners that ties join are one
-/// vertex, with one position. Corner offsets[k] + e is where edge e of
-/// cell[k] begins.
+/// vertex, with one position. Corner offsets[k] + e is where edge e of cell[k] begins.
 struct TiedCells {
   std::vector<std::uint32_t> cell;   ///< ascending
   std::vector<std::uint32_t> entry;  ///< by cell: its index in `cell`, or not_tied; empty without tied cells
@@ -23,7 +22,8 @@ struct TiedCells {
   std::vector<std::uint8_t> walls;      ///< of each vertex; 0: it lies on no wall
   std::vector<std::uint32_t> around_offsets,
       around;                           ///< the tied cells of each vertex, as often as they meet it
-  std::vector<std::uint32_t> disputed;  ///< cells that no tie excuses, ascending; else all of this is right
+  std::vector<std::uint32_t> disputed;  ///< cells with a dispute that no tie explains, ascending; if there
+                                        ///< are none, all of this is right
   std::vector<std::uint32_t> enclosed;  ///< cells to be tied as well, since ties enclose them, ascending
   std::vector<std::uint32_t> unsure;    ///< cells to be exact for all of this to be right, ascending
   std::vector<std::uint32_t> wide;      ///< cells that need finer ties, if all are exact, ascending
@@ -53,17 +53,16 @@ enum class Disputes : std::uint8_t { are_listed, are_ties };
 /// Error (input): more than 2^32 - 2 corners.
 ///
 /// Disputed are: cells that are not well-formed, empty ones of sites in the domain that no weights hide, and
-/// those that weights leave no area; both cells of an
-/// edge that is longer than a tie, yet the other cell does not have it, or has it elsewhere; and
-/// all cells around an edge that is turned around, or is far longer than the ties that join its ends. With
-/// Disputes::are_ties, for cells that are exact already, only the first are: every other edge in dispute is a
-/// tie, in both of its cells.
+/// those that weights leave no area; both cells of an edge that is longer than a tie, yet the other cell does
+/// not have it, or has it elsewhere; and all cells around an edge that is turned around, or is far longer
+/// than the ties that join its ends. With Disputes::are_ties, for cells that are exact already, only the
+/// first are: every other edge in dispute is a tie, in both of its cells.
 Result<TiedCells> resolveTies(const ProposedCells& proposed, std::span<const std::uint8_t> suspect,
                               const Fineness& fineness, Disputes disputes);
 
-/// The edges of tied cell k that are no ties: their indices, beginning with that of the smallest
-/// neighbor. A corner after which only ties follow is left out, so that each vertex
-/// stands once and begins the edge that it stands with.
+/// The edges of tied cell k that are no ties: their indices, beginning with that of the smallest neighbor. A
+/// corner after which only ties follow is left out, so that each vertex stands once and begins the edge that
+/// it stands with.
 void keptEdges(const ProposedCells& proposed, const TiedCells& tied, std::size_t k,
                std::vector<std::uint32_t>& edges);
 
