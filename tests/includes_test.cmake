@@ -9,7 +9,7 @@ set(kinds
     "^vorpipe(\\.h$|/)"
     "^base/"
     "^geos\\.h$"
-    "^backend/registry\\."
+    "^backend/registry/"
     "^backend/cpu/"
     "^backend/vulkan/[^/]*$"
     "^backend/opengl/"
@@ -21,12 +21,12 @@ set(may_include
     "^vorpipe/"
     "^(vorpipe\\.h|base/.*)$"
     "^vorpipe\\.h$"
-    "^(vorpipe\\.h|backend/[^/]*\\.h|backend/cpu/(cpu|exact_tier)\\.h|backend/vulkan/vulkan_backend\\.h|backend/opengl/opengl_backend\\.h)$"
+    "^(vorpipe\\.h|backend/[^/]*\\.h|backend/registry/.*|backend/cpu/(cpu|exact_tier)\\.h|backend/vulkan/vulkan_backend\\.h|backend/opengl/opengl_backend\\.h)$"
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/cpu/.*|(layout|bins|cell|grid|list)\\.glsl)$"
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/vulkan/.*|layout\\.glsl|shaders\\.h)$"
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/opengl/.*|layout\\.glsl|shaders\\.h)$"
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl)$"
-    "^(vorpipe\\.h|base/.*|bench/.*|io/(text/json_text|sites/site_source)\\.h|core/(cells/cells_run|picture/picture)\\.h|backend/(backend|exact_tier|forwarding_backend|registry)\\.h)$"
+    "^(vorpipe\\.h|base/.*|bench/.*|io/(text/json_text|sites/site_source)\\.h|core/(cells/cells_run|picture/picture)\\.h|backend/(backend|exact_tier|forwarding_backend|registry/registry)\\.h)$"
     "^(vorpipe\\.h|vorpipe/selftest\\.h|selftest/.*)$"
     "^(vorpipe\\.h|cli/.*)$")
 
@@ -59,14 +59,14 @@ function(vorpipe_read_rooms folder all_may)
   set(may_include ${may_include} PARENT_SCOPE)
 endfunction()
 vorpipe_read_rooms(
-  core "vorpipe\\.h|base/.*|geos\\.h|backend/(backend|collect|device_needs|exact_tier|forwarding_backend|precision|registry|tie)\\.h")
+  core "vorpipe\\.h|base/.*|geos\\.h|backend/(backend|collect|device_needs|exact_tier|forwarding_backend|precision|registry/registry|tie)\\.h")
 vorpipe_read_rooms(backend/vulkan "vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl|shaders\\.h")
 vorpipe_read_rooms(io "vorpipe\\.h|geos\\.h")
 vorpipe_read_rooms(cli "vorpipe\\.h|vorpipe/selftest\\.h|base/stopwatch\\.h|io/.*|bench/.*")
 
 # Headers, most of them a library's, and the only files that may include them.
 set(guarded_headers
-    "^backend/registry\\.h$"
+    "^backend/registry/"
     "^(vulkan/|volk\\.h)"
     "^(epoxy|GL|GLES.|EGL|OpenGL)/"
     "^glm/"
@@ -80,7 +80,7 @@ set(guarded_headers
     "^CLI/"
     "^(tbb|oneapi)/")
 set(users
-    "^(core/session/|bench/|backend/registry\\.)"
+    "^(core/session/|bench/|backend/registry/)"
     "^backend/vulkan/"
     "^backend/opengl/"
     "^backend/cpu/"
@@ -125,10 +125,10 @@ endfunction()
 vorpipe_expect(TRUE core/picture/picture.cpp backend/backend.h TRUE)
 vorpipe_expect(TRUE core/ties/ties.cpp core/vertices/cell_check.h TRUE)
 vorpipe_expect(FALSE core/vertices/cell_check.cpp core/ties/ties.h TRUE)
-vorpipe_expect(FALSE core/check/run.h backend/registry.h TRUE)
+vorpipe_expect(FALSE core/check/run.h backend/registry/registry.h TRUE)
 vorpipe_expect(FALSE core/check/cells.cpp core/diagram/diagram_writer.h TRUE)
 vorpipe_expect(TRUE core/search/flann_search.cpp flann/flann.hpp FALSE)
-vorpipe_expect(TRUE backend/registry.cpp backend/cpu/cpu.h TRUE)
+vorpipe_expect(TRUE backend/registry/registry.cpp backend/cpu/cpu.h TRUE)
 vorpipe_expect(TRUE backend/vulkan/device/device.cpp backend/capabilities.h TRUE)
 vorpipe_expect(TRUE backend/vulkan/kernels/painter.h backend/vulkan/memory/target.h TRUE)
 vorpipe_expect(FALSE backend/vulkan/memory/target.h backend/vulkan/geometry/pipelines.h TRUE)
@@ -144,7 +144,7 @@ vorpipe_expect(TRUE base/parallel.cpp tbb/parallel_for.h FALSE)
 vorpipe_expect(FALSE core/picture/picture.cpp tbb/parallel_for.h FALSE)
 vorpipe_expect(FALSE core/picture/picture.cpp ../backend/cpu/cpu.h TRUE)
 vorpipe_expect(FALSE backend/opengl/draw.cpp backend/vulkan/device/device.h TRUE)
-vorpipe_expect(FALSE backend/opengl/draw.cpp backend/registry.h TRUE)
+vorpipe_expect(FALSE backend/opengl/draw.cpp backend/registry/registry.h TRUE)
 vorpipe_expect(FALSE backend/backend.h volk.h FALSE)
 vorpipe_expect(FALSE backend/cpu/cpu.cpp epoxy/gl.h FALSE)
 vorpipe_expect(FALSE io/pictures/png_file.cpp core/cells/cells_run.h TRUE)

@@ -8,7 +8,7 @@
 #include <new>
 #include <numeric>
 
-#include "backend/registry.h"
+#include "backend/registry/registry.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
 #include "bench/driver_threads.h"

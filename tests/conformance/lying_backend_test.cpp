@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "backend/registry.h"
+#include "backend/registry/registry.h"
 #include "conformance/cells_fixture.h"
 #include "core/cells/cells_run.h"
 #include "core/picture/picture.h"

@@ -9,7 +9,7 @@
 #include <set>
 #include <string>
 
-#include "backend/registry.h"
+#include "backend/registry/registry.h"
 #include "conformance/backend_scene.h"
 #include "core/sites/weight_pyramid.h"
 #include "support/devices/backends.h"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "backend/registry.h"
+#include "backend/registry/registry.h"
 #include "core/session/bounded_backend.h"
 
 namespace vorpipe::core {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <new>
 
-#include "backend/registry.h"
+#include "backend/registry/registry.h"
 #include "core/cells/cell_mass.h"
 #include "core/cells/cells_run.h"
 #include "core/diagram/diagram_writer.h"

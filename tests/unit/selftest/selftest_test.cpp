@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "backend/registry.h"
+#include "backend/registry/registry.h"
 #include "core/cells/cells_run.h"
 #include "core/picture/picture.h"
 #include "selftest/run_scenes.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "backend/registry.h"
+#include "backend/registry/registry.h"
 #include "core/picture/picture.h"
 #include "support/devices/sloppy_device.h"
 #include "support/oracles/oracle.h"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "backend/registry.h"
+#include "backend/registry/registry.h"
 #include "core/picture/picture.h"
 #include "support/oracles/oracle.h"
 #include "support/sites/random_sites.h"

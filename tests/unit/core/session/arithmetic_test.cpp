@@ -8,7 +8,7 @@
 #include <functional>
 #include <limits>
 
-#include "backend/registry.h"
+#include "backend/registry/registry.h"
 #include "core/session/subpixel_grid.h"
 #include "unit/fixtures/changed_cpu.h"
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numeric>
 
-#include "backend/registry.h"
+#include "backend/registry/registry.h"
 #include "core/search/neighbor_search.h"
 #include "core/sites/site_set.h"
 #include "unit/fixtures/changed_cpu.h"

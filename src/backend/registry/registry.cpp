@@ -1,4 +1,4 @@
-#include "backend/registry.h"
+#include "backend/registry/registry.h"
 
 #include <fmt/core.h>
 
