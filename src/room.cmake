@@ -18,5 +18,6 @@ function(vorpipe_room room)
     ${target}
     PUBLIC ${vorpipe_house_libraries} ${arg_USES}
     PRIVATE ${arg_LIBRARIES} dep::fmt)
+  vorpipe_precompiled(${target})
   set_property(GLOBAL APPEND PROPERTY vorpipe_rooms ${target})
 endfunction()
