@@ -13,7 +13,7 @@
 
 namespace vorpipe::bench {
 
-/// Sites that somebody brought, not a generator.
+/// Sites from a file, not from a generator.
 struct DataSet {
   std::string name;
   Sites sites;
@@ -37,7 +37,7 @@ struct Settings {
   std::uint64_t max_sites = 0;
   int max_side = 0;  ///< of pictures
   std::vector<DataSet> files;
-  /// Why a job with so many sites is not to be tried: it would not fit; empty otherwise.
+  /// Why a job with this number of sites is not to be tried: it would not fit; empty otherwise.
   std::function<std::string(const Job&, std::uint64_t sites)> refusal;
   std::string program;  ///< of child processes
   Progress progress;    ///< may be empty

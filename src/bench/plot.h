@@ -11,7 +11,7 @@ namespace vorpipe::bench {
 struct Curve {
   std::string name;
   std::vector<std::pair<double, double>> points;  ///< x and y, all above 0
-  bool theirs = false;                            ///< somebody else's figures: dashed
+  bool theirs = false;                            ///< figures of another program: dashed
 };
 
 struct Plot {

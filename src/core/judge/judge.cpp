@@ -9,9 +9,9 @@
 namespace vorpipe::core {
 namespace {
 
-/// The mesh of all sites takes as long as to find one cell in so many, and exactly one in so many: about 1 us
-/// a site, 20 us a cell in double, some milliseconds exactly. With weights those cells that are left have far
-/// to search, and cost four times as much.
+/// Break-even: the mesh of n sites takes as long as the tree takes for n / sites_per_cell cells in double, or
+/// for n / sites_per_exact_cell cells exactly: about 1 us a site, 20 us a cell in double, some milliseconds
+/// exactly. With weights the cells that devices leave have far to search, and cost four times as much.
 constexpr std::size_t sites_per_cell = 16, sites_per_weighted_cell = 64, sites_per_exact_cell = 2048;
 
 /// Of no more sites with weights the mesh is made for a single cell: where all of them nearly meet in a

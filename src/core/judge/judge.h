@@ -13,7 +13,7 @@ namespace vorpipe::core {
 /// Gives the sites to the exact tier when it is first asked: most runs on even data never ask.
 class Judge {
  public:
-  /// Nobody else gives sites to the exact tier; both outlive this.
+  /// While this exists, no other caller may call exact.take(). `exact` and `mesh` outlive this.
   Judge(ExactTier& exact, SiteMesh& mesh) : exact_(exact), mesh_(mesh), sites_(mesh.sites()) {}
 
   /// The cells of `which`, beginning with `precision`: each comes out certified or empty. Either precision
@@ -32,7 +32,8 @@ class Judge {
   /// Whether there is a mesh; it is made by that.
   [[nodiscard]] bool hasMesh() { return mesh_.isPossible() && mesh_.get() != nullptr; }
 
-  /// Whether so many cells are worth the mesh: more of them cost next to nothing then.
+  /// Whether finding `cells` cells one by one would take longer than triangulating all sites, whose mesh then
+  /// has every other cell as well.
   [[nodiscard]] bool areMany(std::size_t cells) const;
 
  private:

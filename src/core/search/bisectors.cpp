@@ -48,16 +48,17 @@ HalfPlane<Real> bisector(const SiteSet& sites, std::uint32_t site, std::uint32_t
           roundedDown<Real>(bound)};
 }
 
+/// The domain, seen from the origin of a cell.
+Box domainFrom(const SiteSet& sites, Point origin) {
+  const auto& d = sites.domain;
+  return {d.xmin - origin.x, d.ymin - origin.y, d.xmax - origin.x, d.ymax - origin.y};
+}
+
 }  // namespace
 
 Point cellOrigin(const SiteSet& sites, std::uint32_t site) {
   return {std::clamp(sites.x[site], sites.domain.xmin, sites.domain.xmax),
           std::clamp(sites.y[site], sites.domain.ymin, sites.domain.ymax)};
-}
-
-Box domainFrom(const SiteSet& sites, Point origin) {
-  const auto& d = sites.domain;
-  return {d.xmin - origin.x, d.ymin - origin.y, d.xmax - origin.x, d.ymax - origin.y};
 }
 
 template <class Real>

@@ -9,9 +9,6 @@ namespace vorpipe::core {
 /// The origin of a site's cell: the site, or the point of the domain nearest to it.
 Point cellOrigin(const SiteSet& sites, std::uint32_t site);
 
-/// The domain, seen from the origin of a cell.
-Box domainFrom(const SiteSet& sites, Point origin);
-
 /// Packs the entries [begin, end) of candidates. Differences are taken in double between the two
 /// sites, then rounded; bounds and reach are rounded down, origin_offset up. Real is float or double.
 template <class Real>

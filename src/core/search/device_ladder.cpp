@@ -15,7 +15,10 @@ constexpr std::size_t lines_per_batch = std::size_t{1} << 20;
 }  // namespace
 
 CellLadder::CellLadder(const SearchInput& input, Upload& upload, std::size_t worth_fast)
-    : input_(input), upload_(upload), roomy_(input.sites.size(), input.sites.size() < worth_fast) {}
+    : input_(input),
+      upload_(upload),
+      begins_roomy_(input.sites.size() < worth_fast),
+      roomy_(input.sites.size(), begins_roomy_) {}
 
 Result<KnownCells> CellLadder::climb(const Ask& ask) {
   left_.clear();
@@ -140,7 +143,7 @@ Result<void> CellLadder::climbLists(const Ask& ask) {
   if (!lists_) lists_.emplace(input_.sites, input_.threads);
   search_seconds_ += watch.seconds();
   const auto most = std::min<std::uint64_t>(FlannSearch::most_neighbors, input_.backend.info().max_lines);
-  const auto first = !roomy_.empty() && roomy_[0] ? Effort::roomy : Effort::fast;
+  const auto first = begins_roomy_ ? Effort::roomy : Effort::fast;
   Indices pending = on_device_;
   for (auto k = std::min<std::size_t>(static_cast<std::size_t>(input_.search.neighbors), most);; k *= 2) {
     auto outcome = tryLists(pending, k, first, ask);

@@ -56,7 +56,7 @@ class CellLadder {
   /// Cells of a tile that need more room.
   struct Large {
     Indices cells;
-    std::size_t overflowed = 0;  ///< so many of them by a fast try now
+    std::size_t overflowed = 0;  ///< how many of `cells` overflowed in this climb's fast try
   };
   /// What became of cells from lists.
   struct Outcome {
@@ -82,6 +82,7 @@ class CellLadder {
   bool sorted_out_ = false;
   Indices on_device_;        ///< what the device is asked about, ascending
   Indices left_;             ///< in the whole set: neither certified nor worth another try on the device
+  bool begins_roomy_;        ///< every cell has room from the start
   std::vector<bool> roomy_;  ///< by site: needs more room than a fast try has
   std::size_t done_ = 0;     ///< cells of this climb, for the progress
   std::optional<FlannSearch> lists_;

@@ -8,7 +8,7 @@
 
 namespace vorpipe {
 
-/// Plans the sites of `--sites SPEC`, of which there are so many, with or without weights of their own.
+/// Plans the sites of `--sites SPEC`, of which there are `sites`, with or without weights of their own.
 void planSites(MemoryPlan& plan, const std::string& spec, std::uint64_t sites, bool weighted);
 
 /// Plans readWeights of a file; or randomWeights, where the path is empty.

@@ -20,7 +20,7 @@ constexpr std::size_t slice_entries = std::size_t{1} << 18;
 
 constexpr std::size_t word_bytes = sizeof(std::uint32_t);
 
-// The words of so many entries, in fours, as rows are.
+// Bytes of a word for each entry, rounded up to four words, as rows are.
 constexpr std::size_t wordsBytes(std::size_t entries) { return (entries + 3) / 4 * 4 * word_bytes; }
 
 ComputeKernels::Code searchCode(bool fast, bool weighted) {

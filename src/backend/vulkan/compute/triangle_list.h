@@ -16,8 +16,8 @@ class TriangleList {
  public:
   static Result<TriangleList> create(const Device& device);
 
-  /// Makes room for so many polygons, each of at most `room` vertices and with memory for as many, which is
-  /// EDGES_FAST or EDGES_MOST.
+  /// Makes room for `polygons` polygons, each of at most `room` vertices and with memory for as many, which
+  /// is EDGES_FAST or EDGES_MOST.
   Result<void> reserve(const Device& device, std::size_t polygons, std::size_t room);
   /// Makes what record() needs.
   Result<void> prepare(const Device& device, ComputeKernels& kernels);

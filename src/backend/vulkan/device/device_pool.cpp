@@ -256,7 +256,7 @@ class DevicePool final : public Backend {
   std::vector<std::unique_ptr<Backend>> devices_;
   std::optional<View> view_;
   const SiteSet* sites_ = nullptr;
-  std::size_t with_sites_ = 0;  ///< so many devices have the sites of the last upload
+  std::size_t with_sites_ = 0;  ///< devices [0, with_sites_) have the sites of the last upload
   std::vector<std::uint8_t> palette_index_;
   std::uint64_t drawings_ = 0;
   std::vector<std::uint64_t> drawn_;  ///< by id: when its cell was drawn last
