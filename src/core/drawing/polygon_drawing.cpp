@@ -127,6 +127,13 @@ Result<void> PolygonDrawing::draw(const View& view, const KnownCells& cells, con
 Result<void> PolygonDrawing::send(const std::vector<Triangles>& parts) {
   const std::size_t most = canvas_.backend.info().max_lines;
   Triangles joined;
+  std::size_t corners = 0, triangles = 0;
+  for (const Triangles& part : parts) {
+    corners += part.corners.size();
+    triangles += part.corner_of.size() / 3;
+  }
+  joined.corners.reserve(std::min(corners, most));
+  joined.corner_of.reserve(3 * std::min(triangles, most));
   const auto flush = [&]() -> Result<void> {
     auto sent = sendSome(joined.corners, joined.corner_of);
     joined.corners.clear();
