@@ -87,7 +87,7 @@ class CpuBackend final : public Backend {
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override {
     assert(ids.size() == rgba.size());
     assert(sites_ != nullptr);
-    if (!nearest_) nearest_.emplace(*sites_);
+    if (!nearest_) nearest_.emplace(*sites_, threads_);
     cpu::nearestSites(*nearest_, view_, threads_, ids);
     parallelFor(ids.size(), 1 << 16, threads_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {

@@ -43,7 +43,7 @@ class CpuExactTier final : public ExactTier {
   void nearest(const View& view, std::span<const std::uint32_t> pixels,
                std::span<std::uint32_t> sites) override {
     assert(sites_ != nullptr && sites.size() == pixels.size());
-    if (!nearest_) nearest_.emplace(*sites_);
+    if (!nearest_) nearest_.emplace(*sites_, threads_);
     cpu::nearestSites(*nearest_, view, pixels, threads_, sites);
   }
 

@@ -10,7 +10,7 @@ namespace vorpipe::cpu {
 /// Finds nearest sites. Independent of the clipping: a kd-tree over the sites.
 class NearestSite {
  public:
-  explicit NearestSite(const SiteSet& sites);  ///< `sites` must outlive this
+  NearestSite(const SiteSet& sites, int threads);  ///< `sites` must outlive this
   ~NearestSite();
 
   /// The index in the set of the site nearest to a place, seen from another, in scaled units, by power, or
