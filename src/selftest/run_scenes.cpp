@@ -12,7 +12,7 @@
 namespace vorpipe::selftests {
 namespace {
 
-/// Scenes that depend on a seed are made this often.
+/// How many times a scene that depends on a seed is run, each time with another seed.
 constexpr std::uint64_t rounds = 6, quick_rounds = 1, quick_often = 4;
 
 std::string textOf(const Mask& mask) {
@@ -23,7 +23,7 @@ std::string textOf(const Mask& mask) {
   return text;
 }
 
-/// A device, opened once for each mask that scenes ask for, and again after it failed.
+/// A device, which is opened when a scene first asks for it under a mask, and again after it failed.
 class Opened {
  public:
   explicit Opened(OpenRuns open) : open_(std::move(open)) {}
@@ -91,7 +91,8 @@ class Test {
   [[nodiscard]] double steps() const;
   [[nodiscard]] std::uint64_t roundsOf(const SceneKind& kind) const;
   [[nodiscard]] SelftestDevice& device(std::size_t place) { return report_.devices[tested_[place].device]; }
-  /// Keeps the caller's progress from seeing the stages of each run, and yet stops them.
+  /// A progress for one run that names `what` instead of the run's stages. It stops the run where the
+  /// caller's progress asks for that.
   [[nodiscard]] Progress stopping(std::string what) {
     if (!options_.progress) return {};
     return [this, what = std::move(what)](std::string_view, double) { return goesOn(what); };
@@ -192,7 +193,7 @@ Result<void> Test::runOn(std::size_t place, const Round& round, const Answers& j
     run.notes = notesOf(answers);
     run.fault = faultByCheck(answers, round.scene, round.refusable(), options_.threads);
     if (run.fault.empty()) run.fault = faultByJudge(answers, judges, round.scene);
-    // Its own answers are right, and nothing says so.
+    // The device's answers pass the check, but there are no right answers of the judge to compare them with.
     if (run.fault.empty() && !judges_fault.empty()) run.fault = "cpu cannot judge it: " + judges_fault;
     if (deviceFailed(answers)) opened_[place].close(round.kind.masked);
   }
@@ -222,7 +223,7 @@ std::string arithmeticFault(const Arithmetic& measured, int subpixel_bits) {
     if (found > allowed)
       return fmt::format("{} is off by {:.2f} ULP, where {} are allowed", what, found, allowed);
   }
-  // Of more bits than that it cannot be seen that there are fewer.
+  // The measurement cannot tell more than most_subpixel_bits apart.
   if (measured.subpixel_bits && *measured.subpixel_bits < std::min(subpixel_bits, most_subpixel_bits)) {
     return fmt::format("vertices are snapped to {} sub-pixel bits, where {} are reported",
                        *measured.subpixel_bits, subpixel_bits);

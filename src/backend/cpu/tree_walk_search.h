@@ -7,13 +7,13 @@
 
 namespace vorpipe::cpu {
 
-/// So many sites around the cell's own, at most, are tried first.
+/// The most sites in the subtree around the cell's own site that is tried first.
 constexpr std::uint32_t near_sites = 24;
-/// After so many cuts by the sites of one subtree, those that cut deepest are looked for.
+/// The most cuts by sites of one subtree before tryAll gives way to tryDeepest.
 constexpr std::uint32_t few_cuts = 5;
-/// The same for leaves.
+/// The most leaves of one subtree that tryAll tries before it gives way to tryDeepest.
 constexpr int few_leaves = 24;
-/// Rounds of cutting by what seemed to be ties, before it is left to more digits.
+/// The most rounds of cutting by sites that seemed to be ties, before the cell is left to more digits.
 constexpr int most_rounds = 8;
 
 template <class Real, std::size_t Room>
@@ -65,7 +65,7 @@ void TreeWalk<Real, Room>::climb() {
   }
 }
 
-/// Tries the sites around the cell's own, nearest by power first: then most that cut it belong to it in the
+/// Tries the sites of `range`, nearest by power first: most sites that cut in this order are neighbors in the
 /// end.
 template <class Real, std::size_t Room>
 void TreeWalk<Real, Room>::tryNear(SiteTree::Range range) {
@@ -93,7 +93,8 @@ auto TreeWalk<Real, Room>::children(const Subtree& parent, const Reach& reachOf)
   return std::pair{low, high};
 }
 
-/// Tries whatever reaches into a circle; false if that takes long and is better left to tryDeepest.
+/// Tries all sites of a subtree whose boxes reach into a corner's circle. False if that takes so long that it
+/// is better left to tryDeepest.
 template <class Real, std::size_t Room>
 bool TreeWalk<Real, Room>::tryAll(std::size_t beside) {
   const auto many_cuts = version_ + few_cuts;
@@ -135,8 +136,8 @@ void TreeWalk<Real, Room>::tryPlace(std::uint32_t place) {
   if (surely) cut(d, static_cast<std::int32_t>(tree_.site[place]));
 }
 
-/// Cuts corners off, by the deepest site each, until no site from `beside` on cuts one. A corner that none
-/// cuts stays known until it is cut off.
+/// Cuts each corner off by the site deepest in its circle, until no site of the subtrees from `beside` on
+/// cuts a corner. A corner that no site cuts is `known` until another cut removes it.
 template <class Real, std::size_t Room>
 void TreeWalk<Real, Room>::tryDeepest(std::size_t beside) {
   for (std::size_t k = 0; k < Room; ++k) known_after_[k] = no_line;
@@ -189,7 +190,8 @@ typename TreeWalk<Real, Room>::Deepest TreeWalk<Real, Room>::findDeepest(std::si
   return deepest;
 }
 
-/// Whether a subtree may hold a site that lies deeper, or if there is none so far, a tie that matters.
+/// Whether a subtree may hold a site deeper in the corner's circle than `deepest`, or where no site was found
+/// so far, a tie that matters.
 template <class Real, std::size_t Room>
 bool TreeWalk<Real, Room>::isWorthwhile(std::size_t corner, const Subtree& subtree, const Deepest& deepest) {
   if (subtree.reach > max(deepest.depth, margin_[corner])) return true;
@@ -197,7 +199,7 @@ bool TreeWalk<Real, Room>::isWorthwhile(std::size_t corner, const Subtree& subtr
   return mayMatter(corner, tree_.bounds[subtree.node], subtree.reach);
 }
 
-/// Whether it may hold a site that cuts the cell, or a tie that matters.
+/// Whether a subtree may hold a site that cuts the cell, or a tie that matters.
 template <class Real, std::size_t Room>
 bool TreeWalk<Real, Room>::isWorthwhile(const Subtree& subtree) {
   if (subtree.reach > most_margin_) return true;
@@ -239,8 +241,8 @@ bool TreeWalk<Real, Room>::isEdge(std::uint32_t site) const {
   return false;
 }
 
-/// Cuts by what was left out as a tie and, now that the corners are better known, is none. Returns whether
-/// that came to an end.
+/// Cuts by the sites that were left out as ties, but cut now that the corners are known more precisely.
+/// False if most_rounds were not enough.
 template <class Real, std::size_t Room>
 bool TreeWalk<Real, Room>::cutByDoubtful() {
   for (int round = 0; round < most_rounds; ++round) {
