@@ -83,14 +83,14 @@ class Test {
   Result<void> runKind(const SceneKind& kind);
   Result<void> runRound(const Round& round);
   Result<Answers> judged(const Round& round);
-  Result<void> runOn(std::size_t place, const Round& round, const Answers& judges,
+  Result<void> runOn(std::size_t index, const Round& round, const Answers& judges,
                      const std::string& judges_fault);
   [[nodiscard]] bool goesOn(std::string_view what) {
     return !options_.progress || options_.progress(what, done_ / steps());
   }
   [[nodiscard]] double steps() const;
   [[nodiscard]] std::uint64_t roundsOf(const SceneKind& kind) const;
-  [[nodiscard]] SelftestDevice& device(std::size_t place) { return report_.devices[tested_[place].device]; }
+  [[nodiscard]] SelftestDevice& device(std::size_t index) { return report_.devices[tested_[index].device]; }
   /// A progress for one run that names `what` instead of the run's stages. It stops the run where the
   /// caller's progress asks for that.
   [[nodiscard]] Progress stopping(std::string what) {
@@ -129,16 +129,16 @@ int subpixelBitsOf(const DeviceInfo& info) {
 }
 
 Result<void> Test::measureArithmetic() {
-  for (std::size_t place = 0; place < tested_.size(); place++) {
+  for (std::size_t index = 0; index < tested_.size(); index++) {
     if (!goesOn("arithmetic")) return cancelled();
-    const auto runs = opened_[place].with(Masked::nothing, {});
+    const auto runs = opened_[index].with(Masked::nothing, {});
     auto measured = runs ? (*runs)->arithmetic() : tl::unexpected(runs.error());
     if (measured) {
-      device(place).arithmetic_fault = arithmeticFault(*measured, subpixelBitsOf(device(place).info));
-      device(place).arithmetic = std::move(*measured);
+      device(index).arithmetic_fault = arithmeticFault(*measured, subpixelBitsOf(device(index).info));
+      device(index).arithmetic = std::move(*measured);
     } else {
-      device(place).arithmetic_fault = measured.error().message;
-      opened_[place].close(Masked::nothing);
+      device(index).arithmetic_fault = measured.error().message;
+      opened_[index].close(Masked::nothing);
     }
   }
   return {};
@@ -163,16 +163,16 @@ Result<void> Test::runRound(const Round& round) {
   if (!judges) return tl::unexpected(judges.error());
   if (wasCancelled(*judges)) return cancelled();
   const std::string fault = faultByCheck(*judges, round.scene, round.refusable(), options_.threads);
-  for (std::size_t place = 0; place < tested_.size(); place++) {
+  for (std::size_t index = 0; index < tested_.size(); index++) {
     done_++;
-    const bool means_nothing = round.kind.masked != Masked::nothing && !tested_[place].masked;
+    const bool means_nothing = round.kind.masked != Masked::nothing && !tested_[index].masked;
     if (means_nothing) continue;
-    if (auto done = runOn(place, round, *judges, fault); !done) return done;
+    if (auto done = runOn(index, round, *judges, fault); !done) return done;
   }
   return {};
 }
 
-Result<void> Test::runOn(std::size_t place, const Round& round, const Answers& judges,
+Result<void> Test::runOn(std::size_t index, const Round& round, const Answers& judges,
                          const std::string& judges_fault) {
   SelftestRun run;
   run.group = round.kind.group;
@@ -180,14 +180,14 @@ Result<void> Test::runOn(std::size_t place, const Round& round, const Answers& j
   run.masked = textOf(round.mask);
   run.sites = round.scene.sites.size();
   run.seed = round.scale.seed;
-  if (tested_[place].is_judge) {
+  if (tested_[index].is_judge) {
     run.fault = judges_fault;
     run.milliseconds = judges.milliseconds;
-  } else if (auto runs = opened_[place].with(round.kind.masked, round.mask); !runs) {
+  } else if (auto runs = opened_[index].with(round.kind.masked, round.mask); !runs) {
     run.fault = runs.error().message;
   } else {
     const auto answers = answer(
-        **runs, round.scene, stopping(fmt::format("{} by {}", round.kind.group, device(place).info.backend)));
+        **runs, round.scene, stopping(fmt::format("{} by {}", round.kind.group, device(index).info.backend)));
     if (wasCancelled(answers)) return cancelled();
     run.milliseconds = answers.milliseconds;
     run.notes = notesOf(answers);
@@ -195,9 +195,9 @@ Result<void> Test::runOn(std::size_t place, const Round& round, const Answers& j
     if (run.fault.empty()) run.fault = faultByJudge(answers, judges, round.scene);
     // The device's answers pass the check, but there are no right answers of the judge to compare them with.
     if (run.fault.empty() && !judges_fault.empty()) run.fault = "cpu cannot judge it: " + judges_fault;
-    if (deviceFailed(answers)) opened_[place].close(round.kind.masked);
+    if (deviceFailed(answers)) opened_[index].close(round.kind.masked);
   }
-  device(place).runs.push_back(std::move(run));
+  device(index).runs.push_back(std::move(run));
   return {};
 }
 

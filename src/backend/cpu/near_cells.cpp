@@ -94,7 +94,7 @@ CellStatus findWithin(std::int64_t reach, const SiteSet& sites, std::uint32_t si
   if (self == near.size()) return CellStatus::unsecured;
   CellNeighbors found;
   find(near, SiteTree(near, 1), {&self, 1}, 1, found);
-  renumber(found, 0, [&](std::uint32_t place) { return near.id[place]; });
+  renumber(found, 0, [&](std::uint32_t index) { return near.id[index]; });
   neighbors.assign(found.neighbor.begin(), found.neighbor.end());
   return found.status[0];
 }

@@ -30,7 +30,7 @@ struct Placed {
   std::uint32_t site;
 };
 
-struct Building {
+struct TreeBuilder {
   SiteTree& tree;
   std::vector<Placed>& sites;
   const std::vector<double>& weight;  ///< by index in the set: weightsThatCount(); empty without weights
@@ -198,11 +198,11 @@ SiteTree::SiteTree(const SiteSet& sites, int threads) {
     for (auto i = begin; i < end; ++i) placed[i] = {sites.x[i], sites.y[i], static_cast<std::uint32_t>(i)};
   });
   const auto counted = weightsThatCount(sites);
-  const Building building{*this, placed, counted};
+  const TreeBuilder builder{*this, placed, counted};
   std::vector<Range> ranges{{0, count}};
   for (std::uint32_t level = 0; level < shared_levels && ranges.size() < first_leaf; ++level) {
     parallelFor(ranges.size(), 1, threads, [&](std::size_t n, std::size_t) {
-      building.split(static_cast<std::uint32_t>(ranges.size() + n), ranges[n]);
+      builder.split(static_cast<std::uint32_t>(ranges.size() + n), ranges[n]);
     });
     std::vector<Range> halves;
     for (const auto& range : ranges) {
@@ -212,18 +212,18 @@ SiteTree::SiteTree(const SiteSet& sites, int threads) {
     ranges = std::move(halves);
   }
   parallelFor(ranges.size(), 1, threads, [&](std::size_t n, std::size_t) {
-    building.splitBelow(static_cast<std::uint32_t>(ranges.size() + n), ranges[n]);
+    builder.splitBelow(static_cast<std::uint32_t>(ranges.size() + n), ranges[n]);
   });
-  building.boundAbove(1, {0, count}, static_cast<std::uint32_t>(ranges.size()));
+  builder.boundAbove(1, {0, count}, static_cast<std::uint32_t>(ranges.size()));
   site.resize(count);
-  place.resize(count);
+  rank.resize(count);
   x.resize(count);
   y.resize(count);
   weight.resize(sites.weight.size());
   parallelFor(count, grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto p = begin; p < end; ++p) {
       site[p] = placed[p].site;
-      place[placed[p].site] = static_cast<std::uint32_t>(p);
+      rank[placed[p].site] = static_cast<std::uint32_t>(p);
       x[p] = placed[p].x;
       y[p] = placed[p].y;
       if (!weight.empty()) weight[p] = sites.weight[placed[p].site];

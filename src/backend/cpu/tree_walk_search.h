@@ -41,7 +41,7 @@ CellStatus TreeWalk<Real, Room>::find(std::uint32_t site, const Vector<Real>& or
 
 template <class Real, std::size_t Room>
 void TreeWalk<Real, Room>::climb() {
-  const auto own = tree_.place[site_];
+  const auto own = tree_.rank[site_];
   std::uint32_t node = 1;
   auto range = tree_.all();
   beside_.clear();
@@ -55,7 +55,7 @@ void TreeWalk<Real, Room>::climb() {
   }
   std::reverse(beside_.begin(), beside_.end());
   for (const auto heavy : sites_.heavy) {
-    if (heavy != site_ && !isOver()) tryPlace(tree_.place[heavy]);
+    if (heavy != site_ && !isOver()) tryRank(tree_.rank[heavy]);
   }
   tryNear(range);
   for (std::size_t beside = 0; beside < beside_.size() && !isOver(); ++beside) {
@@ -69,17 +69,17 @@ void TreeWalk<Real, Room>::climb() {
 /// end.
 template <class Real, std::size_t Room>
 void TreeWalk<Real, Room>::tryNear(SiteTree::Range range) {
-  const auto own = tree_.place[site_];
+  const auto own = tree_.rank[site_];
   nearest_.clear();
-  for (auto place = range.begin; place < range.end; ++place) {
-    const double dx = tree_.x[place] - site_x_;
-    const double dy = tree_.y[place] - site_y_;
-    if (place == own) continue;
-    nearest_.push_back({dx * dx + dy * dy - (hasWeights() ? tree_.weight[place] - weight_ : 0), place});
+  for (auto rank = range.begin; rank < range.end; ++rank) {
+    const double dx = tree_.x[rank] - site_x_;
+    const double dy = tree_.y[rank] - site_y_;
+    if (rank == own) continue;
+    nearest_.push_back({dx * dx + dy * dy - (hasWeights() ? tree_.weight[rank] - weight_ : 0), rank});
   }
   std::sort(nearest_.begin(), nearest_.end());
-  for (const auto& [power, place] : nearest_) {
-    if (!isOver()) tryPlace(place);
+  for (const auto& [power, rank] : nearest_) {
+    if (!isOver()) tryRank(rank);
   }
 }
 
@@ -121,19 +121,19 @@ bool TreeWalk<Real, Room>::tryAll(std::size_t beside) {
 
 template <class Real, std::size_t Room>
 void TreeWalk<Real, Room>::tryLeaf(SiteTree::Range range) {
-  for (auto place = range.begin; place < range.end && !isOver(); ++place) tryPlace(place);
+  for (auto rank = range.begin; rank < range.end && !isOver(); ++rank) tryRank(rank);
 }
 
 template <class Real, std::size_t Room>
-void TreeWalk<Real, Room>::tryPlace(std::uint32_t place) {
-  const auto d = offsetToPlace(place);
+void TreeWalk<Real, Room>::tryRank(std::uint32_t rank) {
+  const auto d = offsetToRank(rank);
   bool perhaps = false;
   bool wholly = false;
   const bool surely = isCut(d, perhaps, wholly);
   if (!perhaps) return;
-  doubtful_.push_back(tree_.site[place]);
+  doubtful_.push_back(tree_.site[rank]);
   surely_empty_ = wholly;
-  if (surely) cut(d, static_cast<std::int32_t>(tree_.site[place]));
+  if (surely) cut(d, static_cast<std::int32_t>(tree_.site[rank]));
 }
 
 /// Cuts each corner off by the site deepest in its circle, until no site of the subtrees from `beside` on
@@ -149,8 +149,8 @@ void TreeWalk<Real, Room>::tryDeepest(std::size_t beside) {
     }
     const auto deepest = findDeepest(c, beside);
     if (deepest.found) {
-      const auto d = offsetToPlace(deepest.place);
-      const auto site = tree_.site[deepest.place];
+      const auto d = offsetToRank(deepest.rank);
+      const auto site = tree_.site[deepest.rank];
       bool perhaps = false;
       isCut(d, perhaps, surely_empty_);
       doubtful_.push_back(site);
@@ -214,15 +214,15 @@ bool TreeWalk<Real, Room>::isWorthwhile(const Subtree& subtree) {
 
 template <class Real, std::size_t Room>
 void TreeWalk<Real, Room>::searchLeaf(std::size_t corner, SiteTree::Range range, Deepest& deepest) {
-  for (auto place = range.begin; place < range.end; ++place) {
-    const auto d = offsetToPlace(place);
+  for (auto rank = range.begin; rank < range.end; ++rank) {
+    const auto d = offsetToRank(rank);
     const Real depth = depthOf(corner, d);
     const Real noise = noiseOf(corner, d);
     if (depth > noise && depth > deepest.depth) {
-      deepest = {depth, place, true};
-    } else if (!deepest.found && depth >= -noise && !isCornerOf(corner, tree_.site[place]) &&
+      deepest = {depth, rank, true};
+    } else if (!deepest.found && depth >= -noise && !isCornerOf(corner, tree_.site[rank]) &&
                mayMatter(corner, d)) {
-      doubtful_.push_back(tree_.site[place]);
+      doubtful_.push_back(tree_.site[rank]);
     }
   }
 }
