@@ -16,6 +16,7 @@ set(kinds
     "^backend/[^/]*$"
     "^bench/"
     "^selftest/"
+    "^c/"
     "^cli/[^/]*$")
 set(may_include
     "^vorpipe/"
@@ -28,6 +29,7 @@ set(may_include
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl)$"
     "^(vorpipe\\.h|base/.*|bench/.*|io/(text/json_text|sites/site_source)\\.h|core/(cells/cells_run|picture/picture)\\.h|backend/(backend|exact_tier|forwarding_backend|registry/registry)\\.h)$"
     "^(vorpipe\\.h|vorpipe/selftest\\.h|selftest/.*)$"
+    "^(vorpipe\\.h|vorpipe/selftest\\.h|vorpipe_c\\.h|c/.*|io/.*)$"
     "^(vorpipe\\.h|cli/.*)$")
 
 # Adds the rooms of a folder: a room may include itself, those that it uses, each of which comes before it, and

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "vorpipe/cells.h"
+#include "vorpipe/devices.h"
 #include "vorpipe/picture.h"
 #include "vorpipe/result.h"
 #include "vorpipe/run.h"
@@ -88,6 +89,14 @@ struct Workload {
   bool device_on_host = true;
   int threads = 0;
 };
+
+/// What a run of Session::cells over these sites is about, on a device and with some CPU threads (0: all). Looks at
+/// how the sites lie. Errors: those of sitesAndImages().
+Result<Workload> workloadOf(const Sites& sites, const CellsOptions& options, ImagesFor purpose,
+                            const DeviceInfo& device, int threads);
+
+/// Which images a picture with such colors takes: colors by measures take whole cells.
+ImagesFor imagesFor(ColorBy color);
 
 /// Plans a program that has opened a Session of the workload's backend: its code, libraries and driver.
 void planSession(MemoryPlan& plan, const Workload& work);

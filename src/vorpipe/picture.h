@@ -15,6 +15,14 @@ namespace vorpipe {
 
 enum class ColorBy : std::uint8_t { site, area, neighbors, weight };
 
+/// In pixels.
+struct PictureSize {
+  int width, height;
+};
+
+/// The size of a picture of `domain` where none is named: the longer side 1000, the other at least 1.
+PictureSize defaultSize(const Box& domain);
+
 struct RenderOptions {
   Box domain;         ///< what is drawn, and what cells are clipped to
   Outline outline{};  ///< what cells are clipped to besides, inside the domain; pixels beyond it have no site

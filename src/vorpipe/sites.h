@@ -23,6 +23,13 @@ struct Point {
 /// The least box around points, of which there is at least one.
 Box boxOf(std::span<const Point> points);
 
+struct Sites;
+
+/// The domain that sites have where none is named: the box of at least one site, grown on every side by 5 % of its
+/// longer side, or by 0.5 where all sites are equal; by more where so little would vanish beside the coordinates.
+/// It is not finite where the sites reach too far.
+Box domainOf(const Sites& sites);
+
 /// A domain of any shape: polygons with holes, none of which cross or overlap. Ring r has the points
 /// ring_offsets[r] .. ring_offsets[r + 1] - 1, the first of which is not repeated at its end; polygon p has
 /// the rings polygon_offsets[p] .. polygon_offsets[p + 1] - 1: its outer ring, then its holes, each in either
@@ -80,5 +87,8 @@ enum class Pattern : std::uint8_t {
 /// Returns about n sites of a pattern (exactly n but for `square` and `hex`), n >= 1.
 /// Sites of the patterns without randomness do not depend on seed.
 Sites generate(Pattern pattern, std::uint64_t n, std::uint64_t seed);
+
+/// Sites of the unit square, on the least square around a box with the same center: a pattern keeps its shape.
+Sites spreadOver(const Box& box, Sites sites);
 
 }  // namespace vorpipe

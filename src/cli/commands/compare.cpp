@@ -25,7 +25,7 @@ struct CompareCommand {
   BackendOptions backend;
   TalkOptions talk;
   RenderOptions picture{};
-  std::optional<Size> size;
+  std::optional<PictureSize> size;
   bool check = false;
   std::string report, png, stats;
   std::optional<std::uint64_t> memory_limit;
@@ -44,7 +44,7 @@ Result<RenderOptions> pictureOptions(const CompareCommand& command, const Input&
   options.domain = input.domain;
   options.outline = input.outline;
   options.periodic = input.periodic;
-  const Size size = command.size.value_or(defaultSize(input.domain));
+  const PictureSize size = command.size.value_or(defaultSize(input.domain));
   options.width = size.width;
   options.height = size.height;
   return options;
@@ -132,7 +132,7 @@ Result<void> writeFiles(const CompareCommand& command, const Comparison& compari
 }
 
 /// Pictures and cells of every backend are kept, while its session is not; then every pair is compared.
-PlanRun planOf(const CompareCommand& command, const Size& size) {
+PlanRun planOf(const CompareCommand& command, const PictureSize& size) {
   return [&command, size](MemoryPlan& plan, Workload work) {
     for (const std::string& name : command.backends) {
       work.backend = name;
@@ -175,7 +175,7 @@ Result<std::uint64_t> forecastAll(const CompareCommand& command, const Input& in
 Result<ExitCode> compare(const CompareCommand& command) {
   setDriverThreads(command.backend.threads);
   const Stopwatch total;
-  const auto fits = forecastGenerated(command.input, planOf(command, command.size.value_or(Size{1, 1})),
+  const auto fits = forecastGenerated(command.input, planOf(command, command.size.value_or(PictureSize{1, 1})),
                                       command.memory_limit);
   if (!fits) return tl::unexpected(fits.error());
   const auto input = loadInput(command.input);

@@ -24,7 +24,7 @@ struct RenderCommand {
   BackendOptions backend;
   TalkOptions talk;
   RenderOptions picture{};
-  std::optional<Size> size;
+  std::optional<PictureSize> size;
   bool check = false;
   std::string png, ids, stats;
   std::optional<std::uint64_t> memory_limit;
@@ -39,13 +39,7 @@ std::vector<std::string> outputPaths(const RenderCommand& command) {
   return paths;
 }
 
-/// Colors by measures take whole cells.
-ImagesFor imagesFor(const RenderCommand& command) {
-  const bool measured = command.picture.color == ColorBy::area || command.picture.color == ColorBy::neighbors;
-  return measured ? ImagesFor::cells : ImagesFor::pictures;
-}
-
-PlanRun planOf(const RenderCommand& command, const Size& size) {
+PlanRun planOf(const RenderCommand& command, const PictureSize& size) {
   return [&command, size](MemoryPlan& plan, const Workload& work) {
     planSession(plan, work);
     planPicture(plan, work, size.width, size.height, command.picture.color);
@@ -63,7 +57,7 @@ Result<RenderOptions> pictureOptions(const RenderCommand& command, const Input& 
   options.domain = input.domain;
   options.outline = input.outline;
   options.periodic = input.periodic;
-  const Size size = command.size.value_or(defaultSize(input.domain));
+  const PictureSize size = command.size.value_or(defaultSize(input.domain));
   options.width = size.width;
   options.height = size.height;
   return options;
@@ -95,7 +89,7 @@ Result<ExitCode> render(const RenderCommand& command) {
   const Stopwatch total;
   const std::vector<std::string> paths = outputPaths(command);
   if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("picture.png"));
-  const auto fits = forecastGenerated(command.input, planOf(command, command.size.value_or(Size{1, 1})),
+  const auto fits = forecastGenerated(command.input, planOf(command, command.size.value_or(PictureSize{1, 1})),
                                       command.memory_limit);
   if (!fits) return tl::unexpected(fits.error());
   const auto input = loadInput(command.input);
@@ -111,7 +105,7 @@ Result<ExitCode> render(const RenderCommand& command) {
   auto session = Session::open(command.backend);
   if (!session) return tl::unexpected(std::move(session.error()));
   const auto forecast =
-      forecastRun(command.input, *input, imagesFor(command), session->device(), command.backend,
+      forecastRun(command.input, *input, imagesFor(command.picture.color), session->device(), command.backend,
                   planOf(command, {options->width, options->height}), command.memory_limit);
   if (!forecast) return tl::unexpected(forecast.error());
   ProgressBar bar(command.talk.quiet);

@@ -108,7 +108,7 @@ void addSearchOptions(Options& options, SearchOptions& search) {
       parseSearch);
 }
 
-void addSizeOption(Options& options, std::optional<Size>& size) {
+void addSizeOption(Options& options, std::optional<PictureSize>& size) {
   addParsed(options, "--size", size, "WxH", "pixels [the longer side 1000, the domain's aspect]", parseSize);
 }
 

@@ -69,7 +69,7 @@ void addRunOptions(Options& options, BackendOptions& backend, std::optional<std:
 /// --search
 void addSearchOptions(Options& options, SearchOptions& search);
 /// --size
-void addSizeOption(Options& options, std::optional<Size>& size);
+void addSizeOption(Options& options, std::optional<PictureSize>& size);
 /// --quiet, --verbose
 void addTalkOptions(Options& options, TalkOptions& talk);
 

@@ -100,14 +100,14 @@ Parsed<WeightRange> parseWeightRange(std::string_view text) {
   return WeightRange{*low, *high};
 }
 
-Parsed<Size> parseSize(std::string_view text) {
+Parsed<PictureSize> parseSize(std::string_view text) {
   const auto parts = split(text, 'x');
   if (parts.size() != 2) return bad(fmt::format("{} is not WxH, as in 800x600", quoted(text)));
   const auto width = parseWhole(parts[0], 1, largest_side);
   if (!width) return bad("width " + width.error());
   const auto height = parseWhole(parts[1], 1, largest_side);
   if (!height) return bad("height " + height.error());
-  return Size{static_cast<int>(*width), static_cast<int>(*height)};
+  return PictureSize{static_cast<int>(*width), static_cast<int>(*height)};
 }
 
 Parsed<std::uint64_t> parseBytes(std::string_view text) {

@@ -16,11 +16,6 @@ namespace vorpipe::cli {
 template <class T>
 using Parsed = tl::expected<T, std::string>;
 
-/// Pixels.
-struct Size {
-  int width = 0, height = 0;
-};
-
 inline constexpr int largest_side = 32768;
 
 /// A whole number from low to high.
@@ -50,7 +45,7 @@ struct WeightRange {
 Parsed<WeightRange> parseWeightRange(std::string_view text);
 
 /// `WxH`, 1 to largest_side each.
-Parsed<Size> parseSize(std::string_view text);
+Parsed<PictureSize> parseSize(std::string_view text);
 
 /// `grid`, `flann` or `flann:K`.
 Parsed<SearchOptions> parseSearch(std::string_view text);

@@ -91,19 +91,13 @@ Result<void> forecastGenerated(const InputOptions& options, const PlanRun& plan,
 Result<std::uint64_t> forecastRun(const InputOptions& options, const Input& input, ImagesFor purpose,
                                   const DeviceInfo& device, const BackendOptions& backend,
                                   const PlanRun& plan, std::optional<std::uint64_t> limit) {
-  Workload work;
-  work.sites = input.sites.size();
-  work.weighted = !input.sites.weight.empty();
-  work.outlined = !input.outline.empty();
-  work.periodic = input.periodic != Periodic::none;
-  work.backend = device.backend;
-  work.device_on_host = device.type == "cpu";
-  work.threads = backend.threads;
-  const auto all = sitesAndImages(input.sites, input.domain, input.periodic, purpose, backend.threads);
-  if (!all) return tl::unexpected(all.error());
-  work.images = *all - work.sites;
-  work.spread = spreadOf(input.sites, input.domain, backend.threads);
-  return forecast(options, work, plan, limit);
+  CellsOptions cells{};
+  cells.domain = input.domain;
+  cells.outline = input.outline;
+  cells.periodic = input.periodic;
+  const auto work = workloadOf(input.sites, cells, purpose, device, backend.threads);
+  if (!work) return tl::unexpected(work.error());
+  return forecast(options, *work, plan, limit);
 }
 
 }  // namespace vorpipe::cli

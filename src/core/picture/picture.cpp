@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 
 #include "base/inside.h"
 #include "base/parallel.h"
@@ -203,6 +204,16 @@ void beginReport(const Report& cells, Report& report) {
 }  // namespace vorpipe::core
 
 namespace vorpipe {
+
+PictureSize defaultSize(const Box& domain) {
+  constexpr int longer_side = 1000;
+  const double width = domain.xmax - domain.xmin, height = domain.ymax - domain.ymin;
+  const auto shorter = [](double part) {
+    return std::max(1, static_cast<int>(std::lround(part * longer_side)));
+  };
+  if (width >= height) return {longer_side, shorter(height / width)};
+  return {shorter(width / height), longer_side};
+}
 
 CellsOptions cellsOptions(const RenderOptions& picture) {
   CellsOptions cells{};

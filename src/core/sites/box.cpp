@@ -1,13 +1,44 @@
 #include <algorithm>
+#include <cmath>
 
 #include "vorpipe.h"
 
 namespace vorpipe {
+namespace {
+
+/// The least square around the box, with the same center.
+Box squareAround(const Box& box) {
+  const double width = box.xmax - box.xmin, height = box.ymax - box.ymin;
+  const double grown = (std::max(width, height) - std::min(width, height)) / 2;
+  return width < height ? Box{box.xmin - grown, box.ymin, box.xmax + grown, box.ymax}
+                        : Box{box.xmin, box.ymin - grown, box.xmax, box.ymax + grown};
+}
+
+}  // namespace
 
 Box boxOf(std::span<const Point> points) {
   const auto [left, right] = std::ranges::minmax(points, {}, &Point::x);
   const auto [low, high] = std::ranges::minmax(points, {}, &Point::y);
   return {left.x, low.y, right.x, high.y};
+}
+
+Box domainOf(const Sites& sites) {
+  const auto [xmin, xmax] = std::ranges::minmax(sites.x);
+  const auto [ymin, ymax] = std::ranges::minmax(sites.y);
+  const double longer = std::max(xmax - xmin, ymax - ymin);
+  double grown = longer > 0 ? 0.05 * longer : 0.5;
+  // Far from the origin so little may be less than a coordinate can tell; a few thousand steps are not.
+  const double largest = std::max({std::abs(xmin), std::abs(xmax), std::abs(ymin), std::abs(ymax)});
+  const double step = largest - std::nextafter(largest, 0.0);
+  grown = std::max(grown, 4096 * step);
+  return {xmin - grown, ymin - grown, xmax + grown, ymax + grown};
+}
+
+Sites spreadOver(const Box& box, Sites sites) {
+  const Box square = squareAround(box);
+  for (double& x : sites.x) x = square.xmin + x * (square.xmax - square.xmin);
+  for (double& y : sites.y) y = square.ymin + y * (square.ymax - square.ymin);
+  return sites;
 }
 
 }  // namespace vorpipe

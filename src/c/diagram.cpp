@@ -1,0 +1,99 @@
+/// Cells: runs, arrays, sums, reports.
+#include <fmt/core.h>
+
+#include <span>
+#include <utility>
+
+#include "c/array.h"
+#include "c/failure.h"
+#include "c/handles.h"
+#include "c/options.h"
+#include "c/structs.h"
+
+namespace vorpipe::c {
+namespace {
+
+Result<vorpipe_array> arrayOf(const Diagram& diagram, vorpipe_diagram_field field) {
+  switch (field) {
+    case VORPIPE_CELL_STATUS:
+      return array(diagram.status, VORPIPE_UINT8);
+    case VORPIPE_CELL_OWNER:
+      return array(diagram.owner, VORPIPE_UINT32);
+    case VORPIPE_CELL_AREA:
+      return array(diagram.area, VORPIPE_DOUBLE);
+    case VORPIPE_CELL_PERIMETER:
+      return array(diagram.perimeter, VORPIPE_DOUBLE);
+    case VORPIPE_CELL_CENTROID:
+      return array(diagram.centroid, VORPIPE_DOUBLE);
+    case VORPIPE_CELL_SECOND_MOMENTS:
+      return array(diagram.second_moments, VORPIPE_DOUBLE);
+    case VORPIPE_CELL_OFFSETS:
+      return array(diagram.cell_offsets, VORPIPE_UINT64);
+    case VORPIPE_CELL_VERTICES:
+      return array(diagram.vertices, VORPIPE_DOUBLE);
+    case VORPIPE_CELL_NEIGHBORS:
+      return array(diagram.neighbors, VORPIPE_INT64);
+    case VORPIPE_CELL_EDGE_LENGTHS:
+      return array(diagram.edge_lengths, VORPIPE_DOUBLE);
+    case VORPIPE_CELL_NEIGHBOR_SHIFTS:
+      return array(diagram.neighbor_shifts, VORPIPE_INT32);
+    case VORPIPE_CELL_RING_STARTS:
+      return array(diagram.ring_starts, VORPIPE_UINT64);
+    case VORPIPE_CELL_MASS:
+      return array(diagram.mass, VORPIPE_DOUBLE);
+    case VORPIPE_CELL_MASS_CENTROID:
+      return array(diagram.mass_centroid, VORPIPE_DOUBLE);
+    case VORPIPE_TRIANGLES:
+      return array(diagram.triangles, VORPIPE_UINT32);
+    default:
+      return noField(field);
+  }
+}
+
+vorpipe_code find(vorpipe_session& session, const vorpipe_input& input, const vorpipe_cells_options* given,
+                  vorpipe_diagram** diagram) {
+  auto options = cellsOptions(input, given);
+  if (!options) return fail(options.error());
+  auto found = session.session.cells(*input.sites, *options);
+  if (!found) return fail(found.error());
+  options->progress = nullptr;
+  *diagram = new vorpipe_diagram{input.sites, std::move(*options), std::move(*found)};
+  return VORPIPE_DONE;
+}
+
+}  // namespace
+}  // namespace vorpipe::c
+
+using namespace vorpipe;
+using namespace vorpipe::c;
+
+vorpipe_code vorpipe_cells(vorpipe_session* session, const vorpipe_input* input,
+                           const vorpipe_cells_options* options, vorpipe_diagram** diagram) {
+  if (session == nullptr) return missing("session");
+  if (input == nullptr) return missing("input");
+  if (diagram == nullptr) return missing("diagram");
+  return guarded([&] { return find(*session, *input, options, diagram); });
+}
+
+void vorpipe_diagram_free(vorpipe_diagram* diagram) { delete diagram; }
+
+vorpipe_code vorpipe_diagram_array(const vorpipe_diagram* diagram, vorpipe_diagram_field field,
+                                   vorpipe_array* array) {
+  if (diagram == nullptr) return missing("diagram");
+  if (array == nullptr) return missing("array");
+  return guarded([&] { return give(arrayOf(diagram->diagram, field), array); });
+}
+
+double vorpipe_diagram_area_sum(const vorpipe_diagram* diagram) {
+  return diagram == nullptr ? 0 : areaSum(diagram->diagram);
+}
+
+vorpipe_code vorpipe_diagram_report(const vorpipe_diagram* diagram, vorpipe_report* report) {
+  if (diagram == nullptr) return missing("diagram");
+  if (report == nullptr) return missing("report");
+  return guarded([&] { return codeOf(give(reportOf(diagram->diagram.report), report, "vorpipe_report")); });
+}
+
+const char* vorpipe_diagram_note(const vorpipe_diagram* diagram, size_t index) {
+  return diagram == nullptr ? nullptr : noteAt(diagram->diagram.report, index);
+}

@@ -1,0 +1,58 @@
+/// Names that options take.
+#include <fmt/core.h>
+
+#include <string>
+#include <vector>
+
+#include "c/vorpipe_c.h"
+#include "io/cells/cells_file.h"
+#include "vorpipe.h"
+
+namespace vorpipe::c {
+namespace {
+
+/// Formats are extensions without their dot.
+std::vector<std::string> cellsFormats() {
+  std::vector<std::string> names;
+  for (const auto extension : cellsExtensions()) names.emplace_back(extension.substr(1));
+  return names;
+}
+
+const char* nameAt(const std::vector<std::string>& names, std::size_t index) {
+  return index < names.size() ? names[index].c_str() : nullptr;
+}
+
+const char* nameOf(vorpipe_list list, std::size_t index) {
+  static const auto backends = backendNames(), maps = colormaps(), formats = cellsFormats(),
+                    features = featureNames(), limits = limitNames();
+  switch (list) {
+    case VORPIPE_BACKENDS:
+      return nameAt(backends, index);
+    case VORPIPE_COLORMAPS:
+      return nameAt(maps, index);
+    case VORPIPE_CELLS_FORMATS:
+      return nameAt(formats, index);
+    case VORPIPE_FEATURES:
+      return nameAt(features, index);
+    case VORPIPE_LIMITS:
+      return nameAt(limits, index);
+    default:
+      return nullptr;
+  }
+}
+
+}  // namespace
+}  // namespace vorpipe::c
+
+const char* vorpipe_version() {
+  // A string of the program's, which ends with a zero.
+  return vorpipe::version().data();
+}
+
+const char* vorpipe_name(vorpipe_list list, size_t index) {
+  try {
+    return vorpipe::c::nameOf(list, index);
+  } catch (...) {
+    return nullptr;  // no memory
+  }
+}

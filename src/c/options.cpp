@@ -1,0 +1,91 @@
+#include "c/options.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <optional>
+
+#include "c/structs.h"
+#include "io/files/error.h"
+
+namespace vorpipe::c {
+namespace {
+
+/// The choice that a number stands for. Error (input): there is none.
+template <class Choice, std::size_t count>
+Result<Choice> chosen(const std::array<Choice, count>& choices, std::int32_t number, std::string_view name) {
+  if (number >= 0 && static_cast<std::size_t>(number) < count)
+    return choices[static_cast<std::size_t>(number)];
+  return inputError(fmt::format("{}: is {}, which stands for nothing", name, number));
+}
+
+Result<SearchOptions> searchOf(vorpipe_search search, std::int32_t neighbors) {
+  constexpr std::array methods{Search::grid, Search::flann};
+  const auto method = chosen(methods, search, "search");
+  if (!method) return tl::unexpected(method.error());
+  SearchOptions options;
+  options.method = *method;
+  if (neighbors != 0) options.neighbors = neighbors;
+  return options;
+}
+
+}  // namespace
+
+Progress progressOf(vorpipe_progress progress, void* user) {
+  if (progress == nullptr) return {};
+  return [progress, user](std::string_view stage, double fraction) {
+    return progress(user, std::string(stage).c_str(), fraction) == 0;
+  };
+}
+
+Result<int> threadsOf(std::int32_t threads) {
+  if (threads >= 0) return threads;
+  return inputError(fmt::format("threads: is {}", threads));
+}
+
+Result<CellsOptions> cellsOptions(const vorpipe_input& input, const vorpipe_cells_options* given) {
+  const auto taken_options = taken(given, "vorpipe_cells_options");
+  if (!taken_options) return tl::unexpected(taken_options.error());
+  constexpr std::array details{Detail::everything, Detail::measures, Detail::polygons};
+  const auto detail = chosen(details, taken_options->detail, "detail");
+  if (!detail) return tl::unexpected(detail.error());
+  const auto search = searchOf(taken_options->search, taken_options->search_neighbors);
+  if (!search) return tl::unexpected(search.error());
+  CellsOptions options{};
+  options.domain = input.domain;
+  options.outline = input.outline;
+  options.periodic = input.periodic;
+  options.density = input.density;
+  options.search = *search;
+  options.detail = *detail;
+  options.progress = progressOf(taken_options->progress, taken_options->progress_user);
+  return options;
+}
+
+Result<RenderOptions> renderOptions(const vorpipe_input& input, const vorpipe_render_options* given) {
+  const auto taken_options = taken(given, "vorpipe_render_options");
+  if (!taken_options) return tl::unexpected(taken_options.error());
+  constexpr std::array colors{ColorBy::site, ColorBy::area, ColorBy::neighbors, ColorBy::weight};
+  const auto color = chosen(colors, taken_options->color, "color");
+  if (!color) return tl::unexpected(color.error());
+  const auto search = searchOf(taken_options->search, taken_options->search_neighbors);
+  if (!search) return tl::unexpected(search.error());
+  RenderOptions options{};
+  options.domain = input.domain;
+  options.outline = input.outline;
+  options.periodic = input.periodic;
+  const bool sized = taken_options->width != 0 || taken_options->height != 0;
+  const PictureSize size =
+      sized ? PictureSize{taken_options->width, taken_options->height} : defaultSize(input.domain);
+  options.width = size.width;
+  options.height = size.height;
+  options.color = *color;
+  if (taken_options->colormap != nullptr) options.colormap = taken_options->colormap;
+  options.edges = taken_options->edges != 0;
+  options.show_sites = taken_options->show_sites != 0;
+  options.search = *search;
+  options.progress = progressOf(taken_options->progress, taken_options->progress_user);
+  return options;
+}
+
+}  // namespace vorpipe::c

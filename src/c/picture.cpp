@@ -1,0 +1,115 @@
+/// Pictures: runs, arrays, reports.
+#include <fmt/core.h>
+
+#include <utility>
+
+#include "c/array.h"
+#include "c/failure.h"
+#include "c/handles.h"
+#include "c/options.h"
+#include "c/structs.h"
+#include "io/files/error.h"
+#include "io/files/extension.h"
+#include "io/pictures/npy_ids.h"
+#include "io/pictures/png_file.h"
+
+namespace vorpipe::c {
+namespace {
+
+/// One row of pixels is a row of the array.
+template <class Number>
+vorpipe_array rows(const std::vector<std::uint32_t>& pixels, int width) {
+  constexpr auto numbers = static_cast<std::int32_t>(sizeof(std::uint32_t) / sizeof(Number));
+  constexpr vorpipe_type type = sizeof(Number) == 1 ? VORPIPE_UINT8 : VORPIPE_UINT32;
+  if (pixels.empty()) return {nullptr, 0, type, numbers * width};
+  return {pixels.data(), pixels.size() / static_cast<std::size_t>(width), type, numbers * width};
+}
+
+Result<vorpipe_array> arrayOf(const Rendering& rendering, vorpipe_picture_field field) {
+  const Image& image = rendering.image;
+  switch (field) {
+    case VORPIPE_PICTURE_RGBA:
+      return rows<std::uint8_t>(image.rgba, image.width);
+    case VORPIPE_PICTURE_IDS:
+      return rows<std::uint32_t>(image.ids, image.width);
+    case VORPIPE_PICTURE_STATUS:
+      return array(rendering.status, VORPIPE_UINT8);
+    case VORPIPE_PICTURE_OWNER:
+      return array(rendering.owner, VORPIPE_UINT32);
+    default:
+      return noField(field);
+  }
+}
+
+Result<Image> readPicture(const std::string& path) {
+  const std::string extension = lowerExtension(path);
+  if (extension == ".png") return readPng(path);
+  if (extension == ".npy") return readNpyIds(path);
+  return inputError(fmt::format("{}: unknown kind of picture; known are .png and .npy", path));
+}
+
+vorpipe_code draw(vorpipe_session& session, const vorpipe_input& input, const vorpipe_render_options* given,
+                  vorpipe_picture** picture) {
+  auto options = renderOptions(input, given);
+  if (!options) return fail(options.error());
+  if (options->color == ColorBy::weight && input.sites->weight.empty()) {
+    return fail(VORPIPE_INPUT, "color: weight needs weights", Subject::weights);
+  }
+  auto drawn = session.session.render(*input.sites, *options);
+  if (!drawn) return fail(drawn.error());
+  options->progress = nullptr;
+  *picture = new vorpipe_picture{input.sites, std::move(*options), std::move(*drawn)};
+  return VORPIPE_DONE;
+}
+
+}  // namespace
+}  // namespace vorpipe::c
+
+using namespace vorpipe;
+using namespace vorpipe::c;
+
+vorpipe_code vorpipe_render(vorpipe_session* session, const vorpipe_input* input,
+                            const vorpipe_render_options* options, vorpipe_picture** picture) {
+  if (session == nullptr) return missing("session");
+  if (input == nullptr) return missing("input");
+  if (picture == nullptr) return missing("picture");
+  return guarded([&] { return draw(*session, *input, options, picture); });
+}
+
+vorpipe_code vorpipe_picture_read(const char* path, vorpipe_picture** picture) {
+  if (path == nullptr) return missing("path");
+  if (picture == nullptr) return missing("picture");
+  return guarded([&] {
+    auto image = readPicture(path);
+    if (!image) return fail(image.error());
+    *picture = new vorpipe_picture{nullptr, {}, {std::move(*image), {}, {}, {}}};
+    return vorpipe_code{VORPIPE_DONE};
+  });
+}
+
+void vorpipe_picture_free(vorpipe_picture* picture) { delete picture; }
+
+vorpipe_code vorpipe_picture_array(const vorpipe_picture* picture, vorpipe_picture_field field,
+                                   vorpipe_array* array) {
+  if (picture == nullptr) return missing("picture");
+  if (array == nullptr) return missing("array");
+  return guarded([&] { return give(arrayOf(picture->rendering, field), array); });
+}
+
+int32_t vorpipe_picture_width(const vorpipe_picture* picture) {
+  return picture == nullptr ? 0 : picture->rendering.image.width;
+}
+
+int32_t vorpipe_picture_height(const vorpipe_picture* picture) {
+  return picture == nullptr ? 0 : picture->rendering.image.height;
+}
+
+vorpipe_code vorpipe_picture_report(const vorpipe_picture* picture, vorpipe_report* report) {
+  if (picture == nullptr) return missing("picture");
+  if (report == nullptr) return missing("report");
+  return guarded([&] { return codeOf(give(reportOf(picture->rendering.report), report, "vorpipe_report")); });
+}
+
+const char* vorpipe_picture_note(const vorpipe_picture* picture, size_t index) {
+  return picture == nullptr ? nullptr : noteAt(picture->rendering.report, index);
+}

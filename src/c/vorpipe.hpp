@@ -1,0 +1,370 @@
+/// vorpipe from C++17, header alone, over vorpipe_c.h: objects free themselves, errors are exceptions. The
+/// names are those of vorpipe_c.h without their prefix; what they mean stands there.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "vorpipe_c.h"
+
+namespace vorpipe {
+// The interface of vorpipe's own tree, vorpipe.h, has some of the same names: a program may link both, and
+// include one of them in a source.
+inline namespace library {
+
+/// A call that failed.
+class Error : public std::runtime_error {
+ public:
+  explicit Error(vorpipe_code code)
+      : std::runtime_error(vorpipe_last_error()), code_(code), subject_(vorpipe_last_subject()) {}
+  /// VORPIPE_INPUT, VORPIPE_DEVICE or VORPIPE_CANCELLED.
+  [[nodiscard]] vorpipe_code code() const { return code_; }
+  [[nodiscard]] vorpipe_subject subject() const { return subject_; }
+
+ private:
+  vorpipe_code code_;
+  vorpipe_subject subject_;
+};
+
+/// Throws Error unless the call is done; false: done, and something differs or is broken.
+inline bool done(vorpipe_code code) {
+  if (code == VORPIPE_DONE) return true;
+  if (code == VORPIPE_DIFFERENT) return false;
+  throw Error(code);
+}
+
+/// Numbers of a diagram or picture, which must outlive it.
+template <class Element>
+class View {
+ public:
+  explicit View(const vorpipe_array& array)
+      : data_(static_cast<const Element*>(array.data)), size_(static_cast<std::size_t>(array.count)) {}
+  View(const Element* data, std::size_t size) : data_(data), size_(size) {}
+  [[nodiscard]] const Element* data() const { return data_; }
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] bool empty() const { return size_ == 0; }
+  [[nodiscard]] const Element* begin() const { return data_; }
+  [[nodiscard]] const Element* end() const { return data_ + size_; }
+  const Element& operator[](std::size_t index) const { return data_[index]; }
+  [[nodiscard]] View part(std::size_t first, std::size_t end) const { return {data_ + first, end - first}; }
+
+ private:
+  const Element* data_;
+  std::size_t size_;
+};
+
+struct Point {
+  double x, y;
+};
+
+/// Returning false asks to stop, which ends the call by an Error with VORPIPE_CANCELLED.
+using Progress = std::function<bool(std::string_view stage, double fraction)>;
+/// Gets bytes; returning false refuses them.
+using Write = std::function<bool(std::string_view bytes)>;
+
+/// Calls of C, which know a function and a pointer. No exception of the caller's may pass through the
+/// library: it is kept, and thrown again once the library is left.
+template <class Function>
+class Callback {
+ public:
+  explicit Callback(const Function& function) : function_(function) {}
+  [[nodiscard]] void* user() { return this; }
+
+  static std::int32_t progress(void* user, const char* stage, double fraction) {
+    return static_cast<Callback*>(user)->call(std::string_view(stage), fraction);
+  }
+  static std::int32_t write(void* user, const void* bytes, std::size_t count) {
+    return static_cast<Callback*>(user)->call(std::string_view(static_cast<const char*>(bytes), count));
+  }
+
+  /// done(), or the exception of the caller's.
+  bool finish(vorpipe_code code) {
+    if (thrown_) std::rethrow_exception(thrown_);
+    return done(code);
+  }
+
+ private:
+  template <class... Arguments>
+  std::int32_t call(Arguments... arguments) {
+    try {
+      return function_(arguments...) ? 0 : 1;
+    } catch (...) {
+      thrown_ = std::current_exception();
+      return 1;
+    }
+  }
+
+  const Function& function_;
+  std::exception_ptr thrown_;
+};
+
+template <class Object, void (*free)(Object*)>
+struct Freeing {
+  void operator()(Object* object) const { free(object); }
+};
+template <class Object, void (*free)(Object*)>
+using Owned = std::unique_ptr<Object, Freeing<Object, free>>;
+
+inline std::string_view version() { return vorpipe_version(); }
+
+/// The names of a list.
+inline std::vector<std::string> names(vorpipe_list list) {
+  std::vector<std::string> all;
+  for (std::size_t k = 0; const char* name = vorpipe_name(list, k); ++k) all.emplace_back(name);
+  return all;
+}
+
+class Input {
+ public:
+  /// Sites as rows of x and y, in whatever type of two doubles.
+  template <class Points>
+  static Input of(const Points& points) {
+    static_assert(sizeof(*points.data()) == 2 * sizeof(double), "points are pairs of doubles");
+    const auto* numbers = reinterpret_cast<const double*>(points.data());
+    vorpipe_sites sites = {};
+    sites.struct_size = sizeof sites;
+    sites.count = points.size();
+    sites.x = numbers;
+    sites.y = numbers + 1;
+    sites.position_stride = 2 * sizeof(double);
+    return create(sites);
+  }
+  static Input create(const vorpipe_sites& sites) {
+    vorpipe_input* input = nullptr;
+    done(vorpipe_input_create(&sites, &input));
+    return Input(input);
+  }
+  /// A file or a generator: "stations.csv", "random:1000".
+  static Input read(const std::string& sites, std::uint64_t seed = 1) {
+    vorpipe_input* input = nullptr;
+    done(vorpipe_input_read(sites.c_str(), seed, &input));
+    return Input(input);
+  }
+
+  Input& weights(const std::vector<double>& weights) {
+    done(vorpipe_input_set_weights(get(), weights.data(), weights.size()));
+    return *this;
+  }
+  Input& readWeights(const std::string& path) {
+    done(vorpipe_input_read_weights(get(), path.c_str()));
+    return *this;
+  }
+  Input& box(double xmin, double ymin, double xmax, double ymax,
+             vorpipe_axes periodic = VORPIPE_PERIODIC_NONE) {
+    done(vorpipe_input_set_box(get(), xmin, ymin, xmax, ymax, periodic));
+    return *this;
+  }
+  Input& outline(const vorpipe_outline& outline) {
+    done(vorpipe_input_set_outline(get(), &outline));
+    return *this;
+  }
+  Input& readOutline(const std::string& path) {
+    done(vorpipe_input_read_outline(get(), path.c_str()));
+    return *this;
+  }
+  Input& density(const std::vector<double>& values, std::int32_t width, std::int32_t height) {
+    if (values.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
+      throw std::invalid_argument("density: not width x height values");
+    }
+    done(vorpipe_input_set_density(get(), values.data(), width, height));
+    return *this;
+  }
+  Input& readDensity(const std::string& path) {
+    done(vorpipe_input_read_density(get(), path.c_str()));
+    return *this;
+  }
+
+  [[nodiscard]] std::size_t size() const { return vorpipe_input_count(get()); }
+  [[nodiscard]] vorpipe_input* get() const { return input_.get(); }
+
+ private:
+  explicit Input(vorpipe_input* input) : input_(input) {}
+  Owned<vorpipe_input, vorpipe_input_free> input_;
+};
+
+class Diagram {
+ public:
+  explicit Diagram(vorpipe_diagram* diagram) : diagram_(diagram) {}
+
+  [[nodiscard]] std::size_t size() const { return status().size(); }
+  [[nodiscard]] View<std::uint8_t> status() const { return view<std::uint8_t>(VORPIPE_CELL_STATUS); }
+  [[nodiscard]] View<std::uint32_t> owner() const { return view<std::uint32_t>(VORPIPE_CELL_OWNER); }
+  [[nodiscard]] View<double> area() const { return view<double>(VORPIPE_CELL_AREA); }
+  [[nodiscard]] View<double> perimeter() const { return view<double>(VORPIPE_CELL_PERIMETER); }
+  [[nodiscard]] View<Point> centroid() const { return view<Point>(VORPIPE_CELL_CENTROID); }
+  [[nodiscard]] View<std::array<double, 3>> secondMoments() const {
+    return view<std::array<double, 3>>(VORPIPE_CELL_SECOND_MOMENTS);
+  }
+  [[nodiscard]] View<std::uint64_t> offsets() const { return view<std::uint64_t>(VORPIPE_CELL_OFFSETS); }
+  [[nodiscard]] View<Point> vertices() const { return view<Point>(VORPIPE_CELL_VERTICES); }
+  [[nodiscard]] View<std::int64_t> neighbors() const { return view<std::int64_t>(VORPIPE_CELL_NEIGHBORS); }
+  [[nodiscard]] View<double> edgeLengths() const { return view<double>(VORPIPE_CELL_EDGE_LENGTHS); }
+  [[nodiscard]] View<std::array<std::int32_t, 2>> neighborShifts() const {
+    return view<std::array<std::int32_t, 2>>(VORPIPE_CELL_NEIGHBOR_SHIFTS);
+  }
+  [[nodiscard]] View<std::uint64_t> ringStarts() const {
+    return view<std::uint64_t>(VORPIPE_CELL_RING_STARTS);
+  }
+  [[nodiscard]] View<double> mass() const { return view<double>(VORPIPE_CELL_MASS); }
+  [[nodiscard]] View<Point> massCentroid() const { return view<Point>(VORPIPE_CELL_MASS_CENTROID); }
+  [[nodiscard]] View<std::array<std::uint32_t, 3>> triangles() const {
+    return view<std::array<std::uint32_t, 3>>(VORPIPE_TRIANGLES);
+  }
+  /// Those of one cell.
+  [[nodiscard]] View<Point> vertices(std::size_t cell) const { return ofCell(vertices(), cell); }
+  [[nodiscard]] View<std::int64_t> neighbors(std::size_t cell) const { return ofCell(neighbors(), cell); }
+  [[nodiscard]] double areaSum() const { return vorpipe_diagram_area_sum(get()); }
+
+  [[nodiscard]] vorpipe_report report() const {
+    vorpipe_report report = {};
+    report.struct_size = sizeof report;
+    done(vorpipe_diagram_report(get(), &report));
+    return report;
+  }
+
+  /// Whether all that is promised holds; the first promise that is broken is vorpipe_last_error().
+  [[nodiscard]] bool check(int threads = 0) const {
+    return done(vorpipe_diagram_check(get(), threads, nullptr, nullptr));
+  }
+  /// Whether the cells of both are the same.
+  [[nodiscard]] bool agreesWith(const Diagram& other) const {
+    return done(vorpipe_diagrams_compare(get(), other.get(), nullptr));
+  }
+  void write(const std::string& format, const Write& write) const {
+    Callback<Write> callback(write);
+    callback.finish(vorpipe_diagram_write(get(), format.c_str(), Callback<Write>::write, callback.user()));
+  }
+  [[nodiscard]] std::string text(const std::string& format) const {
+    std::string all;
+    write(format, [&](std::string_view bytes) { return all.append(bytes), true; });
+    return all;
+  }
+  void save(const std::string& path) const { done(vorpipe_diagram_save(get(), path.c_str())); }
+
+  [[nodiscard]] const vorpipe_diagram* get() const { return diagram_.get(); }
+
+ private:
+  template <class Element>
+  [[nodiscard]] View<Element> view(vorpipe_diagram_field field) const {
+    vorpipe_array array = {};
+    done(vorpipe_diagram_array(get(), field, &array));
+    return View<Element>(array);
+  }
+  template <class Element>
+  [[nodiscard]] View<Element> ofCell(const View<Element>& all, std::size_t cell) const {
+    if (all.empty()) return all;
+    const auto table = offsets();
+    return all.part(table[cell], table[cell + 1]);
+  }
+
+  Owned<vorpipe_diagram, vorpipe_diagram_free> diagram_;
+};
+
+class Picture {
+ public:
+  explicit Picture(vorpipe_picture* picture) : picture_(picture) {}
+  /// A .png, or ids in an .npy.
+  static Picture read(const std::string& path) {
+    vorpipe_picture* picture = nullptr;
+    done(vorpipe_picture_read(path.c_str(), &picture));
+    return Picture(picture);
+  }
+
+  [[nodiscard]] int width() const { return vorpipe_picture_width(get()); }
+  [[nodiscard]] int height() const { return vorpipe_picture_height(get()); }
+  /// Pixels row by row, the top one first.
+  [[nodiscard]] View<std::array<std::uint8_t, 4>> rgba() const {
+    return pixels<std::array<std::uint8_t, 4>>(VORPIPE_PICTURE_RGBA);
+  }
+  [[nodiscard]] View<std::uint32_t> ids() const { return pixels<std::uint32_t>(VORPIPE_PICTURE_IDS); }
+
+  [[nodiscard]] bool check(int threads = 0) const {
+    return done(vorpipe_picture_check(get(), threads, nullptr, nullptr));
+  }
+  [[nodiscard]] bool agreesWith(const Picture& other) const {
+    return done(vorpipe_pictures_compare(get(), other.get(), nullptr));
+  }
+  void write(const std::string& format, const Write& write) const {
+    Callback<Write> callback(write);
+    callback.finish(vorpipe_picture_write(get(), format.c_str(), Callback<Write>::write, callback.user()));
+  }
+  void save(const std::string& path) const { done(vorpipe_picture_save(get(), path.c_str())); }
+
+  [[nodiscard]] const vorpipe_picture* get() const { return picture_.get(); }
+
+ private:
+  template <class Element>
+  [[nodiscard]] View<Element> pixels(vorpipe_picture_field field) const {
+    vorpipe_array array = {};
+    done(vorpipe_picture_array(get(), field, &array));
+    return {static_cast<const Element*>(array.data),
+            static_cast<std::size_t>(array.count) * static_cast<std::size_t>(width())};
+  }
+  Owned<vorpipe_picture, vorpipe_picture_free> picture_;
+};
+
+class Session {
+ public:
+  explicit Session(const std::string& backend = "auto", int threads = 0) {
+    vorpipe_session_options options = {};
+    options.struct_size = sizeof options;
+    options.backend = backend.c_str();
+    options.threads = threads;
+    open(options);
+  }
+  explicit Session(const vorpipe_session_options& options) { open(options); }
+
+  /// `options.progress` is taken from `progress`.
+  Diagram cells(const Input& input, vorpipe_cells_options options = {}, const Progress& progress = {}) {
+    vorpipe_diagram* diagram = nullptr;
+    run(options, progress, [&] { return vorpipe_cells(get(), input.get(), &options, &diagram); });
+    return Diagram(diagram);
+  }
+  Picture render(const Input& input, vorpipe_render_options options = {}, const Progress& progress = {}) {
+    vorpipe_picture* picture = nullptr;
+    run(options, progress, [&] { return vorpipe_render(get(), input.get(), &options, &picture); });
+    return Picture(picture);
+  }
+
+  [[nodiscard]] vorpipe_device_info device() const {
+    vorpipe_device_info info = {};
+    info.struct_size = sizeof info;
+    done(vorpipe_session_device(get(), &info));
+    return info;
+  }
+  [[nodiscard]] vorpipe_session* get() const { return session_.get(); }
+
+ private:
+  void open(const vorpipe_session_options& options) {
+    vorpipe_session* session = nullptr;
+    done(vorpipe_session_open(&options, &session));
+    session_.reset(session);
+  }
+
+  template <class Options, class Call>
+  static void run(Options& options, const Progress& progress, const Call& call) {
+    options.struct_size = sizeof options;
+    if (!progress) {
+      done(call());
+      return;
+    }
+    Callback<Progress> callback(progress);
+    options.progress = Callback<Progress>::progress;
+    options.progress_user = callback.user();
+    callback.finish(call());
+  }
+
+  Owned<vorpipe_session, vorpipe_session_free> session_;
+};
+
+}  // namespace library
+}  // namespace vorpipe

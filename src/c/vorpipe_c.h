@@ -1,0 +1,424 @@
+/* vorpipe from C: Voronoi and power diagrams of sites in the plane, on any GPU or without one.
+ *
+ * The one interface whose binary form stays: a program built against this header runs with any later library
+ * of the same SONAME. Coordinates are the caller's own units. No function prints, exits or throws.
+ *
+ * - A function that can fail returns a vorpipe_code; vorpipe_last_error() then says what is wrong, in one
+ * line. What it would have written through a pointer is left alone.
+ * - Structs of options begin with their size: begin with `vorpipe_cells_options options = {sizeof options};`.
+ * What is zero is left to the library, which knows of fields that a program built earlier does not have.
+ * - Objects are opaque and the caller's, to be freed by the function of their name. Freeing NULL does
+ * nothing. What a function returns as `const` belongs to the object it is asked of, and lives as long.
+ * - One object is used by one thread at a time, but for diagrams and pictures, which are never changed. */
+#ifndef VORPIPE_C_H
+#define VORPIPE_C_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(__GNUC__)
+#define VORPIPE_API __attribute__((visibility("default")))
+#else
+#define VORPIPE_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- Codes ---- */
+
+/* The numbers are the exit codes of the program `vorpipe`. */
+typedef int32_t vorpipe_code;
+enum {
+  VORPIPE_DONE = 0,
+  VORPIPE_DIFFERENT = 1,  /* done, and a promise is broken, or what was compared differs */
+  VORPIPE_INPUT = 2,      /* the options or the data are wrong */
+  VORPIPE_DEVICE = 3,     /* no such backend or device here, or it failed; or memory or the disk is full */
+  VORPIPE_CANCELLED = 130 /* the caller's progress asked to stop */
+};
+
+/* What of the input an error is about. */
+typedef int32_t vorpipe_subject;
+enum {
+  VORPIPE_SUBJECT_NONE = 0,
+  VORPIPE_SUBJECT_SITES = 1,
+  VORPIPE_SUBJECT_WEIGHTS = 2,
+  VORPIPE_SUBJECT_DOMAIN = 3,
+  VORPIPE_SUBJECT_OUTLINE = 4,
+  VORPIPE_SUBJECT_PERIOD = 5,
+  VORPIPE_SUBJECT_DENSITY = 6,
+  VORPIPE_SUBJECT_SEARCH = 7
+};
+
+/* Of the last call of this thread that did not return VORPIPE_DONE; "" and none before that. */
+VORPIPE_API const char* vorpipe_last_error(void);
+VORPIPE_API vorpipe_subject vorpipe_last_subject(void);
+
+/* As `vorpipe --version` prints it: "0.1.0". */
+VORPIPE_API const char* vorpipe_version(void);
+
+/* ---- Names ---- */
+
+/* Lists of the names that options take. */
+typedef int32_t vorpipe_list;
+enum {
+  VORPIPE_BACKENDS = 1,      /* "auto", "vulkan", ..., "cpu" */
+  VORPIPE_COLORMAPS = 2,     /* "viridis", ... */
+  VORPIPE_CELLS_FORMATS = 3, /* "csv", "npz", ... */
+  VORPIPE_FEATURES = 4,      /* of devices, as Vulkan names them: "geometryShader" */
+  VORPIPE_LIMITS = 5         /* of devices: "maxTexelBufferElements" */
+};
+
+/* A name of a list; NULL where there is no such list or `index` is past its end. */
+VORPIPE_API const char* vorpipe_name(vorpipe_list list, size_t index);
+
+/* ---- Calls back ---- */
+
+/* Called from the calling thread with a stage's name and the part done in [0, 1]; what is not 0 asks to stop.
+ */
+typedef int32_t (*vorpipe_progress)(void* user, const char* stage, double fraction);
+
+/* Gets the bytes of a file, some at a time; what is not 0 refuses them. */
+typedef int32_t (*vorpipe_write)(void* user, const void* bytes, size_t count);
+
+/* ---- Devices ---- */
+
+/* Pretends that a device lacks a feature, or has a smaller limit. */
+typedef struct vorpipe_limit {
+  const char* name;
+  uint64_t value;
+} vorpipe_limit;
+
+typedef struct vorpipe_session_options {
+  uint32_t struct_size;
+  int32_t threads;     /* CPU threads; 0: all */
+  const char* backend; /* NULL: "auto" */
+  const char* device;  /* NULL: the best; else an index or a part of a name */
+  int32_t validation;  /* not 0: Vulkan's validation layers are on */
+  uint32_t disabled_count;
+  const char* const* disabled; /* features */
+  uint64_t limit_count;
+  const vorpipe_limit* limits;
+} vorpipe_session_options;
+
+typedef struct vorpipe_device_info {
+  uint32_t struct_size;
+  int32_t usable; /* 0 or 1 */
+  const char* backend;
+  const char* name;
+  const char* driver;
+  const char* type;   /* "discrete", "integrated", "virtual", "cpu", "other" */
+  const char* reason; /* why it cannot be used, and what would help; "" where it can */
+} vorpipe_device_info;
+
+/* Every backend with its devices; a backend without any has one entry that says why. */
+typedef struct vorpipe_devices vorpipe_devices;
+/* Of `options`, which may be NULL, `disabled` and `limits` count. */
+VORPIPE_API vorpipe_code vorpipe_devices_find(const vorpipe_session_options* options,
+                                              vorpipe_devices** devices);
+VORPIPE_API void vorpipe_devices_free(vorpipe_devices* devices);
+VORPIPE_API size_t vorpipe_devices_count(const vorpipe_devices* devices);
+/* Writes as much of `info` as its struct_size says. Past the end: VORPIPE_INPUT. */
+VORPIPE_API vorpipe_code vorpipe_devices_get(const vorpipe_devices* devices, size_t index,
+                                             vorpipe_device_info* info);
+/* Whether a device has a feature: 1, 0, or -1 where that is not known. */
+VORPIPE_API int32_t vorpipe_devices_feature(const vorpipe_devices* devices, size_t index,
+                                            const char* feature);
+/* Writes a limit. VORPIPE_INPUT where it is not known. */
+VORPIPE_API vorpipe_code vorpipe_devices_limit(const vorpipe_devices* devices, size_t index,
+                                               const char* limit, uint64_t* value);
+
+/* ---- Sessions ---- */
+
+/* One backend, ready to work; opened once for many runs. Where its device refuses memory it is given less at
+ * a time. Where it fails and the backend's name was "auto" or "vulkan", the next one takes over. */
+typedef struct vorpipe_session vorpipe_session;
+VORPIPE_API vorpipe_code vorpipe_session_open(const vorpipe_session_options* options,
+                                              vorpipe_session** session);
+VORPIPE_API void vorpipe_session_free(vorpipe_session* session);
+/* The device in use. */
+VORPIPE_API vorpipe_code vorpipe_session_device(const vorpipe_session* session, vorpipe_device_info* info);
+/* Why this backend was taken; "" where the caller named it. */
+VORPIPE_API const char* vorpipe_session_choice(const vorpipe_session* session);
+
+/* ---- Input ---- */
+
+/* Sites with their weights, the domain they have cells in, and a density over it. */
+typedef struct vorpipe_input vorpipe_input;
+
+/* The cell of site i is where |x - p_i|^2 - w_i is least. Strides are in bytes from one number to the next;
+ * 0: the numbers follow each other. The numbers are copied. */
+typedef struct vorpipe_sites {
+  uint32_t struct_size;
+  uint64_t count;
+  const double* x;
+  const double* y;
+  const double* weight; /* NULL: all are equal */
+  size_t position_stride;
+  size_t weight_stride;
+} vorpipe_sites;
+
+typedef int32_t vorpipe_axes;
+enum { VORPIPE_PERIODIC_NONE = 0, VORPIPE_PERIODIC_X = 1, VORPIPE_PERIODIC_Y = 2, VORPIPE_PERIODIC_XY = 3 };
+
+/* `count` points, x and y in turn. Ring r has the points ring_offsets[r] .. ring_offsets[r + 1] - 1, the
+ * first of which is not repeated; polygon p has the rings polygon_offsets[p] .. polygon_offsets[p + 1] - 1,
+ * its outer ring first, then its holes. Both tables have one number more than there are rings and polygons.
+ */
+typedef struct vorpipe_outline {
+  uint32_t struct_size;
+  uint64_t point_count, ring_count, polygon_count;
+  const double* points;
+  const uint64_t* ring_offsets;
+  const uint64_t* polygon_offsets;
+} vorpipe_outline;
+
+/* Sites of the caller's; or of a file or generator, as the program's --sites names it: "stations.csv",
+ * "random:1000" with `seed`. The domain is the box of the sites, grown on every side by 5 % of its longer
+ * side; that of a generator is the unit square. */
+VORPIPE_API vorpipe_code vorpipe_input_create(const vorpipe_sites* sites, vorpipe_input** input);
+VORPIPE_API vorpipe_code vorpipe_input_read(const char* sites, uint64_t seed, vorpipe_input** input);
+VORPIPE_API void vorpipe_input_free(vorpipe_input* input);
+VORPIPE_API uint64_t vorpipe_input_count(const vorpipe_input* input);
+
+/* Weights, one for each site; of the caller's, or out of a file. */
+VORPIPE_API vorpipe_code vorpipe_input_set_weights(vorpipe_input* input, const double* weights,
+                                                   uint64_t count);
+VORPIPE_API vorpipe_code vorpipe_input_read_weights(vorpipe_input* input, const char* path);
+/* What cells are clipped to: a box, along the axes of which the domain may repeat itself; or polygons, of the
+ * caller's or out of a file (GeoJSON or WKT). */
+VORPIPE_API vorpipe_code vorpipe_input_set_box(vorpipe_input* input, double xmin, double ymin, double xmax,
+                                               double ymax, vorpipe_axes periodic);
+VORPIPE_API vorpipe_code vorpipe_input_set_outline(vorpipe_input* input, const vorpipe_outline* outline);
+VORPIPE_API vorpipe_code vorpipe_input_read_outline(vorpipe_input* input, const char* path);
+/* A density, constant in each of width x height pixels, the top row first; or a picture (dark is dense) or
+ * array. */
+VORPIPE_API vorpipe_code vorpipe_input_set_density(vorpipe_input* input, const double* values, int32_t width,
+                                                   int32_t height);
+VORPIPE_API vorpipe_code vorpipe_input_read_density(vorpipe_input* input, const char* path);
+
+/* ---- Arrays ---- */
+
+typedef int32_t vorpipe_type;
+enum {
+  VORPIPE_UINT8 = 1,
+  VORPIPE_INT32 = 2,
+  VORPIPE_UINT32 = 3,
+  VORPIPE_INT64 = 4,
+  VORPIPE_UINT64 = 5,
+  VORPIPE_DOUBLE = 6
+};
+
+/* `count` rows of `columns` numbers of one type, without gaps. */
+typedef struct vorpipe_array {
+  const void* data; /* NULL where count is 0 */
+  uint64_t count;
+  vorpipe_type type;
+  int32_t columns;
+} vorpipe_array;
+
+/* ---- Cells ---- */
+
+typedef int32_t vorpipe_search;
+enum { VORPIPE_SEARCH_GRID = 0, VORPIPE_SEARCH_FLANN = 1 };
+
+typedef int32_t vorpipe_detail;
+enum {
+  VORPIPE_EVERYTHING = 0, /* all that follows, and triangles */
+  VORPIPE_MEASURES = 1,   /* status, owner, area, centroid, offsets, neighbors, mass */
+  VORPIPE_POLYGONS = 2    /* and perimeter, second moments, vertices, edge lengths */
+};
+
+typedef struct vorpipe_cells_options {
+  uint32_t struct_size;
+  vorpipe_detail detail;
+  vorpipe_search search;
+  int32_t search_neighbors; /* FLANN's first k; 0: 30 */
+  vorpipe_progress progress;
+  void* progress_user;
+} vorpipe_cells_options;
+
+/* Cells, in the order of the sites: one for each of them, whatever happened to it. */
+typedef struct vorpipe_diagram vorpipe_diagram;
+/* `options` may be NULL. */
+VORPIPE_API vorpipe_code vorpipe_cells(vorpipe_session* session, const vorpipe_input* input,
+                                       const vorpipe_cells_options* options, vorpipe_diagram** diagram);
+VORPIPE_API void vorpipe_diagram_free(vorpipe_diagram* diagram);
+
+/* What became of a site. */
+enum { VORPIPE_OK = 0, VORPIPE_EMPTY = 1, VORPIPE_DUPLICATE = 2 };
+
+/* In neighbors: walls of the domain, and its outline. Others are sites. */
+enum {
+  VORPIPE_WALL_XMIN = -1,
+  VORPIPE_WALL_XMAX = -2,
+  VORPIPE_WALL_YMIN = -3,
+  VORPIPE_WALL_YMAX = -4,
+  VORPIPE_WALL_OUTLINE = -5
+};
+
+/* Cell i has the vertices offsets[i] .. offsets[i + 1] - 1, counter-clockwise; edge k of a cell runs from its
+ * vertex k to the next and belongs to its neighbor k: one table of offsets serves vertices, neighbors and
+ * edge lengths. docs/guide.md says what ties, holes and periodic cells are. */
+typedef int32_t vorpipe_diagram_field;
+enum {
+  VORPIPE_CELL_STATUS = 1,    /* by site: uint8 */
+  VORPIPE_CELL_OWNER = 2,     /* by site: uint32, the site that owns its cell: itself but for duplicates */
+  VORPIPE_CELL_AREA = 3,      /* by site: double */
+  VORPIPE_CELL_PERIMETER = 4, /* by site: double */
+  VORPIPE_CELL_CENTROID = 5,  /* by site: 2 doubles; the site itself where there is no cell */
+  VORPIPE_CELL_SECOND_MOMENTS = 6, /* by site: 3 doubles, xx, xy and yy about the centroid */
+  VORPIPE_CELL_OFFSETS = 7,        /* by site, and one more: uint64 */
+  VORPIPE_CELL_VERTICES = 8,       /* 2 doubles */
+  VORPIPE_CELL_NEIGHBORS = 9,      /* int64: sites, or walls */
+  VORPIPE_CELL_EDGE_LENGTHS = 10,  /* double */
+  VORPIPE_CELL_NEIGHBOR_SHIFTS =
+      11,                          /* 2 int32: periods from the neighbor to its image; of periodic domains */
+  VORPIPE_CELL_RING_STARTS = 12,   /* uint64: where rings begin in vertices; of domains with an outline */
+  VORPIPE_CELL_MASS = 13,          /* by site: double; with a density */
+  VORPIPE_CELL_MASS_CENTROID = 14, /* by site: 2 doubles; with a density */
+  VORPIPE_TRIANGLES = 15           /* 3 uint32: the Delaunay or regular triangulation of the sites */
+};
+
+/* Writes an array of the diagram, which it keeps. One that this diagram does not have is empty. */
+VORPIPE_API vorpipe_code vorpipe_diagram_array(const vorpipe_diagram* diagram, vorpipe_diagram_field field,
+                                               vorpipe_array* array);
+VORPIPE_API double vorpipe_diagram_area_sum(const vorpipe_diagram* diagram);
+
+/* Verifies what is promised about cells, with nothing of what computes them. VORPIPE_DIFFERENT: a promise is
+ * broken; the last error names the first, and `broken`, which may be NULL, gets each in a line of its own. */
+VORPIPE_API vorpipe_code vorpipe_diagram_check(const vorpipe_diagram* diagram, int32_t threads,
+                                               vorpipe_write broken, void* user);
+
+/* Writes a file: to the caller, of a format by its name; or to a path, by its extension, whole or not at all.
+ */
+VORPIPE_API vorpipe_code vorpipe_diagram_write(const vorpipe_diagram* diagram, const char* format,
+                                               vorpipe_write write, void* user);
+VORPIPE_API vorpipe_code vorpipe_diagram_save(const vorpipe_diagram* diagram, const char* path);
+
+/* How cells of two diagrams of the same sites and domain differ. */
+typedef struct vorpipe_cells_difference {
+  uint32_t struct_size;
+  uint32_t worst_site;                        /* whose areas differ most, by what is allowed */
+  uint64_t equal, statuses, neighbors, areas; /* sites */
+  double worst_area;                          /* as a part of what is allowed */
+} vorpipe_cells_difference;
+/* VORPIPE_DIFFERENT where they do not agree. `difference` may be NULL. */
+VORPIPE_API vorpipe_code vorpipe_diagrams_compare(const vorpipe_diagram* a, const vorpipe_diagram* b,
+                                                  vorpipe_cells_difference* difference);
+
+/* ---- Pictures ---- */
+
+typedef int32_t vorpipe_color;
+enum { VORPIPE_BY_SITE = 0, VORPIPE_BY_AREA = 1, VORPIPE_BY_NEIGHBORS = 2, VORPIPE_BY_WEIGHT = 3 };
+
+typedef struct vorpipe_render_options {
+  uint32_t struct_size;
+  int32_t width, height; /* pixels, 1 to 32768; both 0: the longer side is 1000 */
+  vorpipe_color color;
+  const char* colormap; /* NULL: "viridis" */
+  int32_t edges;        /* not 0: darkens pixels beside which another cell begins */
+  int32_t show_sites;   /* not 0: a dot at each site */
+  vorpipe_search search;
+  int32_t search_neighbors;
+  vorpipe_progress progress;
+  void* progress_user;
+} vorpipe_render_options;
+
+typedef struct vorpipe_picture vorpipe_picture;
+VORPIPE_API vorpipe_code vorpipe_render(vorpipe_session* session, const vorpipe_input* input,
+                                        const vorpipe_render_options* options, vorpipe_picture** picture);
+/* Reads a PNG, which has pixels, or ids out of an .npy, which has ids, and nothing else. */
+VORPIPE_API vorpipe_code vorpipe_picture_read(const char* path, vorpipe_picture** picture);
+VORPIPE_API void vorpipe_picture_free(vorpipe_picture* picture);
+
+/* In ids: no site. */
+#define VORPIPE_NO_SITE 0xFFFFFFFFu
+
+/* Rows of pixels, the top one first. */
+typedef int32_t vorpipe_picture_field;
+enum {
+  VORPIPE_PICTURE_RGBA = 1,   /* by row: 4 x width uint8 */
+  VORPIPE_PICTURE_IDS = 2,    /* by row: width uint32, the site of each pixel, or VORPIPE_NO_SITE */
+  VORPIPE_PICTURE_STATUS = 3, /* by site: uint8 */
+  VORPIPE_PICTURE_OWNER = 4   /* by site: uint32 */
+};
+VORPIPE_API vorpipe_code vorpipe_picture_array(const vorpipe_picture* picture, vorpipe_picture_field field,
+                                               vorpipe_array* array);
+VORPIPE_API int32_t vorpipe_picture_width(const vorpipe_picture* picture);
+VORPIPE_API int32_t vorpipe_picture_height(const vorpipe_picture* picture);
+
+/* As vorpipe_diagram_check. */
+VORPIPE_API vorpipe_code vorpipe_picture_check(const vorpipe_picture* picture, int32_t threads,
+                                               vorpipe_write broken, void* user);
+/* Formats: "png", the pixels; "npy", the ids. */
+VORPIPE_API vorpipe_code vorpipe_picture_write(const vorpipe_picture* picture, const char* format,
+                                               vorpipe_write write, void* user);
+VORPIPE_API vorpipe_code vorpipe_picture_save(const vorpipe_picture* picture, const char* path);
+
+typedef struct vorpipe_picture_difference {
+  uint32_t struct_size;
+  uint32_t largest;            /* of pixels' colors, where ids were not compared: 0 to 255 */
+  uint64_t equal, ties, wrong; /* pixels */
+  uint64_t ties_allowed; /* what is within 1/128 of a pixel of the cells' boundaries may go to either cell */
+  double widest_tie;     /* in pixels */
+} vorpipe_picture_difference;
+/* Compares ids where both have them, by the sites of `a`, if it was drawn; else the pixels, where any
+ * difference counts. VORPIPE_DIFFERENT where they do not agree. `difference` may be NULL. */
+VORPIPE_API vorpipe_code vorpipe_pictures_compare(const vorpipe_picture* a, const vorpipe_picture* b,
+                                                  vorpipe_picture_difference* difference);
+
+/* ---- Reports ---- */
+
+/* What a run did. Times are in milliseconds, negative where a stage does not apply. */
+typedef struct vorpipe_report {
+  uint32_t struct_size;
+  uint32_t note_count; /* what did not go as it began: vorpipe_diagram_note, vorpipe_picture_note */
+  const char* backend;
+  const char* device;
+  const char* driver;
+  uint64_t ok, empty, duplicate;              /* sites, by what became of them */
+  uint64_t hidden;                            /* of the empty: by others that are heavier */
+  uint64_t retried, in_double, exact, pixels; /* how often cells and pixels were asked for again */
+  double order_ms, upload_ms, search_ms, cells_ms, draw_ms, download_ms;
+} vorpipe_report;
+VORPIPE_API vorpipe_code vorpipe_diagram_report(const vorpipe_diagram* diagram, vorpipe_report* report);
+VORPIPE_API vorpipe_code vorpipe_picture_report(const vorpipe_picture* picture, vorpipe_report* report);
+/* NULL past the end. */
+VORPIPE_API const char* vorpipe_diagram_note(const vorpipe_diagram* diagram, size_t index);
+VORPIPE_API const char* vorpipe_picture_note(const vorpipe_picture* picture, size_t index);
+
+/* ---- Memory ---- */
+
+/* Bytes that a program takes at the peak which does nothing but this run, and keeps what it returns. */
+VORPIPE_API vorpipe_code vorpipe_cells_memory(const vorpipe_session* session, const vorpipe_input* input,
+                                              const vorpipe_cells_options* options, uint64_t* bytes);
+VORPIPE_API vorpipe_code vorpipe_render_memory(const vorpipe_session* session, const vorpipe_input* input,
+                                               const vorpipe_render_options* options, uint64_t* bytes);
+/* What this process may come to have, by what the system has and its limits. */
+VORPIPE_API uint64_t vorpipe_memory_limit(void);
+
+/* ---- Selftest ---- */
+
+typedef struct vorpipe_selftest_options {
+  uint32_t struct_size;
+  int32_t quick;       /* not 0: fewer and smaller scenes */
+  const char* backend; /* NULL: all */
+  const char* device;  /* NULL: all */
+  uint64_t seed;       /* of the scenes; 0: 1 */
+  int32_t threads;
+  vorpipe_progress progress;
+  void* progress_user;
+} vorpipe_selftest_options;
+
+/* Runs scenes on every backend and device here, judged by "cpu". `json`, which may be NULL, gets what was
+ * found. VORPIPE_DIFFERENT: a promise is broken. */
+VORPIPE_API vorpipe_code vorpipe_selftest(const vorpipe_selftest_options* options, vorpipe_write json,
+                                          void* user);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,206 @@
+#include <math.h>
+#include <stdlib.h>
+
+#include "promise.h"
+
+static vorpipe_array arrayOf(const vorpipe_diagram* diagram, vorpipe_diagram_field field) {
+  vorpipe_array array = {NULL, 0, 0, 0};
+  DONE(vorpipe_diagram_array(diagram, field, &array));
+  return array;
+}
+
+static vorpipe_diagram* cellsOf(vorpipe_session* session, const vorpipe_input* input, vorpipe_detail detail) {
+  vorpipe_cells_options options = {sizeof options};
+  vorpipe_diagram* diagram = NULL;
+  options.detail = detail;
+  DONE(vorpipe_cells(session, input, &options, &diagram));
+  return diagram;
+}
+
+/* Two sites share the unit square by halves. */
+static void halves(vorpipe_session* session) {
+  const double points[] = {0.25, 0.5, 0.75, 0.5};
+  vorpipe_sites sites = {sizeof sites};
+  vorpipe_input* input = NULL;
+  vorpipe_diagram* diagram;
+  vorpipe_array area, offsets, neighbors, vertices;
+  uint64_t walls = 0, others = 0, k;
+  sites.count = 2;
+  sites.x = points;
+  sites.y = points + 1;
+  sites.position_stride = 2 * sizeof(double);
+  DONE(vorpipe_input_create(&sites, &input));
+  DONE(vorpipe_input_set_box(input, 0, 0, 1, 1, VORPIPE_PERIODIC_NONE));
+  diagram = cellsOf(session, input, VORPIPE_EVERYTHING);
+  area = arrayOf(diagram, VORPIPE_CELL_AREA);
+  PROMISE(area.count == 2 && area.type == VORPIPE_DOUBLE && area.columns == 1);
+  PROMISE(((const double*)area.data)[0] == 0.5 && ((const double*)area.data)[1] == 0.5);
+  offsets = arrayOf(diagram, VORPIPE_CELL_OFFSETS);
+  PROMISE(offsets.count == 3 && ((const uint64_t*)offsets.data)[2] == 8);
+  neighbors = arrayOf(diagram, VORPIPE_CELL_NEIGHBORS);
+  for (k = 0; k < neighbors.count; ++k) {
+    const int64_t neighbor = ((const int64_t*)neighbors.data)[k];
+    walls += neighbor <= VORPIPE_WALL_XMIN && neighbor >= VORPIPE_WALL_YMAX;
+    others += neighbor >= 0;
+  }
+  PROMISE(walls == 6 && others == 2);
+  vertices = arrayOf(diagram, VORPIPE_CELL_VERTICES);
+  PROMISE(vertices.count == 8 && vertices.columns == 2);
+  PROMISE(vorpipe_diagram_area_sum(diagram) == 1);
+  vorpipe_diagram_free(diagram);
+  vorpipe_input_free(input);
+}
+
+/* Weights, a period and a density say what they do, and every array has the shape that the header tells. */
+static void shapes(vorpipe_session* session) {
+  const vorpipe_diagram_field by_site[] = {VORPIPE_CELL_STATUS,   VORPIPE_CELL_OWNER,
+                                           VORPIPE_CELL_AREA,     VORPIPE_CELL_PERIMETER,
+                                           VORPIPE_CELL_CENTROID, VORPIPE_CELL_SECOND_MOMENTS,
+                                           VORPIPE_CELL_MASS,     VORPIPE_CELL_MASS_CENTROID};
+  const int32_t columns[] = {1, 1, 1, 1, 2, 3, 1, 2};
+  const double density[] = {1, 2, 3, 4};
+  double* weights = calloc(500, sizeof(double));
+  double mass = 0;
+  vorpipe_input* input = NULL;
+  vorpipe_diagram* diagram;
+  vorpipe_array array;
+  uint64_t edges;
+  size_t k;
+  for (k = 0; k < 500; ++k) weights[k] = 1e-4 * (double)(k % 7);
+  DONE(vorpipe_input_read("random:500", 3, &input));
+  PROMISE(vorpipe_input_count(input) == 500);
+  DONE(vorpipe_input_set_weights(input, weights, 500));
+  DONE(vorpipe_input_set_box(input, 0, 0, 1, 1, VORPIPE_PERIODIC_XY));
+  DONE(vorpipe_input_set_density(input, density, 2, 2));
+  diagram = cellsOf(session, input, VORPIPE_EVERYTHING);
+  for (k = 0; k < sizeof by_site / sizeof by_site[0]; ++k) {
+    array = arrayOf(diagram, by_site[k]);
+    PROMISE(array.count == 500 && array.columns == columns[k] && array.data != NULL);
+  }
+  array = arrayOf(diagram, VORPIPE_CELL_OFFSETS);
+  edges = ((const uint64_t*)array.data)[500];
+  PROMISE(array.count == 501 && array.type == VORPIPE_UINT64);
+  PROMISE(arrayOf(diagram, VORPIPE_CELL_NEIGHBORS).count == edges);
+  PROMISE(arrayOf(diagram, VORPIPE_CELL_EDGE_LENGTHS).count == edges);
+  array = arrayOf(diagram, VORPIPE_CELL_NEIGHBOR_SHIFTS);
+  PROMISE(array.count == edges && array.columns == 2 && array.type == VORPIPE_INT32);
+  array = arrayOf(diagram, VORPIPE_CELL_RING_STARTS);
+  PROMISE(array.count == 0 && array.data == NULL);
+  array = arrayOf(diagram, VORPIPE_CELL_MASS);
+  for (k = 0; k < 500; ++k) mass += ((const double*)array.data)[k];
+  PROMISE(fabs(mass - 2.5) < 1e-12);
+  DONE(vorpipe_diagram_check(diagram, 2, NULL, NULL));
+  vorpipe_diagram_free(diagram);
+
+  diagram = cellsOf(session, input, VORPIPE_MEASURES);
+  PROMISE(arrayOf(diagram, VORPIPE_CELL_AREA).count == 500);
+  PROMISE(arrayOf(diagram, VORPIPE_CELL_VERTICES).count == 0);
+  REFUSED(VORPIPE_INPUT, "more detail", vorpipe_diagram_save(diagram, "x.npz"));
+  vorpipe_diagram_free(diagram);
+  vorpipe_input_free(input);
+  free(weights);
+}
+
+typedef struct {
+  char* bytes;
+  size_t size, calls, most;
+} buffer;
+
+static int32_t keep(void* user, const void* bytes, size_t count) {
+  buffer* to = user;
+  if (to->size + count > to->most) return 1;
+  to->bytes = realloc(to->bytes, to->size + count);
+  memcpy(to->bytes + to->size, bytes, count);
+  to->size += count;
+  ++to->calls;
+  return 0;
+}
+
+/* Every format: what the caller gets are the bytes of the file. */
+static void formats(vorpipe_session* session) {
+  vorpipe_input* input = NULL;
+  vorpipe_diagram* diagram;
+  const char* format;
+  size_t index, count = 0;
+  DONE(vorpipe_input_read("clusters:300", 5, &input));
+  diagram = cellsOf(session, input, VORPIPE_EVERYTHING);
+  for (index = 0; (format = vorpipe_name(VORPIPE_CELLS_FORMATS, index)) != NULL; ++index) {
+    buffer memory = {NULL, 0, 0, (size_t)-1};
+    char path[64], read[4096];
+    FILE* file;
+    size_t position = 0, part;
+    snprintf(path, sizeof path, "cells.%s", format);
+    DONE(vorpipe_diagram_write(diagram, format, keep, &memory));
+    DONE(vorpipe_diagram_save(diagram, path));
+    file = fopen(path, "rb");
+    PROMISE(file != NULL);
+    while (file != NULL && (part = fread(read, 1, sizeof read, file)) > 0) {
+      PROMISE(position + part <= memory.size && memcmp(memory.bytes + position, read, part) == 0);
+      position += part;
+    }
+    PROMISE(position == memory.size && position > 1000);
+    if (file != NULL) fclose(file);
+    remove(path);
+    memory.most = memory.size;
+    REFUSED(VORPIPE_DEVICE, format, vorpipe_diagram_write(diagram, format, keep, &memory));
+    free(memory.bytes);
+    ++count;
+  }
+  PROMISE(count >= 9);
+  vorpipe_diagram_free(diagram);
+  vorpipe_input_free(input);
+}
+
+static int32_t stopAtHalf(void* user, const char* stage, double fraction) {
+  int* calls = user;
+  ++*calls;
+  return stage != NULL && fraction > 0.5;
+}
+
+static void progress(vorpipe_session* session) {
+  vorpipe_cells_options options = {sizeof options};
+  vorpipe_input* input = NULL;
+  vorpipe_diagram* diagram = NULL;
+  int calls = 0;
+  DONE(vorpipe_input_read("random:200000", 1, &input));
+  options.progress = stopAtHalf;
+  options.progress_user = &calls;
+  PROMISE(vorpipe_cells(session, input, &options, &diagram) == VORPIPE_CANCELLED);
+  PROMISE(diagram == NULL && calls > 1);
+  vorpipe_input_free(input);
+}
+
+/* A diagram agrees with itself, and with that of another session; not with that of other sites. */
+static void comparison(vorpipe_session* session) {
+  vorpipe_cells_difference difference = {sizeof difference};
+  vorpipe_input *input = NULL, *other = NULL;
+  vorpipe_diagram *a, *b;
+  uint64_t bytes = 0;
+  vorpipe_report report = {sizeof report};
+  DONE(vorpipe_input_read("random:400", 1, &input));
+  DONE(vorpipe_input_read("random:400", 2, &other));
+  a = cellsOf(session, input, VORPIPE_EVERYTHING);
+  b = cellsOf(session, other, VORPIPE_EVERYTHING);
+  DONE(vorpipe_diagrams_compare(a, a, &difference));
+  PROMISE(difference.equal == 400 && difference.worst_area == 0);
+  PROMISE(vorpipe_diagrams_compare(a, b, &difference) == VORPIPE_DIFFERENT);
+  PROMISE(difference.areas > 300);
+  DONE(vorpipe_diagram_report(a, &report));
+  PROMISE(strcmp(report.backend, "cpu") == 0 && report.ok == 400 && report.note_count == 0);
+  PROMISE(report.cells_ms >= 0 && vorpipe_diagram_note(a, 0) == NULL);
+  DONE(vorpipe_cells_memory(session, input, NULL, &bytes));
+  PROMISE(bytes > 1000000 && bytes < vorpipe_memory_limit());
+  vorpipe_diagram_free(a);
+  vorpipe_diagram_free(b);
+  vorpipe_diagram_free(NULL);
+  vorpipe_input_free(input);
+  vorpipe_input_free(other);
+}
+
+void cells_promises(vorpipe_session* session) {
+  halves(session);
+  shapes(session);
+  formats(session);
+  progress(session);
+  comparison(session);
+}

@@ -1,0 +1,65 @@
+/// vorpipe.hpp: the same from C++17, with exceptions.
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "vorpipe.hpp"
+
+namespace {
+
+int broken = 0;
+
+void promise(bool holds, const char* what) {
+  if (holds) return;
+  ++broken;
+  std::fprintf(stderr, "broken: %s\n", what);
+}
+
+template <class Call>
+vorpipe_code thrownBy(const Call& call) {
+  try {
+    call();
+  } catch (const vorpipe::Error& error) {
+    return error.code();
+  }
+  return VORPIPE_DONE;
+}
+
+struct Place {
+  double east, north;
+};
+
+}  // namespace
+
+int main() {
+  vorpipe::Session session("cpu", 2);
+  promise(std::string(session.device().backend) == "cpu", "the session's backend");
+  const std::vector<Place> places{{0.25, 0.5}, {0.75, 0.5}, {0.75, 0.5}};
+  auto input = vorpipe::Input::of(places);
+  input.box(0, 0, 1, 1);
+  const vorpipe::Diagram cells = session.cells(input);
+  promise(cells.size() == 3 && cells.area()[0] == 0.5, "areas");
+  promise(cells.status()[2] == VORPIPE_DUPLICATE && cells.owner()[2] == 1, "duplicates");
+  promise(cells.vertices(1).size() == 4 && cells.neighbors(2).empty(), "parts of cells");
+  promise(cells.areaSum() == 1 && cells.check() && cells.agreesWith(cells), "sums, checks, comparisons");
+  promise(cells.text("csv").rfind("id,", 0) == 0 || !cells.text("csv").empty(), "text of a format");
+  promise(cells.report().ok == 2, "the report");
+
+  auto random = vorpipe::Input::read("random:2000", 5);
+  const vorpipe::Picture picture = session.render(random);
+  promise(picture.width() == 1000 && picture.ids().size() == 1000000 && picture.check(), "pictures");
+
+  promise(thrownBy([&] { session.cells(random, {}, [](auto, double) { return false; }); }) == VORPIPE_CANCELLED,
+          "a run that is stopped");
+  try {
+    session.cells(random, {}, [](auto, double) -> bool { throw 42; });
+    promise(false, "an exception of the caller's comes through");
+  } catch (int thrown) {
+    promise(thrown == 42, "an exception of the caller's comes through");
+  }
+  promise(thrownBy([] { vorpipe::Session("no such backend"); }) == VORPIPE_INPUT, "bad input");
+  promise(thrownBy([&] { input.weights({1, 2}); }) == VORPIPE_INPUT, "too few weights");
+  return broken == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
