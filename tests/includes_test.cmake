@@ -10,7 +10,7 @@ set(kinds
     "^base/"
     "^geos\\.h$"
     "^backend/registry/"
-    "^backend/cpu/"
+    "^backend/cpu/[^/]*$"
     "^backend/vulkan/[^/]*$"
     "^backend/opengl/"
     "^backend/[^/]*$"
@@ -22,7 +22,7 @@ set(may_include
     "^(vorpipe\\.h|base/.*)$"
     "^vorpipe\\.h$"
     "^(vorpipe\\.h|backend/[^/]*\\.h|backend/registry/.*|backend/cpu/(cpu|exact_tier)\\.h|backend/vulkan/vulkan_backend\\.h|backend/opengl/opengl_backend\\.h)$"
-    "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/cpu/.*|(layout|bins|cell|grid|list)\\.glsl)$"
+    "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/cpu/.*|layout\\.glsl)$"
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/vulkan/.*|layout\\.glsl|shaders\\.h)$"
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/opengl/.*|layout\\.glsl|shaders\\.h)$"
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl)$"
@@ -60,6 +60,7 @@ function(vorpipe_read_rooms folder all_may)
 endfunction()
 vorpipe_read_rooms(
   core "vorpipe\\.h|base/.*|geos\\.h|backend/(backend|collect|device_needs|exact_tier|forwarding_backend|precision|registry/registry|tie)\\.h")
+vorpipe_read_rooms(backend/cpu "vorpipe\\.h|base/.*|backend/[^/]*\\.h|(layout|bins|cell|grid|list)\\.glsl")
 vorpipe_read_rooms(backend/vulkan "vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl|shaders\\.h")
 vorpipe_read_rooms(io "vorpipe\\.h|geos\\.h")
 vorpipe_read_rooms(cli "vorpipe\\.h|vorpipe/selftest\\.h|base/stopwatch\\.h|io/.*|bench/.*")
@@ -129,6 +130,8 @@ vorpipe_expect(FALSE core/check/run.h backend/registry/registry.h TRUE)
 vorpipe_expect(FALSE core/check/cells.cpp core/diagram/diagram_writer.h TRUE)
 vorpipe_expect(TRUE core/search/flann_search.cpp flann/flann.hpp FALSE)
 vorpipe_expect(TRUE backend/registry/registry.cpp backend/cpu/cpu.h TRUE)
+vorpipe_expect(TRUE backend/cpu/tree/ring.h backend/cpu/clip/glsl.h TRUE)
+vorpipe_expect(FALSE backend/cpu/lanes/grid_cells.cpp backend/cpu/tree/tree.h TRUE)
 vorpipe_expect(TRUE backend/vulkan/device/device.cpp backend/capabilities.h TRUE)
 vorpipe_expect(TRUE backend/vulkan/kernels/painter.h backend/vulkan/memory/target.h TRUE)
 vorpipe_expect(FALSE backend/vulkan/memory/target.h backend/vulkan/geometry/pipelines.h TRUE)
