@@ -12,7 +12,7 @@ set(kinds
     "^backend/registry/"
     "^backend/cpu/[^/]*$"
     "^backend/vulkan/[^/]*$"
-    "^backend/opengl/"
+    "^backend/opengl/[^/]*$"
     "^backend/[^/]*$"
     "^bench/"
     "^selftest/"
@@ -62,6 +62,7 @@ vorpipe_read_rooms(
   core "vorpipe\\.h|base/.*|geos\\.h|backend/(backend|collect|device_needs|exact_tier|forwarding_backend|precision|registry/registry|tie)\\.h")
 vorpipe_read_rooms(backend/cpu "vorpipe\\.h|base/.*|backend/[^/]*\\.h|(layout|bins|cell|grid|list)\\.glsl")
 vorpipe_read_rooms(backend/vulkan "vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl|shaders\\.h")
+vorpipe_read_rooms(backend/opengl "vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl|shaders\\.h")
 vorpipe_read_rooms(io "vorpipe\\.h|geos\\.h")
 vorpipe_read_rooms(cli "vorpipe\\.h|vorpipe/selftest\\.h|base/stopwatch\\.h|io/.*|bench/.*")
 
@@ -136,6 +137,8 @@ vorpipe_expect(TRUE backend/vulkan/device/device.cpp backend/capabilities.h TRUE
 vorpipe_expect(TRUE backend/vulkan/kernels/painter.h backend/vulkan/memory/target.h TRUE)
 vorpipe_expect(FALSE backend/vulkan/memory/target.h backend/vulkan/geometry/pipelines.h TRUE)
 vorpipe_expect(FALSE backend/vulkan/geometry/draw.cpp backend/vulkan/compute/compute.h TRUE)
+vorpipe_expect(TRUE backend/opengl/pipelines/cells.cpp backend/opengl/memory/buffer.h TRUE)
+vorpipe_expect(FALSE backend/opengl/device/device.cpp backend/opengl/pipelines/geometry.h TRUE)
 vorpipe_expect(TRUE cli/commands/render.cpp io/pictures/png_file.h TRUE)
 vorpipe_expect(TRUE io/cells/cells_npz.cpp io/arrays/zip_file.h TRUE)
 vorpipe_expect(FALSE io/arrays/zip_file.cpp io/cells/cells_file.h TRUE)
@@ -146,8 +149,8 @@ vorpipe_expect(FALSE core/picture/picture.cpp flann/flann.hpp FALSE)
 vorpipe_expect(TRUE base/parallel.cpp tbb/parallel_for.h FALSE)
 vorpipe_expect(FALSE core/picture/picture.cpp tbb/parallel_for.h FALSE)
 vorpipe_expect(FALSE core/picture/picture.cpp ../backend/cpu/cpu.h TRUE)
-vorpipe_expect(FALSE backend/opengl/draw.cpp backend/vulkan/device/device.h TRUE)
-vorpipe_expect(FALSE backend/opengl/draw.cpp backend/registry/registry.h TRUE)
+vorpipe_expect(FALSE backend/opengl/pipelines/cells.cpp backend/vulkan/device/device.h TRUE)
+vorpipe_expect(FALSE backend/opengl/pipelines/cells.cpp backend/registry/registry.h TRUE)
 vorpipe_expect(FALSE backend/backend.h volk.h FALSE)
 vorpipe_expect(FALSE backend/cpu/cpu.cpp epoxy/gl.h FALSE)
 vorpipe_expect(FALSE io/pictures/png_file.cpp core/cells/cells_run.h TRUE)

@@ -1,4 +1,4 @@
-#include "backend/opengl/geometry.h"
+#include "backend/opengl/pipelines/geometry.h"
 
 #include <algorithm>
 #include <cassert>

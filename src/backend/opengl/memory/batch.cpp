@@ -1,10 +1,10 @@
-#include "backend/opengl/batch.h"
+#include "backend/opengl/memory/batch.h"
 
 #include <fmt/core.h>
 
 #include <cstddef>
 
-#include "backend/opengl/shader.h"
+#include "backend/opengl/memory/bindings.h"
 
 namespace vorpipe::opengl {
 namespace {

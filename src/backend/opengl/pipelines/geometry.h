@@ -6,14 +6,11 @@
 #include <span>
 
 #include "backend/backend.h"
-#include "backend/opengl/feedback.h"
-#include "backend/opengl/gl.h"
-#include "backend/opengl/shader.h"
+#include "backend/opengl/device/gl.h"
+#include "backend/opengl/pipelines/feedback.h"
+#include "backend/opengl/pipelines/shader.h"
 
 namespace vorpipe::opengl {
-
-/// Components that one vertex of a strip writes: position, mark, status.
-inline constexpr int components_per_vertex = 8;
 
 class Geometry {
  public:

@@ -1,9 +1,9 @@
-#include "backend/opengl/cells.h"
+#include "backend/opengl/pipelines/cells.h"
 
 #include <algorithm>
 
 #include "backend/cell_answers.h"
-#include "backend/opengl/discarding.h"
+#include "backend/opengl/pipelines/discarding.h"
 #include "layout.glsl"
 #include "shaders.h"
 

@@ -1,4 +1,4 @@
-#include "backend/opengl/buffer.h"
+#include "backend/opengl/memory/buffer.h"
 
 namespace vorpipe::opengl {
 namespace {

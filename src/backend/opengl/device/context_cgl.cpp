@@ -7,7 +7,7 @@
 #include <array>
 #include <string_view>
 
-#include "backend/opengl/context.h"
+#include "backend/opengl/device/context.h"
 
 namespace vorpipe::opengl {
 

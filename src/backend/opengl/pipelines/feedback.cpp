@@ -1,4 +1,4 @@
-#include "backend/opengl/feedback.h"
+#include "backend/opengl/pipelines/feedback.h"
 
 #include <fmt/core.h>
 

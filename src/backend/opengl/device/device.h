@@ -7,7 +7,7 @@
 
 #include "backend/backend.h"
 #include "backend/capabilities.h"
-#include "backend/opengl/context.h"
+#include "backend/opengl/device/context.h"
 
 namespace vorpipe::opengl {
 

@@ -1,4 +1,4 @@
-#include "backend/opengl/device.h"
+#include "backend/opengl/device/device.h"
 
 #include <fmt/core.h>
 
@@ -8,13 +8,14 @@
 #include <charconv>
 #include <string>
 
-#include "backend/opengl/geometry.h"
-#include "backend/opengl/gl.h"
+#include "backend/opengl/device/gl.h"
 #include "layout.glsl"
 
 namespace vorpipe::opengl {
 namespace {
 
+// Components that one vertex of a strip writes: position, mark, status.
+constexpr std::uint64_t components_per_vertex = 8;
 constexpr std::uint64_t palette_size = std::tuple_size_v<Palette>;
 
 std::string text(GLenum name) {

@@ -1,7 +1,7 @@
 /// Runs of shaders that draw nothing.
 #pragma once
 
-#include "backend/opengl/gl.h"
+#include "backend/opengl/device/gl.h"
 
 namespace vorpipe::opengl {
 

@@ -1,4 +1,4 @@
-#include "backend/opengl/sites.h"
+#include "backend/opengl/memory/sites.h"
 
 #include <fmt/core.h>
 

@@ -1,11 +1,11 @@
-#include "backend/opengl/arithmetic.h"
+#include "backend/opengl/pipelines/arithmetic.h"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 #include <cstring>
 
-#include "backend/opengl/discarding.h"
+#include "backend/opengl/pipelines/discarding.h"
 #include "shaders.h"
 
 namespace vorpipe::opengl {

@@ -1,4 +1,4 @@
-#include "backend/opengl/gl.h"
+#include "backend/opengl/device/gl.h"
 
 #include <fmt/core.h>
 

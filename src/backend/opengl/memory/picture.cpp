@@ -1,11 +1,11 @@
-#include "backend/opengl/picture.h"
+#include "backend/opengl/memory/picture.h"
 
 #include <fmt/core.h>
 
 #include <array>
 #include <cassert>
 
-#include "backend/opengl/shader.h"
+#include "backend/opengl/memory/bindings.h"
 #include "backend/view_uniform.h"
 
 namespace vorpipe::opengl {

@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "backend/opengl/context.h"
-#include "backend/opengl/egl_display.h"
+#include "backend/opengl/device/context.h"
+#include "backend/opengl/device/egl_display.h"
 
 namespace vorpipe::opengl {
 

@@ -1,4 +1,4 @@
-#include "backend/opengl/egl_display.h"
+#include "backend/opengl/device/egl_display.h"
 
 #include <fmt/core.h>
 

@@ -6,8 +6,8 @@
 #include <functional>
 #include <span>
 
-#include "backend/opengl/buffer.h"
-#include "backend/opengl/gl.h"
+#include "backend/opengl/device/gl.h"
+#include "backend/opengl/memory/buffer.h"
 #include "vorpipe.h"
 
 namespace vorpipe::opengl {

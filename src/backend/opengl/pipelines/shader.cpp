@@ -1,4 +1,4 @@
-#include "backend/opengl/shader.h"
+#include "backend/opengl/pipelines/shader.h"
 
 #include <fmt/core.h>
 

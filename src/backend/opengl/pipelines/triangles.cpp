@@ -1,4 +1,4 @@
-#include "backend/opengl/triangles.h"
+#include "backend/opengl/pipelines/triangles.h"
 
 #include <cstddef>
 

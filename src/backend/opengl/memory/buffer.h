@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "backend/opengl/gl.h"
+#include "backend/opengl/device/gl.h"
 
 namespace vorpipe::opengl {
 

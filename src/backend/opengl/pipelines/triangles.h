@@ -5,9 +5,9 @@
 #include <span>
 
 #include "backend/backend.h"
-#include "backend/opengl/buffer.h"
-#include "backend/opengl/gl.h"
-#include "backend/opengl/shader.h"
+#include "backend/opengl/device/gl.h"
+#include "backend/opengl/memory/buffer.h"
+#include "backend/opengl/pipelines/shader.h"
 
 namespace vorpipe::opengl {
 

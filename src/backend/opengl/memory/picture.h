@@ -5,8 +5,8 @@
 #include <span>
 
 #include "backend/backend.h"
-#include "backend/opengl/buffer.h"
-#include "backend/opengl/gl.h"
+#include "backend/opengl/device/gl.h"
+#include "backend/opengl/memory/buffer.h"
 
 namespace vorpipe::opengl {
 

@@ -5,9 +5,9 @@
 #include <cstddef>
 
 #include "backend/backend.h"
-#include "backend/opengl/feedback.h"
-#include "backend/opengl/gl.h"
-#include "backend/opengl/shader.h"
+#include "backend/opengl/device/gl.h"
+#include "backend/opengl/pipelines/feedback.h"
+#include "backend/opengl/pipelines/shader.h"
 
 namespace vorpipe::opengl {
 
