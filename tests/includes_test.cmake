@@ -14,7 +14,6 @@ set(kinds
     "^backend/vulkan/[^/]*$"
     "^backend/opengl/[^/]*$"
     "^backend/[^/]*$"
-    "^bench/"
     "^selftest/"
     "^cli/[^/]*$")
 set(may_include
@@ -26,7 +25,6 @@ set(may_include
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/vulkan/.*|layout\\.glsl|shaders\\.h)$"
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/opengl/.*|layout\\.glsl|shaders\\.h)$"
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl)$"
-    "^(vorpipe\\.h|base/.*|bench/.*|io/(text/json_text|sites/site_source)\\.h|core/(cells/cells_run|picture/picture)\\.h|backend/(backend|exact_tier|forwarding_backend|registry/registry)\\.h)$"
     "^(vorpipe\\.h|vorpipe/selftest\\.h|selftest/.*)$"
     "^(vorpipe\\.h|cli/.*)$")
 
@@ -64,6 +62,8 @@ vorpipe_read_rooms(backend/cpu "vorpipe\\.h|base/.*|backend/[^/]*\\.h|(layout|bi
 vorpipe_read_rooms(backend/vulkan "vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl|shaders\\.h")
 vorpipe_read_rooms(backend/opengl "vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl|shaders\\.h")
 vorpipe_read_rooms(io "vorpipe\\.h|geos\\.h")
+vorpipe_read_rooms(
+  bench "vorpipe\\.h|base/.*|io/(text/json_text|sites/site_source)\\.h|core/(cells/cells_run|picture/picture)\\.h|backend/(backend|exact_tier|forwarding_backend|registry/registry)\\.h")
 vorpipe_read_rooms(cli "vorpipe\\.h|vorpipe/selftest\\.h|base/stopwatch\\.h|io/.*|bench/.*")
 
 # Headers, most of them a library's, and the only files that may include them.
@@ -144,7 +144,9 @@ vorpipe_expect(TRUE io/cells/cells_npz.cpp io/arrays/zip_file.h TRUE)
 vorpipe_expect(FALSE io/arrays/zip_file.cpp io/cells/cells_file.h TRUE)
 vorpipe_expect(FALSE io/text/number.cpp csv.h FALSE)
 vorpipe_expect(FALSE core/picture/picture.cpp backend/cpu/cpu.h TRUE)
-vorpipe_expect(FALSE bench/lab.cpp core/judge/judge.h TRUE)
+vorpipe_expect(TRUE bench/tables/scaling.cpp bench/lab/lab.h TRUE)
+vorpipe_expect(FALSE bench/measured/machine.cpp bench/lab/lab.h TRUE)
+vorpipe_expect(FALSE bench/lab/lab.cpp core/judge/judge.h TRUE)
 vorpipe_expect(FALSE core/picture/picture.cpp flann/flann.hpp FALSE)
 vorpipe_expect(TRUE base/parallel.cpp tbb/parallel_for.h FALSE)
 vorpipe_expect(FALSE core/picture/picture.cpp tbb/parallel_for.h FALSE)
@@ -163,7 +165,7 @@ file(GLOB_RECURSE files RELATIVE ${root}/src ${root}/src/*.h ${root}/src/*.cpp)
 # The environment belongs to the whole process: a library that writes it races with other threads that read it.
 foreach(file IN LISTS files)
   file(STRINGS ${root}/src/${file} lines REGEX "[^A-Za-z_](setenv|unsetenv|putenv|clearenv) *\\(")
-  if(lines AND NOT file STREQUAL "bench/driver_threads.cpp")
+  if(lines AND NOT file STREQUAL "bench/measured/driver_threads.cpp")
     message(SEND_ERROR "src/${file} must not change the environment")
   endif()
 endforeach()

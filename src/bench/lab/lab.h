@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/measured.h"
-#include "bench/timed_backend.h"
+#include "bench/lab/timed_backend.h"
+#include "bench/measured/measured.h"
 #include "vorpipe.h"
 
 namespace vorpipe::bench {

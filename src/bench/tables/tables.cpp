@@ -1,4 +1,4 @@
-#include "bench/tables.h"
+#include "bench/tables/tables.h"
 
 #include <fmt/core.h>
 

@@ -1,4 +1,4 @@
-#include "bench/machine.h"
+#include "bench/measured/machine.h"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "bench/build.h"
+#include "bench/measured/build.h"
 #include "vorpipe.h"
 
 namespace vorpipe::bench {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/lab.h"
-#include "bench/plot.h"
+#include "bench/lab/lab.h"
+#include "bench/measured/plot.h"
 
 namespace vorpipe::bench {
 

@@ -1,4 +1,4 @@
-#include "bench/conditions.h"
+#include "bench/lab/conditions.h"
 
 #include <fmt/core.h>
 

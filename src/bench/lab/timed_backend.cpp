@@ -1,4 +1,4 @@
-#include "bench/timed_backend.h"
+#include "bench/lab/timed_backend.h"
 
 #include "base/stopwatch.h"
 

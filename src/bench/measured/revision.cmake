@@ -10,7 +10,7 @@ if(GIT)
   endif()
 endif()
 file(CONFIGURE OUTPUT ${output} CONTENT [[
-#include "bench/build.h"
+#include "bench/measured/build.h"
 
 std::string_view vorpipe::bench::build::revision() { return "@revision@"; }
 ]] @ONLY)

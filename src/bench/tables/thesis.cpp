@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "bench/tables.h"
+#include "bench/tables/tables.h"
 
 namespace vorpipe::bench {
 namespace {

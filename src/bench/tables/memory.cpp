@@ -5,8 +5,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "bench/child.h"
-#include "bench/tables.h"
+#include "bench/tables/child.h"
+#include "bench/tables/tables.h"
 
 namespace vorpipe::bench {
 namespace {

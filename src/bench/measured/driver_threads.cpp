@@ -1,4 +1,4 @@
-#include "bench/driver_threads.h"
+#include "bench/measured/driver_threads.h"
 
 #include <cstdlib>
 #include <string>

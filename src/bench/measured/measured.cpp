@@ -1,4 +1,4 @@
-#include "bench/measured.h"
+#include "bench/measured/measured.h"
 
 #include <fmt/core.h>
 

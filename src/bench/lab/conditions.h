@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "bench/lab.h"
-#include "bench/machine.h"
-#include "bench/measured.h"
+#include "bench/lab/lab.h"
+#include "bench/measured/machine.h"
+#include "bench/measured/measured.h"
 
 namespace vorpipe::bench {
 

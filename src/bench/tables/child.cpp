@@ -1,4 +1,4 @@
-#include "bench/child.h"
+#include "bench/tables/child.h"
 
 #include <fcntl.h>
 #include <fmt/core.h>

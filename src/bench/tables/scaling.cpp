@@ -4,7 +4,7 @@
 #include <limits>
 #include <map>
 
-#include "bench/tables.h"
+#include "bench/tables/tables.h"
 
 namespace vorpipe::bench {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bench/tables.h"
+#include "bench/tables/tables.h"
 
 namespace vorpipe::bench {
 namespace {

@@ -1,4 +1,4 @@
-#include "bench/lab.h"
+#include "bench/lab/lab.h"
 
 #include <fmt/core.h>
 #include <sys/resource.h>
@@ -11,7 +11,7 @@
 #include "backend/registry/registry.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
-#include "bench/driver_threads.h"
+#include "bench/measured/driver_threads.h"
 #include "core/cells/cells_run.h"
 #include "core/picture/picture.h"
 #include "io/sites/site_source.h"
