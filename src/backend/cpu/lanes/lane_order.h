@@ -2,7 +2,7 @@
 /// See lane_words.h.
 #pragma once
 
-#include "backend/cpu/lanes/grid_lanes.h"
+#include "backend/cpu/lanes/lane_job.h"
 #include "backend/cpu/lanes/lane_words.h"
 
 namespace vorpipe::cpu {

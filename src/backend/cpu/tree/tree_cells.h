@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "backend/cpu/tree/tree_walk.h"
+#include "backend/cpu/tree/tree_walk_search.h"
 
 namespace vorpipe::cpu {
 

@@ -12,6 +12,8 @@
 /// get parallel. Sites that cut no corner by more than its noise are left out; what that may have changed
 /// is bounded, and where the bound matters, the cell is `open`. It matters by the rule that an edge
 /// shorter than a tie is none; see backend/tie.h.
+///
+/// The functions are in tree_walk_search.h, which is what to include.
 #pragma once
 
 #include <algorithm>
@@ -170,5 +172,3 @@ class TreeWalk {
 };
 
 }  // namespace vorpipe::cpu
-
-#include "backend/cpu/tree/tree_walk_search.h"
