@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/delaunay/triangulation.h"
+#include "core/delaunay/mesh.h"
 #include "core/sites/grid.h"
 
 namespace vorpipe::core {
