@@ -32,7 +32,7 @@ struct BinRange {
 #define MOST_RUNS 8
 #define BLOCK_RUNS 3
 
-// Runs of sites, one after the other: the i-th site of all is at place i + shift[r], with r the first
+// Runs of sites, one after the other: the i-th site of all has the index i + shift[r], with r the first
 // run for which i < end[r].
 struct Runs {
     cell_int shift[MOST_RUNS];
@@ -74,7 +74,8 @@ Span sitesOf(IN(Bins) bins, IN(BinRow) part) {
     return span;
 }
 
-cell_int placeInRuns(IN(Runs) runs, cell_int i) {
+// The index of the i-th site of the runs.
+cell_int siteInRuns(IN(Runs) runs, cell_int i) {
     cell_int shift = runs.shift[0];
     UNROLL for (int r = 1; r < MOST_RUNS; r++) {
         shift = i >= runs.end[r - 1] ? runs.shift[r] : shift;
@@ -82,20 +83,21 @@ cell_int placeInRuns(IN(Runs) runs, cell_int i) {
     return i + shift;
 }
 
-cell_int placeInBlock(IN(Runs) runs, cell_int i) {
+// The index of the i-th site of a block's runs.
+cell_int siteInBlock(IN(Runs) runs, cell_int i) {
     return (i < runs.end[0] ? runs.shift[0] : (i < runs.end[1] ? runs.shift[1] : runs.shift[2])) + i;
 }
 
-// The index among the block's sites of the site at `place`; runs.count if it is not in the block.
-cell_int indexInBlock(IN(Runs) runs, cell_int place) {
-    cell_int index = runs.count;
+// The position among the block's sites of the site with that index; runs.count if it is not in the block.
+cell_int positionInBlock(IN(Runs) runs, cell_int index) {
+    cell_int position = runs.count;
     cell_int begin = cell_int(0);
     UNROLL for (int r = 0; r < BLOCK_RUNS; r++) {
-        cell_int i = place - runs.shift[r];
-        index = i >= begin && i < runs.end[r] ? i : index;
+        cell_int i = index - runs.shift[r];
+        position = i >= begin && i < runs.end[r] ? i : position;
         begin = runs.end[r];
     }
-    return index;
+    return position;
 }
 
 // Part r of the 3 x 3 bins around the origin.

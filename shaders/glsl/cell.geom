@@ -55,8 +55,8 @@ void main() {
     if (pixels == SEVERAL) {
         Order order;
         orderEdges(cell, order);
-        for (int place = 0; place < order.count; place++) {
-            emit(pen, origin + startOfRank(cell, order, rankInStrip(place, order.count)) * view.scale);
+        for (int index = 0; index < order.count; index++) {
+            emit(pen, origin + startOfRank(cell, order, rankInStrip(index, order.count)) * view.scale);
         }
     } else if (pixels == 1 || !STATUS_IN_BUFFER) {
         UNROLL for (int corner = 0; corner < 3; corner++) {

@@ -15,7 +15,7 @@ layout(std430, set = 0, binding = BINDING_COUNTS) buffer Counts { uint counts[];
 layout(std430, set = 0, binding = BINDING_BIN_OF_SITE) writeonly buffer BinOfSite { uint bin_of_site[]; };
 
 // How many sites the bin had before, which differs from run to run.
-layout(std430, set = 0, binding = BINDING_PLACE_OF_SITE) writeonly buffer Arrivals { uint arrival_of_site[]; };
+layout(std430, set = 0, binding = BINDING_RANK_OF_SITE) writeonly buffer Arrivals { uint arrival_of_site[]; };
 
 void main() {
     uint stride = gl_NumWorkGroups.x * uint(GROUP_SIZE);

@@ -2,9 +2,9 @@
 // cell.glsl and defines before it
 //   ANY(condition)            whether a cell_bool holds for any cell of those side by side
 //   cell_int firstOfBin(cell_int bin)  the first site of a bin, row by row; at columns * rows, the number of sites
-//   vec2 offsetTo(cell_int place)  the site at `place` minus the site of the cell, exact or nearly so
+//   vec2 offsetTo(cell_int index)  the site at `index` minus the site of the cell, exact or nearly so
 // and with WEIGHTED, besides what bins.glsl needs,
-//   real weightDifference(cell_int place)  the weight of the cell's site minus that of the site at `place`
+//   real weightDifference(cell_int index)  the weight of the cell's site minus that of the site at `index`
 // and defines or not
 //   DRAWN  whether cells are drawn, never with WEIGHTED: then what a device's roots and quotients lose is bounded
 //          and, with a negative outset, cells are shrunk
@@ -27,7 +27,7 @@
 
 // The site whose cell is clipped, relative to the origin of the cell.
 struct Viewpoint {
-    cell_int self;       // its place
+    cell_int self;       // its index
     vec2 origin_offset;  // the way from the origin of its cell to it
     vec2 outset;         // that of searchBlock
 #ifdef WEIGHTED
@@ -63,15 +63,15 @@ struct Vertices {
 struct Bisector {
     vec2 n;
     real h;
-    cell_int place;   // of the other site
+    cell_int index;   // that of the other site
     cell_bool apart;  // false: the other is too near for a bisector, or the cell's own; this one cuts nothing
 };
 
-Bisector bisectorWith(IN(Viewpoint) view, cell_int place) {
-    vec2 d = offsetTo(place);
+Bisector bisectorWith(IN(Viewpoint) view, cell_int index) {
+    vec2 d = offsetTo(index);
     real squared = d.x * d.x + d.y * d.y;
     Bisector b;
-    b.place = place;
+    b.index = index;
     b.apart = squared > real(0.0);
     real distance = sqrt(b.apart ? squared : real(1.0));
     real inverse = real(1.0) / distance;
@@ -85,7 +85,7 @@ Bisector bisectorWith(IN(Viewpoint) view, cell_int place) {
     b.n = vec2(b.apart ? d.x * inverse : real(1.0), d.y * inverse);
     real h = real(0.5) * distance + (view.origin_offset.x * b.n.x + view.origin_offset.y * b.n.y);
 #ifdef WEIGHTED
-    h += real(0.5) * weightDifference(place) * inverse;
+    h += real(0.5) * weightDifference(index) * inverse;
 #endif
     real wider = abs(b.n.x) * view.outset.x + abs(b.n.y) * view.outset.y;
     b.h = b.apart ? h + wider : FAR;
@@ -95,15 +95,15 @@ Bisector bisectorWith(IN(Viewpoint) view, cell_int place) {
     return b;
 }
 
-// Cuts by the bisector with the site at `place`, unless that is the cell's own. False if the two are too
+// Cuts by the bisector with the site at `index`, unless that is the cell's own. False if the two are too
 // near to each other for that.
-cell_bool cutBySite(INOUT(Cell) c, IN(Viewpoint) view, cell_int place) {
-    Bisector b = bisectorWith(view, place);
+cell_bool cutBySite(INOUT(Cell) c, IN(Viewpoint) view, cell_int index) {
+    Bisector b = bisectorWith(view, index);
 #ifdef WEIGHTED
-    b.h = hasEdge(c, place) ? FAR : b.h;  // a heavy site comes twice
+    b.h = hasEdge(c, index) ? FAR : b.h;  // a heavy site comes twice
 #endif
-    cutCell(c, b.n, b.h, place);
-    cell_bool own = place == view.self;
+    cutCell(c, b.n, b.h, index);
+    cell_bool own = index == view.self;
     return b.apart || own;
 }
 
@@ -125,9 +125,9 @@ Vertices verticesOf(IN(Cell) c) {
     return v;
 }
 
-// Whether the bisector with the site at `place` cuts a vertex off, or nearly so.
-cell_bool mayCut(IN(Vertices) v, IN(Viewpoint) view, cell_int place) {
-    vec2 d = offsetTo(place);
+// Whether the bisector with the site at `index` cuts a vertex off, or nearly so.
+cell_bool mayCut(IN(Vertices) v, IN(Viewpoint) view, cell_int index) {
+    vec2 d = offsetTo(index);
     real farthest = -FAR;
     UNROLL for (int k = 0; k < EDGE_END; k++) {
         real along = v.x[k] * d.x + v.y[k] * d.y;
@@ -135,14 +135,14 @@ cell_bool mayCut(IN(Vertices) v, IN(Viewpoint) view, cell_int place) {
     }
     real halfway = real(0.49999) * (d.x * d.x + d.y * d.y) + (view.origin_offset.x * d.x + view.origin_offset.y * d.y);
 #ifdef WEIGHTED
-    real against = real(0.5) * weightDifference(place);
+    real against = real(0.5) * weightDifference(index);
     halfway += against - real(0.00001) * abs(against);
 #endif
 #ifdef DRAWN
     // A site that leaves a cell alone may cut the shrunk one.
     halfway += min(abs(d.x) * view.outset.x + abs(d.y) * view.outset.y, real(0.0));
 #endif
-    cell_bool other = place != view.self;
+    cell_bool other = index != view.self;
     return farthest > halfway && other;
 }
 
@@ -194,12 +194,12 @@ cell_bool cutByRuns(INOUT(Cell) c, IN(Viewpoint) view, IN(Runs) runs) {
         cell_int found = cell_int(0);
         cell_bool some = i < runs.count;
         do {
-            cell_int place = some ? placeInRuns(runs, i) : view.self;
-            cell_bool hit = mayCut(vertices, view, place);
-            found0 = hit && found == 0 ? place : found0;
-            found1 = hit && found == 1 ? place : found1;
-            found2 = hit && found == 2 ? place : found2;
-            found3 = hit && found == 3 ? place : found3;
+            cell_int index = some ? siteInRuns(runs, i) : view.self;
+            cell_bool hit = mayCut(vertices, view, index);
+            found0 = hit && found == 0 ? index : found0;
+            found1 = hit && found == 1 ? index : found1;
+            found2 = hit && found == 2 ? index : found2;
+            found3 = hit && found == 3 ? index : found3;
             found += hit ? cell_int(1) : cell_int(0);
             i += some ? cell_int(1) : cell_int(0);
             some = i < runs.count && found < MOST_FOUND;
@@ -220,11 +220,11 @@ cell_bool cutByRuns(INOUT(Cell) c, IN(Viewpoint) view, IN(Runs) runs) {
 // Cuts by all sites of the block but the cell's own. False if one of them is too near for that.
 cell_bool cutByBlock(INOUT(Cell) c, IN(Viewpoint) view, IN(Runs) runs, cell_bool worthwhile) {
     cell_bool certain = cell_bool(true);
-    cell_int own = indexInBlock(runs, view.self);
+    cell_int own = positionInBlock(runs, view.self);
     cell_int others = own < runs.count ? runs.count - 1 : runs.count;
     int i = 0;
     cell_bool going = worthwhile && others > 0;
-    Bisector next = bisectorWith(view, going ? placeInBlock(runs, own > 0 ? cell_int(0) : cell_int(1)) : view.self);
+    Bisector next = bisectorWith(view, going ? siteInBlock(runs, own > 0 ? cell_int(0) : cell_int(1)) : view.self);
     do {
         // The next one is made before this one cuts, so that its loads and roots are done meanwhile.
         Bisector b = next;
@@ -233,9 +233,9 @@ cell_bool cutByBlock(INOUT(Cell) c, IN(Viewpoint) view, IN(Runs) runs, cell_bool
 #ifdef WEIGHTED
         going = going && !c.empty;
 #endif
-        next = bisectorWith(view, going ? placeInBlock(runs, own > i ? cell_int(i) : cell_int(i + 1)) : view.self);
-        cutCell(c, b.n, b.h, b.place);
-        cell_bool idle = b.place == view.self;
+        next = bisectorWith(view, going ? siteInBlock(runs, own > i ? cell_int(i) : cell_int(i + 1)) : view.self);
+        cutCell(c, b.n, b.h, b.index);
+        cell_bool idle = b.index == view.self;
         certain = certain && (b.apart || idle);
     } while (ANY(going));
     return certain;
@@ -277,9 +277,9 @@ Search searchFrom(IN(Bins) bins, vec2 outset, cell_int self, vec2 origin_offset)
     return s;
 }
 
-// Begins the cell of the site at place `self`, which lies at `origin_offset` from the origin of the cell, and cuts
-// it by every site of the block. outset moves every line outward, by up to its two components along x and y: 0 to
-// measure; what view_uniform.h says to draw. Where it is negative, lines move inward.
+// Begins the cell of the site with the index `self`, which lies at `origin_offset` from the origin of the cell,
+// and cuts it by every site of the block. outset moves every line outward, by up to its two components along x
+// and y: 0 to measure; what view_uniform.h says to draw. Where it is negative, lines move inward.
 Search searchBlock(INOUT(Cell) c, IN(Bins) bins, vec4 walls, vec2 outset, cell_int self, vec2 origin_offset) {
     beginCell(c, vec4(walls.x - outset.x, walls.y - outset.y, walls.z + outset.x, walls.w + outset.y));
     Search s = searchFrom(bins, outset, self, origin_offset);

@@ -3,7 +3,7 @@
 #ifdef ENTRIES_IN_BUFFER
 layout(std430, set = 0, binding = BINDING_ENTRIES) readonly buffer Entries { uvec4 words_of_entries[]; };
 layout(set = 0, binding = BINDING_MARKS) uniform usamplerBuffer marks;
-uint place_of_entry;
+uint index_of_entry;
 uint entry_index[1];
 vec4 entry_walls[1];
 vec2 entry_bounds[1];
@@ -11,19 +11,19 @@ uvec2 entry_lines[1];
 
 // The entry at `index` of a slice that begins at `first`.
 void loadEntry(uint first, uint index) {
-    place_of_entry = first + index;
+    index_of_entry = first + index;
     entry_index[0] = index;
-    uvec4 begin = words_of_entries[2u * place_of_entry];
-    uvec4 end = words_of_entries[2u * place_of_entry + 1u];
+    uvec4 begin = words_of_entries[2u * index_of_entry];
+    uvec4 end = words_of_entries[2u * index_of_entry + 1u];
     entry_lines[0] = begin.xy;
     entry_walls[0] = uintBitsToFloat(uvec4(begin.zw, end.xy));
     entry_bounds[0] = uintBitsToFloat(end.zw);
 }
 
 // In normalized device coordinates.
-vec2 entryOrigin() { return uintBitsToFloat(texelFetch(marks, int(place_of_entry)).xy); }
+vec2 entryOrigin() { return uintBitsToFloat(texelFetch(marks, int(index_of_entry)).xy); }
 
-uvec2 entryMark() { return texelFetch(marks, int(place_of_entry)).zw; }
+uvec2 entryMark() { return texelFetch(marks, int(index_of_entry)).zw; }
 #else
 layout(location = 0) flat in vec4 entry_walls[];
 layout(location = 1) flat in vec2 entry_bounds[];

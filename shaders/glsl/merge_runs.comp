@@ -1,15 +1,15 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
-// After order_runs.comp, for crowded bins alone: merges ordered runs of slice.first places two by two. A site
-// passes those before it in its own run, and those that it finds in the other by bisection.
+// After order_runs.comp, for crowded bins alone: merges sorted runs of slice.first ranks two by two. Before a
+// site come those before it in its own run, and those less than it in the other, counted by bisection.
 #include "layout.glsl"
 #include "slice.glsl"
 #include "ordering.glsl"
 
 layout(local_size_x = GROUP_SIZE) in;
 
-// How many sites of an ordered run come before `site`.
-uint countBefore(Places run, uint site) {
+// How many sites of a sorted run come before `site`.
+uint countBefore(Ranks run, uint site) {
     uint low = run.first;
     uint high = run.behind;
     while (low < high) {
@@ -23,14 +23,14 @@ uint countBefore(Places run, uint site) {
 
 void main() {
     uint stride = gl_NumWorkGroups.x * uint(GROUP_SIZE);
-    for (uint place = gl_GlobalInvocationID.x; place < slice.count; place += stride) {
-        uint site = from[place];
-        Places bin = binOf(site);
-        uint index = (place - bin.first) / slice.first;
+    for (uint rank = gl_GlobalInvocationID.x; rank < slice.count; rank += stride) {
+        uint site = from[rank];
+        Ranks bin = binOf(site);
+        uint index = (rank - bin.first) / slice.first;
         bool second = index % 2u == 1u;
-        Places own = runOf(bin, index, slice.first);
-        Places other = runOf(bin, second ? index - 1u : index + 1u, slice.first);
+        Ranks own = runOf(bin, index, slice.first);
+        Ranks other = runOf(bin, second ? index - 1u : index + 1u, slice.first);
         uint begin = second ? other.first : own.first;
-        to[begin + (place - own.first) + countBefore(other, site)] = site;
+        to[begin + (rank - own.first) + countBefore(other, site)] = site;
     }
 }

@@ -1,6 +1,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
-// After scatter_sites.comp: puts the sites of each run of RUN_SIZE places of a bin in order.
+// After scatter_sites.comp: sorts the sites of each run of RUN_SIZE ranks of a bin by their indices.
 #include "layout.glsl"
 #include "slice.glsl"
 #include "ordering.glsl"
@@ -9,10 +9,10 @@ layout(local_size_x = GROUP_SIZE) in;
 
 void main() {
     uint stride = gl_NumWorkGroups.x * uint(GROUP_SIZE);
-    for (uint place = gl_GlobalInvocationID.x; place < slice.count; place += stride) {
-        uint site = from[place];
-        Places bin = binOf(site);
-        Places run = runOf(bin, (place - bin.first) / uint(RUN_SIZE), uint(RUN_SIZE));
+    for (uint rank = gl_GlobalInvocationID.x; rank < slice.count; rank += stride) {
+        uint site = from[rank];
+        Ranks bin = binOf(site);
+        Ranks run = runOf(bin, (rank - bin.first) / uint(RUN_SIZE), uint(RUN_SIZE));
         uint before = 0u;
         for (uint other = run.first; other < run.behind; other++) {
             before += from[other] < site ? 1u : 0u;

@@ -1,15 +1,15 @@
-// What a picture needs of a cell. Its includer has included cell.glsl and view.glsl.
+// The pixels that a cell covers. The file that includes this one has included cell.glsl and view.glsl.
 
 #define SEVERAL 2
 
-// The centers of pixels in a cell.
+// How many pixel centers lie in a cell.
 struct Covered {
     int pixels;   // 0, 1 or, for more than one, SEVERAL
     vec2 center;  // of the one pixel, in normalized device coordinates
 };
 
-// Most cells that are smaller than a pixel cover no center, and most others of a million cover one: to draw that
-// takes a triangle and no vertex of the cell. A center is covered if all lines, widened as they are, say so.
+// In a picture of a million cells most cells cover one pixel center or none. One center is drawn as a small
+// triangle, without the cell's vertices. It is covered if it lies inside all lines, widened as they are.
 Covered coveredPixels(in Cell cell, vec2 origin) {
     vec2 low = vec2(FAR);
     vec2 high = vec2(-FAR);
@@ -44,9 +44,10 @@ vec2 cornerAround(vec2 center, int corner) {
     return center + way / view.half_size;
 }
 
-// What the clipping said, but that a picture needs the shape alone: the fast pipelines leave the few open cells to
-// the roomy ones. A cell that is shrunk to nothing needs no pixel, and what floats are too coarse for is left to
-// somebody more precise.
+// The status of a cell for a picture, from that of its clipping. A picture needs the shape alone: an open cell
+// whose shape is closed is certified. The fast pipelines leave the few of these to the roomy ones. A cell that
+// is shrunk to nothing covers no pixel and is certified. One that floats are too coarse for is unsecured, and
+// found in double.
 int statusOfShape(in Cell cell, int status) {
     int shape = status;
 #if MAX_EDGES > EDGES_FAST

@@ -1,6 +1,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
-// Second of the steps that turn counts into places, in a single group: replaces the sum of each block
+// Second of the steps that turn counts into ranks, in a single group: replaces the sum of each block
 // by that of all blocks before it. slice.count is the number of blocks.
 #include "layout.glsl"
 #include "slice.glsl"

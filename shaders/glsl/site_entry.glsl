@@ -5,10 +5,11 @@ layout(std430, set = 0, binding = BINDING_ENTRIES) readonly buffer Entries { uin
 uint entry_index[1];
 uint entry_site[1];
 
-// Whether the device has put the sites into their bins, and so in another order than that of the upload.
-layout(constant_id = 0) const bool PLACED_HERE = false;
-layout(set = 0, binding = BINDING_PLACE_OF_SITE) uniform usamplerBuffer place_of_site;
-layout(set = 0, binding = BINDING_SITE_AT_PLACE) uniform usamplerBuffer site_at_place;
+// Whether the device has sorted the sites into bins. Then a site's rank, its index in the sorted order,
+// differs from its index in the upload.
+layout(constant_id = 0) const bool SORTED_HERE = false;
+layout(set = 0, binding = BINDING_RANK_OF_SITE) uniform usamplerBuffer rank_of_site;
+layout(set = 0, binding = BINDING_SITE_OF_RANK) uniform usamplerBuffer site_of_rank;
 
 // The entry at `index` of a slice that begins at `first`.
 void loadEntry(uint first, uint index) {
@@ -16,16 +17,18 @@ void loadEntry(uint first, uint index) {
     entry_site[0] = sites_of_entries[first + index];
 }
 
-int placeOf(uint site) { return int(PLACED_HERE ? texelFetch(place_of_site, int(site)).x : site); }
+// The index in `sites` of a site of the upload.
+int rankOf(uint site) { return int(SORTED_HERE ? texelFetch(rank_of_site, int(site)).x : site); }
 
+// The neighbor beyond a line: the index of a site in the upload, or a wall.
 int neighborOf(int line) {
-    return PLACED_HERE && line >= 0 ? int(texelFetch(site_at_place, line).x) : line;
+    return SORTED_HERE && line >= 0 ? int(texelFetch(site_of_rank, line).x) : line;
 }
 #else
 layout(location = 0) flat in uint entry_index[];
 layout(location = 1) flat in uint entry_site[];
 
-int placeOf(uint site) { return int(site); }
+int rankOf(uint site) { return int(site); }
 
 int neighborOf(int line) { return line; }
 #endif
@@ -38,13 +41,13 @@ layout(set = 0, binding = BINDING_MARKS) uniform usamplerBuffer marks;
 layout(set = 0, binding = BINDING_WEIGHTS) uniform samplerBuffer weights;
 layout(set = 0, binding = BINDING_HEAVIEST) uniform samplerBuffer heaviest;
 
-vec2 weightAt(int place) { return texelFetch(weights, place).xy; }
+vec2 weightAt(int index) { return texelFetch(weights, index).xy; }
 
 // Four numbers to a texel: there are up to twice as many as bins.
 float heaviestAt(int number) { return texelFetch(heaviest, number / 4)[number % 4]; }
 #endif
 
-vec4 siteAt(int place) { return texelFetch(sites, place); }
+vec4 siteAt(int index) { return texelFetch(sites, index); }
 int firstOfBin(int bin) { return int(texelFetch(bin_starts, bin).x); }
 
 #include "cell.glsl"
@@ -54,7 +57,7 @@ int clipEntry(inout Cell cell, vec2 outset) {
 #ifdef DRAWN
     beginLines(view.allowed);
 #endif
-    return clipSiteAt(cell, placeOf(entry_site[0]), outset);
+    return clipSiteAt(cell, rankOf(entry_site[0]), outset);
 }
 
 #ifdef DRAWN

@@ -1,9 +1,9 @@
 // The cell of one site of an upload, found by the search over its grid. Its includer has
 // included cell.glsl and defines before it
-//   vec4 siteAt(int place)   a site: x_high, y_high, x_low, y_low from the center of the domain
+//   vec4 siteAt(int index)   site `index`: x_high, y_high, x_low, y_low from the center of the domain
 //   int firstOfBin(int bin)  as for grid.glsl
 // and with WEIGHTED
-//   vec2 weightAt(int place)     its weight: high, low
+//   vec2 weightAt(int index)      its weight: high, low
 //   float heaviestAt(int number)  of Grid::heaviest, rounded up
 // src/backend/site_texels.h writes all of them.
 
@@ -23,13 +23,13 @@ vec4 boxFromHere(vec4 high, vec4 low) {
     return box;
 }
 
-vec2 offsetTo(int place) { return offsetFromHere(siteAt(place)); }
+vec2 offsetTo(int index) { return offsetFromHere(siteAt(index)); }
 
 #ifdef WEIGHTED
 vec2 weight_here;
 
-real weightDifference(int place) {
-    vec2 other = weightAt(place);
+real weightDifference(int index) {
+    vec2 other = weightAt(index);
     precise float difference = (weight_here.x - other.x) + (weight_here.y - other.y);
     return difference;
 }
@@ -50,11 +50,11 @@ vec2 offsetToOrigin() {
     return max(walls.xy, min(walls.zw, vec2(0.0)));
 }
 
-// Clips the cell of the site at `place`, which becomes `here`. outset is that of searchBlock.
-int clipSiteAt(inout Cell cell, int place, vec2 outset) {
-    here = siteAt(place);
+// Clips the cell of the site at `index`, which becomes `here`. outset is that of searchBlock.
+int clipSiteAt(inout Cell cell, int index, vec2 outset) {
+    here = siteAt(index);
 #ifdef WEIGHTED
-    weight_here = weightAt(place);
+    weight_here = weightAt(index);
 #endif
     vec2 origin = offsetToOrigin();
     Bins bins;
@@ -71,5 +71,5 @@ int clipSiteAt(inout Cell cell, int place, vec2 outset) {
     bins.heavy = site_grid.heavy_count;
 #endif
     vec4 walls = boxFromHere(site_grid.domain_high, site_grid.domain_low) - origin.xyxy;
-    return clipSite(cell, bins, walls, outset, place, -origin);
+    return clipSite(cell, bins, walls, outset, index, -origin);
 }

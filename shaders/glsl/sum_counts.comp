@@ -1,6 +1,6 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
-// First of the steps that turn counts into places: adds up each block of counts.
+// First of the steps that turn counts into ranks: adds up each block of counts.
 #include "layout.glsl"
 #include "slice.glsl"
 #include "sums.glsl"

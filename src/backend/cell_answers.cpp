@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t entries_at_once = std::size_t{1} << 15;
 
-// The number of edges stands above the status.
+// A word is the number of neighbors times this, plus the status.
 constexpr std::uint32_t status_values = 256;
 
 std::uint32_t wordAt(const CellAnswers& answers, std::size_t entry) {
@@ -40,8 +40,8 @@ void append(const CellAnswers& answers, CellNeighbors& out) {
   const std::size_t before = out.status.size();
   out.status.resize(before + answers.count);
   out.offsets.resize(before + answers.count + 1);
-  // By block of entries: how many neighbors it has, then where they begin.
-  std::vector<std::uint64_t> place((answers.count + entries_at_once - 1) / entries_at_once);
+  // For each block of entries its number of neighbors, then the index of the first of them.
+  std::vector<std::uint64_t> block_begin((answers.count + entries_at_once - 1) / entries_at_once);
   parallelFor(answers.count, entries_at_once, 0, [&](std::size_t begin, std::size_t end) {
     std::uint64_t sum = 0;
     for (std::size_t entry = begin; entry < end; ++entry) {
@@ -53,14 +53,14 @@ void append(const CellAnswers& answers, CellNeighbors& out) {
       out.status[before + entry] = status;
       out.offsets[before + entry + 1] = sum;
     }
-    place[begin / entries_at_once] = sum;
+    block_begin[begin / entries_at_once] = sum;
   });
   std::uint64_t end_of_all = out.offsets[before];
-  for (auto& sum : place) end_of_all += std::exchange(sum, end_of_all);
+  for (auto& sum : block_begin) end_of_all += std::exchange(sum, end_of_all);
   out.neighbor.resize(end_of_all);
   if (out.neighbor.empty()) return;
   parallelFor(answers.count, entries_at_once, 0, [&](std::size_t begin, std::size_t end) {
-    const std::uint64_t block = place[begin / entries_at_once];
+    const std::uint64_t block = block_begin[begin / entries_at_once];
     std::uint64_t first = block;
     for (std::size_t entry = begin; entry < end; ++entry) {
       const std::uint64_t next = block + out.offsets[before + entry + 1];

@@ -1,4 +1,4 @@
-/// What edges.geom and neighbors.comp of shaders/glsl answer, as neighborhoods.
+/// The answers of edges.geom and neighbors.comp of shaders/glsl, as CellNeighbors.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace vorpipe {
 
-/// The answers for some entries, where the device left them: a word for each, and a row of int32 with
-/// the neighbors of each. Strides are in bytes.
+/// The answers for `count` entries, as the device wrote them: for each a word, and a row of int32 with its
+/// neighbors. Strides are in bytes.
 struct CellAnswers {
   std::size_t count;  ///< entries
   std::size_t room;   ///< for neighbors in a row
@@ -19,21 +19,20 @@ struct CellAnswers {
   std::size_t row_stride;
 };
 
-/// The numbers in a row of edges.geom with room for so many edges, in fours: with weights, the lines that
-/// leave nothing of a cell are one more than that.
+/// The length of a row for cells of at most `edges` edges, a multiple of four. With weights, an empty cell is
+/// answered with the lines that leave nothing of it, which may be edges + 1.
 constexpr std::size_t answerRoom(std::size_t edges, bool weighted) { return edges + (weighted ? 4 : 0); }
 
 /// The status in a word; `missing` if it makes no sense.
 CellStatus statusIn(std::uint32_t word);
 
-/// Makes room in an empty `out` for so many entries with rows of `room` numbers, so that none of it moves
-/// later.
+/// Reserves memory in an empty `out` for `entries` rows of `room` numbers: appending does not move them.
 void reserve(std::size_t entries, std::size_t room, CellNeighbors& out);
 
-/// Appends the entries to out, on all threads. A word that makes no sense is an entry that is `missing`.
+/// Appends the entries of `answers` to `out`, on all threads. One whose word makes no sense is `missing`.
 void append(const CellAnswers& answers, CellNeighbors& out);
 
-/// Appends the entries of part to out.
+/// Appends the entries of `part` to `out`.
 void append(const CellNeighbors& part, CellNeighbors& out);
 
 }  // namespace vorpipe

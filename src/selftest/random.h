@@ -11,21 +11,22 @@ class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
 
-  /// From 0 to `below`, which it never is.
+  /// A whole number from 0 to `below` - 1.
   std::uint64_t whole(std::uint64_t below) { return engine_() % below; }
 
-  /// In [low, high).
+  /// A number in [low, high).
   double between(double low, double high) {
     return low + (high - low) * std::ldexp(static_cast<double>(engine_() >> 11), -53);
   }
 
-  /// A place of a lattice with so many in a row, from 0 on; every second one is moved by up to `noise`.
+  /// A coordinate of one of `side` lattice points that begin at 0 and are `spacing` apart. About half of them
+  /// are moved by up to `noise`.
   double nearLattice(std::uint64_t side, double spacing, double noise) {
-    const double place = spacing * static_cast<double>(whole(side));
-    return whole(2) == 0 ? place : place + noise * between(0, 1);
+    const double exact = spacing * static_cast<double>(whole(side));
+    return whole(2) == 0 ? exact : exact + noise * between(0, 1);
   }
 
-  /// 10 to the power of something between low and high.
+  /// 10 to a power between `low` and `high`.
   double power(double low, double high) { return std::pow(10.0, between(low, high)); }
 
  private:

@@ -12,7 +12,7 @@
 namespace vorpipe::selftests {
 namespace {
 
-/// Scenes that depend on a seed are made this often.
+/// How many times a scene that depends on a seed is run, each time with another seed.
 constexpr std::uint64_t rounds = 6, quick_rounds = 1, quick_often = 4;
 
 std::string textOf(const Mask& mask) {
@@ -23,7 +23,7 @@ std::string textOf(const Mask& mask) {
   return text;
 }
 
-/// A device, opened once for each mask that scenes ask for, and again after it failed.
+/// A device, which is opened when a scene first asks for it under a mask, and again after it failed.
 class Opened {
  public:
   explicit Opened(OpenRuns open) : open_(std::move(open)) {}
@@ -83,15 +83,16 @@ class Test {
   Result<void> runKind(const SceneKind& kind);
   Result<void> runRound(const Round& round);
   Result<Answers> judged(const Round& round);
-  Result<void> runOn(std::size_t place, const Round& round, const Answers& judges,
+  Result<void> runOn(std::size_t index, const Round& round, const Answers& judges,
                      const std::string& judges_fault);
   [[nodiscard]] bool goesOn(std::string_view what) {
     return !options_.progress || options_.progress(what, done_ / steps());
   }
   [[nodiscard]] double steps() const;
   [[nodiscard]] std::uint64_t roundsOf(const SceneKind& kind) const;
-  [[nodiscard]] SelftestDevice& device(std::size_t place) { return report_.devices[tested_[place].device]; }
-  /// Keeps the caller's progress from seeing the stages of each run, and yet stops them.
+  [[nodiscard]] SelftestDevice& device(std::size_t index) { return report_.devices[tested_[index].device]; }
+  /// A progress for one run that names `what` instead of the run's stages. It stops the run where the
+  /// caller's progress asks for that.
   [[nodiscard]] Progress stopping(std::string what) {
     if (!options_.progress) return {};
     return [this, what = std::move(what)](std::string_view, double) { return goesOn(what); };
@@ -128,16 +129,16 @@ int subpixelBitsOf(const DeviceInfo& info) {
 }
 
 Result<void> Test::measureArithmetic() {
-  for (std::size_t place = 0; place < tested_.size(); place++) {
+  for (std::size_t index = 0; index < tested_.size(); index++) {
     if (!goesOn("arithmetic")) return cancelled();
-    const auto runs = opened_[place].with(Masked::nothing, {});
+    const auto runs = opened_[index].with(Masked::nothing, {});
     auto measured = runs ? (*runs)->arithmetic() : tl::unexpected(runs.error());
     if (measured) {
-      device(place).arithmetic_fault = arithmeticFault(*measured, subpixelBitsOf(device(place).info));
-      device(place).arithmetic = std::move(*measured);
+      device(index).arithmetic_fault = arithmeticFault(*measured, subpixelBitsOf(device(index).info));
+      device(index).arithmetic = std::move(*measured);
     } else {
-      device(place).arithmetic_fault = measured.error().message;
-      opened_[place].close(Masked::nothing);
+      device(index).arithmetic_fault = measured.error().message;
+      opened_[index].close(Masked::nothing);
     }
   }
   return {};
@@ -162,16 +163,16 @@ Result<void> Test::runRound(const Round& round) {
   if (!judges) return tl::unexpected(judges.error());
   if (wasCancelled(*judges)) return cancelled();
   const std::string fault = faultByCheck(*judges, round.scene, round.refusable(), options_.threads);
-  for (std::size_t place = 0; place < tested_.size(); place++) {
+  for (std::size_t index = 0; index < tested_.size(); index++) {
     done_++;
-    const bool means_nothing = round.kind.masked != Masked::nothing && !tested_[place].masked;
+    const bool means_nothing = round.kind.masked != Masked::nothing && !tested_[index].masked;
     if (means_nothing) continue;
-    if (auto done = runOn(place, round, *judges, fault); !done) return done;
+    if (auto done = runOn(index, round, *judges, fault); !done) return done;
   }
   return {};
 }
 
-Result<void> Test::runOn(std::size_t place, const Round& round, const Answers& judges,
+Result<void> Test::runOn(std::size_t index, const Round& round, const Answers& judges,
                          const std::string& judges_fault) {
   SelftestRun run;
   run.group = round.kind.group;
@@ -179,24 +180,24 @@ Result<void> Test::runOn(std::size_t place, const Round& round, const Answers& j
   run.masked = textOf(round.mask);
   run.sites = round.scene.sites.size();
   run.seed = round.scale.seed;
-  if (tested_[place].is_judge) {
+  if (tested_[index].is_judge) {
     run.fault = judges_fault;
     run.milliseconds = judges.milliseconds;
-  } else if (auto runs = opened_[place].with(round.kind.masked, round.mask); !runs) {
+  } else if (auto runs = opened_[index].with(round.kind.masked, round.mask); !runs) {
     run.fault = runs.error().message;
   } else {
     const auto answers = answer(
-        **runs, round.scene, stopping(fmt::format("{} by {}", round.kind.group, device(place).info.backend)));
+        **runs, round.scene, stopping(fmt::format("{} by {}", round.kind.group, device(index).info.backend)));
     if (wasCancelled(answers)) return cancelled();
     run.milliseconds = answers.milliseconds;
     run.notes = notesOf(answers);
     run.fault = faultByCheck(answers, round.scene, round.refusable(), options_.threads);
     if (run.fault.empty()) run.fault = faultByJudge(answers, judges, round.scene);
-    // Its own answers are right, and nothing says so.
+    // The device's answers pass the check, but there are no right answers of the judge to compare them with.
     if (run.fault.empty() && !judges_fault.empty()) run.fault = "cpu cannot judge it: " + judges_fault;
-    if (deviceFailed(answers)) opened_[place].close(round.kind.masked);
+    if (deviceFailed(answers)) opened_[index].close(round.kind.masked);
   }
-  device(place).runs.push_back(std::move(run));
+  device(index).runs.push_back(std::move(run));
   return {};
 }
 
@@ -222,7 +223,7 @@ std::string arithmeticFault(const Arithmetic& measured, int subpixel_bits) {
     if (found > allowed)
       return fmt::format("{} is off by {:.2f} ULP, where {} are allowed", what, found, allowed);
   }
-  // Of more bits than that it cannot be seen that there are fewer.
+  // The measurement cannot tell more than most_subpixel_bits apart.
   if (measured.subpixel_bits && *measured.subpixel_bits < std::min(subpixel_bits, most_subpixel_bits)) {
     return fmt::format("vertices are snapped to {} sub-pixel bits, where {} are reported",
                        *measured.subpixel_bits, subpixel_bits);

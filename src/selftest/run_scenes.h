@@ -11,20 +11,20 @@ namespace vorpipe::selftests {
 
 /// A device that can be used, and how it is opened.
 struct Tested {
-  std::size_t device;  ///< its place in the report
+  std::size_t device;  ///< index in SelftestReport::devices
   OpenRuns open;
   bool is_judge;  ///< the backend that all others are compared with
   bool masked;    ///< whether masks mean anything to it
 };
 
-/// Runs scenes of those kinds and fills in what became of them, and the arithmetic of the devices; `judge`
-/// opens what they are compared with. Error (cancelled): the progress said so; (device): the judge cannot be
-/// opened.
+/// Runs scenes of all `kinds` on all devices of `tested`. Fills in the runs and the arithmetic of each device
+/// in `report`. `judge` opens the backend whose answers are compared with theirs. Error (cancelled): the
+/// progress said so; (device): the judge cannot be opened.
 Result<void> runScenes(std::span<const SceneKind> kinds, const std::vector<Tested>& tested,
                        const OpenRuns& judge, const SelftestOptions& options, SelftestReport& report);
 
-/// What of the numbers is worse than vorpipe's bounds allow, for a device that says it has so many sub-pixel
-/// bits; empty if nothing.
+/// The first number in `measured` that breaks one of vorpipe's bounds, in words; empty if all keep them.
+/// `subpixel_bits` are those that the device reports.
 std::string arithmeticFault(const Arithmetic& measured, int subpixel_bits);
 
 }  // namespace vorpipe::selftests

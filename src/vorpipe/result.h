@@ -28,7 +28,7 @@ std::string_view nameOf(Subject subject);
 struct Error {
   ErrorCode code;
   std::string message;
-  bool out_of_memory{};  ///< of a device: it has no memory for so much at a time
+  bool out_of_memory{};  ///< of a device: less at a time may fit into its memory
   Subject subject{};     ///< of an input
 };
 

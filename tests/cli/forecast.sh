@@ -24,7 +24,7 @@ for backend in $backends; do
   measures 90 "$backend, measures" cells --backend "$backend" --sites random:$n
   measures 90 "$backend, everything" cells --backend "$backend" --sites random:$n -o out/cells.npz
 done
-# So many that some of them have ties.
+# Enough sites that some cells have ties.
 measures 90 "cpu, a million sites" cells --backend cpu --sites random:1000000 -o out/cells.npz
 for format in csv obj; do
   ln -s /dev/null out/cells.$format

@@ -107,7 +107,7 @@ one_line
 grep -q interrupted log/err || fail "the line does not say 'interrupted'"
 [ "$before" = "$(outputs)" ] || fail "the output folder changed"
 
-# Nobody reads the pipe, so that the run never comes to look whether it was asked to stop.
+# The pipe has no reader that empties it: the write blocks, and the run cannot notice the request to stop.
 name="interrupted while it writes"
 cases=$((cases + 1))
 mkfifo in/pipe.csv

@@ -34,10 +34,10 @@ Result<std::unique_ptr<Backend>> tryBackend() {
 namespace {
 
 using vulkan::ComputeBackend;
-using vulkan::Placing;
+using vulkan::SiteSorter;
 
 // The backend as it is on a device that is not the host, on any device.
-std::unique_ptr<Backend> openPlacing(Placing placing, const Mask& mask = {}) {
+std::unique_ptr<Backend> openSortedBy(SiteSorter sorter, const Mask& mask = {}) {
   Result<vulkan::Instance> instance = vulkan::Instance::open(true);
   if (!instance) {
     ADD_FAILURE() << instance.error().message;
@@ -49,7 +49,7 @@ std::unique_ptr<Backend> openPlacing(Placing placing, const Mask& mask = {}) {
     ADD_FAILURE() << physical.error().message;
     return nullptr;
   }
-  auto backend = ComputeBackend::open(std::move(*instance), *physical, placing);
+  auto backend = ComputeBackend::open(std::move(*instance), *physical, sorter);
   if (!backend) {
     ADD_FAILURE() << backend.error().message;
     return nullptr;
@@ -57,12 +57,12 @@ std::unique_ptr<Backend> openPlacing(Placing placing, const Mask& mask = {}) {
   return std::move(*backend);
 }
 
-// Both ways to place sites, which must not show in any answer.
-class BothPlacings : public testing::Test {
+// The host and the device sort sites into bins; the answers must not depend on which does.
+class BothSorters : public testing::Test {
  protected:
   void SetUp() override {
-    host_ = openPlacing(Placing::by_host);
-    device_ = openPlacing(Placing::by_device);
+    host_ = openSortedBy(SiteSorter::host);
+    device_ = openSortedBy(SiteSorter::device);
     ASSERT_TRUE(host_ && device_);
   }
 
@@ -74,7 +74,7 @@ class BothPlacings : public testing::Test {
   std::unique_ptr<Backend> host_, device_;
 };
 
-class OfSites : public BothPlacings, public testing::WithParamInterface<Pattern> {};
+class OfSites : public BothSorters, public testing::WithParamInterface<Pattern> {};
 
 std::vector<std::int32_t> sortedRow(const CellNeighbors& cells, std::size_t entry) {
   const auto at = [&](std::uint64_t k) { return cells.neighbor.begin() + static_cast<std::ptrdiff_t>(k); };
@@ -161,7 +161,7 @@ TEST(ComputeBackend, FindsCellsAfterDrawingLists) {
 }
 
 TEST(ComputeBackend, TakesItsSitesFromTheStorageRangeWhereTheDevicePlacesThem) {
-  const auto backend = openPlacing(Placing::by_device, {{}, {{"maxStorageBufferRange", 4096}}});
+  const auto backend = openSortedBy(SiteSorter::device, {{}, {{"maxStorageBufferRange", 4096}}});
   ASSERT_TRUE(backend);
   EXPECT_EQ(backend->info().max_sites, 256U);
   EXPECT_EQ(backend->info().max_bins, 1023U);

@@ -1,5 +1,5 @@
-/// Runs random hard inputs on every backend, for as long as wanted, and tells the promises that are broken.
-/// Exits with 1 when there is one.
+/// Runs random hard inputs on every backend for --seconds, and prints the promises that are broken. The exit
+/// code is 1 if one is.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -46,8 +46,9 @@ void addOptions(CLI::App& app, Wanted& wanted) {
                  "only inputs whose description has this in it, as in 'lifted weights'");
   app.add_option("--backends", wanted.backends, "names, or all that can be used")->delimiter(',');
   app.add_option("--write", wanted.folder, "where inputs that fail are written, made smaller");
-  app.add_option("--shown", wanted.shown, "of each kind of fault so many are told")->capture_default_str();
-  app.add_option("--shrunk", wanted.shrunk, "and so many made smaller")->capture_default_str();
+  app.add_option("--shown", wanted.shown, "faults of each kind that are printed")->capture_default_str();
+  app.add_option("--shrunk", wanted.shrunk, "faults of each kind whose inputs are made smaller")
+      ->capture_default_str();
   app.add_option("--shrink", wanted.shrink_seconds, "seconds that making one smaller may take")
       ->capture_default_str();
   app.add_flag("--no-cells", wanted.no_cells, "only pictures");
@@ -95,7 +96,7 @@ Result<std::vector<Session>> openAll(const std::vector<std::string>& named) {
 /// The input that is being run, for sayUnderWay().
 std::string under_way;
 
-/// Names the input that a failed assertion or a wrong address ends the process at.
+/// Prints the input that was run when a failed assertion or a segmentation fault ended the process.
 extern "C" void sayUnderWay(int signal) {
   [[maybe_unused]] const auto written = write(STDOUT_FILENO, under_way.data(), under_way.size());
   std::signal(signal, SIG_DFL);
@@ -130,7 +131,7 @@ class Findings {
   [[nodiscard]] bool report() const {
     fmt::print("{} inputs of {} sites in all, {} refused, {} failed\n", inputs_, sites_, refused_, failed_);
     for (const auto& [kind, count] : kinds_) fmt::print("  {:5} x {}\n", count, kind);
-    // What is refused proves nothing.
+    // An input that is refused tests nothing, so that few may be.
     if (10 * refused_ > inputs_ && inputs_ > 20) {
       fmt::print("more than a tenth was refused\n");
       return false;

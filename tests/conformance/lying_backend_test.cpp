@@ -1,5 +1,5 @@
-// What becomes of a device's answer that makes no sense: right cells, or an error of the device; never a
-// crash, and never a wrong one.
+// A device whose answers make no sense leads to right cells or to an error of the device, never to a crash or
+// to wrong cells.
 #include <gtest/gtest.h>
 
 #include <memory>
@@ -77,7 +77,7 @@ class LyingBackends : public testing::TestWithParam<const char*> {
   const std::uint64_t seed_ = static_cast<std::uint64_t>(testing::UnitTest::GetInstance()->random_seed());
 };
 
-TEST_P(LyingBackends, MisleadNobodyAboutCells) {
+TEST_P(LyingBackends, leadToRightCellsOrAnError) {
   const auto exact = openExactTier(0);
   for (const auto& given : cases()) {
     const auto honest = open(GetParam(), given.mask);
@@ -96,7 +96,7 @@ TEST_P(LyingBackends, MisleadNobodyAboutCells) {
           EXPECT_EQ(found.error().code, ErrorCode::device) << found.error().message;
           EXPECT_EQ(found.error().message.find('\n'), std::string::npos);
         }
-        // Nothing but an answer that is none at all is worth an error.
+        // Only arrays that contradict each other are an error.
         EXPECT_TRUE(found || lie == Lie::offsets || lie == Lie::lengths) << found.error().message;
         EXPECT_TRUE(one_in > 1 || lying.told() > 0);
       }
@@ -104,7 +104,7 @@ TEST_P(LyingBackends, MisleadNobodyAboutCells) {
   }
 }
 
-TEST_P(LyingBackends, MisleadNobodyAboutPixelsThatCouldNotBe) {
+TEST_P(LyingBackends, leadToNoPixelOfAnImpossibleSite) {
   const auto exact = openExactTier(0);
   for (const auto& given : cases()) {
     const auto picture = pictureOf(given.wanted);
@@ -117,7 +117,7 @@ TEST_P(LyingBackends, MisleadNobodyAboutPixelsThatCouldNotBe) {
       LyingBackend lying(*honest, lie, 5, seed_);
       const auto drawn = renderOn({lying, *exact, 0}, given.sites, picture);
       if (!drawn) {
-        // A cell that the judge found is to be drawn, and there is no other way.
+        // The device cannot be made to draw a cell that the judge found.
         EXPECT_EQ(drawn.error().code, ErrorCode::device) << drawn.error().message;
         continue;
       }
@@ -126,7 +126,7 @@ TEST_P(LyingBackends, MisleadNobodyAboutPixelsThatCouldNotBe) {
       for (std::size_t k = 0; k < mine.ids.size(); ++k) {
         ASSERT_TRUE(mine.ids[k] < given.sites.size() || mine.ids[k] == no_site) << "pixel " << k;
         if (lie != Lie::pixels || mine.ids[k] != right->image.ids[k]) continue;
-        // Colors are those of the ids, whatever the device says they are.
+        // Colors follow from the ids, whatever colors the device answered.
         ASSERT_EQ(mine.rgba[k], right->image.rgba[k]) << "pixel " << k;
       }
     }

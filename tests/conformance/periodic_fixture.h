@@ -22,7 +22,7 @@ inline CellsOptions repeated(Periodic periodic, const Box& domain = unit,
 
 class PeriodicCells : public Cells {
  protected:
-  /// The cells, for which every promise is kept.
+  /// Computes the cells, and expects that check() finds no broken promise.
   static Diagram expectRight(const Sites& sites, const CellsOptions& wanted) {
     auto diagram = cells(sites, wanted);
     const auto broken = check(sites, wanted, diagram);
@@ -33,7 +33,8 @@ class PeriodicCells : public Cells {
   }
 };
 
-/// Sites with weights up to so many mean spacings squared, most of them small.
+/// n random sites with weights from 0 to `spacings` / n, most of them small; 1 / n is the mean spacing
+/// squared.
 inline Sites weighted(std::uint64_t n, std::uint64_t seed, double spacings) {
   auto sites = generate(Pattern::random, n, seed);
   const auto parts = generate(Pattern::random, n, seed + 100).x;

@@ -9,7 +9,7 @@
 namespace vorpipe::test {
 namespace {
 
-/// The set of a cell's neighbors has so many members, and its list as well.
+/// The cell of site i has `count` neighbors, and no image of a site twice.
 void expectNeighbors(const Diagram& d, std::size_t i, std::size_t count) {
   EXPECT_EQ(imagesBeside(d, i).size(), count) << "site " << i;
   EXPECT_EQ(d.cell_offsets[i + 1] - d.cell_offsets[i], count) << "site " << i;

@@ -1,6 +1,6 @@
 /// Real sites, and sites that were hard, on every backend: all .csv files of tests/data and of the folder
-/// that VORPIPE_TEST_DATA names. Cells are held to exact arithmetic, cells and pictures to what --check looks
-/// at.
+/// that VORPIPE_TEST_DATA names. Cells are compared with exact arithmetic; cells and pictures have to pass
+/// check().
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -17,9 +17,9 @@
 namespace vorpipe::test {
 namespace {
 
-/// CGAL needs some 30 us for each site: more than so many are for the check alone.
+/// The most sites whose cells are compared with CGAL's, which needs about 30 us for each.
 constexpr std::size_t most_exact = 200'000;
-/// Brute force over each site for each pixel: more than so many are for the check alone.
+/// The most distances, sites times pixels, that pictures are compared with by brute force.
 constexpr std::size_t most_distances = 50'000'000;
 constexpr std::size_t width = 300, height = 200;
 

@@ -28,7 +28,7 @@ Result<std::unique_ptr<Backend>> openDevice(const BackendOptions& options, Pipel
     // Without a GPU the device is the host, which has the sites in their bins already.
     const bool is_host = device->info.type == "cpu";
     return vulkan::ComputeBackend::open(std::move(*instance), *device,
-                                        is_host ? vulkan::Placing::by_host : vulkan::Placing::by_device);
+                                        is_host ? vulkan::SiteSorter::host : vulkan::SiteSorter::device);
   }
   return vulkan::GeometryBackend::open(std::move(*instance), *device);
 }

@@ -21,8 +21,8 @@ namespace {
 
 constexpr std::uint64_t seed = 1;
 
-/// A run of fewer seconds would be measured in what the run of another job before it left of the caches, so
-/// that it is run twice.
+/// A run of fewer seconds is made twice, and the second is measured: the first fills the caches again that
+/// the job before it used.
 constexpr double short_run = 0.02;
 
 std::string keyOf(const Job& job) {
@@ -31,7 +31,7 @@ std::string keyOf(const Job& job) {
                      static_cast<int>(job.detail));
 }
 
-/// Of all threads of this process.
+/// CPU time of all threads of this process.
 double cpuSeconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -41,7 +41,7 @@ double cpuSeconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-/// A picture of the domain whose longer side has so many pixels.
+/// Width and height of a picture of the domain, whose longer side has `side` pixels.
 std::pair<int, int> sizeOf(const Box& domain, int side) {
   const double width = domain.xmax - domain.xmin, height = domain.ymax - domain.ymin;
   const auto shorter = [side](double part) {
@@ -51,7 +51,7 @@ std::pair<int, int> sizeOf(const Box& domain, int side) {
                          : std::pair(shorter(width / height), side);
 }
 
-/// What both kinds of runs leave behind.
+/// The figures of a run, whether of cells or of a picture.
 struct Run {
   double seconds, cpu_seconds;
   Report report;

@@ -85,7 +85,7 @@ class Lab {
   void noteFailure(const std::string& what) { failures_.push_back(what); }
   [[nodiscard]] const std::vector<std::string>& failures() const { return failures_; }
 
-  /// The threads that a run takes if nobody says otherwise.
+  /// The threads of a run whose job does not name their number.
   [[nodiscard]] int threads() const;
 
  private:

@@ -15,10 +15,10 @@ constexpr double panel_width = 480, panel_height = 330;
 constexpr double left = 64, right = 20, top = 52, bottom = 44;
 constexpr double legend_height = 44, caption_height = 36, margin = 16, marker = 3.2;
 constexpr double legend_line = 24, letter_width = 7.2, legend_gap = 28;
-/// An axis reaches a little beyond what stands along it.
+/// An axis ends at this multiple of the greatest value along it, and begins at the least divided by it.
 constexpr double beyond = 1.25;
 
-// Okabe and Ito's colors, which the color-blind tell apart; black is for somebody else's figures.
+// Okabe and Ito's colors, which the color-blind tell apart; black is for other programs (Curve::theirs).
 constexpr std::array<const char*, 7> colors = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                                "#E69F00", "#56B4E9", "#999999"};
 

@@ -254,9 +254,7 @@ void addBench(CommandLine& line) {
       "real data for the table inputs, as other subcommands take them; repeatable",
       [](std::string_view text) { return Parsed<std::string>(text); },
       [sites = &command->sites](std::string path) { sites->push_back(std::move(path)); });
-  addRunOptions(options, command->backend);
-  addMemoryLimit(options, command->memory_limit);
-  addMaskOptions(options, command->backend.mask);
+  addRunOptions(options, command->backend, command->memory_limit);
   addFile(options, "--json", command->json, "", "every figure with all its samples");
   addFile(options, "--markdown", command->markdown, "", "what is printed, in a file");
   addFile(options, "--plot", command->plot, ".svg", "the curves");

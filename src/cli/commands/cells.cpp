@@ -176,9 +176,7 @@ void addCells(CommandLine& line) {
           "of each cell and its center");
   addBackendChoice(options, command->backend);
   addSearchOptions(options, command->search);
-  addRunOptions(options, command->backend);
-  addMemoryLimit(options, command->memory_limit);
-  addMaskOptions(options, command->backend.mask);
+  addRunOptions(options, command->backend, command->memory_limit);
   options.addFlag(
       "--check", command->check,
       "verifies areas, neighbors, polygons and nearest sites; exit code 1 if a promise is broken");

@@ -220,9 +220,7 @@ void addCompare(CommandLine& line) {
   addSizeOption(options, command->size);
   addDeviceChoice(options, command->backend);
   addSearchOptions(options, command->picture.search);
-  addRunOptions(options, command->backend);
-  addMemoryLimit(options, command->memory_limit);
-  addMaskOptions(options, command->backend.mask);
+  addRunOptions(options, command->backend, command->memory_limit);
   addFile(options, "--report", command->report, "", "what was found, in JSON");
   addFile(options, "-o", command->png, ".png",
           "the pictures side by side, and below each pair's differences");

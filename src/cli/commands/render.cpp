@@ -159,9 +159,7 @@ void addRender(CommandLine& line) {
   addPictureOptions(options, *command);
   addBackendChoice(options, command->backend);
   addSearchOptions(options, command->picture.search);
-  addRunOptions(options, command->backend);
-  addMemoryLimit(options, command->memory_limit);
-  addMaskOptions(options, command->backend.mask);
+  addRunOptions(options, command->backend, command->memory_limit);
   options.addFlag("--check", command->check,
                   "verifies statuses and the nearest site of each pixel; exit code 1 if a promise is broken");
   addFile(options, "--stats", command->stats, "", "what was done, in JSON");

@@ -77,20 +77,6 @@ void addThreads(Options& options, int& threads) {
   });
 }
 
-void addRunOptions(Options& options, BackendOptions& backend) {
-  addThreads(options, backend.threads);
-  backend.validation = validationAskedByEnvironment();
-  options.addFlag("--validate", backend.validation,
-                  "Vulkan validation layers; a message of theirs fails the run [VORPIPE_VALIDATION=1]");
-}
-
-void addMemoryLimit(Options& options, std::optional<std::uint64_t>& bytes) {
-  addParsed(options, "--memory-limit", bytes, "SIZE",
-            "the most memory to take, as in 8GiB or 500MB: a run that needs more is refused before it begins "
-            "[what this machine, and the groups and limits that it runs in, have left]",
-            parseBytes);
-}
-
 void addMaskOptions(Options& options, Mask& mask) {
   addRepeatable(
       options, "--disable", "FEATURE",
@@ -101,6 +87,18 @@ void addMaskOptions(Options& options, Mask& mask) {
                             "{}; repeatable",
                             fmt::join(limitNames(), ", ")),
                 parseLimit, [&mask](auto limit) { mask.limits.push_back(std::move(limit)); });
+}
+
+void addRunOptions(Options& options, BackendOptions& backend, std::optional<std::uint64_t>& memory_limit) {
+  addThreads(options, backend.threads);
+  backend.validation = validationAskedByEnvironment();
+  options.addFlag("--validate", backend.validation,
+                  "Vulkan validation layers; a message of theirs fails the run [VORPIPE_VALIDATION=1]");
+  addParsed(options, "--memory-limit", memory_limit, "SIZE",
+            "the most memory to take, as in 8GiB or 500MB: a run that needs more is refused before it begins "
+            "[what this machine, and the groups and limits that it runs in, have left]",
+            parseBytes);
+  addMaskOptions(options, backend.mask);
 }
 
 void addSearchOptions(Options& options, SearchOptions& search) {

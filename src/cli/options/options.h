@@ -62,12 +62,10 @@ void addDeviceChoice(Options& options, BackendOptions& backend);
 void addBackendChoice(Options& options, BackendOptions& backend);
 /// --threads
 void addThreads(Options& options, int& threads);
-/// --threads, --validate
-void addRunOptions(Options& options, BackendOptions& backend);
-/// --memory-limit
-void addMemoryLimit(Options& options, std::optional<std::uint64_t>& bytes);
 /// --disable, --limit
 void addMaskOptions(Options& options, Mask& mask);
+/// --threads, --validate, --memory-limit, --disable, --limit
+void addRunOptions(Options& options, BackendOptions& backend, std::optional<std::uint64_t>& memory_limit);
 /// --search
 void addSearchOptions(Options& options, SearchOptions& search);
 /// --size

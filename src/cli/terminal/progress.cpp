@@ -14,9 +14,9 @@ namespace vorpipe::cli {
 namespace {
 
 std::atomic<int> caught{0};
-std::atomic<bool> over{false};  ///< somebody ends the program already
+std::atomic<bool> over{false};  ///< a handler ends the program, or ignoreSignals keeps all from it
 std::atomic<bool> bar_is_shown{false};
-bool ignoring = false;  ///< ignoreSignals was called, by the one thread that calls it
+bool ignoring = false;  ///< ignoreSignals was called; one thread alone calls it
 std::atomic<const std::vector<std::string>*> unfinished{nullptr};  ///< the files to remove
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
                   decltype(unfinished)::is_always_lock_free,
@@ -25,11 +25,11 @@ static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_alw
 constexpr int bar_width = 30;
 constexpr auto redraw_after = std::chrono::milliseconds(50);
 
-/// What shells add to a signal's number for the exit code of what it ended.
+/// Added to a signal's number, it is the exit code that shells report for a process that the signal ended.
 constexpr int killed_by_signal = 128;
 
-/// How long a run that was asked to stop may take: a driver, a file system or a long computation may not
-/// look up for seconds.
+/// How long a run that was asked to stop may go on before its process is ended: a call of a driver or of a
+/// file system may take seconds.
 constexpr int grace_microseconds = 200'000;
 
 void install(int signal, void (*handler)(int)) {
@@ -39,7 +39,7 @@ void install(int signal, void (*handler)(int)) {
   sigaction(signal, &action, nullptr);
 }
 
-/// In a signal handler, on any thread: only what is safe there.
+/// Removes unfinished files and ends the process. Runs in a signal handler: async-signal-safe calls alone.
 void endProgram(int signal) {
   if (over.exchange(true)) return;
   if (const auto* const paths = unfinished.load()) {
@@ -83,7 +83,7 @@ void removeOnSignals(std::span<const OutputFile> files) {
 
 void ignoreSignals() {
   if (over.exchange(true) && !ignoring) {
-    // A handler on another thread was first: the program ends any moment.
+    // A handler on another thread is ending the process.
     for (;;) pause();
   }
   ignoring = true;

@@ -16,11 +16,11 @@ namespace {
 constexpr std::size_t grain = std::size_t{1} << 15;
 constexpr std::size_t pixels_at_once = std::size_t{1} << 16;
 
-/// A polygon of a box has as many edges at least.
+/// The fewest edges of a cell.
 constexpr std::size_t least_edges = 3;
 
-/// No neighbor's number.
-constexpr std::int64_t nobody = std::numeric_limits<std::int64_t>::min();
+/// For the entries of a batch, whose own sites are not among their lines: a number that no neighbor has.
+constexpr std::int64_t no_own_site = std::numeric_limits<std::int64_t>::min();
 
 Error nonsense(const Backend& backend, std::string_view what) {
   const auto& device = backend.info().device;
@@ -29,7 +29,7 @@ Error nonsense(const Backend& backend, std::string_view what) {
                                          device.backend, device.name, what)};
 }
 
-/// Why an answer about `count` cells is none at all; empty if it is one.
+/// Why the arrays of an answer about `count` cells contradict each other; empty if they do not.
 std::string_view whatIsWrong(const CellNeighbors& cells, std::size_t count) {
   if (cells.status.size() != count) return "it is of another number of cells";
   if (cells.offsets.size() != count + 1 || cells.offsets.front() != 0 ||
@@ -40,8 +40,8 @@ std::string_view whatIsWrong(const CellNeighbors& cells, std::size_t count) {
   return {};
 }
 
-/// Whether the neighbors of a cell could be those of one: those of a certified cell begin with the smallest
-/// number, and all are walls or among the `count` sites or lines that there are, and not the cell itself.
+/// Whether a cell of that status can have these neighbors. All must be walls or less than `count`, the number
+/// of sites or lines, and none the cell's own site. Those of a certified cell begin with the smallest number.
 bool couldBe(CellStatus status, std::span<const std::int32_t> neighbors, std::int64_t self,
              std::int64_t count) {
   if (!isDone(status)) return neighbors.empty();
@@ -53,7 +53,7 @@ bool couldBe(CellStatus status, std::span<const std::int32_t> neighbors, std::in
          *std::min_element(neighbors.begin(), neighbors.end()) == neighbors.front();
 }
 
-/// Takes the neighbors of all entries that are not done from an answer, in order.
+/// Removes the neighbors of all entries that are not done; those of the others keep their order.
 void dropOthers(CellNeighbors& cells) {
   std::uint64_t end = 0;
   std::uint64_t begin = cells.offsets[0];
@@ -68,8 +68,8 @@ void dropOthers(CellNeighbors& cells) {
   cells.neighbor.resize(end);
 }
 
-/// Makes an answer one that can be relied on; limitsOf(e) is the number of entry e's own site and how
-/// many sites or lines there are for it.
+/// Makes entries `missing` that could be no cells. limitsOf(e) returns the number of entry e's own site, and
+/// the number of sites or lines that its neighbors can be. Error (device): see whatIsWrong.
 template <class LimitsOf>
 Result<void> secure(const Backend& backend, std::size_t count, int threads, CellNeighbors& cells,
                     const LimitsOf& limitsOf) {
@@ -114,7 +114,7 @@ Result<void> askCells(Backend& backend, std::size_t sites, std::span<const std::
 Result<void> askCells(Backend& backend, const CellBatch<double>& batch, int threads, CellNeighbors& out) {
   if (auto done = backend.cells(batch, out); !done) return done;
   return secure(backend, batch.entries.size(), threads, out, [&](std::size_t e) {
-    return Limits{nobody, batch.entries[e].count};
+    return Limits{no_own_site, batch.entries[e].count};
   });
 }
 

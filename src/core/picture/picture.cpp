@@ -15,7 +15,7 @@
 #include "core/periodic/scene.h"
 #include "core/picture/colormap.h"
 #include "core/picture/overlay.h"
-#include "core/picture/shade.h"
+#include "core/picture/palette_index.h"
 #include "core/picture/uncovered.h"
 #include "core/sites/bin_sort.h"
 #include "core/sites/weights.h"

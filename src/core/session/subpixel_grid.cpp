@@ -7,17 +7,18 @@
 namespace vorpipe::core {
 namespace {
 
-/// Pixels along a side of the view, and from one shape to the next.
+/// Pixels along a side of the view, pixels from one shape to the next, and shapes in a view.
 constexpr int side = 512, pitch = 4, shapes = side / pitch;
-/// From bottom to top each edge goes so many pixels to the right, so that a row is a thousandth of a pixel;
-/// from one shape to the next it moves as far, a quarter of a pixel in all.
+/// By how many pixels an edge leans to the right from the bottom of the view to the top, 1/1024 per row.
 constexpr float lean = 0.5F;
+/// By how many pixels the edge moves to the right from one shape to the next.
 constexpr float shift = lean / side;
+/// Views of shapes that are drawn, through which the edge moves by 1/4 pixel.
 constexpr int rounds = 2;
 
-/// Shapes of about 2 x side pixels, side by side. What is left of such an edge is cut off: it passes the
-/// centers of the second column of pixels of its shape near the middle of the view, and the farther to the
-/// right it is, the lower.
+/// The shapes from number `first` on, side by side, about 2 pixels wide and as high as the view. The left
+/// side of each is a leaning edge that passes the pixel centers of the shape's second column near the middle
+/// of the view; the larger the shape's number, the lower.
 CellBatch<float> shapesFrom(int first) {
   CellBatch<float> batch;
   const float slope = lean / side;
@@ -40,7 +41,8 @@ std::vector<DrawMark> marksOf() {
   return marks;
 }
 
-/// How many pixels each shape covers in its second column.
+/// Draws the shapes from number `first` on. Appends to `heights` how many pixels each covers in its second
+/// column.
 Result<void> drawShapes(Backend& backend, int first, std::vector<int>& heights) {
   const View view{{0, 0, side, side}, side, side, {}};
   if (auto begun = backend.begin(view); !begun) return begun;

@@ -76,8 +76,7 @@ class LyingBackend final : public ForwardingBackend {
 
   std::uint32_t number() { return static_cast<std::uint32_t>(random_()); }
 
-  /// What a memory that nobody wrote, or a float in the wrong place, may hold; else a number near those that
-  /// mean something.
+  /// A number as in memory that was never written, or as of a float's bits; or one near the valid numbers.
   std::int32_t neighbor() {
     constexpr std::int32_t least = std::numeric_limits<std::int32_t>::min();
     constexpr std::array<std::int32_t, 8> odd = {

@@ -76,8 +76,8 @@ struct Words {
     return {(to.x_high - here.x_high) + (to.x_low - here.x_low),
             (to.y_high - here.y_high) + (to.y_low - here.y_low)};
   }
-  [[nodiscard]] vec2 offsetTo(int place) const {
-    const auto i = static_cast<std::size_t>(place);
+  [[nodiscard]] vec2 offsetTo(int index) const {
+    const auto i = static_cast<std::size_t>(index);
     return offset(texel({sites->x[i], sites->y[i]}));
   }
   [[nodiscard]] int firstOfBin(int bin) const {
@@ -261,8 +261,8 @@ class Device final : public SloppyDevice {
     typename Clip::Order order;
     clip.orderEdges(cell, order);
     std::vector<Vertex> strip;
-    for (int place = 0; place < order.count; ++place) {
-      const vec2 start = clip.startOfRank(cell, order, rankInStrip(place, order.count));
+    for (int index = 0; index < order.count; ++index) {
+      const vec2 start = clip.startOfRank(cell, order, rankInStrip(index, order.count));
       strip.push_back(snapped({origin.x + start.x * uniform.scale_x, origin.y + start.y * uniform.scale_y}));
     }
     measure(strip, id);

@@ -211,7 +211,7 @@ Sites alongCurve(std::uint64_t n, Random& random) {
   return sites;
 }
 
-/// Crosses of four sites, two of which meet along an edge of about the length of a tie, or of none.
+/// Crosses of four sites, two of which meet along an edge of length 0 or of about the length of a tie.
 Sites tieCrosses(std::uint64_t n, Random& random) {
   Sites sites;
   while (sites.size() < n) {

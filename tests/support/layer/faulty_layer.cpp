@@ -1,9 +1,9 @@
 // A Vulkan layer that makes any device a worse one, for tests of the whole program:
-//   VORPIPE_LAYER_SUBPIXEL_BITS=N         it reports so many bits
-//   VORPIPE_LAYER_LARGEST_ALLOCATION=N    it refuses memory for more bytes at a time
-//   VORPIPE_LAYER_LOST_AT=K               it is lost at the k-th submission of the process, and stays lost
-//   VORPIPE_LAYER_ALL_LOST=1              and so are all others then
-//   VORPIPE_LAYER_THREADS_FILE=FILE       when a device is opened, LP_NUM_THREADS is written to a file
+//   VORPIPE_LAYER_SUBPIXEL_BITS=N         it reports N sub-pixel bits
+//   VORPIPE_LAYER_LARGEST_ALLOCATION=N    it refuses allocations of more than N bytes
+//   VORPIPE_LAYER_LOST_AT=K               it is lost at the K-th submission of the process, and stays lost
+//   VORPIPE_LAYER_ALL_LOST=1              from then on all devices are lost
+//   VORPIPE_LAYER_THREADS_FILE=FILE       LP_NUM_THREADS is written to FILE when a device is opened
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
 
@@ -19,8 +19,8 @@
 
 namespace {
 
-// What is next in the chain, asked for when the object is made: later the loader answers with the first of
-// the chain again.
+// The functions of the next layer or driver. They are asked for when the instance or device is made: later
+// the loader would answer with those of the first layer again.
 struct NextInstance {
   VkInstance handle;
   PFN_vkGetInstanceProcAddr proc;
@@ -41,7 +41,8 @@ std::map<void*, NextDevice> devices;
 std::set<void*> lost;
 std::uint64_t submissions = 0;
 
-// What the loader puts at the beginning of handles: the same for all that belong to an instance or a device.
+// The pointer that the loader puts at the beginning of a handle: the same for all handles of an instance, and
+// for all of a device.
 template <class Handle>
 void* keyOf(Handle handle) {
   void* key = nullptr;
@@ -71,7 +72,7 @@ void ask(Proc proc, Handle handle, const char* name, Function& function) {
   function = reinterpret_cast<Function>(proc(handle, name));
 }
 
-// The loader's place in the chain of what it hands to layers; of one struct for each of its functions.
+// The structure in the chain of `info` that links to the next layer; the loader adds one for each function.
 template <class Link, class Info>
 Link* linkIn(const Info* info, VkStructureType type) {
   for (const auto* each = static_cast<const VkBaseInStructure*>(info->pNext); each != nullptr;
@@ -145,7 +146,7 @@ VKAPI_ATTR VkResult VKAPI_CALL allocateMemory(VkDevice device, const VkMemoryAll
   return nextOfDevice(device).allocate_memory(device, info, how, memory);
 }
 
-// Whether the queue's device is lost by now; it has the device's key.
+// Whether the queue's device is lost by now, or lost by this submission. The queue has the device's key.
 bool isLost(VkQueue queue) {
   const std::lock_guard lock(mutex);
   if (lost.contains(keyOf(queue))) return true;

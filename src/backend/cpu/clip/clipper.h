@@ -38,8 +38,8 @@ struct Clipper {
   }
 
   /// The difference is taken in double, then rounded.
-  [[nodiscard]] vec2 offsetTo(int place) const {
-    const auto i = static_cast<std::size_t>(place);
+  [[nodiscard]] vec2 offsetTo(int index) const {
+    const auto i = static_cast<std::size_t>(index);
     return vec2(static_cast<Real>(sites->x[i] - site_x), static_cast<Real>(sites->y[i] - site_y));
   }
 

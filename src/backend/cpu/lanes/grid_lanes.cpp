@@ -47,9 +47,9 @@ struct Searched {
 };
 
 template <int Edges>
-class Finding {
+class LaneFinder {
  public:
-  explicit Finding(const LaneJob& job) : job_(job) {
+  explicit LaneFinder(const LaneJob& job) : job_(job) {
     clip_.sites_x = job.x;
     clip_.sites_y = job.y;
     clip_.bin_starts = job.offsets;
@@ -65,11 +65,11 @@ class Finding {
   void find(const std::uint32_t* cells, std::size_t count) {
     for (std::size_t l = 0; l < width; ++l) near_.which[l] = cells[l < count ? l : 0];
     near_.count = count;
-    const auto place = placeOf(near_);
-    near_.search =
-        clip_.searchBlock(near_.cell, place.bins, place.walls, place.outset, place.self, place.origin_offset);
-    write(near_, place);
-    const Ints sides = sidesBeyond(place.bins, near_.search);
+    const auto around = surroundingsOf(near_);
+    near_.search = clip_.searchBlock(near_.cell, around.bins, around.walls, around.outset, around.self,
+                                     around.origin_offset);
+    write(near_, around);
+    const Ints sides = sidesBeyond(around.bins, near_.search);
     for (std::size_t l = 0; l < count; ++l) {
       if (near_.search.left[l] == 0) continue;
       auto& far = far_[max(1, min(sides[l], most_sides)) - 1];
@@ -78,7 +78,7 @@ class Finding {
     }
   }
 
-  /// Ends the cells that wait.
+  /// Finishes the cells that wait.
   void finish() {
     for (auto& far : far_) {
       if (far.count > 0) finish(far);
@@ -87,7 +87,7 @@ class Finding {
 
  private:
   using Cells = Clip<Many, Edges>;
-  /// Few cells look beyond more sides.
+  /// Cells that look beyond more sides are few, and wait with those of this many.
   static constexpr int most_sides = 3;
 
   void finish(Searched<Edges>& far) {
@@ -95,8 +95,8 @@ class Finding {
       far.which[l] = far.which[0];
       far.search.left[l] = 0;
     }
-    const auto place = placeOf(far);
-    auto search = clip_.searchFrom(place.bins, place.outset, place.self, place.origin_offset);
+    const auto around = surroundingsOf(far);
+    auto search = clip_.searchFrom(around.bins, around.outset, around.self, around.origin_offset);
     search.tried = far.search.tried;
     search.certain = far.search.certain;
     search.left = far.search.left;
@@ -104,13 +104,13 @@ class Finding {
 #ifdef WEIGHTED
     search.view.weight_excess = far.search.view.weight_excess;
 #endif
-    clip_.searchBeyond(far.cell, place.bins, search);
+    clip_.searchBeyond(far.cell, around.bins, search);
     far.search = search;
-    write(far, place);
+    write(far, around);
     far.count = 0;
   }
 
-  /// On how many sides of the block there are sites that can cut a cell.
+  /// For each cell, beyond how many sides of its block sites may be that can cut it.
   Ints sidesBeyond(const typename Cells::Bins& bins, const typename Cells::Search& search) {
     const auto range = clip_.binsOf(bins, search.box);
     return -((range.west < search.column - 1) + (range.east > search.column + 1) +
@@ -125,30 +125,30 @@ class Finding {
   static constexpr std::size_t room = Edges;
 #endif
 
-  /// What cells are clipped in.
-  struct Place {
+  /// By lane: the cell's site, and what it is clipped with, as seen from the origin of the cell.
+  struct Surroundings {
     Ints self;
     typename Cells::Bins bins;
     vec4 walls;
     vec2 outset, origin_offset;
   };
 
-  /// Turns to the sites of some cells.
-  Place placeOf(const Searched<Edges>& cells) {
-    Place place;
-    for (std::size_t l = 0; l < width; ++l) place.self[l] = static_cast<int>(job_.which[cells.which[l]]);
-    const Doubles site_x = clip_.site_x = gather(job_.x, place.self);
-    const Doubles site_y = clip_.site_y = gather(job_.y, place.self);
+  /// Sets the clipping up for the sites of `cells`, one in each lane.
+  Surroundings surroundingsOf(const Searched<Edges>& cells) {
+    Surroundings around;
+    for (std::size_t l = 0; l < width; ++l) around.self[l] = static_cast<int>(job_.which[cells.which[l]]);
+    const Doubles site_x = clip_.site_x = gather(job_.x, around.self);
+    const Doubles site_y = clip_.site_y = gather(job_.y, around.self);
 #ifdef WEIGHTED
-    clip_.weight = gather(job_.weight, place.self);
+    clip_.weight = gather(job_.weight, around.self);
 #endif
     const Doubles x = max(job_.domain[0] - Doubles{}, min(job_.domain[2] - Doubles{}, site_x));
     const Doubles y = max(job_.domain[1] - Doubles{}, min(job_.domain[3] - Doubles{}, site_y));
-    place.bins = binsFrom(x, y);
-    place.walls = boxFrom(job_.domain, x, y);
-    place.outset = {everyReal(job_.outset_x), everyReal(job_.outset_y)};
-    place.origin_offset = {toReals(site_x - x), toReals(site_y - y)};
-    return place;
+    around.bins = binsFrom(x, y);
+    around.walls = boxFrom(job_.domain, x, y);
+    around.outset = {everyReal(job_.outset_x), everyReal(job_.outset_y)};
+    around.origin_offset = {toReals(site_x - x), toReals(site_y - y)};
+    return around;
   }
 
   /// A box as seen from the origins of the cells.
@@ -174,9 +174,9 @@ class Finding {
     return bins;
   }
 
-  /// Writes down what became of those cells that have nothing left to search.
-  void write(const Searched<Edges>& cells, const Place& place) {
-    const Ints status = clip_.outcomeOf(cells.cell, place.bins, cells.search);
+  /// Writes the statuses and neighbors of those cells that have nothing left to search.
+  void write(const Searched<Edges>& cells, const Surroundings& around) {
+    const Ints status = clip_.outcomeOf(cells.cell, around.bins, cells.search);
     for (std::size_t l = 0; l < cells.count; ++l) {
       if (cells.search.left[l] == 0) job_.status[cells.which[l]] = static_cast<std::uint8_t>(status[l]);
     }
@@ -215,17 +215,17 @@ class Finding {
 
 template <int Edges>
 void findAll(const LaneJob& job) {
-  Finding<Edges> finding(job);
+  LaneFinder<Edges> finder(job);
   LaneOrder order;
   for (std::size_t begin = 0; begin < job.count; begin += LaneOrder::most) {
     const auto left = job.count - begin;
     const auto count = left < LaneOrder::most ? left : LaneOrder::most;
     order.sort(job, begin, count);
     for (std::size_t k = 0; k < count; k += width) {
-      finding.find(order.cell + k, count - k < width ? count - k : width);
+      finder.find(order.cell + k, count - k < width ? count - k : width);
     }
   }
-  finding.finish();
+  finder.finish();
 }
 
 }  // namespace lanes

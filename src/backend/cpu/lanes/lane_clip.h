@@ -39,15 +39,15 @@ struct Clip {
   const std::uint32_t* bin_starts;  ///< of their grid
   Doubles site_x, site_y;           ///< the sites of the cells
   [[nodiscard]] cell_int firstOfBin(const cell_int& bin) const { return gather(bin_starts, bin); }
-  [[nodiscard]] vec2 offsetTo(const cell_int& place) const {
-    return {toReals(gather(sites_x, place) - site_x), toReals(gather(sites_y, place) - site_y)};
+  [[nodiscard]] vec2 offsetTo(const cell_int& index) const {
+    return {toReals(gather(sites_x, index) - site_x), toReals(gather(sites_y, index) - site_y)};
   }
 #ifdef WEIGHTED
   const double *weights, *heaviest;
   const std::uint32_t* heavy;
   Doubles weight;  ///< of the cells' sites
-  [[nodiscard]] real weightDifference(const cell_int& place) const {
-    return differenceOf(weight, gather(weights, place));
+  [[nodiscard]] real weightDifference(const cell_int& index) const {
+    return differenceOf(weight, gather(weights, index));
   }
   [[nodiscard]] int heavyAt(int k) const { return static_cast<int>(heavy[k]); }
   [[nodiscard]] real weightExcess(const cell_int& number) const {

@@ -8,10 +8,10 @@
 namespace vorpipe::cpu {
 namespace {
 
-/// So many bins on each side of the cell's: enough for nearly all cells of evenly spread sites, then for
-/// those that reach farther, say to the domain's border.
+/// Bins on each side of the cell's own whose sites are tried. The first number is enough for nearly all cells
+/// of evenly spread sites, the second for those that reach farther, say to the domain's border.
 constexpr std::int64_t bins_around[] = {4, 16};
-/// Evenly spread sites are 2200 in as many bins.
+/// The most sites in the bins that are tried; evenly spread ones are about 2200 in 33 x 33 bins.
 constexpr std::size_t most_sites = 8192;
 constexpr std::size_t grain = 8;
 
@@ -35,11 +35,11 @@ Bins binsAround(const SiteSet& sites, std::uint32_t site, std::int64_t reach) {
           std::min(row + reach, std::int64_t{grid.rows} - 1)};
 }
 
-/// What the bins are known to hold all sites of: up to the next bin, or for a border of the grid, all
-/// that the grid knows.
+/// A box all of whose sites are in the bins: up to the next bin, or at a border of the grid, as far as the
+/// coverage of `sites`.
 Box coverageIn(const SiteSet& sites, const Bins& bins) {
   const auto& grid = sites.grid;
-  // A site may lie outside of its bin by the rounding of its place.
+  // A site may lie outside of its bin by the rounding of its coordinates.
   const auto edge = [&](double low, std::int64_t bin, double inward) {
     const double at = low + static_cast<double>(bin) * grid.size;
     return at + inward * 1e-6 * grid.size;
@@ -61,7 +61,7 @@ void take(const SiteSet& sites, std::uint32_t i, SiteSet& near) {
   near.id.push_back(i);
 }
 
-/// The sites of some bins, and the heavy ones wherever they are; none if there are too many.
+/// The sites of `bins` and all heavy ones; an empty set if the bins hold more than most_sites.
 SiteSet sitesIn(const SiteSet& sites, const Bins& bins) {
   SiteSet near;
   near.domain = sites.domain;
@@ -84,16 +84,17 @@ SiteSet sitesIn(const SiteSet& sites, const Bins& bins) {
   return near;
 }
 
-/// Finds one cell; neighbors are those of the whole set.
+/// Finds the cell of `site` among the sites up to `reach` bins away. Neighbors are indices in the whole set.
 CellStatus findWithin(std::int64_t reach, const SiteSet& sites, std::uint32_t site, FindOverTree find,
                       std::vector<std::int32_t>& neighbors) {
   const auto near = sitesIn(sites, binsAround(sites, site, reach));
   const auto at = std::find(near.id.begin(), near.id.end(), site) - near.id.begin();
   const auto self = static_cast<std::uint32_t>(at);
-  if (self == near.size()) return CellStatus::unsecured;  // or it lies outside the domain, far from its cell
+  // The bins hold too many sites, or the site lies outside the domain, far from its cell.
+  if (self == near.size()) return CellStatus::unsecured;
   CellNeighbors found;
   find(near, SiteTree(near, 1), {&self, 1}, 1, found);
-  renumber(found, 0, [&](std::uint32_t place) { return near.id[place]; });
+  renumber(found, 0, [&](std::uint32_t index) { return near.id[index]; });
   neighbors.assign(found.neighbor.begin(), found.neighbor.end());
   return found.status[0];
 }

@@ -11,13 +11,15 @@ namespace vorpipe::cpu {
 namespace {
 
 constexpr std::uint32_t leaf_sites = 6;
-/// Levels that are split node by node on all threads; below, each subtree is one thread's.
+/// Levels whose nodes are split on all threads, one level after the other; below, a thread splits a subtree.
 constexpr std::uint32_t shared_levels = 6;
-/// So many sites tell in which direction a box extends.
+/// The number of sites that the direction of a box is estimated from.
 constexpr std::uint32_t sampled_sites = 32;
-/// A box is turned where its sites vary along it so much more than on average over all directions, at most 1.
+/// A box is turned if its sites are at least this elongated: 0 if they vary as much in all directions, 1 if
+/// they lie on a line.
 constexpr double long_enough = 0.9;
-/// A circle is worth its while if the sites are this much nearer to it than to the box.
+/// A circle is kept if the distances of the sites from its center differ by at most this part of the box's
+/// shorter side.
 constexpr double round_enough = 0.1;
 constexpr std::size_t grain = std::size_t{1} << 14;
 
@@ -28,10 +30,10 @@ struct Placed {
   std::uint32_t site;
 };
 
-struct Building {
+struct TreeBuilder {
   SiteTree& tree;
   std::vector<Placed>& sites;
-  const std::vector<double>& weight;  ///< by index in the set: what counts as it; empty where there are none
+  const std::vector<double>& weight;  ///< by index in the set: weightsThatCount(); empty without weights
 
   [[nodiscard]] Box boxOf(SiteTree::Range range) const {
     constexpr double far = std::numeric_limits<double>::infinity();
@@ -59,7 +61,7 @@ struct Building {
     }
   }
 
-  /// The direction in which a run of sites extends most, from some of them.
+  /// An empty box in the direction in which the sites of `range` extend most, estimated from sampled_sites.
   [[nodiscard]] Bounds turn(SiteTree::Range range) const {
     const auto stride = std::max(1U, (range.end - range.begin) / sampled_sites);
     const auto& origin = sites[range.begin];
@@ -74,11 +76,11 @@ struct Building {
       xy += dx * dy;
       yy += dy * dy;
     }
-    // The matrix [p q; q -p] is the covariance but for a multiple of the identity.
+    // [p q; q -p] is the covariance matrix minus a multiple of the identity.
     const double p = 0.5 * ((xx - x * x / count) - (yy - y * y / count));
     const double q = xy - x * y / count;
     const double length = std::sqrt(p * p + q * q);
-    // Boxes of boxes stay tight if most are not turned.
+    // A box around boxes of other directions is loose, so that only clearly elongated ones are turned.
     const bool is_long = length > long_enough * 0.5 * ((xx - x * x / count) + (yy - y * y / count));
     const double ux = p >= 0 ? length + p : std::abs(q);
     const double uy = p >= 0 ? q : std::copysign(length - p, q);
@@ -99,7 +101,7 @@ struct Building {
     box.high_b = std::max(box.high_b, b + rounding);
   }
 
-  /// The circle through three sites of a run, if all are nearly on it.
+  /// Adds the circle through three sites of `range` to the bounds, if all sites are nearly on it.
   void fitCircle(Bounds& bounds, SiteTree::Range range) const {
     const auto at = [&](std::uint32_t p) { return Point{sites[p].x - bounds.x, sites[p].y - bounds.y}; };
     const auto b = at(range.middle());
@@ -174,7 +176,8 @@ struct Building {
   }
 };
 
-/// The weights, but those of heavy sites, which every cell is cut by before, as small as any.
+/// The weights, with the least of all for heavy sites: TreeWalk cuts every cell by those first, and they need
+/// no wide bounds.
 std::vector<double> weightsThatCount(const SiteSet& sites) {
   auto weight = sites.weight;
   if (sites.heavy.empty()) return weight;
@@ -195,11 +198,11 @@ SiteTree::SiteTree(const SiteSet& sites, int threads) {
     for (auto i = begin; i < end; ++i) placed[i] = {sites.x[i], sites.y[i], static_cast<std::uint32_t>(i)};
   });
   const auto counted = weightsThatCount(sites);
-  const Building building{*this, placed, counted};
+  const TreeBuilder builder{*this, placed, counted};
   std::vector<Range> ranges{{0, count}};
   for (std::uint32_t level = 0; level < shared_levels && ranges.size() < first_leaf; ++level) {
     parallelFor(ranges.size(), 1, threads, [&](std::size_t n, std::size_t) {
-      building.split(static_cast<std::uint32_t>(ranges.size() + n), ranges[n]);
+      builder.split(static_cast<std::uint32_t>(ranges.size() + n), ranges[n]);
     });
     std::vector<Range> halves;
     for (const auto& range : ranges) {
@@ -209,18 +212,18 @@ SiteTree::SiteTree(const SiteSet& sites, int threads) {
     ranges = std::move(halves);
   }
   parallelFor(ranges.size(), 1, threads, [&](std::size_t n, std::size_t) {
-    building.splitBelow(static_cast<std::uint32_t>(ranges.size() + n), ranges[n]);
+    builder.splitBelow(static_cast<std::uint32_t>(ranges.size() + n), ranges[n]);
   });
-  building.boundAbove(1, {0, count}, static_cast<std::uint32_t>(ranges.size()));
+  builder.boundAbove(1, {0, count}, static_cast<std::uint32_t>(ranges.size()));
   site.resize(count);
-  place.resize(count);
+  rank.resize(count);
   x.resize(count);
   y.resize(count);
   weight.resize(sites.weight.size());
   parallelFor(count, grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto p = begin; p < end; ++p) {
       site[p] = placed[p].site;
-      place[placed[p].site] = static_cast<std::uint32_t>(p);
+      rank[placed[p].site] = static_cast<std::uint32_t>(p);
       x[p] = placed[p].x;
       y[p] = placed[p].y;
       if (!weight.empty()) weight[p] = sites.weight[placed[p].site];

@@ -18,8 +18,9 @@ struct Bounds {
   double heaviest;  ///< no site of the node, but a heavy one of the set, has a larger weight
 };
 
-/// Balanced: every node holds a run of places, its children the halves of it. Nodes are numbered as in a
-/// heap, from 1; those from first_leaf on are leaves. It depends on the sites alone.
+/// A balanced tree. The rank of a site is its index in the order of the leaves; every node holds a range of
+/// ranks, its children the halves of it. Nodes are numbered as in a heap, from 1; those from first_leaf on
+/// are leaves. The tree depends on the sites alone.
 struct SiteTree {
   struct Range {
     std::uint32_t begin, end;
@@ -32,11 +33,11 @@ struct SiteTree {
   [[nodiscard]] Range all() const { return {0, static_cast<std::uint32_t>(site.size())}; }
 
   std::uint32_t first_leaf = 1;
-  std::vector<Bounds> bounds;        ///< by node
-  std::vector<std::uint32_t> site;   ///< by place: an index in the set
-  std::vector<std::uint32_t> place;  ///< by index in the set
-  std::vector<double> x, y;          ///< by place
-  std::vector<double> weight;        ///< by place; empty where sites have none
+  std::vector<Bounds> bounds;       ///< by node
+  std::vector<std::uint32_t> site;  ///< by rank: an index in the set
+  std::vector<std::uint32_t> rank;  ///< by index in the set
+  std::vector<double> x, y;         ///< by rank
+  std::vector<double> weight;       ///< by rank; empty where sites have none
 };
 
 }  // namespace vorpipe::cpu

@@ -94,7 +94,7 @@ class TreeWalk {
   /// that surely do.
   struct Deepest {
     Real depth;  ///< difference of squared distances
-    std::uint32_t place;
+    std::uint32_t rank;
     bool found;
   };
 
@@ -106,7 +106,7 @@ class TreeWalk {
   auto children(const Subtree& parent, const Reach& reachOf) const;
   void tryNear(SiteTree::Range range);
   void tryLeaf(SiteTree::Range range);
-  void tryPlace(std::uint32_t place);
+  void tryRank(std::uint32_t rank);
   void tryDeepest(std::size_t beside);
   Deepest findDeepest(std::size_t corner, std::size_t beside);
   void searchLeaf(std::size_t corner, SiteTree::Range range, Deepest& deepest);
@@ -118,7 +118,7 @@ class TreeWalk {
   [[nodiscard]] bool hasWeights() const { return !tree_.weight.empty(); }
   [[nodiscard]] Real weightDifference(double weight) const;
   [[nodiscard]] Offset<Real> offsetTo(std::uint32_t site) const;
-  [[nodiscard]] Offset<Real> offsetToPlace(std::uint32_t place) const;
+  [[nodiscard]] Offset<Real> offsetToRank(std::uint32_t rank) const;
   [[nodiscard]] Real depthOf(std::size_t corner, const Offset<Real>& d) const;
   [[nodiscard]] Real reach(std::size_t corner, const Bounds& bounds) const;
   [[nodiscard]] Real reach(const Bounds& bounds) const;
@@ -163,7 +163,7 @@ class TreeWalk {
   Real new_moved_{}, new_apart_{};  // of the line that cuts
   std::vector<Subtree> beside_;     // the subtrees beside the way from the root to the site's leaf
   std::vector<Subtree> pending_;
-  std::vector<std::pair<double, std::uint32_t>> nearest_;  // power of the cell's own site, and place
+  std::vector<std::pair<double, std::uint32_t>> nearest_;  // power of the cell's own site, and rank
   std::uint32_t version_ = 0;
   Real most_margin_{};
   std::vector<std::uint32_t> doubtful_;  // sites that cut the cell once, or might have

@@ -14,13 +14,13 @@ Real TreeWalk<Real, Room>::weightDifference(double weight) const {
 
 template <class Real, std::size_t Room>
 Offset<Real> TreeWalk<Real, Room>::offsetTo(std::uint32_t site) const {
-  return offsetToPlace(tree_.place[site]);
+  return offsetToRank(tree_.rank[site]);
 }
 
 template <class Real, std::size_t Room>
-Offset<Real> TreeWalk<Real, Room>::offsetToPlace(std::uint32_t place) const {
-  return {differenceOf<Real>(tree_.x[place], site_x_), differenceOf<Real>(tree_.y[place], site_y_),
-          hasWeights() ? weightDifference(tree_.weight[place]) : Real(0.0)};
+Offset<Real> TreeWalk<Real, Room>::offsetToRank(std::uint32_t rank) const {
+  return {differenceOf<Real>(tree_.x[rank], site_x_), differenceOf<Real>(tree_.y[rank], site_y_),
+          hasWeights() ? weightDifference(tree_.weight[rank]) : Real(0.0)};
 }
 
 /// Part of a difference of weights by which rounding may be off in a depth: d is squared, and what it is

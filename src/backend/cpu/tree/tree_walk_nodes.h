@@ -1,4 +1,4 @@
-/// What of a node of the tree may matter to the cell in tree_walk.h.
+/// Whether a node of the tree can matter to the cell in tree_walk.h.
 #pragma once
 
 #include "backend/cpu/tree/tree_walk.h"
@@ -6,7 +6,7 @@
 
 namespace vorpipe::cpu {
 
-/// A box is left out if that makes the ends of edges no more unsure than so many times their noise.
+/// A box is left out only if that adds at most this multiple of their noise to the error of the edges' ends.
 constexpr double most_blur = 16;
 
 /// A box of the tree, seen from the site.
@@ -14,7 +14,7 @@ template <class Real, std::size_t Room>
 struct TreeWalk<Real, Room>::Seen {
   Real x, y, ux, uy, low_a, high_a, low_b, high_b;
   Real lift;  ///< by how much the heaviest site is heavier than the cell's own, rounded up
-  Real root;  ///< of that, twice
+  Real root;  ///< twice the square root of that, where it is positive
 
   Seen(const TreeWalk& walk, const Bounds& bounds)
       : x(differenceOf<Real>(bounds.x, walk.site_x_)),
@@ -33,7 +33,7 @@ struct TreeWalk<Real, Room>::Seen {
     root = Real(2.0) * sqrt(max(heavier, Real(0.0)));
   }
 
-  /// How deep it reaches at most into the circle around a corner, as a difference of powers.
+  /// An upper bound of how deep the box reaches into the circle around a corner, as a difference of powers.
   [[nodiscard]] Real reach(const TreeWalk& walk, std::size_t corner) const {
     const Real to_x = walk.x_[corner] - x;
     const Real to_y = walk.y_[corner] - y;
@@ -44,7 +44,7 @@ struct TreeWalk<Real, Room>::Seen {
     return walk.squared_[corner] - (da * da + db * db) + liftAt(walk, corner);
   }
 
-  /// The same where the sites of the node lie on a circle or outside of it.
+  /// A tighter bound where all sites of the node lie on the circle of `bounds` or outside of it.
   [[nodiscard]] Real reachOverCircle(const TreeWalk& walk, std::size_t corner, const Bounds& bounds,
                                      const Real& reached) const {
     const Real to_x = walk.x_[corner] - x - Real(bounds.center_x);
@@ -54,7 +54,7 @@ struct TreeWalk<Real, Room>::Seen {
     return min(reached, walk.squared_[corner] - inside * inside + liftAt(walk, corner));
   }
 
-  /// The heavier a site, the farther away it may be, and the more the noise of the corner counts.
+  /// By how much the weight of the heaviest site raises the bound, with the noise of the corner.
   [[nodiscard]] Real liftAt(const TreeWalk& walk, std::size_t corner) const {
     return lift + root * walk.noise_[corner];
   }
@@ -68,7 +68,7 @@ Real TreeWalk<Real, Room>::reach(std::size_t corner, const Bounds& bounds) const
   return bounds.radius == 0 ? reached : seen.reachOverCircle(*this, corner, bounds, reached);
 }
 
-/// The most that it reaches into any.
+/// How deep a node reaches into the circle of any corner, at most.
 template <class Real, std::size_t Room>
 Real TreeWalk<Real, Room>::reach(const Bounds& bounds) const {
   const Seen seen(*this, bounds);

@@ -7,13 +7,13 @@
 
 namespace vorpipe::cpu {
 
-/// So many sites around the cell's own, at most, are tried first.
+/// The most sites in the subtree around the cell's own site that is tried first.
 constexpr std::uint32_t near_sites = 24;
-/// After so many cuts by the sites of one subtree, those that cut deepest are looked for.
+/// The most cuts by sites of one subtree before tryAll gives way to tryDeepest.
 constexpr std::uint32_t few_cuts = 5;
-/// The same for leaves.
+/// The most leaves of one subtree that tryAll tries before it gives way to tryDeepest.
 constexpr int few_leaves = 24;
-/// Rounds of cutting by what seemed to be ties, before it is left to more digits.
+/// The most rounds of cutting by sites that seemed to be ties, before the cell is left to more digits.
 constexpr int most_rounds = 8;
 
 template <class Real, std::size_t Room>
@@ -41,7 +41,7 @@ CellStatus TreeWalk<Real, Room>::find(std::uint32_t site, const Vector<Real>& or
 
 template <class Real, std::size_t Room>
 void TreeWalk<Real, Room>::climb() {
-  const auto own = tree_.place[site_];
+  const auto own = tree_.rank[site_];
   std::uint32_t node = 1;
   auto range = tree_.all();
   beside_.clear();
@@ -55,7 +55,7 @@ void TreeWalk<Real, Room>::climb() {
   }
   std::reverse(beside_.begin(), beside_.end());
   for (const auto heavy : sites_.heavy) {
-    if (heavy != site_ && !isOver()) tryPlace(tree_.place[heavy]);
+    if (heavy != site_ && !isOver()) tryRank(tree_.rank[heavy]);
   }
   tryNear(range);
   for (std::size_t beside = 0; beside < beside_.size() && !isOver(); ++beside) {
@@ -65,21 +65,21 @@ void TreeWalk<Real, Room>::climb() {
   }
 }
 
-/// Tries the sites around the cell's own, nearest by power first: then most that cut it belong to it in the
+/// Tries the sites of `range`, nearest by power first: most sites that cut in this order are neighbors in the
 /// end.
 template <class Real, std::size_t Room>
 void TreeWalk<Real, Room>::tryNear(SiteTree::Range range) {
-  const auto own = tree_.place[site_];
+  const auto own = tree_.rank[site_];
   nearest_.clear();
-  for (auto place = range.begin; place < range.end; ++place) {
-    const double dx = tree_.x[place] - site_x_;
-    const double dy = tree_.y[place] - site_y_;
-    if (place == own) continue;
-    nearest_.push_back({dx * dx + dy * dy - (hasWeights() ? tree_.weight[place] - weight_ : 0), place});
+  for (auto rank = range.begin; rank < range.end; ++rank) {
+    const double dx = tree_.x[rank] - site_x_;
+    const double dy = tree_.y[rank] - site_y_;
+    if (rank == own) continue;
+    nearest_.push_back({dx * dx + dy * dy - (hasWeights() ? tree_.weight[rank] - weight_ : 0), rank});
   }
   std::sort(nearest_.begin(), nearest_.end());
-  for (const auto& [power, place] : nearest_) {
-    if (!isOver()) tryPlace(place);
+  for (const auto& [power, rank] : nearest_) {
+    if (!isOver()) tryRank(rank);
   }
 }
 
@@ -93,7 +93,8 @@ auto TreeWalk<Real, Room>::children(const Subtree& parent, const Reach& reachOf)
   return std::pair{low, high};
 }
 
-/// Tries whatever reaches into a circle; false if that takes long and is better left to tryDeepest.
+/// Tries all sites of a subtree whose boxes reach into a corner's circle. False if that takes so long that it
+/// is better left to tryDeepest.
 template <class Real, std::size_t Room>
 bool TreeWalk<Real, Room>::tryAll(std::size_t beside) {
   const auto many_cuts = version_ + few_cuts;
@@ -120,23 +121,23 @@ bool TreeWalk<Real, Room>::tryAll(std::size_t beside) {
 
 template <class Real, std::size_t Room>
 void TreeWalk<Real, Room>::tryLeaf(SiteTree::Range range) {
-  for (auto place = range.begin; place < range.end && !isOver(); ++place) tryPlace(place);
+  for (auto rank = range.begin; rank < range.end && !isOver(); ++rank) tryRank(rank);
 }
 
 template <class Real, std::size_t Room>
-void TreeWalk<Real, Room>::tryPlace(std::uint32_t place) {
-  const auto d = offsetToPlace(place);
+void TreeWalk<Real, Room>::tryRank(std::uint32_t rank) {
+  const auto d = offsetToRank(rank);
   bool perhaps = false;
   bool wholly = false;
   const bool surely = isCut(d, perhaps, wholly);
   if (!perhaps) return;
-  doubtful_.push_back(tree_.site[place]);
+  doubtful_.push_back(tree_.site[rank]);
   surely_empty_ = wholly;
-  if (surely) cut(d, static_cast<std::int32_t>(tree_.site[place]));
+  if (surely) cut(d, static_cast<std::int32_t>(tree_.site[rank]));
 }
 
-/// Cuts corners off, by the deepest site each, until no site from `beside` on cuts one. A corner that none
-/// cuts stays known until it is cut off.
+/// Cuts each corner off by the site deepest in its circle, until no site of the subtrees from `beside` on
+/// cuts a corner. A corner that no site cuts is `known` until another cut removes it.
 template <class Real, std::size_t Room>
 void TreeWalk<Real, Room>::tryDeepest(std::size_t beside) {
   for (std::size_t k = 0; k < Room; ++k) known_after_[k] = no_line;
@@ -148,8 +149,8 @@ void TreeWalk<Real, Room>::tryDeepest(std::size_t beside) {
     }
     const auto deepest = findDeepest(c, beside);
     if (deepest.found) {
-      const auto d = offsetToPlace(deepest.place);
-      const auto site = tree_.site[deepest.place];
+      const auto d = offsetToRank(deepest.rank);
+      const auto site = tree_.site[deepest.rank];
       bool perhaps = false;
       isCut(d, perhaps, surely_empty_);
       doubtful_.push_back(site);
@@ -189,7 +190,8 @@ typename TreeWalk<Real, Room>::Deepest TreeWalk<Real, Room>::findDeepest(std::si
   return deepest;
 }
 
-/// Whether a subtree may hold a site that lies deeper, or if there is none so far, a tie that matters.
+/// Whether a subtree may hold a site deeper in the corner's circle than `deepest`, or where no site was found
+/// so far, a tie that matters.
 template <class Real, std::size_t Room>
 bool TreeWalk<Real, Room>::isWorthwhile(std::size_t corner, const Subtree& subtree, const Deepest& deepest) {
   if (subtree.reach > max(deepest.depth, margin_[corner])) return true;
@@ -197,7 +199,7 @@ bool TreeWalk<Real, Room>::isWorthwhile(std::size_t corner, const Subtree& subtr
   return mayMatter(corner, tree_.bounds[subtree.node], subtree.reach);
 }
 
-/// Whether it may hold a site that cuts the cell, or a tie that matters.
+/// Whether a subtree may hold a site that cuts the cell, or a tie that matters.
 template <class Real, std::size_t Room>
 bool TreeWalk<Real, Room>::isWorthwhile(const Subtree& subtree) {
   if (subtree.reach > most_margin_) return true;
@@ -212,15 +214,15 @@ bool TreeWalk<Real, Room>::isWorthwhile(const Subtree& subtree) {
 
 template <class Real, std::size_t Room>
 void TreeWalk<Real, Room>::searchLeaf(std::size_t corner, SiteTree::Range range, Deepest& deepest) {
-  for (auto place = range.begin; place < range.end; ++place) {
-    const auto d = offsetToPlace(place);
+  for (auto rank = range.begin; rank < range.end; ++rank) {
+    const auto d = offsetToRank(rank);
     const Real depth = depthOf(corner, d);
     const Real noise = noiseOf(corner, d);
     if (depth > noise && depth > deepest.depth) {
-      deepest = {depth, place, true};
-    } else if (!deepest.found && depth >= -noise && !isCornerOf(corner, tree_.site[place]) &&
+      deepest = {depth, rank, true};
+    } else if (!deepest.found && depth >= -noise && !isCornerOf(corner, tree_.site[rank]) &&
                mayMatter(corner, d)) {
-      doubtful_.push_back(tree_.site[place]);
+      doubtful_.push_back(tree_.site[rank]);
     }
   }
 }
@@ -239,8 +241,8 @@ bool TreeWalk<Real, Room>::isEdge(std::uint32_t site) const {
   return false;
 }
 
-/// Cuts by what was left out as a tie and, now that the corners are better known, is none. Returns whether
-/// that came to an end.
+/// Cuts by the sites that were left out as ties, but cut now that the corners are known more precisely.
+/// False if most_rounds were not enough.
 template <class Real, std::size_t Room>
 bool TreeWalk<Real, Room>::cutByDoubtful() {
   for (int round = 0; round < most_rounds; ++round) {

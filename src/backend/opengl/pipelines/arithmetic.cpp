@@ -30,7 +30,7 @@ Result<void> Calculator::run(std::span<const Operands> operands, std::span<Compu
   if (auto used = program_.use({shaders::arithmetic_vert_410(), {}, {}, captured}); !used) return used;
   glBindVertexArray(attributes_);
   operands_.write(std::as_bytes(operands));
-  const Discarding discarding;
+  const RasterizerDiscard discard;
   const std::size_t at_once = Feedback::entriesAtOnce(sizeof(Computed));
   for (std::size_t first = 0; first < operands.size(); first += at_once) {
     const std::span<Computed> part = out.subspan(first, std::min(at_once, out.size() - first));

@@ -34,7 +34,7 @@ Result<void> Cells::run(Entries entries, Effort effort, std::size_t count, CellN
   const std::size_t row_bytes = room * sizeof(GLint);
   const std::size_t record_bytes = word_bytes + row_bytes;
   if (auto used = made_[programOf(entries, effort)].use(textOf(entries, fast)); !used) return used;
-  const Discarding discarding;
+  const RasterizerDiscard discard;
   const std::size_t at_once = Feedback::entriesAtOnce(record_bytes);
   Result<void> answered;
   for (std::size_t first = 0; first < count && answered; first += at_once) {

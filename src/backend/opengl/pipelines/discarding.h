@@ -1,17 +1,17 @@
-/// Runs of shaders that draw nothing.
+/// Shaders that are run for their feedback alone.
 #pragma once
 
 #include "backend/opengl/device/gl.h"
 
 namespace vorpipe::opengl {
 
-/// While it lives, nothing is drawn.
-class Discarding {
+/// While it lives, primitives are discarded before rasterization.
+class RasterizerDiscard {
  public:
-  Discarding() { glEnable(GL_RASTERIZER_DISCARD); }
-  Discarding(const Discarding&) = delete;
-  Discarding& operator=(const Discarding&) = delete;
-  ~Discarding() { glDisable(GL_RASTERIZER_DISCARD); }
+  RasterizerDiscard() { glEnable(GL_RASTERIZER_DISCARD); }
+  RasterizerDiscard(const RasterizerDiscard&) = delete;
+  RasterizerDiscard& operator=(const RasterizerDiscard&) = delete;
+  ~RasterizerDiscard() { glDisable(GL_RASTERIZER_DISCARD); }
 };
 
 }  // namespace vorpipe::opengl

@@ -15,7 +15,7 @@ GLuint resultOf(GLuint query) {
   return result;
 }
 
-// OpenGL's own reason, if it has one.
+// The error that OpenGL reports, or if it reports none, that transform feedback `what`.
 tl::unexpected<Error> broken(std::string_view what) {
   if (auto taken = takeErrors("reading what the shaders say"); !taken) return tl::unexpected(taken.error());
   return tl::unexpected(Error{

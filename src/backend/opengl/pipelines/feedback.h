@@ -1,4 +1,4 @@
-/// What the geometry shaders say, by transform feedback.
+/// The outputs of geometry shaders, read back by transform feedback.
 #pragma once
 
 #include <array>
@@ -12,20 +12,20 @@
 
 namespace vorpipe::opengl {
 
-/// Catches the outputs that a program was linked to capture, of what is drawn between begin() and end().
+/// Captures the outputs of what is drawn between begin() and end(), as the program was linked to.
 class Feedback {
  public:
-  /// For primitives of one kind.
+  /// Captures points, lines or triangles, as `primitive` says.
   explicit Feedback(GLenum primitive);
 
-  /// How many entries may be drawn between begin() and end() so that nothing is lost even if each of
-  /// them makes that many bytes.
+  /// The most entries that may be drawn between begin() and end(): the buffer holds `entry_bytes` of output
+  /// for each of them.
   [[nodiscard]] static std::size_t entriesAtOnce(std::size_t entry_bytes);
 
   void begin();
 
-  /// Waits for the device and hands all that it said to read, so many bytes for each primitive, in the
-  /// order drawn. read returns whether it makes sense. Error (device): it does not, or some of it was lost.
+  /// Waits for the device and passes all captured bytes to `read`: `primitive_bytes` for each primitive, in
+  /// the order drawn. `read` returns whether they make sense. Error (device): they do not, or some were lost.
   Result<void> end(std::size_t primitive_bytes,
                    const std::function<bool(std::span<const std::byte>)>& read) const;
 

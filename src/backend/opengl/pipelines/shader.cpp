@@ -44,18 +44,18 @@ Result<GLuint> compile(GLenum stage, std::string_view name, std::string_view tex
 void bindByName(GLuint program) {
   struct Named {
     const char* name;
-    GLuint place;
+    GLuint index;
   };
-  for (const auto& [name, place] : {Named{"View", view_binding}, Named{"SiteGrid", grid_binding}}) {
+  for (const auto& [name, index] : {Named{"View", view_binding}, Named{"SiteGrid", grid_binding}}) {
     const GLuint block = glGetUniformBlockIndex(program, name);
-    if (block != GL_INVALID_INDEX) glUniformBlockBinding(program, block, place);
+    if (block != GL_INVALID_INDEX) glUniformBlockBinding(program, block, index);
   }
   glUseProgram(program);
-  for (const auto& [name, place] :
+  for (const auto& [name, index] :
        {Named{"lines", lines_unit}, Named{"palette", palette_unit}, Named{"sites", sites_unit},
         Named{"bin_starts", bins_unit}, Named{"marks", marks_unit}, Named{"weights", weights_unit},
         Named{"heaviest", heaviest_unit}}) {
-    glUniform1i(glGetUniformLocation(program, name), static_cast<GLint>(place));
+    glUniform1i(glGetUniformLocation(program, name), static_cast<GLint>(index));
   }
 }
 

@@ -16,15 +16,15 @@
 namespace vorpipe::vulkan {
 namespace {
 
-// As much as a call may hold where the device sets no lower limit: 1 GiB of sites, 256 MiB of lines.
+// The most that a call may hold where the device sets no lower limit: 1 GiB of sites, 256 MiB of lines.
 constexpr std::uint64_t most_sites = std::uint64_t{1} << 26;
 constexpr std::uint64_t most_lines = std::uint64_t{1} << 24;
 constexpr std::uint64_t most_entries = std::uint64_t{1} << 22;
-// A site that the host placed, with its weight, its mark and its part of the bins, which are about half as
-// many as sites; one that the device placed, with what that takes.
+// Device memory for a site that the host sorted into bins: its texel, weight, mark and share of the bins,
+// which are half as many as sites. For one that the device sorts, also its part of SortedSites' buffers.
 constexpr std::uint64_t bytes_of_site = 48;
-constexpr std::uint64_t bytes_of_placed_site = 80;
-// With its mark.
+constexpr std::uint64_t bytes_of_sorted_site = 80;
+// Device memory for an entry and its mark.
 constexpr std::uint64_t bytes_of_entry = 48;
 
 using Entry = CellBatch<float>::Entry;
@@ -42,8 +42,8 @@ constexpr std::array<VkDescriptorSetLayoutBinding, 14> clip_bindings = {{
     {BINDING_SITES, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, compute, nullptr},
     {BINDING_BINS, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, compute, nullptr},
     {BINDING_MARKS, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, compute, nullptr},
-    {BINDING_PLACE_OF_SITE, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, compute, nullptr},
-    {BINDING_SITE_AT_PLACE, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, compute, nullptr},
+    {BINDING_RANK_OF_SITE, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, compute, nullptr},
+    {BINDING_SITE_OF_RANK, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, compute, nullptr},
     {BINDING_WEIGHTS, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, compute, nullptr},
     {BINDING_HEAVIEST, VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, 1, compute, nullptr},
     {BINDING_ENTRIES, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, compute, nullptr},
@@ -52,16 +52,16 @@ constexpr std::array<VkDescriptorSetLayoutBinding, 14> clip_bindings = {{
     {BINDING_COUNTS, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, compute, nullptr},
 }};
 
-BackendInfo describe(const Physical& physical, Placing placing) {
+BackendInfo describe(const Physical& physical, SiteSorter sorter) {
   const Capabilities& can = physical.capabilities;
   BackendInfo info;
   info.device = physical.info;
   info.max_view = static_cast<int>(largestView(can));
-  const bool by_device = placing == Placing::by_device;
+  const bool by_device = sorter == SiteSorter::device;
   info.max_sites =
       std::min({most_sites, can.max_texel_buffer_elements,
-                mostOf(can, sizeof(SiteTexel), by_device ? bytes_of_placed_site : bytes_of_site)});
-  // Each has a number, those with weights a texel more, and levels above them.
+                mostOf(can, sizeof(SiteTexel), by_device ? bytes_of_sorted_site : bytes_of_site)});
+  // n bins take n + 1 texels; their heaviest weights, four to a texel, take fewer.
   info.max_bins = std::min(info.max_sites, can.max_texel_buffer_elements - 1);
   if (by_device) {
     info.max_sites = std::min(info.max_sites, can.max_storage_buffer_range / sizeof(SiteTexel));
@@ -79,18 +79,18 @@ BackendInfo describe(const Physical& physical, Placing placing) {
 }  // namespace
 
 Result<std::unique_ptr<Backend>> ComputeBackend::open(Instance instance, const Physical& physical,
-                                                      Placing placing) {
+                                                      SiteSorter sorter) {
   Result<Device> device = Device::open(physical);
   if (!device) return tl::unexpected(std::move(device).error());
   Result<Bindings> sites = Bindings::create(*device, clip_bindings, sizeof(Slice));
   if (!sites) return tl::unexpected(std::move(sites).error());
   Result<Bindings> lists = Bindings::create(*device, clip_bindings, sizeof(Slice));
   if (!lists) return tl::unexpected(std::move(lists).error());
-  std::optional<PlacedSites> placed;
-  if (placing == Placing::by_device) {
-    Result<PlacedSites> created = PlacedSites::create(*device);
+  std::optional<SortedSites> sorted;
+  if (sorter == SiteSorter::device) {
+    Result<SortedSites> created = SortedSites::create(*device);
     if (!created) return tl::unexpected(std::move(created).error());
-    placed = std::move(*created);
+    sorted = std::move(*created);
   }
   Result<ComputeKernels> kernels = ComputeKernels::create(*device);
   if (!kernels) return tl::unexpected(std::move(kernels).error());
@@ -100,8 +100,8 @@ Result<std::unique_ptr<Backend>> ComputeBackend::open(Instance instance, const P
   if (!painter) return tl::unexpected(std::move(painter).error());
   std::unique_ptr<ComputeBackend> backend(
       new ComputeBackend({std::move(instance), std::move(*device), std::move(*sites), std::move(*lists),
-                          std::move(placed), std::move(*kernels), std::move(*triangles), std::move(*painter)},
-                         describe(physical, placing),
+                          std::move(sorted), std::move(*kernels), std::move(*triangles), std::move(*painter)},
+                         describe(physical, sorter),
                          std::min(physical.capabilities.max_storage_buffer_range,
                                   physical.capabilities.max_memory_allocation_size)));
   return backend;
@@ -117,7 +117,7 @@ ComputeBackend::ComputeBackend(Parts parts, BackendInfo info, std::uint64_t stor
       painter_(std::move(parts.painter)),
       info_(std::move(info)),
       storage_range_(storage_range),
-      placed_(std::move(parts.placed)),
+      sorted_(std::move(parts.sorted)),
       view_({"the view", VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT, Placement::upload}),
       entries_({"entries", VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Placement::upload}),
       lines_({"lines", VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT, Placement::upload,
@@ -131,14 +131,14 @@ ComputeBackend::ComputeBackend(Parts parts, BackendInfo info, std::uint64_t stor
 
 Result<void> ComputeBackend::upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) {
   weighted_ = !sites.weight.empty();
-  // Only the host knows where the heavy sites come to stand.
-  placed_here_ = placed_.has_value() && !weighted_;
-  if (placed_here_) {
-    VORPIPE_TRY(placed_->upload(device_, sites_bindings_, sites, palette_index, info_));
+  // Searches need the indices of the heavy sites after sorting, which only the host knows.
+  sorted_here_ = sorted_.has_value() && !weighted_;
+  if (sorted_here_) {
+    VORPIPE_TRY(sorted_->upload(device_, sites_bindings_, sites, palette_index, info_));
   } else {
     VORPIPE_TRY(sites_.upload(device_, sites_bindings_, sites, palette_index, info_));
-    // The kernels name these and do not read them.
-    for (const auto unread : std::array<std::uint32_t, 2>{BINDING_PLACE_OF_SITE, BINDING_SITE_AT_PLACE}) {
+    // The kernels declare these two and do not read them, but a set needs something bound to each.
+    for (const auto unread : std::array<std::uint32_t, 2>{BINDING_RANK_OF_SITE, BINDING_SITE_OF_RANK}) {
       sites_bindings_.setTexels(device_, unread, sites_.bins());
     }
   }
@@ -196,15 +196,16 @@ Result<void> ComputeBackend::sendBatch(const CellBatch<float>& batch) {
   return {};
 }
 
-// Binds what polygons are written to, if anything has been drawn. To search binds it as well: lavapipe takes
-// hold of every buffer that a set names, read or not, and one that was replaced since is gone.
+// Binds the buffers that polygons are written to, if anything has been drawn. A search binds them as well,
+// which does not use them: lavapipe references every buffer of a set, and a replaced one no longer exists.
 void ComputeBackend::bindPolygons(Bindings& bindings) const {
   if (vertices_.get() == VK_NULL_HANDLE) return;
   bindings.setStorage(device_, BINDING_VERTICES, vertices_.get(), VK_WHOLE_SIZE);
   bindings.setStorage(device_, BINDING_COUNTS, triangles_.counts(), VK_WHOLE_SIZE);
 }
 
-// How many entries a dispatch takes on: at most so many, and what they write fits into a storage range.
+// How many entries a dispatch takes: at most `most`, and no more than a storage range has room for at
+// `bytes_of_entry` of output each.
 std::size_t ComputeBackend::sliceOf(std::size_t most, std::size_t bytes_of_entry) const {
   return std::min(
       {most, static_cast<std::size_t>(storage_range_ / bytes_of_entry), most_groups * GROUP_SIZE});

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "backend/backend.h"
-#include "backend/vulkan/compute/placed_sites.h"
+#include "backend/vulkan/compute/sorted_sites.h"
 #include "backend/vulkan/compute/triangle_list.h"
 #include "backend/vulkan/device/device.h"
 #include "backend/vulkan/device/instance.h"
@@ -26,13 +26,15 @@
 
 namespace vorpipe::vulkan {
 
-/// Who puts the sites of an upload into the bins of their grid; sites with weights are always the host's.
-enum class Placing : std::uint8_t { by_host, by_device };
+/// Who sorts the sites of an upload into the bins of their grid. Sites with weights are always sorted by the
+/// host.
+enum class SiteSorter : std::uint8_t { host, device };
 
 class ComputeBackend final : public Backend {
  public:
   /// Opens a usable device.
-  static Result<std::unique_ptr<Backend>> open(Instance instance, const Physical& physical, Placing placing);
+  static Result<std::unique_ptr<Backend>> open(Instance instance, const Physical& physical,
+                                               SiteSorter sorter);
 
   const BackendInfo& info() const override { return info_; }
   Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) override;
@@ -56,13 +58,13 @@ class ComputeBackend final : public Backend {
     Instance instance;
     Device device;
     Bindings sites, lists;
-    std::optional<PlacedSites> placed;  ///< if the device is to place sites
+    std::optional<SortedSites> sorted;  ///< if the device sorts sites
     ComputeKernels kernels;
     TriangleList triangles;
     Painter painter;
   };
-  /// How the entries in a buffer are clipped.
-  struct Clipping {
+  /// The entries in a buffer, and how they are clipped.
+  struct ClipJob {
     Bindings& bindings;
     ComputeKernels::Code code;
     std::size_t room;  ///< for edges
@@ -78,8 +80,8 @@ class ComputeBackend final : public Backend {
   Result<void> sendWhich(std::span<const std::uint32_t> which);
   Result<void> sendBatch(const CellBatch<float>& batch);
   void bindPolygons(Bindings& bindings) const;
-  Result<void> findCells(const Clipping& clipping, CellNeighbors& out);
-  Result<void> drawCells(const Clipping& clipping, std::span<CellStatus> status);
+  Result<void> findCells(const ClipJob& job, CellNeighbors& out);
+  Result<void> drawCells(const ClipJob& job, std::span<CellStatus> status);
   [[nodiscard]] std::size_t sliceOf(std::size_t most_entries, std::size_t bytes_of_entry) const;
 
   Instance instance_;
@@ -92,8 +94,8 @@ class ComputeBackend final : public Backend {
   std::uint64_t storage_range_;  ///< of an allocation
   Target target_;
   UploadedSites sites_;
-  std::optional<PlacedSites> placed_;
-  bool placed_here_ = false;  ///< by placed_
+  std::optional<SortedSites> sorted_;
+  bool sorted_here_ = false;  ///< the sites of the upload, by sorted_
   bool weighted_ = false;
   View shown_{{0, 0, 1, 1}, 1, 1, {}};
   Box domain_{0, 0, 1, 1};  ///< of the sites

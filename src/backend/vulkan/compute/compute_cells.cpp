@@ -64,24 +64,23 @@ Result<void> ComputeBackend::cells(const CellBatch<double>& batch, CellNeighbors
 }
 
 // Clips the entries that were sent, slice by slice.
-Result<void> ComputeBackend::findCells(const Clipping& clipping, CellNeighbors& out) {
+Result<void> ComputeBackend::findCells(const ClipJob& job, CellNeighbors& out) {
   VORPIPE_TRY(clear(out));
-  const std::size_t room = answerRoom(clipping.room, clipping.weighted);
+  const std::size_t room = answerRoom(job.room, job.weighted);
   const std::size_t row_bytes = room * sizeof(std::int32_t);
-  const std::size_t slice = std::min(clipping.count, sliceOf(slice_entries, row_bytes + 4 * word_bytes));
+  const std::size_t slice = std::min(job.count, sliceOf(slice_entries, row_bytes + 4 * word_bytes));
   const std::size_t answer_bytes = wordsBytes(slice) + slice * row_bytes;
   VORPIPE_TRY(answers_.reserve(device_, answer_bytes, storage_range_));
-  clipping.bindings.setStorage(device_, BINDING_STATUS, answers_.get(), answer_bytes);
-  bindPolygons(clipping.bindings);
-  const Result<VkPipeline> kernel =
-      kernels_.kernel(device_, clipping.bindings.layout(), clipping.code, placed_here_);
+  job.bindings.setStorage(device_, BINDING_STATUS, answers_.get(), answer_bytes);
+  bindPolygons(job.bindings);
+  const Result<VkPipeline> kernel = kernels_.kernel(device_, job.bindings.layout(), job.code, sorted_here_);
   if (!kernel) return tl::unexpected(kernel.error());
-  reserve(clipping.count, room, out);
-  for (std::size_t first = 0; first < clipping.count; first += slice) {
-    const std::size_t here = std::min(slice, clipping.count - first);
+  reserve(job.count, room, out);
+  for (std::size_t first = 0; first < job.count; first += slice) {
+    const std::size_t here = std::min(slice, job.count - first);
     VORPIPE_TRY(device_.run([&](VkCommandBuffer commands) {
       clearBefore(device_, commands, answers_.get(), wordsBytes(here));
-      dispatch(device_, commands, *kernel, clipping.bindings,
+      dispatch(device_, commands, *kernel, job.bindings,
                {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(here)}, here);
     }));
     append({here, room, answers_.data(), word_bytes, answers_.data() + wordsBytes(here), row_bytes}, out);

@@ -50,24 +50,23 @@ Result<void> ComputeBackend::drawTriangles(std::span<const DrawMark> corners,
 }
 
 // Clips the entries that were sent and draws them, slice by slice.
-Result<void> ComputeBackend::drawCells(const Clipping& clipping, std::span<CellStatus> status) {
+Result<void> ComputeBackend::drawCells(const ClipJob& job, std::span<CellStatus> status) {
   assert(target_.framebuffer() != VK_NULL_HANDLE);
-  const std::size_t polygon_bytes = clipping.room * vertex_bytes;
-  const std::size_t slice = std::min(clipping.count, sliceOf(slice_entries, polygon_bytes));
+  const std::size_t polygon_bytes = job.room * vertex_bytes;
+  const std::size_t slice = std::min(job.count, sliceOf(slice_entries, polygon_bytes));
   VORPIPE_TRY(answers_.reserve(device_, slice * word, storage_range_));
   VORPIPE_TRY(vertices_.reserve(device_, slice * polygon_bytes, storage_range_));
-  VORPIPE_TRY(triangles_.reserve(device_, slice, clipping.room));
-  clipping.bindings.setStorage(device_, BINDING_STATUS, answers_.get(), slice * word);
-  bindPolygons(clipping.bindings);
-  const Result<VkPipeline> kernel =
-      kernels_.kernel(device_, clipping.bindings.layout(), clipping.code, placed_here_);
+  VORPIPE_TRY(triangles_.reserve(device_, slice, job.room));
+  job.bindings.setStorage(device_, BINDING_STATUS, answers_.get(), slice * word);
+  bindPolygons(job.bindings);
+  const Result<VkPipeline> kernel = kernels_.kernel(device_, job.bindings.layout(), job.code, sorted_here_);
   if (!kernel) return tl::unexpected(kernel.error());
-  for (std::size_t first = 0; first < clipping.count; first += slice) {
-    const std::size_t here = std::min(slice, clipping.count - first);
+  for (std::size_t first = 0; first < job.count; first += slice) {
+    const std::size_t here = std::min(slice, job.count - first);
     VORPIPE_TRY(triangles_.prepare(device_, kernels_));
     VORPIPE_TRY(device_.run([&](VkCommandBuffer commands) {
       clearBefore(device_, commands, answers_.get(), here * word);
-      dispatch(device_, commands, *kernel, clipping.bindings,
+      dispatch(device_, commands, *kernel, job.bindings,
                {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(here)}, here);
       orderShaders(device_, commands);
       triangles_.record(device_, commands, here);

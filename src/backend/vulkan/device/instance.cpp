@@ -70,8 +70,8 @@ VkDebugUtilsMessengerCreateInfoEXT messengerInfo(MessageLog& log) {
       structure<VkDebugUtilsMessengerCreateInfoEXT>(VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT);
   info.messageSeverity =
       VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
-  // Not GENERAL: that is the loader, which warns about drivers that nobody asked for. Not PERFORMANCE:
-  // the geometry shaders have outputs that OpenGL captures and that Vulkan leaves aside on purpose.
+  // Not GENERAL: the loader warns there about drivers that this run does not use. Not PERFORMANCE: it warns
+  // about outputs of the geometry shaders that OpenGL captures and Vulkan ignores on purpose.
   info.messageType = VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT;
   info.pfnUserCallback = keepMessage;
   info.pUserData = &log;

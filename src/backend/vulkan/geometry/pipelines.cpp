@@ -47,7 +47,7 @@ constexpr std::array<VkVertexInputAttributeDescription, 5> list_inputs = {{
 // The input of site.vert.
 constexpr std::array<VkVertexInputAttributeDescription, 1> site_inputs = {{{0, 0, VK_FORMAT_R32_UINT, 0}}};
 
-std::size_t placeOf(Entries entries, Effort effort) {
+std::size_t indexOf(Entries entries, Effort effort) {
   return 2 * static_cast<std::size_t>(entries) + (effort == Effort::fast ? 0U : 1U);
 }
 
@@ -162,7 +162,7 @@ Result<VkPipeline> Pipelines::draw(const Device& device, VkPipelineLayout layout
   return made(
       device, layout,
       {vertexCode(entries), geometry, shaders::cell_frag(), targetPass(), 2, entries, sizeof(DrawMark)},
-      draw_[placeOf(entries, effort)]);
+      draw_[indexOf(entries, effort)]);
 }
 
 Result<VkPipeline> Pipelines::edges(const Device& device, VkPipelineLayout layout, Entries entries,
@@ -174,7 +174,7 @@ Result<VkPipeline> Pipelines::edges(const Device& device, VkPipelineLayout layou
     geometry = fast ? shaders::edges_grid_fast_weighted() : shaders::edges_grid_roomy_weighted();
   }
   return made(device, layout, {vertexCode(entries), geometry, Code{}, emptyPass(), 0, entries, 0},
-              edges_[placeOf(entries, effort)]);
+              edges_[indexOf(entries, effort)]);
 }
 
 Result<Handle<VkPipeline>> Pipelines::build(const Device& device, VkPipelineLayout layout,

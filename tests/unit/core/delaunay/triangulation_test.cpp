@@ -37,7 +37,7 @@ TEST(InCircle, isExactOnTheCircle) {
 
 TEST(InCircle, isExactByWeight) {
   const auto at = [](double x, double y, double weight) { return WeightedPoint{{x, y}, weight}; };
-  // The powers of (0.5, 0.25) to the first three are 0, to the last so much.
+  // The powers of (0.5, 0.25) to a, b and c are 0, to d(power) it is `power`.
   const auto a = at(0, 0, 0.3125), b = at(1, 0, 0.3125), c = at(0.5, 1, 0.5625);
   const auto d = [&](double power) { return at(0.25, 0.125, 0.0625 + 0.015625 - power); };
   EXPECT_EQ(inCircle(a, b, c, d(0)), 0);

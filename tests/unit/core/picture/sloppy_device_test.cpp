@@ -32,7 +32,7 @@ Sites scattered(Random& random, const Box& domain, std::size_t count, bool weigh
   return sites;
 }
 
-/// Some crowds, so many times the domain wide.
+/// Two to four crowds of sites, each `width` times as wide as the domain.
 Sites crowds(Random& random, const Box& domain, double width, bool weighted = false) {
   const double side = domain.xmax - domain.xmin;
   Sites sites;
@@ -56,7 +56,8 @@ RenderOptions pictureOf(const Box& domain, int width, int height) {
   return options;
 }
 
-/// Draws on such a device, with all the rest of a run; no pixel may be wrong, nor a vertex too far.
+/// Draws on a device of these options, through the whole of a run. No pixel may be wrong, and no vertex be
+/// snapped farther than promised.
 Report expectRight(const SloppyOptions& device_options, const Sites& sites, const RenderOptions& options) {
   const auto device = makeSloppyDevice(device_options);
   const auto exact = openExactTier(1);
@@ -157,7 +158,7 @@ TEST(SloppyBisectors, AreAsNearlyRightAsTheirProductsAre) {
   }
 }
 
-// A device whose floats are exact to the last place is left nothing to do again.
+// With floats that are rounded exactly, no pixel and hardly a cell is found again.
 TEST(SloppyPictureOf8Bits, OfManySitesNeedsNoneOfThis) {
   Random random(7);
   const Box domain{0, 0, 1, 1};
@@ -167,7 +168,7 @@ TEST(SloppyPictureOf8Bits, OfManySitesNeedsNoneOfThis) {
   EXPECT_LE(report.in_double, 3u) << "cells of more edges than there is room for";
 }
 
-// Coarse grids are what coverRest is for.
+// Where the grid of vertices is coarse, cells are shrunk, and coverRest finds the pixels between them.
 TEST(SloppyPictureOf4Bits, LeavesPixelsAtTheEdgesOfCells) {
   Random random(7);
   const Box domain{0, 0, 1, 1};

@@ -1,4 +1,4 @@
-/// Pixels that a device left, or gave to nobody.
+/// Pixels that a device left uncovered, or gave to no site.
 #include "core/picture/uncovered.h"
 
 #include <gtest/gtest.h>
@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::uint32_t left_color = 0x01020304;
 
-/// The cpu, but that what is read back lacks what `keeps(pixel)` does not keep: every other one of those has
-/// an id of no site.
+/// The cpu backend, but pixels for which `keeps(pixel)` is false are spoiled when they are read: half of them
+/// become uncovered, half get `wrong_id`.
 class Patchy final : public ChangedCpu {
  public:
   using Keeps = bool (*)(std::size_t pixel);
@@ -55,7 +55,7 @@ Sites someSites(bool weighted) {
     add(sites, {-1 + 2 * random.uniform(), random.uniform()});
     if (weighted) sites.weight.push_back(0.01 * random.uniform());
   }
-  // An owner that does not come first, and its duplicate.
+  // At the position of site 7; with weights it is the heavier one and owns the cell.
   add(sites, {sites.x[7], sites.y[7]});
   if (weighted) sites.weight.push_back(1);
   return sites;

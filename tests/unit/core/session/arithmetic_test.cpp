@@ -1,4 +1,4 @@
-/// What is measured of a device's arithmetic is what it does.
+/// The measured arithmetic of a device is the one that it computes with.
 #include "core/session/arithmetic.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using namespace core;
 
 namespace {
 
-/// Computes as the host does, but for what `change` makes of it.
+/// Computes as the host does, but each result is passed through `change`.
 class InexactDevice final : public ChangedCpu {
  public:
   using Change = std::function<void(const Operands&, Computed&)>;
@@ -41,7 +41,7 @@ Arithmetic measured(const InexactDevice::Change& change) {
   return result.value_or(Arithmetic{});
 }
 
-/// Farther from zero by so many units in the last place.
+/// `exact`, moved away from zero by `ulp` units in the last place.
 float off(float exact, int ulp) {
   for (int i = 0; i < ulp; ++i) exact = std::nextafter(exact, std::copysign(HUGE_VALF, exact));
   return exact;
@@ -120,7 +120,7 @@ TEST(Arithmetic, SaysWhatFailed) {
   EXPECT_EQ(result.error().message, "it is gone");
 }
 
-/// Draws the quadrilaterals of measureSubpixelBits, as a rasterizer whose vertices stand on a grid.
+/// Draws the shapes of measureSubpixelBits, as a rasterizer that snaps vertices to a grid.
 class CoarseRasterizer final : public ChangedCpu {
  public:
   CoarseRasterizer(double step, double outset) : ChangedCpu(1), step_(step), outset_(outset) {

@@ -159,7 +159,7 @@ TYPED_TEST(Cut, pseudoAngleGrowsWithTheAngle) {
 TEST(Strip, visitsEveryVertexOnceFromBothSides) {
   for (int n = 3; n <= 13; ++n) {
     std::set<int> ranks;
-    for (int place = 0; place < n; ++place) ranks.insert(rankInStrip(place, n));
+    for (int index = 0; index < n; ++index) ranks.insert(rankInStrip(index, n));
     EXPECT_EQ(ranks.size(), static_cast<std::size_t>(n));
     EXPECT_EQ(*ranks.begin(), 0);
     EXPECT_EQ(*ranks.rbegin(), n - 1);

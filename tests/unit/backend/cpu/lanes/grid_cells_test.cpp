@@ -40,15 +40,15 @@ struct WeightedClipper {
   [[nodiscard]] int firstOfBin(int bin) const {
     return static_cast<int>(sites->grid.offsets[static_cast<std::size_t>(bin)]);
   }
-  [[nodiscard]] vec2 offsetTo(int place) const {
-    const auto i = static_cast<std::size_t>(place);
+  [[nodiscard]] vec2 offsetTo(int index) const {
+    const auto i = static_cast<std::size_t>(index);
     return vec2(static_cast<real>(sites->x[i] - site_x), static_cast<real>(sites->y[i] - site_y));
   }
   static real weightDifference(double own, double other) {
     return static_cast<real>(std::clamp(own - other, -1e18, 1e18));
   }
-  [[nodiscard]] real weightDifference(int place) const {
-    return weightDifference(weight, sites->weight[static_cast<std::size_t>(place)]);
+  [[nodiscard]] real weightDifference(int index) const {
+    return weightDifference(weight, sites->weight[static_cast<std::size_t>(index)]);
   }
   [[nodiscard]] real weightExcess(int number) const {
     const real heavier = -weightDifference(weight, sites->grid.heaviest[static_cast<std::size_t>(number)]);

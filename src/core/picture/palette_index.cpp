@@ -1,4 +1,4 @@
-#include "core/picture/shade.h"
+#include "core/picture/palette_index.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,10 @@
-/// The sites of an upload, put into the bins of their grid by the device.
+/// The sites of an upload, sorted into the bins of their grid by the device.
 ///
-/// The host's own grid (Grid::first) is not read, and sites may come in any order: a counting sort finds
+/// The host's own grid (Grid::offsets) is not read, and sites may come in any order: a counting sort finds
 /// the bin of each in float, within SiteGridUniform::slack. In a bin they stand by their index in the set.
-/// That order is made anew by ranking and merging, because the counters that invocations share hand out
-/// places as invocations come. Everything that the search reads lies in the device's own memory.
+/// That order takes a second sort of each bin: the counting sort leaves sites in the order in which
+/// invocations arrive. A site's rank is its index in the result. All buffers that the search reads lie in the
+/// device's own memory.
 #pragma once
 
 #include <volk.h>
@@ -20,11 +21,11 @@
 
 namespace vorpipe::vulkan {
 
-class PlacedSites {
+class SortedSites {
  public:
-  static Result<PlacedSites> create(const Device& device);
+  static Result<SortedSites> create(const Device& device);
 
-  /// Replaces the sites and binds them to the set of a search whose kernels map places to sites;
+  /// Replaces the sites and binds them to the set of a search whose kernels map ranks to sites;
   /// palette_index may be empty if nothing will be drawn. The set has at most max_sites sites and max_bins
   /// bins.
   Result<void> upload(Device& device, Bindings& search, const SiteSet& sites,
@@ -32,25 +33,25 @@ class PlacedSites {
 
   /// Where each bin begins, and the number of sites: as uint32, one more than there are bins.
   [[nodiscard]] VkBuffer starts() const { return starts_.get(); }
-  /// The index in the set of the site at each place, as uint32.
-  [[nodiscard]] VkBuffer siteAtPlace() const { return site_at_place_.get(); }
-  /// The place of each site, as uint32.
-  [[nodiscard]] VkBuffer placeOfSite() const { return place_of_site_.get(); }
+  /// By rank, the index of the site in the set, as uint32.
+  [[nodiscard]] VkBuffer siteOfRank() const { return site_of_rank_.get(); }
+  /// By index in the set, the rank of the site, as uint32.
+  [[nodiscard]] VkBuffer rankOfSite() const { return rank_of_site_.get(); }
 
  private:
   struct Sizes {
     std::size_t sites, bins;
   };
   struct Steps {
-    VkPipeline count, sum, scan, start, scatter, order, merge, place;
+    VkPipeline count, sum, scan, start, scatter, order, merge, gather;
   };
-  /// One descriptor set for each of the groups of steps that use the same buffers; to order sites takes
-  /// two, from one list into the other and back.
+  /// A descriptor set for each group of steps that use the same buffers. Sorting inside bins has two: from
+  /// one list into the other, and back.
   struct Sets {
     Bindings counting, scanning, ordering, reordering;
   };
 
-  PlacedSites(Sets sets, ComputeKernels kernels);
+  SortedSites(Sets sets, ComputeKernels kernels);
 
   Result<void> reserve(const Device& device, const Sizes& sizes, const BackendInfo& limits);
   void send(const SiteSet& sites);
@@ -73,7 +74,7 @@ class PlacedSites {
   Buffer merges_{{"merges", VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT,
                   Placement::upload}};
   Buffer spare_{{"sites in the making", VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Placement::device}};
-  Buffer bin_of_site_, starts_, site_at_place_, place_of_site_, placed_;
+  Buffer bin_of_site_, starts_, site_of_rank_, rank_of_site_, sorted_;
 };
 
 }  // namespace vorpipe::vulkan

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "backend/site_texels.h"
-#include "backend/vulkan/compute/placed_sites.h"
+#include "backend/vulkan/compute/sorted_sites.h"
 #include "backend/vulkan/device/device.h"
 #include "backend/vulkan/device/instance.h"
 #include "backend/vulkan/device/physical.h"
@@ -25,13 +25,13 @@ constexpr std::array<VkDescriptorSetLayoutBinding, 6> search_bindings = {{
     {BINDING_SITES, texels, 1, compute, nullptr},
     {BINDING_BINS, texels, 1, compute, nullptr},
     {BINDING_MARKS, texels, 1, compute, nullptr},
-    {BINDING_PLACE_OF_SITE, texels, 1, compute, nullptr},
-    {BINDING_SITE_AT_PLACE, texels, 1, compute, nullptr},
+    {BINDING_RANK_OF_SITE, texels, 1, compute, nullptr},
+    {BINDING_SITE_OF_RANK, texels, 1, compute, nullptr},
 }};
 
 constexpr std::size_t most = 1 << 20;
 
-class ComputePlacing : public testing::Test {
+class ComputeSorting : public testing::Test {
  protected:
   void SetUp() override {
     Result<Instance> instance = Instance::open(true);
@@ -44,9 +44,9 @@ class ComputePlacing : public testing::Test {
     Result<Device> device = Device::open(*physical);
     ASSERT_TRUE(device.has_value()) << device.error().message;
     device_ = std::make_unique<Device>(std::move(*device));
-    Result<PlacedSites> placed = PlacedSites::create(*device_);
-    ASSERT_TRUE(placed.has_value()) << placed.error().message;
-    placed_ = std::make_unique<PlacedSites>(std::move(*placed));
+    Result<SortedSites> sorted = SortedSites::create(*device_);
+    ASSERT_TRUE(sorted.has_value()) << sorted.error().message;
+    sorted_ = std::make_unique<SortedSites>(std::move(*sorted));
     Result<Bindings> search = Bindings::create(*device_, search_bindings, 0);
     ASSERT_TRUE(search.has_value()) << search.error().message;
     search_ = std::make_unique<Bindings>(std::move(*search));
@@ -78,24 +78,24 @@ class ComputePlacing : public testing::Test {
   void expectBins(const SiteSet& set) {
     BackendInfo limits;
     limits.max_sites = limits.max_bins = most;
-    const Result<void> done = placed_->upload(*device_, *search_, set, {}, limits);
+    const Result<void> done = sorted_->upload(*device_, *search_, set, {}, limits);
     ASSERT_TRUE(done.has_value()) << done.error().message;
     const Grid& grid = set.grid;
-    const auto starts = readBack(placed_->starts(), std::size_t{grid.columns} * grid.rows + 1);
-    const auto site_at = readBack(placed_->siteAtPlace(), set.size());
-    const auto place_of = readBack(placed_->placeOfSite(), set.size());
+    const auto starts = readBack(sorted_->starts(), std::size_t{grid.columns} * grid.rows + 1);
+    const auto site_at = readBack(sorted_->siteOfRank(), set.size());
+    const auto rank_of = readBack(sorted_->rankOfSite(), set.size());
     ASSERT_EQ(starts.front(), 0U);
     ASSERT_EQ(starts.back(), set.size());
     ASSERT_TRUE(std::ranges::is_sorted(starts));
     std::vector<bool> seen(set.size());
     for (std::size_t bin = 0; bin + 1 < starts.size(); bin++) {
-      for (std::uint32_t place = starts[bin]; place < starts[bin + 1]; place++) {
-        const std::uint32_t site = site_at[place];
+      for (std::uint32_t rank = starts[bin]; rank < starts[bin + 1]; rank++) {
+        const std::uint32_t site = site_at[rank];
         ASSERT_LT(site, set.size());
         ASSERT_FALSE(seen[site]);
         seen[site] = true;
-        ASSERT_EQ(place_of[site], place);
-        ASSERT_TRUE(place == starts[bin] || site_at[place - 1] < site) << "bin " << bin;
+        ASSERT_EQ(rank_of[site], rank);
+        ASSERT_TRUE(rank == starts[bin] || site_at[rank - 1] < site) << "bin " << bin;
         expectInside(set, site, bin);
       }
     }
@@ -117,7 +117,7 @@ class ComputePlacing : public testing::Test {
 
   std::unique_ptr<Instance> instance_;
   std::unique_ptr<Device> device_;
-  std::unique_ptr<PlacedSites> placed_;
+  std::unique_ptr<SortedSites> sorted_;
   std::unique_ptr<Bindings> search_;
 };
 
@@ -135,7 +135,7 @@ SiteSet shuffled(const SiteSet& set) {
   return other;
 }
 
-TEST_F(ComputePlacing, PutsEachSiteIntoItsBinInOrder) {
+TEST_F(ComputeSorting, PutsEachSiteIntoItsBinInOrder) {
   for (const Pattern pattern : {Pattern::random, Pattern::square, Pattern::hex, Pattern::clusters}) {
     for (const std::size_t count : {1U, 2U, 100U, 9000U}) {
       const SiteSet set = test::prepared(generate(pattern, count, 5));
@@ -146,7 +146,7 @@ TEST_F(ComputePlacing, PutsEachSiteIntoItsBinInOrder) {
 }
 
 // Bins of as many sites as one run has, or as many as it takes another merge for, and around these.
-TEST_F(ComputePlacing, OrdersCrowdedBins) {
+TEST_F(ComputeSorting, OrdersCrowdedBins) {
   std::mt19937_64 random(13);
   std::uniform_real_distribution<double> inside(0, 1);
   for (const std::size_t crowd : {31U, 32U, 33U, 64U, 65U, 128U, 129U, 512U, 2049U, 70001U}) {
@@ -162,7 +162,7 @@ TEST_F(ComputePlacing, OrdersCrowdedBins) {
   }
 }
 
-TEST_F(ComputePlacing, TakesSitesOutsideTheGrid) {
+TEST_F(ComputeSorting, TakesSitesOutsideTheGrid) {
   Sites sites = generate(Pattern::random, 3000, 7);
   for (double& x : sites.x) x = 5 * x - 2;
   SiteSet set = test::prepared(sites);

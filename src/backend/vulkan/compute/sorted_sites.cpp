@@ -1,4 +1,4 @@
-#include "backend/vulkan/compute/placed_sites.h"
+#include "backend/vulkan/compute/sorted_sites.h"
 
 #include <algorithm>
 #include <array>
@@ -28,7 +28,7 @@ constexpr std::array<VkDescriptorSetLayoutBinding, 5> counting_bindings = {{
     {BINDING_SITES, texels, 1, compute, nullptr},
     {BINDING_COUNTS, storage, 1, compute, nullptr},
     {BINDING_BIN_OF_SITE, storage, 1, compute, nullptr},
-    {BINDING_PLACE_OF_SITE, storage, 1, compute, nullptr},
+    {BINDING_RANK_OF_SITE, storage, 1, compute, nullptr},
 }};
 constexpr std::array<VkDescriptorSetLayoutBinding, 4> scanning_bindings = {{
     {BINDING_COUNTS, storage, 1, compute, nullptr},
@@ -41,9 +41,9 @@ constexpr std::array<VkDescriptorSetLayoutBinding, 7> ordering_bindings = {{
     {BINDING_BINS, texels, 1, compute, nullptr},
     {BINDING_BIN_OF_SITE, texels, 1, compute, nullptr},
     {BINDING_FROM, storage, 1, compute, nullptr},
-    {BINDING_SITE_AT_PLACE, storage, 1, compute, nullptr},
-    {BINDING_PLACE_OF_SITE, storage, 1, compute, nullptr},
-    {BINDING_PLACED_SITES, storage, 1, compute, nullptr},
+    {BINDING_SITE_OF_RANK, storage, 1, compute, nullptr},
+    {BINDING_RANK_OF_SITE, storage, 1, compute, nullptr},
+    {BINDING_SORTED_SITES, storage, 1, compute, nullptr},
 }};
 
 // A list of numbers that one shader writes and another reads.
@@ -56,7 +56,7 @@ Buffer::Kind listOf(std::string_view what) {
 
 std::size_t blocksOf(std::size_t counts) { return (counts + COUNTS_AT_ONCE - 1) / COUNTS_AT_ONCE; }
 
-// Pairs of merges that the fullest bin could need: the k-th pair merges runs of RUN_SIZE * 4^k places.
+// Pairs of merges that the fullest bin could need: the k-th pair merges runs of RUN_SIZE * 4^k ranks.
 std::size_t pairsOf(std::size_t sites) {
   std::size_t pairs = 0;
   for (std::size_t run = RUN_SIZE; run < sites; run *= 4) pairs++;
@@ -85,7 +85,7 @@ void order(const Device& device, VkCommandBuffer commands, VkPipelineStageFlags 
 
 }  // namespace
 
-Result<PlacedSites> PlacedSites::create(const Device& device) {
+Result<SortedSites> SortedSites::create(const Device& device) {
   Result<Bindings> counting = Bindings::create(device, counting_bindings, sizeof(Slice));
   if (!counting) return tl::unexpected(std::move(counting).error());
   Result<Bindings> scanning = Bindings::create(device, scanning_bindings, sizeof(Slice));
@@ -96,22 +96,22 @@ Result<PlacedSites> PlacedSites::create(const Device& device) {
   if (!reordering) return tl::unexpected(std::move(reordering).error());
   Result<ComputeKernels> kernels = ComputeKernels::create(device);
   if (!kernels) return tl::unexpected(std::move(kernels).error());
-  return PlacedSites(
+  return SortedSites(
       {std::move(*counting), std::move(*scanning), std::move(*ordering), std::move(*reordering)},
       std::move(*kernels));
 }
 
-PlacedSites::PlacedSites(Sets sets, ComputeKernels kernels)
+SortedSites::SortedSites(Sets sets, ComputeKernels kernels)
     : sets_(std::move(sets)),
       kernels_(std::move(kernels)),
       bin_of_site_(listOf("bins of sites")),
       starts_(listOf("bins")),
-      site_at_place_(listOf("sites by place")),
-      place_of_site_(listOf("places of sites")),
-      placed_({"sites in bins", VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT,
+      site_of_rank_(listOf("sites by rank")),
+      rank_of_site_(listOf("ranks of sites")),
+      sorted_({"sites in bins", VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT,
                Placement::device, VK_FORMAT_R32G32B32A32_SFLOAT}) {}
 
-Result<void> PlacedSites::upload(Device& device, Bindings& search, const SiteSet& sites,
+Result<void> SortedSites::upload(Device& device, Bindings& search, const SiteSet& sites,
                                  std::span<const std::uint8_t> palette_index, const BackendInfo& limits) {
   const Sizes sizes{sites.size(), std::size_t{sites.grid.columns} * sites.grid.rows};
   assert(sizes.sites <= limits.max_sites && sizes.bins <= limits.max_bins);
@@ -122,10 +122,10 @@ Result<void> PlacedSites::upload(Device& device, Bindings& search, const SiteSet
   if (!made) return tl::unexpected(made.error());
   VORPIPE_TRY(device.run([&](VkCommandBuffer commands) { record(device, commands, *made, sizes); }));
   search.setUniform(device, BINDING_GRID, grid_.get());
-  search.setTexels(device, BINDING_SITES, placed_.texels());
+  search.setTexels(device, BINDING_SITES, sorted_.texels());
   search.setTexels(device, BINDING_BINS, starts_.texels());
-  search.setTexels(device, BINDING_PLACE_OF_SITE, place_of_site_.texels());
-  search.setTexels(device, BINDING_SITE_AT_PLACE, site_at_place_.texels());
+  search.setTexels(device, BINDING_RANK_OF_SITE, rank_of_site_.texels());
+  search.setTexels(device, BINDING_SITE_OF_RANK, site_of_rank_.texels());
   if (palette_index.empty()) return {};
   VORPIPE_TRY(marks_.reserve(device, sizes.sites * sizeof(SiteMark), limits.max_sites * sizeof(SiteMark)));
   writeSiteMarks(sites, palette_index, marks_.data());
@@ -133,14 +133,14 @@ Result<void> PlacedSites::upload(Device& device, Bindings& search, const SiteSet
   return {};
 }
 
-Result<void> PlacedSites::reserve(const Device& device, const Sizes& sizes, const BackendInfo& limits) {
+Result<void> SortedSites::reserve(const Device& device, const Sizes& sizes, const BackendInfo& limits) {
   const std::size_t most_sites = limits.max_sites;
   const std::size_t most_bins = limits.max_bins;
   VORPIPE_TRY(grid_.reserve(device, sizeof(SiteGridUniform), sizeof(SiteGridUniform)));
-  for (Buffer* texel : {&sites_, &placed_}) {
+  for (Buffer* texel : {&sites_, &sorted_}) {
     VORPIPE_TRY(texel->reserve(device, sizes.sites * sizeof(SiteTexel), most_sites * sizeof(SiteTexel)));
   }
-  for (Buffer* list : {&bin_of_site_, &site_at_place_, &place_of_site_, &spare_}) {
+  for (Buffer* list : {&bin_of_site_, &site_of_rank_, &rank_of_site_, &spare_}) {
     VORPIPE_TRY(list->reserve(device, sizes.sites * word, most_sites * word));
   }
   VORPIPE_TRY(counts_.reserve(device, sizes.bins * word, most_bins * word));
@@ -150,7 +150,7 @@ Result<void> PlacedSites::reserve(const Device& device, const Sizes& sizes, cons
                          (pairsOf(most_sites) + 1) * dispatch_bytes);
 }
 
-void PlacedSites::send(const SiteSet& sites) {
+void SortedSites::send(const SiteSet& sites) {
   SiteGridUniform block = siteGridUniform(sites);
   // The device's bins are off by as many roundings again.
   block.slack *= 2;
@@ -160,33 +160,33 @@ void PlacedSites::send(const SiteSet& sites) {
   std::memcpy(merges_.data(), none.data(), none.size() * dispatch_bytes);
 }
 
-void PlacedSites::bind(const Device& device, const Sizes& sizes) {
+void SortedSites::bind(const Device& device, const Sizes& sizes) {
   const std::size_t list_bytes = sizes.sites * word;
   Bindings& counting = sets_.counting;
   counting.setUniform(device, BINDING_GRID, grid_.get());
   counting.setTexels(device, BINDING_SITES, sites_.texels());
   counting.setStorage(device, BINDING_COUNTS, counts_.get(), sizes.bins * word);
   counting.setStorage(device, BINDING_BIN_OF_SITE, bin_of_site_.get(), list_bytes);
-  counting.setStorage(device, BINDING_PLACE_OF_SITE, place_of_site_.get(), list_bytes);
+  counting.setStorage(device, BINDING_RANK_OF_SITE, rank_of_site_.get(), list_bytes);
   Bindings& scanning = sets_.scanning;
   scanning.setStorage(device, BINDING_COUNTS, counts_.get(), sizes.bins * word);
   scanning.setStorage(device, BINDING_SUMS, sums_.get(), sumsBytes(blocksOf(sizes.bins)));
   scanning.setStorage(device, BINDING_BINS, starts_.get(), (sizes.bins + 1) * word);
   scanning.setStorage(device, BINDING_MERGES, merges_.get(), (pairsOf(sizes.sites) + 1) * dispatch_bytes);
   sets_.ordering.setStorage(device, BINDING_FROM, spare_.get(), list_bytes);
-  sets_.ordering.setStorage(device, BINDING_SITE_AT_PLACE, site_at_place_.get(), list_bytes);
-  sets_.reordering.setStorage(device, BINDING_FROM, site_at_place_.get(), list_bytes);
-  sets_.reordering.setStorage(device, BINDING_SITE_AT_PLACE, spare_.get(), list_bytes);
+  sets_.ordering.setStorage(device, BINDING_SITE_OF_RANK, site_of_rank_.get(), list_bytes);
+  sets_.reordering.setStorage(device, BINDING_FROM, site_of_rank_.get(), list_bytes);
+  sets_.reordering.setStorage(device, BINDING_SITE_OF_RANK, spare_.get(), list_bytes);
   for (Bindings* set : {&sets_.ordering, &sets_.reordering}) {
     set->setTexels(device, BINDING_SITES, sites_.texels());
     set->setTexels(device, BINDING_BINS, starts_.texels());
     set->setTexels(device, BINDING_BIN_OF_SITE, bin_of_site_.texels());
-    set->setStorage(device, BINDING_PLACE_OF_SITE, place_of_site_.get(), list_bytes);
-    set->setStorage(device, BINDING_PLACED_SITES, placed_.get(), sizes.sites * sizeof(SiteTexel));
+    set->setStorage(device, BINDING_RANK_OF_SITE, rank_of_site_.get(), list_bytes);
+    set->setStorage(device, BINDING_SORTED_SITES, sorted_.get(), sizes.sites * sizeof(SiteTexel));
   }
 }
 
-Result<PlacedSites::Steps> PlacedSites::steps(const Device& device) {
+Result<SortedSites::Steps> SortedSites::steps(const Device& device) {
   Steps made{};
   const struct {
     VkPipeline& pipeline;
@@ -199,7 +199,7 @@ Result<PlacedSites::Steps> PlacedSites::steps(const Device& device) {
                 {made.scatter, sets_.reordering, shaders::scatter_sites()},
                 {made.order, sets_.ordering, shaders::order_runs()},
                 {made.merge, sets_.ordering, shaders::merge_runs()},
-                {made.place, sets_.reordering, shaders::place_sites()}};
+                {made.gather, sets_.reordering, shaders::gather_sites()}};
   for (const auto& step : wanted) {
     const Result<VkPipeline> kernel = kernels_.kernel(device, step.bindings.layout(), step.code);
     if (!kernel) return tl::unexpected(kernel.error());
@@ -208,7 +208,7 @@ Result<PlacedSites::Steps> PlacedSites::steps(const Device& device) {
   return made;
 }
 
-void PlacedSites::record(const Device& device, VkCommandBuffer commands, const Steps& steps,
+void SortedSites::record(const Device& device, VkCommandBuffer commands, const Steps& steps,
                          const Sizes& sizes) const {
   const std::size_t groups = groupsOf(sizes.sites);
   const std::size_t blocks = blocksOf(sizes.bins);
@@ -227,12 +227,12 @@ void PlacedSites::record(const Device& device, VkCommandBuffer commands, const S
   step(steps.scatter, sets_.reordering, sites, groups * GROUP_SIZE);
   step(steps.order, sets_.ordering, sites, groups * GROUP_SIZE);
   recordMerges(device, commands, steps, sizes.sites);
-  step(steps.place, sets_.reordering, sites, groups * GROUP_SIZE);
+  step(steps.gather, sets_.reordering, sites, groups * GROUP_SIZE);
 }
 
-// Each pair of merges goes from one list into the other and back, so that the result does not move with the
-// number of pairs that have anything to do.
-void PlacedSites::recordMerges(const Device& device, VkCommandBuffer commands, const Steps& steps,
+// Merges go from one list into the other and back, in pairs: whatever the number of pairs, the result is in
+// the same list.
+void SortedSites::recordMerges(const Device& device, VkCommandBuffer commands, const Steps& steps,
                                std::size_t sites) const {
   order(device, commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, VK_ACCESS_SHADER_WRITE_BIT,
         VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT, VK_ACCESS_INDIRECT_COMMAND_READ_BIT);
