@@ -8,10 +8,14 @@ function(vorpipe_house prefix)
   set(vorpipe_house_libraries ${ARGN} PARENT_SCOPE)
 endfunction()
 
+# vorpipe_room(room [USES room...] [EXCEPT source...] [LIBRARIES library...]): EXCEPT are sources that are compiled
+# elsewhere, or not at all.
 function(vorpipe_room room)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "USES;EXCEPT;LIBRARIES")
   set(target ${vorpipe_house_prefix}${room})
   file(GLOB sources CONFIGURE_DEPENDS ${room}/*.cpp)
+  list(TRANSFORM arg_EXCEPT PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/${room}/)
+  list(REMOVE_ITEM sources ${arg_EXCEPT})
   add_library(${target} STATIC ${sources})
   list(TRANSFORM arg_USES PREPEND ${vorpipe_house_prefix})
   target_link_libraries(

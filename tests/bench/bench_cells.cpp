@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "bench/contest.h"
-#include "bench/driver_threads.h"
-#include "bench/machine.h"
+#include "bench/measured/driver_threads.h"
+#include "bench/measured/machine.h"
 #include "cli/kept_memory.h"
 
 namespace vorpipe::test {

@@ -122,7 +122,7 @@ def check_rooms(fault):
     files to begin with are there; each folder of src and each backend is named."""
     page = ROOT / 'docs/architecture.md'
     text = page.read_text()
-    for house in ('src/core', 'src/io', 'src/cli', 'src/backend/vulkan'):
+    for house in ('src/core', 'src/io', 'src/cli', 'src/bench', 'src/backend/vulkan', 'src/backend/opengl', 'src/backend/cpu'):
         built = re.findall(r'^vorpipe_room\((\w+)', (ROOT / house / 'CMakeLists.txt').read_text(), flags=re.M)
         table = re.search(rf'\n\| room of `{house}` \|.*\n\|[-|]+\n((?:\|.*\n)+)', text)
         rows = re.findall(r'^\| `(\w+)` \|.*\| (.*) \|$', table[1], flags=re.M) if table else []

@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "bench/conditions.h"
-#include "bench/driver_threads.h"
-#include "bench/tables.h"
+#include "bench/lab/conditions.h"
+#include "bench/measured/driver_threads.h"
+#include "bench/tables/tables.h"
 #include "cli/commands/command.h"
 #include "cli/options/options.h"
 #include "cli/runs/forecast.h"

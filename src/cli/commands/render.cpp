@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "base/stopwatch.h"
-#include "bench/driver_threads.h"
+#include "bench/measured/driver_threads.h"
 #include "cli/commands/command.h"
 #include "cli/options/options.h"
 #include "cli/reports/stats.h"

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "bench/driver_threads.h"
+#include "bench/measured/driver_threads.h"
 #include "cli/commands/command.h"
 #include "cli/options/options.h"
 #include "cli/reports/selftest_text.h"

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "bench/machine.h"
+#include "bench/measured/machine.h"
 #include "cli/reports/selftest_text.h"
 #include "io/text/json_text.h"
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/delaunay/triangulation.h"
+#include "core/delaunay/mesh.h"
 #include "core/geometry/predicates.h"
 
 namespace vorpipe::core {

@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "core/delaunay/hilbert_order.h"
+#include "core/delaunay/triangulation.h"
 
 namespace vorpipe::core {
 namespace {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "backend/backend.h"
-#include "core/delaunay/triangulation.h"
+#include "core/delaunay/mesh.h"
 
 namespace vorpipe::core {
 

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "core/diagram/outer_triangles.h"
 #include "core/geometry/polygon_measures.h"
 #include "core/geometry/predicates.h"
 

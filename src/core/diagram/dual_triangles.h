@@ -1,12 +1,9 @@
 /// The triangulation that is dual to the cells.
 #pragma once
 
-#include "core/delaunay/site_mesh.h"
-#include "core/ties/ties.h"
+#include "core/diagram/outer_triangles.h"
 
 namespace vorpipe::core {
-
-using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 /// The Delaunay triangulation of all sites (input indices, counter-clockwise from the lowest), whatever the
 /// domain; empty if all lie on a line. Those of the mesh, if it is made. Else vertices inside the domain give

@@ -1,9 +1,12 @@
 /// The part of the triangulation that the domain cuts off.
 #pragma once
 
-#include "core/diagram/dual_triangles.h"
+#include "core/delaunay/site_mesh.h"
+#include "core/ties/tied_cells.h"
 
 namespace vorpipe::core {
+
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 /// Completes the triangles of the vertices inside the domain to the Delaunay triangulation of all sites.
 void addOuterTriangles(const ProposedCells& agreed, const TiedCells& tied, SiteMesh& mesh,

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/delaunay/triangulation.h"
+#include "core/delaunay/mesh.h"
 #include "core/sites/grid.h"
 
 namespace vorpipe::core {
 namespace {
 
-/// The tree of backend/cpu/tree.h: twice as many nodes as leaves, of which there are a power of two, each of
-/// at most six sites.
+/// The tree of backend/cpu/tree/tree.h: twice as many nodes as leaves, of which there are a power of two,
+/// each of at most six sites.
 std::uint64_t treeBytes(std::uint64_t sites) {
   constexpr std::uint64_t leaf_sites = 6, node = 12 * number;
   std::uint64_t leaves = 1;

@@ -5,7 +5,8 @@
 #include <cstdint>
 
 #include "base/double_double.h"
-#include "core/geometry/vertex_position.h"
+#include "core/geometry/anchored_point.h"
+#include "core/geometry/predicates.h"
 
 namespace vorpipe::core {
 

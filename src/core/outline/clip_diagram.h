@@ -1,18 +1,10 @@
 /// The cells of a diagram clipped to an outline.
 #pragma once
 
+#include "core/outline/clipped_run.h"
 #include "core/outline/rings.h"
 
 namespace vorpipe::core {
-
-/// The sites of a diagram and its domain, and where things are in it.
-struct ClippedRun {
-  const Sites& sites;
-  const Box& domain;
-  const std::vector<std::uint32_t>& order;  ///< the sites that may have cells, neighbors near each other
-  int exponent;                             ///< what is computed is in units times 2^exponent
-  int threads;
-};
 
 /// Clips cells, which have polygons, to a valid outline, and writes what changes: ring_starts of all, and of
 /// cells that the outline cuts everything else. A site without a part of the inside becomes `empty`. Two

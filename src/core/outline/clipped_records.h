@@ -5,7 +5,7 @@
 #include <span>
 
 #include "core/outline/clip_cell.h"
-#include "core/outline/clip_diagram.h"
+#include "core/outline/clipped_run.h"
 #include "core/vertices/cell_record.h"
 
 namespace vorpipe::core {

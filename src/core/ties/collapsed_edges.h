@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/disjoint_sets.h"
-#include "core/ties/ties.h"
+#include "core/ties/tied_cells.h"
 
 namespace vorpipe::core {
 

@@ -1,7 +1,7 @@
 /// The records of cells with ties.
 #pragma once
 
-#include "core/ties/ties.h"
+#include "core/ties/tied_cells.h"
 #include "core/vertices/cell_record.h"
 
 namespace vorpipe::core {

@@ -1,7 +1,8 @@
 /// Vertices that chains of ties make wide.
 #pragma once
 
-#include "core/ties/ties.h"
+#include "core/ties/fineness.h"
+#include "core/ties/tied_cells.h"
 
 namespace vorpipe::core {
 

@@ -5,7 +5,7 @@
 
 #include "core/sites/bin_sort.h"
 #include "core/sites/weight_pyramid.h"
-#include "core/tiles/tiles.h"
+#include "core/tiles/cut_out.h"
 
 namespace vorpipe::core {
 namespace {

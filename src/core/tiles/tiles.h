@@ -25,11 +25,6 @@ struct TilePlan {
 /// Cuts the grid into halves until each part, with its halo, has at most that many sites and bins.
 TilePlan planTiles(const Grid& grid, std::uint64_t most_sites, std::uint64_t most_bins);
 
-/// The sites of a block of bins as a set of its own; `coverage` is the block, but that of the set where it
-/// ends with the grid. whole[i] is the index in `sites` of its site i. Heavy sites from elsewhere are in the
-/// set, but in none of its bins.
-SiteSet cutOut(const SiteSet& sites, const BinBlock& block, std::vector<std::uint32_t>& whole);
-
 /// Whether a device can be given all sites at once.
 bool fits(const SiteSet& sites, const BackendInfo& info);
 

@@ -142,12 +142,6 @@ Result<void> writePiece(OutputFile& file, const ZipPiece& piece) {
 
 }  // namespace
 
-ZipBody zipBody(std::string_view bytes) {
-  return {bytes.size(), [bytes](std::uint64_t offset, char* to, std::size_t length) {
-            return bytes.copy(to, length, offset);
-          }};
-}
-
 Result<void> writeZip(OutputFile& file, std::span<const ZipEntry> entries) {
   assert(!entries.empty());
   ZipPlan plan;

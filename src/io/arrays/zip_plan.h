@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/arrays/zip_file.h"
+#include "io/arrays/zip_entry.h"
 
 namespace vorpipe {
 

@@ -1,4 +1,4 @@
-#include "bench/measured.h"
+#include "bench/measured/measured.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "bench/plot.h"
-#include "bench/tables.h"
+#include "bench/measured/plot.h"
+#include "bench/tables/tables.h"
 
 namespace vorpipe::bench {
 namespace {

@@ -10,6 +10,7 @@
 #include "backend/registry/registry.h"
 #include "core/search/neighbor_search.h"
 #include "core/sites/site_set.h"
+#include "core/tiles/cut_out.h"
 #include "unit/fixtures/changed_cpu.h"
 
 namespace vorpipe::test {

@@ -1,0 +1,23 @@
+#include "backend/cpu/lanes/grid_lanes.h"
+
+namespace vorpipe::cpu {
+
+// grid_lanes.cpp, as CMakeLists.txt compiles it.
+void findIn4Lanes(const LaneJob& job, bool roomy);
+void findWeightedIn4Lanes(const LaneJob& job, bool roomy);
+#ifdef VORPIPE_WIDE_LANES
+void findIn8Lanes(const LaneJob& job, bool roomy);
+void findWeightedIn8Lanes(const LaneJob& job, bool roomy);
+void findIn16Lanes(const LaneJob& job, bool roomy);
+void findWeightedIn16Lanes(const LaneJob& job, bool roomy);
+#endif
+
+FindInLanes findInLanes(bool weighted) {
+#ifdef VORPIPE_WIDE_LANES
+  if (__builtin_cpu_supports("x86-64-v4") != 0) return weighted ? findWeightedIn16Lanes : findIn16Lanes;
+  if (__builtin_cpu_supports("avx2") != 0) return weighted ? findWeightedIn8Lanes : findIn8Lanes;
+#endif
+  return weighted ? findWeightedIn4Lanes : findIn4Lanes;
+}
+
+}  // namespace vorpipe::cpu

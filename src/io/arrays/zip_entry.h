@@ -1,0 +1,29 @@
+/// Files that go into a zip archive.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace vorpipe {
+
+/// Bytes that are at hand or made when they are asked for.
+struct ZipBody {
+  std::uint64_t size = 0;
+  /// Copies bytes from `offset` on to `to`, at most `length` of them and at least one; returns how many.
+  std::function<std::size_t(std::uint64_t offset, char* to, std::size_t length)> read;
+};
+
+/// A body of bytes that stay where they are.
+ZipBody zipBody(std::string_view bytes);
+
+/// A file inside an archive: `head`, then `body`, which is read twice.
+struct ZipEntry {
+  std::string name;
+  std::string head;
+  ZipBody body;
+};
+
+}  // namespace vorpipe
