@@ -1,6 +1,7 @@
 /// Sites, their weights, domain and density.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "io/domain/outline_file.h"
 #include "io/files/error.h"
 #include "io/sites/site_source.h"
+#include "io/sites/sites_file.h"
 #include "io/sites/weights_file.h"
 
 namespace vorpipe::c {
@@ -32,7 +34,7 @@ Result<vorpipe_input> inputOf(Sites sites, bool of_unit_square) {
     return inputError(fmt::format("sites: {} of at most {}", sites.size(), max_sites));
   }
   vorpipe_input input;
-  input.domain = of_unit_square || sites.size() == 0 ? Box{0, 0, 1, 1} : domainOfSites(sites);
+  input.domain = of_unit_square || sites.size() == 0 ? Box{0, 0, 1, 1} : domainOf(sites);
   input.of_unit_square = of_unit_square;
   input.sites = std::make_shared<const Sites>(std::move(sites));
   return input;
@@ -58,7 +60,7 @@ vorpipe_code setOutline(vorpipe_input& input, Result<Outline> outline) {
   if (outline->empty()) return fail(VORPIPE_INPUT, "outline: has no points", Subject::outline);
   input.domain = boxOf(outline->points);
   if (input.of_unit_square)
-    input.sites = std::make_shared<const Sites>(spreadOver(*input.sites, input.domain));
+    input.sites = std::make_shared<const Sites>(spreadOver(input.domain, *input.sites));
   input.of_unit_square = false;
   input.outline = std::move(*outline);
   input.periodic = Periodic::none;

@@ -5,14 +5,18 @@
 
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "bench/measured/driver_threads.h"
+#include "bench/measured/machine.h"
 #include "cli/commands/command.h"
 #include "cli/options/options.h"
 #include "cli/reports/selftest_text.h"
 #include "cli/runs/run_end.h"
 #include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
+#include "io/text/json_text.h"
+#include "selftest/selftest_json.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -22,6 +26,13 @@ struct SelftestCommand {
   TalkOptions talk;
   std::string json;
 };
+
+/// What was found, and on which machine.
+std::string jsonOf(const SelftestReport& report) {
+  auto json = selftestJson(report);
+  json["machine"] = bench::json(bench::thisMachine());
+  return jsonText(json, 1);
+}
 
 /// The first fault, in one line.
 std::string firstFault(const SelftestReport& report) {
@@ -59,7 +70,7 @@ Result<ExitCode> runSelftest(const SelftestCommand& command) {
   say(selftestDevices(*report) + selftestSummary(*report));
   std::vector<Writer> writers;
   if (!command.json.empty()) {
-    writers.emplace_back([&](OutputFile& to) { return to.write(selftestJson(*report)); });
+    writers.emplace_back([&](OutputFile& to) { return to.write(jsonOf(*report)); });
   }
   if (auto written = writeOutputs(*files, writers); !written)
     return tl::unexpected(std::move(written.error()));

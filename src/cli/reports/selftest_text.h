@@ -1,4 +1,4 @@
-/// What a self-test found, as text and as JSON.
+/// What a self-test found, as text.
 #pragma once
 
 #include <string>
@@ -19,8 +19,5 @@ std::string selftestDevices(const SelftestReport& report);
 
 /// How many runs there were and how many broke a promise.
 std::string selftestSummary(const SelftestReport& report);
-
-/// An object with a line's end.
-std::string selftestJson(const SelftestReport& report);
 
 }  // namespace vorpipe::cli

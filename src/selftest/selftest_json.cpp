@@ -1,11 +1,9 @@
+#include "selftest/selftest_json.h"
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "bench/measured/machine.h"
-#include "cli/reports/selftest_text.h"
-#include "io/text/json_text.h"
-
-namespace vorpipe::cli {
+namespace vorpipe {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -61,26 +59,24 @@ Json deviceJson(const SelftestDevice& device) {
 
 }  // namespace
 
-std::string selftestJson(const SelftestReport& report) {
+Json selftestJson(const SelftestReport& report) {
   Json devices = Json::array();
   for (const SelftestDevice& device : report.devices) devices.push_back(deviceJson(device));
-  const Json json = {{"version", std::string(version())},
-                     {"command", "selftest"},
-                     {"machine", bench::json(bench::thisMachine())},
-                     {"quick", report.quick},
-                     {"seed", report.seed},
-                     {"passed", report.passed()},
-                     {"time_ms", report.milliseconds},
-                     {"allowed",
-                      {{"quotient_ulp", allowed_quotient},
-                       {"root_ulp", allowed_root},
-                       {"inverse_root_ulp", allowed_inverse_root},
-                       {"product_ulp", allowed_rounding},
-                       {"sum_ulp", allowed_rounding},
-                       {"sum_of_differences_ulp", allowed_rounding},
-                       {"subpixel_bits", allowed_subpixel_bits}}},
-                     {"devices", std::move(devices)}};
-  return jsonText(json, 1);
+  return {{"version", std::string(version())},
+          {"command", "selftest"},
+          {"quick", report.quick},
+          {"seed", report.seed},
+          {"passed", report.passed()},
+          {"time_ms", report.milliseconds},
+          {"allowed",
+           {{"quotient_ulp", allowed_quotient},
+            {"root_ulp", allowed_root},
+            {"inverse_root_ulp", allowed_inverse_root},
+            {"product_ulp", allowed_rounding},
+            {"sum_ulp", allowed_rounding},
+            {"sum_of_differences_ulp", allowed_rounding},
+            {"subpixel_bits", allowed_subpixel_bits}}},
+          {"devices", std::move(devices)}};
 }
 
-}  // namespace vorpipe::cli
+}  // namespace vorpipe
