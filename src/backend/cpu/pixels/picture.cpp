@@ -109,12 +109,14 @@ class NearestAndTies {
     return true;
   }
 
-  /// Of all sites that may be nearest the one that is.
+  /// Of all sites that may be nearest the one that is; of several the first of the input.
   [[nodiscard]] std::uint32_t nearest(const SiteSet& sites, Point base, Point p) {
     auto best = best_.site;
     std::sort(ties_.begin(), ties_.end());
-    for (const Candidate& tie : ties_) {
-      if (isNearerTo(sites, tie.site, best, base, p)) best = tie.site;
+    for (const auto& [squared, site] : ties_) {
+      const bool wins = isNearerTo(sites, site, best, base, p) ||
+                        (sites.id[site] < sites.id[best] && !isNearerTo(sites, best, site, base, p));
+      if (wins) best = site;
     }
     return best;
   }

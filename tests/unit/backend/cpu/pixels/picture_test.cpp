@@ -44,6 +44,7 @@ struct Picture : testing::TestWithParam<double> {
   SiteSet noise(std::size_t count) {
     SiteSet set;
     for (std::size_t i = 0; i < count; ++i) {
+      set.id.push_back(static_cast<std::uint32_t>(i));
       set.x.push_back(uniform(random));
       set.y.push_back(uniform(random));
       if (GetParam() > 0) set.weight.push_back(GetParam() * uniform(random));
@@ -54,6 +55,17 @@ struct Picture : testing::TestWithParam<double> {
 
 TEST_P(Picture, showsTheNearestSite) {
   for (const std::size_t count : {1U, 2U, 7U, 300U}) compare(noise(count), 1e-14 * (1 + GetParam()));
+}
+
+// The center of a square: whatever order the set has them in.
+TEST_P(Picture, showsTheFirstOfSitesThatAreEquallyNear) {
+  SiteSet set;
+  set.x = {1, 0, 1, 0};
+  set.y = {0, 1, 1, 0};
+  if (GetParam() > 0) set.weight.assign(4, GetParam());
+  set.id = {3, 1, 2, 5};
+  EXPECT_EQ(NearestSite(set, 2).at({0, 0}, {0.5, 0.5}), 1U);
+  EXPECT_EQ(NearestSite(set, 2).at({0, 0}, {0.5, 0.25}), 0U);
 }
 
 // In any order: each part lies among the others.
