@@ -121,18 +121,18 @@ tl::expected<void, std::string> makePlan(ZipPlan& plan, std::span<const ZipEntry
   return {};
 }
 
-Result<void> writePiece(OutputFile& file, const ZipPiece& piece) {
+Result<void> writePiece(ByteSink& sink, const ZipPiece& piece) {
   if (piece.entry == nullptr) {
-    return file.write(piece.bytes);
+    return sink.write(piece.bytes);
   }
-  if (auto written = file.write(piece.entry->head); !written) {
+  if (auto written = sink.write(piece.entry->head); !written) {
     return written;
   }
   std::array<char, std::size_t{1} << 16> chunk;
   const ZipBody& body = piece.entry->body;
   for (std::uint64_t offset = 0; offset < body.size;) {
     const std::size_t count = body.read(offset, chunk.data(), chunk.size());
-    if (auto written = file.write({chunk.data(), count}); !written) {
+    if (auto written = sink.write({chunk.data(), count}); !written) {
       return written;
     }
     offset += count;
@@ -148,11 +148,11 @@ ZipBody zipBody(std::string_view bytes) {
           }};
 }
 
-Result<void> writeZip(OutputFile& file, std::span<const ZipEntry> entries) {
+Result<void> writeZip(ByteSink& sink, std::span<const ZipEntry> entries) {
   assert(!entries.empty());
   ZipPlan plan;
   if (const auto made = makePlan(plan, entries); !made) {
-    return deviceError(fmt::format("{}: could not be made a zip archive: {}", file.name(), made.error()));
+    return deviceError(fmt::format("{}: could not be made a zip archive: {}", sink.name(), made.error()));
   }
   std::uint64_t end = 0;
   for (const auto& [begin, piece] : plan.pieces) {
@@ -160,9 +160,9 @@ Result<void> writeZip(OutputFile& file, std::span<const ZipEntry> entries) {
       return deviceError(
           fmt::format("{}: this libzip writes archives in an order that is not understood; "
                       "another version of it is needed",
-                      file.name()));
+                      sink.name()));
     }
-    if (auto written = writePiece(file, piece); !written) {
+    if (auto written = writePiece(sink, piece); !written) {
       return written;
     }
     end += piece.size();

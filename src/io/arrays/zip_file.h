@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/files/output_file.h"
+#include "io/files/byte_sink.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -33,6 +33,6 @@ struct ZipEntry {
 /// Writes an archive of at least one entry, stored without compression, and with a fixed time, so that
 /// equal entries give equal bytes. Takes no more memory than the archive's headers. Error (device):
 /// writing failed.
-Result<void> writeZip(OutputFile& file, std::span<const ZipEntry> entries);
+Result<void> writeZip(ByteSink& sink, std::span<const ZipEntry> entries);
 
 }  // namespace vorpipe

@@ -1,6 +1,6 @@
 /// A zip archive before it is written.
 ///
-/// libzip writes an entry's header, its data, and then the header again with the checksum. An OutputFile,
+/// libzip writes an entry's header, its data, and then the header again with the checksum. A ByteSink,
 /// which may be a pipe, has no way back. So libzip writes into a plan, which keeps the headers and, of an
 /// entry's data, only the place; the file is then written out of the plan from its beginning to its end.
 #pragma once
