@@ -161,7 +161,7 @@ struct Output {
 Result<void> writeFiles(std::span<const Output> outputs, std::span<OutputFile> files) {
   std::vector<Writer> writers;
   for (const Output& output : outputs) {
-    writers.emplace_back([&output](OutputFile& to) { return to.write(output.text()); });
+    writers.emplace_back([&output](ByteSink& to) { return to.write(output.text()); });
   }
   return writeOutputs(files, writers);
 }

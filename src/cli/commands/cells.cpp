@@ -82,12 +82,12 @@ Result<void> writeFiles(const CellsCommand& command, const Input& input, const D
   const Stopwatch watch;
   std::vector<Writer> writers;
   for (const CellsFile& file : command.files) {
-    writers.emplace_back([&input, &diagram, format = file.format](OutputFile& to) {
+    writers.emplace_back([&input, &diagram, format = file.format](ByteSink& to) {
       return writeCells(to, input.sites, diagram, *format);
     });
   }
   if (!command.stats.empty()) {
-    writers.emplace_back([&](OutputFile& to) {
+    writers.emplace_back([&](ByteSink& to) {
       return to.write(statsJson({"cells", input, diagram.report, watch.milliseconds(), total.milliseconds(),
                                  forecast, areaSum(diagram), massSum(diagram)}));
     });

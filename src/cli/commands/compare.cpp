@@ -114,16 +114,16 @@ Result<void> writeFiles(const CompareCommand& command, const Comparison& compari
   const Stopwatch watch;
   std::vector<Writer> writers;
   if (!command.report.empty()) {
-    writers.emplace_back([&](OutputFile& to) { return to.write(comparisonJson(comparison, input)); });
+    writers.emplace_back([&](ByteSink& to) { return to.write(comparisonJson(comparison, input)); });
   }
   if (!command.png.empty()) {
-    writers.emplace_back([&](OutputFile& to) {
+    writers.emplace_back([&](ByteSink& to) {
       const Picture montage = comparisonMontage(comparison);
       return writePng(to, montage.width, montage.height, montage.rgba);
     });
   }
   if (!command.stats.empty()) {
-    writers.emplace_back([&](OutputFile& to) {
+    writers.emplace_back([&](ByteSink& to) {
       return to.write(statsJson({"compare", input, reportOf(comparison), watch.milliseconds(),
                                  total.milliseconds(), forecast, areaSum(comparison.runs.front().cells)}));
     });

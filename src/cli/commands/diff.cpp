@@ -85,8 +85,8 @@ Outcome compareColors(const DiffCommand& command, const Image& a, const Image& b
 Result<void> writePicture(const std::string& path, const Picture& picture) {
   auto files = openOutputs(std::array{path});
   if (!files) return tl::unexpected(std::move(files.error()));
-  const Writer writer = [&](OutputFile& file) {
-    return writePng(file, picture.width, picture.height, picture.rgba);
+  const Writer writer = [&](ByteSink& to) {
+    return writePng(to, picture.width, picture.height, picture.rgba);
   };
   return writeOutputs(*files, std::array{writer});
 }

@@ -69,14 +69,13 @@ Result<void> writeFiles(const RenderCommand& command, const Input& input, const 
   const Image& image = rendering.image;
   std::vector<Writer> writers;
   if (!command.png.empty()) {
-    writers.emplace_back([&](OutputFile& to) { return writePng(to, image.width, image.height, image.rgba); });
+    writers.emplace_back([&](ByteSink& to) { return writePng(to, image.width, image.height, image.rgba); });
   }
   if (!command.ids.empty()) {
-    writers.emplace_back(
-        [&](OutputFile& to) { return writeNpyIds(to, image.width, image.height, image.ids); });
+    writers.emplace_back([&](ByteSink& to) { return writeNpyIds(to, image.width, image.height, image.ids); });
   }
   if (!command.stats.empty()) {
-    writers.emplace_back([&](OutputFile& to) {
+    writers.emplace_back([&](ByteSink& to) {
       return to.write(statsJson(
           {"render", input, rendering.report, watch.milliseconds(), total.milliseconds(), forecast}));
     });

@@ -70,7 +70,7 @@ Result<ExitCode> runSelftest(const SelftestCommand& command) {
   say(selftestDevices(*report) + selftestSummary(*report));
   std::vector<Writer> writers;
   if (!command.json.empty()) {
-    writers.emplace_back([&](OutputFile& to) { return to.write(jsonOf(*report)); });
+    writers.emplace_back([&](ByteSink& to) { return to.write(jsonOf(*report)); });
   }
   if (auto written = writeOutputs(*files, writers); !written)
     return tl::unexpected(std::move(written.error()));

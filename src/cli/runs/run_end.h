@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/options/options.h"
+#include "io/files/byte_sink.h"
 #include "io/files/output_file.h"
 #include "vorpipe.h"
 
@@ -31,7 +32,7 @@ Result<bool> passesCheck(const Result<std::vector<std::string>>& broken);
 Result<std::vector<OutputFile>> openOutputs(std::span<const std::string> paths);
 
 /// Writes one file.
-using Writer = std::function<Result<void>(OutputFile&)>;
+using Writer = std::function<Result<void>(ByteSink&)>;
 
 /// Has each file written by the writer at its place, and puts all in place together. Errors: those of
 /// the writers; a signal has asked to stop. One that comes after that is too late.

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <utility>
 
-#include "io/files/output_file.h"
+#include "io/files/byte_sink.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -70,13 +70,13 @@ void join(Bytes& bytes, std::size_t count, std::string_view separator, const Put
 /// Writes what `put(bytes, index)` appends for each index below `count`, through a buffer that is handed
 /// on when it is full. Error (device): writing failed.
 template <class Put>
-Result<void> writeEach(OutputFile& file, std::size_t count, const Put& put) {
+Result<void> writeEach(ByteSink& sink, std::size_t count, const Put& put) {
   constexpr std::size_t full = std::size_t{1} << 16;
   Bytes bytes;
   for (std::size_t i = 0; i < count; ++i) {
     put(bytes, i);
     if (bytes.size() >= full || i + 1 == count) {
-      if (auto written = file.write({bytes.data(), bytes.size()}); !written) {
+      if (auto written = sink.write({bytes.data(), bytes.size()}); !written) {
         return written;
       }
       bytes.clear();

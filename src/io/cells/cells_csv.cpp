@@ -36,12 +36,12 @@ std::string headerOf(const Diagram& diagram) {
 /// where the domain is periodic; rings where it has an outline; mass,mass_centroid_x,mass_centroid_y where it
 /// has a density. The weight is 0 where sites have none; `vertices` and `rings` are numbers; neighbors are
 /// separated by spaces, and so are shifts, each kx:ky.
-Result<void> write(OutputFile& file, const Sites& sites, const Diagram& diagram) {
-  auto written = file.write(headerOf(diagram));
+Result<void> write(ByteSink& sink, const Sites& sites, const Diagram& diagram) {
+  auto written = sink.write(headerOf(diagram));
   if (!written) {
     return written;
   }
-  return writeEach(file, sites.size(), [&](Bytes& text, std::size_t site) {
+  return writeEach(sink, sites.size(), [&](Bytes& text, std::size_t site) {
     const auto neighbors = neighborsOf(diagram, site);
     print(text, FMT_COMPILE("{},{},{},{},{},{},{},{},{},{},"), site, sites.x[site], sites.y[site],
           sites.weight.empty() ? 0.0 : sites.weight[site], statusWord(diagram.status[site]),

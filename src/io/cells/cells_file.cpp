@@ -54,14 +54,14 @@ Result<const CellsFormat*> cellsFormatOf(const std::string& path) {
                                 fmt::join(cellsExtensions(), ", ")));
 }
 
-Result<void> writeCells(OutputFile& file, const Sites& sites, const Diagram& diagram,
+Result<void> writeCells(ByteSink& sink, const Sites& sites, const Diagram& diagram,
                         const CellsFormat& format) {
   assert(diagram.status.size() == sites.size() && diagram.cell_offsets.size() == sites.size() + 1);
   assert(diagram.vertices.size() == diagram.cell_offsets.back());
   try {
-    return format.write(file, sites, diagram);
+    return format.write(sink, sites, diagram);
   } catch (const std::bad_alloc&) {
-    return deviceError(file.name() + ": there is not enough memory to write its cells");
+    return deviceError(sink.name() + ": there is not enough memory to write its cells");
   }
 }
 

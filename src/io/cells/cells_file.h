@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "io/files/output_file.h"
+#include "io/files/byte_sink.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -16,7 +16,7 @@ struct CellsFormat {
   Detail detail;  ///< the parts of a Diagram that it writes
   bool mesh;      ///< whether it is made of faces that share their vertices, which takes memory
   /// Writes the cells of `sites`; the errors are those of writeCells.
-  Result<void> (*write)(OutputFile& file, const Sites& sites, const Diagram& diagram);
+  Result<void> (*write)(ByteSink& sink, const Sites& sites, const Diagram& diagram);
 };
 
 /// The extensions of all kinds, in the order in which messages name them.
@@ -29,7 +29,7 @@ Result<const CellsFormat*> cellsFormatOf(const std::string& path);
 /// equal bytes. Numbers in text read back to the same double, but for .svg, which is in pixels. Errors: .obj,
 /// .ply or .vtk with more vertices than its indices can count (input); writing failed or memory ran out
 /// (device).
-Result<void> writeCells(OutputFile& file, const Sites& sites, const Diagram& diagram,
+Result<void> writeCells(ByteSink& sink, const Sites& sites, const Diagram& diagram,
                         const CellsFormat& format);
 
 }  // namespace vorpipe

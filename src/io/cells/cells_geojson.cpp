@@ -5,18 +5,18 @@ namespace vorpipe {
 namespace {
 
 /// A FeatureCollection, with a feature for each site.
-Result<void> write(OutputFile& file, const Sites& sites, const Diagram& diagram) {
-  if (auto written = file.write(R"({"type":"FeatureCollection","features":[)"); !written) {
+Result<void> write(ByteSink& sink, const Sites& sites, const Diagram& diagram) {
+  if (auto written = sink.write(R"({"type":"FeatureCollection","features":[)"); !written) {
     return written;
   }
-  auto features = writeEach(file, sites.size(), [&](Bytes& text, std::size_t site) {
+  auto features = writeEach(sink, sites.size(), [&](Bytes& text, std::size_t site) {
     text.append(std::string_view(site == 0 ? "\n" : ",\n"));
     printFeature(text, sites, diagram, site);
   });
   if (!features) {
     return features;
   }
-  return file.write("\n]}\n");
+  return sink.write("\n]}\n");
 }
 
 }  // namespace

@@ -6,8 +6,8 @@ namespace {
 
 /// A feature for each site, each on a line of its own (GeoJSONSeq without record separators, as GDAL, PostGIS
 /// and tile makers stream it).
-Result<void> write(OutputFile& file, const Sites& sites, const Diagram& diagram) {
-  return writeEach(file, sites.size(), [&](Bytes& text, std::size_t site) {
+Result<void> write(ByteSink& sink, const Sites& sites, const Diagram& diagram) {
+  return writeEach(sink, sites.size(), [&](Bytes& text, std::size_t site) {
     printFeature(text, sites, diagram, site);
     text.push_back('\n');
   });

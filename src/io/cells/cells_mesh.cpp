@@ -89,10 +89,10 @@ class MeshMaker {
 
 }  // namespace
 
-Result<CellsMesh> cellsMesh(const OutputFile& file, const Diagram& diagram) {
+Result<CellsMesh> cellsMesh(const ByteSink& sink, const Diagram& diagram) {
   const auto tooMany = [&] {
     return inputError(fmt::format("{}: cells with {} vertices are too many for this kind of file; write .npz",
-                                  file.name(), diagram.vertices.size()));
+                                  sink.name(), diagram.vertices.size()));
   };
   constexpr std::uint64_t largest = std::numeric_limits<std::int32_t>::max();
   if (diagram.vertices.size() > largest) return tooMany();
@@ -101,7 +101,7 @@ Result<CellsMesh> cellsMesh(const OutputFile& file, const Diagram& diagram) {
   for (std::size_t site = 0; site < diagram.status.size(); ++site) {
     if (!maker.add(static_cast<std::uint32_t>(site))) {
       return deviceError(fmt::format("{}: the cell of site {} has holes, and could not be cut into triangles",
-                                     file.name(), site));
+                                     sink.name(), site));
     }
   }
   // .vtk counts the corners of all faces and the faces together.

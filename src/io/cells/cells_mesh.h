@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "io/files/output_file.h"
+#include "io/files/byte_sink.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -26,7 +26,7 @@ struct CellsMesh {
 
 /// Joins vertices whose coordinates are equal; none is moved. Errors: the cells have more vertices than the
 /// indices of mesh formats, 32-bit and signed, can count (input); a piece with holes could not be cut into
-/// triangles (device). `file` is named.
-Result<CellsMesh> cellsMesh(const OutputFile& file, const Diagram& diagram);
+/// triangles (device). `sink` is named.
+Result<CellsMesh> cellsMesh(const ByteSink& sink, const Diagram& diagram);
 
 }  // namespace vorpipe

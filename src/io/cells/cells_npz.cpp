@@ -23,7 +23,7 @@ void add(std::vector<ZipEntry>& entries, const char* name, const std::vector<Row
 ZipBody pairsOf(const Sites& sites) {
   constexpr std::size_t row = 2 * sizeof(double);
   return {sites.size() * row, [&sites](std::uint64_t offset, char* to, std::size_t length) {
-            // An offset may lie inside of a pair: libzip asks for as many bytes as it likes.
+            // An offset may lie inside of a pair: readers ask for as many bytes as they like.
             std::size_t copied = 0;
             for (std::uint64_t site = offset / row; copied < length && site < sites.size(); ++site) {
               const double pair[] = {sites.x[site], sites.y[site]};
@@ -40,7 +40,7 @@ ZipBody pairsOf(const Sites& sites) {
 /// (N + 1), neighbors int64 (M), edge_lengths (M), triangles uint32 (T, 3); float64 where nothing is said.
 /// Where a diagram has them: neighbor_shifts int32 (M, 2); ring_starts int64, one for each ring; mass (N) and
 /// mass_centroids (N, 2).
-Result<void> write(OutputFile& file, const Sites& sites, const Diagram& diagram) {
+Result<void> write(ByteSink& sink, const Sites& sites, const Diagram& diagram) {
   std::vector<ZipEntry> entries;
   const std::uint64_t shape[] = {sites.size(), 2};
   entries.push_back({"sites.npy", npyHeader(npyType<double>(), shape), pairsOf(sites)});
@@ -70,7 +70,7 @@ Result<void> write(OutputFile& file, const Sites& sites, const Diagram& diagram)
   }
   add<double>(entries, "edge_lengths", diagram.edge_lengths);
   add<std::uint32_t, 3>(entries, "triangles", diagram.triangles);
-  return writeZip(file, entries);
+  return writeZip(sink, entries);
 }
 
 }  // namespace

@@ -8,8 +8,8 @@ namespace {
 
 /// The faces stand in the order of their sites; z is 0. A piece of a cell is a face, one with holes several
 /// triangles; where cells may have several faces, these stand in groups site_N.
-Result<void> write(OutputFile& file, const Sites& /*sites*/, const Diagram& diagram) {
-  const auto mesh = cellsMesh(file, diagram);
+Result<void> write(ByteSink& sink, const Sites& /*sites*/, const Diagram& diagram) {
+  const auto mesh = cellsMesh(sink, diagram);
   if (!mesh) {
     return tl::unexpected(mesh.error());
   }
@@ -17,16 +17,16 @@ Result<void> write(OutputFile& file, const Sites& /*sites*/, const Diagram& diag
   const std::string_view head = in_pieces
                                     ? "# Faces are pieces of cells; the group is the cell's site.\n"
                                     : "# Faces are the cells of the sites that have one, in their order.\n";
-  if (auto written = file.write(head); !written) {
+  if (auto written = sink.write(head); !written) {
     return written;
   }
-  auto points = writeEach(file, mesh->points.size(), [&](Bytes& text, std::size_t i) {
+  auto points = writeEach(sink, mesh->points.size(), [&](Bytes& text, std::size_t i) {
     print(text, FMT_COMPILE("v {} {} 0\n"), mesh->points[i].x, mesh->points[i].y);
   });
   if (!points) {
     return points;
   }
-  return writeEach(file, mesh->size(), [&](Bytes& text, std::size_t face) {
+  return writeEach(sink, mesh->size(), [&](Bytes& text, std::size_t face) {
     if (in_pieces && (face == 0 || mesh->sites[face] != mesh->sites[face - 1])) {
       print(text, FMT_COMPILE("g site_{}\n"), mesh->sites[face]);
     }

@@ -1,7 +1,7 @@
-#include "io/cells/byte_order.h"
 #include "io/cells/cell_records.h"
 #include "io/cells/cells_file.h"
 #include "io/cells/cells_mesh.h"
+#include "io/files/byte_order.h"
 
 namespace vorpipe {
 namespace {
@@ -13,8 +13,8 @@ void append(Bytes& bytes, Number number) {
 
 /// Binary, little-endian, z is 0; faces, as in .obj, have vertex_indices, site and
 /// area, the whole cell's.
-Result<void> write(OutputFile& file, const Sites& /*sites*/, const Diagram& diagram) {
-  const auto mesh = cellsMesh(file, diagram);
+Result<void> write(ByteSink& sink, const Sites& /*sites*/, const Diagram& diagram) {
+  const auto mesh = cellsMesh(sink, diagram);
   if (!mesh) {
     return tl::unexpected(mesh.error());
   }
@@ -25,10 +25,10 @@ Result<void> write(OutputFile& file, const Sites& /*sites*/, const Diagram& diag
       "element face {}\nproperty list uint int vertex_indices\nproperty uint site\nproperty double area\n"
       "end_header\n",
       mesh->points.size(), mesh->size());
-  if (auto written = file.write(head); !written) {
+  if (auto written = sink.write(head); !written) {
     return written;
   }
-  auto points = writeEach(file, mesh->points.size(), [&](Bytes& bytes, std::size_t i) {
+  auto points = writeEach(sink, mesh->points.size(), [&](Bytes& bytes, std::size_t i) {
     append(bytes, mesh->points[i].x);
     append(bytes, mesh->points[i].y);
     append(bytes, 0.0);
@@ -36,7 +36,7 @@ Result<void> write(OutputFile& file, const Sites& /*sites*/, const Diagram& diag
   if (!points) {
     return points;
   }
-  return writeEach(file, mesh->size(), [&](Bytes& bytes, std::size_t face) {
+  return writeEach(sink, mesh->size(), [&](Bytes& bytes, std::size_t face) {
     const auto corners = mesh->cornersOf(face);
     append(bytes, static_cast<std::uint32_t>(corners.size()));
     for (const std::int32_t corner : corners) {

@@ -88,7 +88,7 @@ void printCell(Bytes& text, const PixelMap& map, const Diagram& diagram, std::si
 }
 
 /// The longer side is 1000 pixels, the largest y is at the top; a site's hue follows from its index.
-Result<void> write(OutputFile& file, const Sites& /*sites*/, const Diagram& diagram) {
+Result<void> write(ByteSink& sink, const Sites& /*sites*/, const Diagram& diagram) {
   const PixelMap map = pixelMap(diagram);
   const std::string head = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.8g}\" height=\"{1:.8g}\" "
@@ -96,15 +96,15 @@ Result<void> write(OutputFile& file, const Sites& /*sites*/, const Diagram& diag
       "<style>polygon,path{{stroke:#333;stroke-width:{2:.4g};stroke-linejoin:round;fill-rule:evenodd}}"
       "polygon:hover,path:hover{{fill-opacity:.5}}</style>\n",
       map.width, map.height, strokeWidth(map, diagram));
-  if (auto written = file.write(head); !written) {
+  if (auto written = sink.write(head); !written) {
     return written;
   }
-  auto polygons = writeEach(file, diagram.status.size(),
+  auto polygons = writeEach(sink, diagram.status.size(),
                             [&](Bytes& text, std::size_t site) { printCell(text, map, diagram, site); });
   if (!polygons) {
     return polygons;
   }
-  return file.write("</svg>\n");
+  return sink.write("</svg>\n");
 }
 
 }  // namespace

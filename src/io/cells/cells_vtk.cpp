@@ -1,9 +1,9 @@
 #include <string_view>
 
-#include "io/cells/byte_order.h"
 #include "io/cells/cell_records.h"
 #include "io/cells/cells_file.h"
 #include "io/cells/cells_mesh.h"
+#include "io/files/byte_order.h"
 
 namespace vorpipe {
 namespace {
@@ -13,26 +13,26 @@ void append(Bytes& bytes, Number number) {
   appendNumber<std::endian::big>(bytes, number);
 }
 
-Result<void> writePoints(OutputFile& file, const CellsMesh& mesh) {
-  auto head = file.write(
+Result<void> writePoints(ByteSink& sink, const CellsMesh& mesh) {
+  auto head = sink.write(
       fmt::format("# vtk DataFile Version 3.0\nvorpipe cells\nBINARY\nDATASET POLYDATA\nPOINTS {} double\n",
                   mesh.points.size()));
   if (!head) {
     return head;
   }
-  return writeEach(file, mesh.points.size(), [&](Bytes& bytes, std::size_t i) {
+  return writeEach(sink, mesh.points.size(), [&](Bytes& bytes, std::size_t i) {
     append(bytes, mesh.points[i].x);
     append(bytes, mesh.points[i].y);
     append(bytes, 0.0);
   });
 }
 
-Result<void> writePolygons(OutputFile& file, const CellsMesh& mesh) {
-  auto head = file.write(fmt::format("\nPOLYGONS {} {}\n", mesh.size(), mesh.size() + mesh.corners.size()));
+Result<void> writePolygons(ByteSink& sink, const CellsMesh& mesh) {
+  auto head = sink.write(fmt::format("\nPOLYGONS {} {}\n", mesh.size(), mesh.size() + mesh.corners.size()));
   if (!head) {
     return head;
   }
-  return writeEach(file, mesh.size(), [&](Bytes& bytes, std::size_t face) {
+  return writeEach(sink, mesh.size(), [&](Bytes& bytes, std::size_t face) {
     const auto corners = mesh.cornersOf(face);
     append(bytes, static_cast<std::int32_t>(corners.size()));
     for (const std::int32_t corner : corners) {
@@ -43,25 +43,25 @@ Result<void> writePolygons(OutputFile& file, const CellsMesh& mesh) {
 
 /// One number for each face; `type` is VTK's name of what `numberOf(site)` returns.
 template <class NumberOf>
-Result<void> writeCellData(OutputFile& file, const CellsMesh& mesh, std::string_view name,
+Result<void> writeCellData(ByteSink& sink, const CellsMesh& mesh, std::string_view name,
                            std::string_view type, const NumberOf& numberOf) {
-  if (auto head = file.write(fmt::format("\nSCALARS {} {} 1\nLOOKUP_TABLE default\n", name, type)); !head) {
+  if (auto head = sink.write(fmt::format("\nSCALARS {} {} 1\nLOOKUP_TABLE default\n", name, type)); !head) {
     return head;
   }
-  return writeEach(file, mesh.size(),
+  return writeEach(sink, mesh.size(),
                    [&](Bytes& bytes, std::size_t face) { append(bytes, numberOf(mesh.sites[face])); });
 }
 
 /// Legacy format, version 3.0, binary, POLYDATA, z is 0; faces as in .obj; cell data are site, area,
 /// perimeter, neighbors (their number) and status (as in .npz), the whole cell's.
-Result<void> write(OutputFile& file, const Sites& /*sites*/, const Diagram& diagram) {
-  return cellsMesh(file, diagram).and_then([&](const CellsMesh& mesh) {
+Result<void> write(ByteSink& sink, const Sites& /*sites*/, const Diagram& diagram) {
+  return cellsMesh(sink, diagram).and_then([&](const CellsMesh& mesh) {
     const auto data = [&](std::string_view name, std::string_view type, const auto& numberOf) {
-      return [&, name, type, numberOf] { return writeCellData(file, mesh, name, type, numberOf); };
+      return [&, name, type, numberOf] { return writeCellData(sink, mesh, name, type, numberOf); };
     };
-    return writePoints(file, mesh)
-        .and_then([&] { return writePolygons(file, mesh); })
-        .and_then([&] { return file.write(fmt::format("\nCELL_DATA {}", mesh.size())); })
+    return writePoints(sink, mesh)
+        .and_then([&] { return writePolygons(sink, mesh); })
+        .and_then([&] { return sink.write(fmt::format("\nCELL_DATA {}", mesh.size())); })
         .and_then(data("site", "unsigned_int", [](std::uint32_t site) { return site; }))
         .and_then(data("area", "double", [&](std::uint32_t site) { return diagram.area[site]; }))
         .and_then(data("perimeter", "double", [&](std::uint32_t site) { return diagram.perimeter[site]; }))
@@ -70,7 +70,7 @@ Result<void> write(OutputFile& file, const Sites& /*sites*/, const Diagram& diag
             [&](std::uint32_t site) { return static_cast<std::int32_t>(neighborsOf(diagram, site).size()); }))
         .and_then(data("status", "unsigned_char",
                        [&](std::uint32_t site) { return static_cast<unsigned char>(diagram.status[site]); }))
-        .and_then([&] { return file.write("\n"); });
+        .and_then([&] { return sink.write("\n"); });
   });
 }
 

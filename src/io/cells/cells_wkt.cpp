@@ -24,21 +24,21 @@ void printCell(Bytes& text, const Diagram& diagram, std::size_t site) {
 }
 
 /// Polygons begin and end at the same vertex.
-Result<void> write(OutputFile& file, const Sites& /*sites*/, const Diagram& diagram) {
+Result<void> write(ByteSink& sink, const Sites& /*sites*/, const Diagram& diagram) {
   if (diagram.status.empty()) {
-    return file.write("GEOMETRYCOLLECTION EMPTY\n");
+    return sink.write("GEOMETRYCOLLECTION EMPTY\n");
   }
-  if (auto written = file.write("GEOMETRYCOLLECTION ("); !written) {
+  if (auto written = sink.write("GEOMETRYCOLLECTION ("); !written) {
     return written;
   }
-  auto polygons = writeEach(file, diagram.status.size(), [&](Bytes& text, std::size_t site) {
+  auto polygons = writeEach(sink, diagram.status.size(), [&](Bytes& text, std::size_t site) {
     print(text, FMT_COMPILE("{}"), site == 0 ? "\n" : ",\n");
     printCell(text, diagram, site);
   });
   if (!polygons) {
     return polygons;
   }
-  return file.write("\n)\n");
+  return sink.write("\n)\n");
 }
 
 }  // namespace

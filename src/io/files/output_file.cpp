@@ -77,17 +77,18 @@ Result<void> OutputFile::createTemporary() {
   struct stat status {};
   const bool exists = ::stat(target_.c_str(), &status) == 0;
   if (exists && ::faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) != 0) {
-    return systemError(ErrorCode::input, name_, "cannot be written", errno);
+    return systemError(ErrorCode::input, name(), "cannot be written", errno);
   }
   std::string path;
   const int descriptor = openNew(fs::path(target_).parent_path(), 0666, path);
   if (descriptor < 0) {
-    return systemError(ErrorCode::input, name_, "cannot be written: no file can be created beside it", errno);
+    return systemError(ErrorCode::input, name(), "cannot be written: no file can be created beside it",
+                       errno);
   }
   temporary_.reset(new std::string(std::move(path)));
   stream_.reset(::fdopen(descriptor, "wb"));
   if (!stream_ || (exists && ::fchmod(descriptor, status.st_mode & 07777) != 0)) {
-    return systemError(ErrorCode::device, name_, "cannot be written", errno);
+    return systemError(ErrorCode::device, name(), "cannot be written", errno);
   }
   return {};
 }
@@ -118,7 +119,7 @@ Result<OutputFile> OutputFile::create(const std::string& path) {
 Result<void> OutputFile::write(std::string_view bytes) {
   assert(stream_ && "nothing can be written after finish()");
   if (std::fwrite(bytes.data(), 1, bytes.size(), stream_.get()) != bytes.size()) {
-    return systemError(ErrorCode::device, name_, "writing failed", errno);
+    return systemError(ErrorCode::device, name(), "writing failed", errno);
   }
   return {};
 }
@@ -126,7 +127,7 @@ Result<void> OutputFile::write(std::string_view bytes) {
 Result<void> OutputFile::finish() {
   // fclose reports what the buffered writes could not.
   if (stream_ && std::fclose(stream_.release()) != 0) {
-    return systemError(ErrorCode::device, name_, "writing failed", errno);
+    return systemError(ErrorCode::device, name(), "writing failed", errno);
   }
   return {};
 }
@@ -139,7 +140,7 @@ Result<void> OutputFile::commit() {
     return {};
   }
   if (std::rename(temporary_->c_str(), target_.c_str()) != 0) {
-    return systemError(ErrorCode::device, name_, "the finished file could not be put in place", errno);
+    return systemError(ErrorCode::device, name(), "the finished file could not be put in place", errno);
   }
   delete temporary_.release();
   return {};

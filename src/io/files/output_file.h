@@ -6,16 +6,18 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "io/files/byte_sink.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
 
 /// Bytes go to a temporary file beside the target, which commit() renames onto it; without commit()
-/// the target stays as it was. Something that is no regular file (/dev/stdout, a pipe) is written to
-/// directly.
-class OutputFile {
+/// the target stays as it was; messages name the path as it was given. Something that is no regular file
+/// (/dev/stdout, a pipe) is written to directly.
+class OutputFile final : public ByteSink {
  public:
   /// Finds out at once whether `path` can be written. A symbolic link is followed; a file that exists
   /// keeps its permissions. Errors (input): the directory is missing, the path is a directory, no
@@ -23,10 +25,10 @@ class OutputFile {
   static Result<OutputFile> create(const std::string& path);
   OutputFile(OutputFile&& other) noexcept = default;
   OutputFile& operator=(OutputFile&& other) noexcept = default;
-  ~OutputFile() = default;
+  ~OutputFile() override = default;
 
-  /// Appends bytes. Error (device): the system could not write them (the disk is full).
-  Result<void> write(std::string_view bytes);
+  /// Error (device): the system could not write them (the disk is full).
+  Result<void> write(std::string_view bytes) override;
 
   /// Hands everything to the system; nothing can be written afterwards. Error (device): as write().
   Result<void> finish();
@@ -34,8 +36,6 @@ class OutputFile {
   /// Finishes, if that is not done, and puts the file in place. Error (device): the system refused.
   Result<void> commit();
 
-  /// The path as it was given, for messages.
-  [[nodiscard]] const std::string& name() const { return name_; }
   /// The file that is replaced, links followed; empty when it is written to directly.
   [[nodiscard]] const std::string& target() const { return target_; }
   /// The file beside it that holds the bytes until commit(); empty when it is written to directly.
@@ -51,11 +51,11 @@ class OutputFile {
   };
   using Stream = std::unique_ptr<std::FILE, Close>;
 
-  OutputFile(std::string name, std::string target) : name_(std::move(name)), target_(std::move(target)) {}
+  OutputFile(std::string path, std::string target) : ByteSink(std::move(path)), target_(std::move(target)) {}
   static Result<OutputFile> createDirect(const std::string& path);
   Result<void> createTemporary();
 
-  std::string name_, target_;
+  std::string target_;
   std::unique_ptr<std::string, Remove> temporary_;  ///< before stream_, which closes first
   Stream stream_;
 };

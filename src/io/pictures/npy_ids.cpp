@@ -70,9 +70,9 @@ Result<Image> readImage(InputFile& file) {
 
 }  // namespace
 
-Result<void> writeNpyIds(OutputFile& file, int width, int height, std::span<const std::uint32_t> ids) {
+Result<void> writeNpyIds(ByteSink& sink, int width, int height, std::span<const std::uint32_t> ids) {
   const std::uint64_t shape[] = {static_cast<std::uint64_t>(height), static_cast<std::uint64_t>(width)};
-  if (auto written = file.write(npyHeader("<u4", shape)); !written) {
+  if (auto written = sink.write(npyHeader("<u4", shape)); !written) {
     return written;
   }
   std::array<char, std::size_t{1} << 16> chunk;
@@ -84,7 +84,7 @@ Result<void> writeNpyIds(OutputFile& file, int width, int height, std::span<cons
         chunk[i * sizeof(std::uint32_t) + byte] = static_cast<char>(ids[i] >> (8 * byte) & 0xFF);
       }
     }
-    if (auto written = file.write({chunk.data(), count * sizeof(std::uint32_t)}); !written) {
+    if (auto written = sink.write({chunk.data(), count * sizeof(std::uint32_t)}); !written) {
       return written;
     }
     ids = ids.subspan(count);

@@ -26,7 +26,7 @@ constexpr int signature_size = 8;
 
 /// What the callbacks need, and what went wrong.
 struct Transfer {
-  OutputFile* output = nullptr;
+  ByteSink* output = nullptr;
   InputFile* input = nullptr;
   Result<void> result;              ///< of the file, not of libpng
   std::array<char, 200> message{};  ///< of libpng
@@ -204,14 +204,14 @@ Result<Pixels> decode(const std::string& path, int bits) {
 
 }  // namespace
 
-Result<void> writePng(OutputFile& file, int width, int height, std::span<const std::uint32_t> rgba) {
+Result<void> writePng(ByteSink& sink, int width, int height, std::span<const std::uint32_t> rgba) {
   assert(width > 0 && height > 0 &&
          rgba.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   Transfer transfer;
-  transfer.output = &file;
+  transfer.output = &sink;
   const Handles handles(true, transfer);
   if (handles.info == nullptr) {
-    return deviceError(file.name() + ": libpng could not be started");
+    return deviceError(sink.name() + ": libpng could not be started");
   }
   constexpr std::uint32_t opaque = 0xFF000000u;
   const bool all_opaque =
@@ -226,7 +226,7 @@ Result<void> writePng(OutputFile& file, int width, int height, std::span<const s
     return transfer.result;
   }
   return deviceError(
-      fmt::format("{}: could not be encoded as PNG: {}", file.name(), transfer.message.data()));
+      fmt::format("{}: could not be encoded as PNG: {}", sink.name(), transfer.message.data()));
 }
 
 Result<Image> readPng(const std::string& path) {

@@ -5,14 +5,14 @@
 #include <span>
 #include <string>
 
-#include "io/files/output_file.h"
+#include "io/files/byte_sink.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
 
 /// Writes width x height pixels (R in the lowest byte), the top row first, as 8-bit RGB, or as RGBA where
 /// a pixel is not opaque. The same pixels give the same bytes. Error (device): writing failed.
-Result<void> writePng(OutputFile& file, int width, int height, std::span<const std::uint32_t> rgba);
+Result<void> writePng(ByteSink& sink, int width, int height, std::span<const std::uint32_t> rgba);
 
 /// Reads a PNG of any kind into width, height and rgba (8 bits per channel, opaque where it has no
 /// alpha); ids stays empty. Errors: no PNG, a damaged or truncated one (input); reading failed or memory

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "io/cells/cells_file.h"
+#include "io/files/output_file.h"
 #include "unit/fixtures/temporary_directory.h"
 
 namespace vorpipe::test {

@@ -3,6 +3,7 @@
 
 #include "io/domain/density_file.h"
 #include "io/domain/outline_file.h"
+#include "io/files/output_file.h"
 #include "io/pictures/png_file.h"
 #include "unit/fixtures/temporary_directory.h"
 

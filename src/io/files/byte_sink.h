@@ -1,0 +1,61 @@
+/// Where writers put their bytes: into a file, into memory, or to whoever calls (decision D92).
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+/// Takes bytes in order, from the first to the last; there is no way back.
+class ByteSink {
+ public:
+  virtual ~ByteSink() = default;
+
+  /// Appends bytes. Error (device): they were not taken. A writer that gets it stops, and returns it.
+  virtual Result<void> write(std::string_view bytes) = 0;
+
+  /// What is written, as messages begin: the path of a file.
+  [[nodiscard]] const std::string& name() const { return name_; }
+
+ protected:
+  explicit ByteSink(std::string name) : name_(std::move(name)) {}
+  ByteSink(ByteSink&&) noexcept = default;
+  ByteSink& operator=(ByteSink&&) noexcept = default;
+
+ private:
+  std::string name_;
+};
+
+/// Keeps the bytes. Error of write(): there is not enough memory for them.
+class MemorySink final : public ByteSink {
+ public:
+  explicit MemorySink(std::string name) : ByteSink(std::move(name)) {}
+  Result<void> write(std::string_view bytes) override;
+
+  [[nodiscard]] const std::string& bytes() const { return bytes_; }
+  /// Hands the bytes over, and is empty afterwards.
+  std::string take() { return std::exchange(bytes_, {}); }
+
+ private:
+  std::string bytes_;
+};
+
+/// Hands the bytes on in pieces of any size, none of them empty, which are gone when the call returns. The
+/// callback must not throw, since libpng, which is C, stands between it and the caller of writePng. Error of
+/// write(): the callback returned false, and is not called again by the writer.
+class CallbackSink final : public ByteSink {
+ public:
+  using Callback = std::function<bool(std::string_view bytes)>;
+  CallbackSink(std::string name, Callback callback)
+      : ByteSink(std::move(name)), callback_(std::move(callback)) {}
+  Result<void> write(std::string_view bytes) override;
+
+ private:
+  Callback callback_;
+};
+
+}  // namespace vorpipe
