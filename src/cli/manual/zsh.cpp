@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "cli/manual/brief.h"
 #include "cli/manual/completions.h"
