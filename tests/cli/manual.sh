@@ -44,7 +44,7 @@ if command -v man >/dev/null && man --version >/dev/null 2>&1; then
     text "$page" >files/text
     options=$(grep -oE '^  (-[a-z],)?-[a-z-]+' files/help | tr ',' '\n')
     [ -n "$options" ] || fail "--help lists no option"
-    for option in $options; do grep -qE -- "^ +(-h, )?$option( |\$)" files/text || fail "not $option"; done
+    for option in $options; do grep -qE -- "^ +(-h, )?$option([ ,]|\$)" files/text || fail "not $option"; done
   done
 else
   skipped "man reads the pages" "there is no man"
@@ -78,10 +78,10 @@ for page in $pages; do
   done < <(sed -n '/^\.EX$/,/^\.EE$/ { /^\.E[XE]$/! { s/\\(aq/'"'"'/g; s/\\(ga/`/g; s/\\(ti/~/g; s/\\(ha/^/g; s/\\-/-/g; s/\\e/\\/g; p } }' "man/$page.1")
 done
 
-fails 2 "a page of what is no subcommand" "--help-man: 'paint' is not one of render, cells," --help-man paint
-fails 2 "completions for a shell that is not known" "--completions: 'tcsh' is not one of bash, zsh, fish" --completions tcsh
-fails 2 "completions for no shell" "--completions: ''" --completions
-fails 2 "two shells" "--completions: 'zsh' is too much" --completions bash zsh
+fails 2 "a page of what is no subcommand" '--help-man: "paint" is not one of render, cells,' --help-man paint
+fails 2 "completions for a shell that is not known" '--completions: "tcsh" is not one of bash, zsh, fish' --completions tcsh
+fails 2 "completions for no shell" '--completions: ""' --completions
+fails 2 "two shells" '--completions: "zsh" is too much' --completions bash zsh
 
 # -- Completions ----------------------------------------------------------------------------------------
 for shell in bash zsh fish; do
@@ -191,11 +191,11 @@ if command -v zsh >/dev/null; then
     [ "$(sed 's/ *$//' log/out)" = "$line" ] || fail "not '$line'"
   done <<'END'
 vorpipe ren|vorpipe render
-vorpipe cells --ba|vorpipe cells --backend
+vorpipe cells --ba|vorpipe cells --backend=
 vorpipe cells --backend op|vorpipe cells --backend opengl
 vorpipe cells --backend=op|vorpipe cells --backend=opengl
 vorpipe render --color n|vorpipe render --color neighbors
-vorpipe compare --backends cpu,op|vorpipe compare --backends cpu,opengl
+vorpipe compare --backends cpu,op|vorpipe compare --backends cpu,opengl,
 vorpipe cells --sites ran|vorpipe cells --sites random:
 vorpipe cells --sites a|vorpipe cells --sites a.csv
 vorpipe cells --domain e|vorpipe cells --domain e.geojson

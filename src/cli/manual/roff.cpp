@@ -69,7 +69,8 @@ std::string heading(const std::string& page, const std::string& summary) {
   std::string title = page;
   std::ranges::transform(title, title.begin(),
                          [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return fmt::format(".TH \"{}\" 1 \"\" \"vorpipe {}\" \"User Commands\"\n.SH NAME\n{} \\- {}\n",
+  // Names are neither broken nor are lines filled to the margin with blanks.
+  return fmt::format(".TH \"{}\" 1 \"\" \"vorpipe {}\" \"User Commands\"\n.nh\n.ad l\n.SH NAME\n{} \\- {}\n",
                      literal(title), version(), literal(page), prose(briefly(summary)));
 }
 
@@ -108,7 +109,9 @@ std::string conditions(const DeclaredOption& option) {
 /// A description as a sentence.
 std::string sentence(const DeclaredOption& option) {
   std::string text = option.description;
-  const bool begins_with_word = text.size() > 1 && std::islower(static_cast<unsigned char>(text[1])) != 0;
+  // Not the x of "x, y or xy".
+  const bool begins_with_word =
+      text.size() > 1 && (text[1] == ' ' || std::islower(static_cast<unsigned char>(text[1])) != 0);
   if (begins_with_word) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
   return text + "." + conditions(option);
 }

@@ -15,7 +15,7 @@ _vorpipe_value() {
   local found=1
   if (( $#whole )); then _wanted values expl value compadd -a whole && found=0; fi
   if (( $#begun )); then _wanted values expl value compadd -S '' -a begun && found=0; fi
-  if (( $#extensions )); then _files -g "*(${(j:|:)extensions})(#i)" && found=0; fi
+  if (( $#extensions )); then _files -g "(#i)*(${(j:|:)extensions})" && found=0; fi
   return found
 }
 )zsh";
@@ -43,14 +43,10 @@ std::string value(const std::string& name, const Choices& choices) {
   return fmt::format(":{}:{}", inSpecification(name.empty() ? "value" : name), action);
 }
 
-/// Names that an option stands not beside: those that it excludes, and its own where it is given once at
-/// most.
+/// Names that an option does not stand beside.
 std::string excluded(const DeclaredOption& option) {
   if (option.names.back() == "--help" || option.names.back() == "--version") return "(- *)";
-  std::vector<std::string> names = option.excludes;
-  if (option.names.size() > 1 && !option.repeatable)
-    names.insert(names.end(), option.names.begin(), option.names.end());
-  return names.empty() ? "" : fmt::format("({})", spaced(names));
+  return option.excludes.empty() ? "" : fmt::format("({})", spaced(option.excludes));
 }
 
 /// Specifications of an option, one for each of its names.
