@@ -6,6 +6,7 @@
 
 #include "cli/commands/command.h"
 #include "cli/kept_memory.h"
+#include "cli/manual/manual.h"
 #include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
 #include "vorpipe.h"
@@ -41,10 +42,18 @@ int runSubcommand(const Run& run) {
 }
 
 int parseAndRun(int count, char** arguments) {
-  CommandLine line("vorpipe", "Voronoi diagrams of sites in the plane, on any GPU or without one");
+  CommandLine line("vorpipe", "Voronoi diagrams of sites in the plane, on any GPU or without one",
+                   fmt::format("vorpipe {}", version()));
   for (const auto add : {addRender, addCells, addDiff, addCompare, addDevices, addBench, addSelftest})
     add(line);
-  const auto run = line.parse(count, arguments, fmt::format("vorpipe {}", version()));
+  if (const auto manual = manualAsked(line, {arguments, static_cast<std::size_t>(count)})) {
+    return runSubcommand([&]() -> Result<ExitCode> {
+      if (!*manual) return tl::unexpected(manual->error());
+      fmt::print("{}", **manual);
+      return exit_done;
+    });
+  }
+  const auto run = line.parse(count, arguments);
   return run ? runSubcommand(*run) : run.error();
 }
 

@@ -216,11 +216,18 @@ Result<ExitCode> bench(const BenchCommand& command) {
 }
 
 /// What is wrong with the name of a table; nothing if it is one.
+/// The names that TABLE takes.
+std::vector<std::string> tableNames() {
+  std::vector<std::string> names;
+  for (const NamedTable& table : tables) names.emplace_back(table.name);
+  names.emplace_back("all");
+  return names;
+}
+
 std::string wrongTable(const std::string& text) {
-  const bool known = text == "all" || std::ranges::find(tables, text, &NamedTable::name) != tables.end();
-  return known ? ""
-               : fmt::format("{} is not one of scaling, stages, inputs, memory, thesis, all",
-                             vorpipe::quoted(text));
+  const auto names = tableNames();
+  const bool known = std::ranges::find(names, text) != names.end();
+  return known ? "" : fmt::format("{} is not one of {}", vorpipe::quoted(text), fmt::join(names, ", "));
 }
 
 }  // namespace
@@ -231,13 +238,16 @@ void addBench(CommandLine& line) {
       "bench",
       "measures how fast it is, and prints tables in Markdown: scaling, stages, inputs, memory, thesis",
       [command] { return bench(*command); });
-  options.addList(
-      "TABLE",
-      {"", wrongTable, [tables = &command->tables](const std::string& name) { tables->push_back(name); }},
-      fmt::format("scaling, stages, inputs, memory, thesis or all [all, up to {} sites: some minutes]",
-                  quick_sites));
+  options.addList("TABLE",
+                  {"",
+                   wrongTable,
+                   [tables = &command->tables](const std::string& name) { tables->push_back(name); },
+                   {tableNames(), {}}},
+                  fmt::format("what is measured: {} [all, up to {} sites: some minutes]", anyOf(tableNames()),
+                              quick_sites));
   addParsed(options, "--backend", command->backends, "NAME[,NAME...]",
-            fmt::format("{} [all that can be used]", fmt::join(backendNames(), ", ")), parseBackendList);
+            fmt::format("on what: {} [all that can be used]", fmt::join(backendNames(), ", ")),
+            parseBackendList, {backendNames(), {}, true});
   addDeviceChoice(options, command->backend);
   const auto whole = [](std::uint64_t most) {
     return [most](std::string_view text) { return parseWhole(text, 1, most); };
@@ -253,10 +263,10 @@ void addBench(CommandLine& line) {
       options, "--sites", "FILE",
       "real data for the table inputs, as other subcommands take them; repeatable",
       [](std::string_view text) { return Parsed<std::string>(text); },
-      [sites = &command->sites](std::string path) { sites->push_back(std::move(path)); });
+      [sites = &command->sites](std::string path) { sites->push_back(std::move(path)); }, sitesChoices());
   addRunOptions(options, command->backend, command->memory_limit);
-  addFile(options, "--json", command->json, "", "every figure with all its samples");
-  addFile(options, "--markdown", command->markdown, "", "what is printed, in a file");
+  addAnyFile(options, "--json", command->json, {".json"}, "every figure with all its samples");
+  addAnyFile(options, "--markdown", command->markdown, {".md"}, "what is printed, in a file");
   addFile(options, "--plot", command->plot, ".svg", "the curves");
   addTalkOptions(options, command->talk);
 }

@@ -166,21 +166,23 @@ void addCells(CommandLine& line) {
                          "those of the power diagram",
                          [command] { return cells(*command); });
   addInputOptions(options, command->input).required();
-  addRepeatable(options, "-o", "FILE",
-                fmt::format("the cells in input order, by the extension: {}; repeatable",
-                            fmt::join(cellsExtensions(), ", ")),
-                parseCellsFile,
-                [files = &command->files](CellsFile file) { files->push_back(std::move(file)); });
-  addFile(options, "--density", command->density, "",
-          "a density over the domain, .png (dark is dense) or .npy, pixels with row 0 at the top: the mass "
-          "of each cell and its center");
+  const auto extensions = cellsExtensions();
+  addRepeatable(
+      options, "-o", "FILE",
+      fmt::format("the cells in input order, by the extension: {}; repeatable", fmt::join(extensions, ", ")),
+      parseCellsFile, [files = &command->files](CellsFile file) { files->push_back(std::move(file)); },
+      {{}, {extensions.begin(), extensions.end()}});
+  addAnyFile(
+      options, "--density", command->density, {".png", ".npy"},
+      "a density over the domain, .png (dark is dense) or .npy, pixels with row 0 at the top: the mass "
+      "of each cell and its center");
   addBackendChoice(options, command->backend);
   addSearchOptions(options, command->search);
   addRunOptions(options, command->backend, command->memory_limit);
   options.addFlag(
       "--check", command->check,
       "verifies areas, neighbors, polygons and nearest sites; exit code 1 if a promise is broken");
-  addFile(options, "--stats", command->stats, "", "what was done, in JSON");
+  addAnyFile(options, "--stats", command->stats, {".json"}, "what was done, in JSON");
   addTalkOptions(options, command->talk);
 }
 

@@ -214,20 +214,21 @@ void addCompare(CommandLine& line) {
       "draws and computes the same cells on several backends and compares every pair, pixels and cells",
       [command] { return compare(*command); });
   addParsed(options, "--backends", command->backends, "A,B,...",
-            fmt::format("two or more of {}", fmt::join(backendNames(), ", ")), parseBackends)
+            fmt::format("what computes: two or more of {}", fmt::join(backendNames(), ", ")), parseBackends,
+            {backendNames(), {}, true})
       .required();
   addInputOptions(options, command->input).required();
   addSizeOption(options, command->size);
   addDeviceChoice(options, command->backend);
   addSearchOptions(options, command->picture.search);
   addRunOptions(options, command->backend, command->memory_limit);
-  addFile(options, "--report", command->report, "", "what was found, in JSON");
+  addAnyFile(options, "--report", command->report, {".json"}, "what was found, in JSON");
   addFile(options, "-o", command->png, ".png",
           "the pictures side by side, and below each pair's differences");
   options.addFlag(
       "--check", command->check,
       "verifies what render and cells verify, of each backend; exit code 1 if a promise is broken");
-  addFile(options, "--stats", command->stats, "", "what was done by all of them together, in JSON");
+  addAnyFile(options, "--stats", command->stats, {".json"}, "what was done by all of them together, in JSON");
   addTalkOptions(options, command->talk);
 }
 

@@ -131,8 +131,9 @@ void addDiff(CommandLine& line) {
   auto command = std::make_shared<DiffCommand>();
   Options options = line.addSubcommand("diff", "compares two id arrays (.npy) or two pictures (.png)",
                                        [command] { return diff(*command); });
-  options.addText("A", command->a, "FILE", "one").required();
-  options.addText("B", command->b, "FILE", "the other").required();
+  const Choices compared{{}, {".npy", ".png"}};
+  options.addText("A", command->a, "FILE", "one id array or picture", compared).required();
+  options.addText("B", command->b, "FILE", "another of the same kind", compared).required();
   addFile(options, "-o", command->png, ".png", "where they differ: red is wrong, yellow a tie");
   addInputOptions(options, command->input);
   addTalkOptions(options, command->talk);

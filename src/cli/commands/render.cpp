@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <memory>
 
@@ -133,10 +132,11 @@ void addPictureOptions(Options& options, RenderCommand& command) {
   addSizeOption(options, command.size);
   addFile(options, "--ids", command.ids, ".npy",
           "the site of each pixel: uint32, row 0 at the top, 4294967295 where there is none");
-  addParsed(options, "--color", command.picture.color, "BY", "site, area, neighbors or weight [site]",
-            parseColor);
+  addParsed(options, "--color", command.picture.color, "BY",
+            fmt::format("what colors show: {} [site]", anyOf(colorNames())), parseColor, {colorNames(), {}});
   addParsed(options, "--colormap", command.picture.colormap, "NAME",
-            fmt::format("{} [{}]", fmt::join(colormaps(), ", "), command.picture.colormap), parseColormap);
+            fmt::format("the colors: {} [{}]", anyOf(colormaps()), command.picture.colormap), parseColormap,
+            {colormaps(), {}});
   options.addFlag("--edges", command.picture.edges, "darkens the edges of the cells");
   options.addFlag("--show-sites", command.picture.show_sites, "a dot at each site");
 }
@@ -155,7 +155,7 @@ void addRender(CommandLine& line) {
   addRunOptions(options, command->backend, command->memory_limit);
   options.addFlag("--check", command->check,
                   "verifies statuses and the nearest site of each pixel; exit code 1 if a promise is broken");
-  addFile(options, "--stats", command->stats, "", "what was done, in JSON");
+  addAnyFile(options, "--stats", command->stats, {".json"}, "what was done, in JSON");
   addTalkOptions(options, command->talk);
 }
 

@@ -1,7 +1,6 @@
 #include "vorpipe/selftest.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cstdio>
 #include <memory>
@@ -83,24 +82,22 @@ Result<ExitCode> runSelftest(const SelftestCommand& command) {
 
 void addSelftest(CommandLine& line) {
   auto command = std::make_shared<SelftestCommand>();
-  Options options =
-      line.addSubcommand("selftest",
-                         "tests every backend and device here with scenes of its own, judged by cpu, and "
-                         "measures how devices round; "
-                         "exit code 1 if a promise is broken. A bug report wants what --json writes",
-                         [command] { return runSelftest(*command); });
+  Options options = line.addSubcommand(
+      "selftest", "tests every backend and device here, judged by cpu, and measures how devices round",
+      [command] { return runSelftest(*command); });
   SelftestOptions& wanted = command->options;
   addParsed(options, "--backend", wanted.backend, "NAME",
-            fmt::format("{} [all]", fmt::join(backendNames(), ", ")), parseBackend);
+            fmt::format("what is tested: {} [all]", anyOf(backendNames())), parseBackend,
+            {backendNames(), {}});
   options.addText("--device", wanted.device, "DEVICE",
-                  "index or part of the name, as `vorpipe devices` lists them [all]");
+                  "the device: its index or a part of its name, as `vorpipe devices` lists them [all]");
   options.addFlag("--quick", wanted.quick, "fewer and smaller scenes: seconds instead of minutes");
   addParsed(options, "--seed", wanted.seed, "S", "seed of the scenes [1]",
             [](std::string_view text) { return parseWhole(text, 0, UINT64_MAX); });
   addThreads(options, wanted.threads);
   addMaskOptions(options, wanted.mask);
-  addFile(options, "--json", command->json, "",
-          "everything that was found, with each scene: what a bug report wants");
+  addAnyFile(options, "--json", command->json, {".json"},
+             "everything that was found, with each scene: what a bug report wants");
   addTalkOptions(options, command->talk);
 }
 

@@ -2,7 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <set>
 #include <string_view>
+#include <utility>
 
 #include "cli/terminal/error_line.h"
 #include "io/files/error.h"
@@ -18,6 +20,38 @@ CLI::Option* addTexts(CLI::App& app, const std::string& name, Value value, const
       description);
   option->type_name(value.name)->check(std::move(value.fault));
   return option;
+}
+
+/// The flags of the program and of each subcommand.
+void addCommonFlags(CLI::App& app, const std::string& version_line) {
+  app.set_help_flag("-h,--help", "prints this");
+  app.set_version_flag("--version", version_line, "prints the version");
+}
+
+std::vector<std::string> namesOf(const std::set<CLI::Option*>& options) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : options) names.push_back(option->get_name());
+  std::ranges::sort(names);
+  return names;
+}
+
+DeclaredOption declaredOption(const CLI::Option& option, const ChoicesOf& choices) {
+  DeclaredOption declared;
+  if (option.get_positional()) {
+    declared.names.push_back(option.get_name(true));
+  } else {
+    for (const std::string& name : option.get_snames()) declared.names.push_back("-" + name);
+    for (const std::string& name : option.get_lnames()) declared.names.push_back("--" + name);
+  }
+  declared.description = option.get_description();
+  declared.takes_value = option.get_items_expected_max() > 0;
+  if (declared.takes_value) declared.value = option.get_type_name();
+  if (const auto known = choices.find(&option); known != choices.end()) declared.choices = known->second;
+  declared.required = option.get_required();
+  declared.repeatable = option.get_expected_max() > 1;
+  declared.needs = namesOf(option.get_needs());
+  declared.excludes = namesOf(option.get_excludes());
+  return declared;
 }
 
 }  // namespace
@@ -40,26 +74,33 @@ Option& Option::excludes(const Option& other) {
 Option Options::add(const std::string& name, Value value, const std::string& description) {
   auto* option = app_->add_option_function<std::string>(name, std::move(value.keep), description);
   option->type_name(value.name)->check(std::move(value.fault));
-  return Option(option);
+  return keepChoices(option, std::move(value.choices));
 }
 
 Option Options::addRepeatable(const std::string& name, Value value, const std::string& description) {
+  Choices choices = value.choices;
   auto* option = addTexts(*app_, name, std::move(value), description);
   option->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  return Option(option);
+  return keepChoices(option, std::move(choices));
 }
 
 Option Options::addList(const std::string& name, Value value, const std::string& description) {
-  return Option(addTexts(*app_, name, std::move(value), description));
+  Choices choices = value.choices;
+  return keepChoices(addTexts(*app_, name, std::move(value), description), std::move(choices));
 }
 
 Option Options::addText(const std::string& name, std::string& target, const std::string& value,
-                        const std::string& description) {
-  return Option(app_->add_option(name, target, description)->type_name(value));
+                        const std::string& description, Choices choices) {
+  return keepChoices(app_->add_option(name, target, description)->type_name(value), std::move(choices));
 }
 
 Option Options::addFlag(const std::string& name, bool& target, const std::string& description) {
   return Option(app_->add_flag(name, target, description));
+}
+
+Option Options::keepChoices(CLI::Option* option, Choices choices) {
+  if (!choices.empty()) choices_->emplace(option, std::move(choices));
+  return Option(option);
 }
 
 struct CommandLine::Parser {
@@ -69,7 +110,9 @@ struct CommandLine::Parser {
   };
 
   CLI::App app;
+  std::string version_line;
   std::vector<Subcommand> subcommands;
+  ChoicesOf choices;
 
   /// What CLI11 would only call a missing subcommand.
   [[nodiscard]] bool knowsNot(std::string_view argument) const {
@@ -79,23 +122,40 @@ struct CommandLine::Parser {
   }
 };
 
-CommandLine::CommandLine(const std::string& program, const std::string& description)
-    : parser_(new Parser{CLI::App(description, program), {}}) {
+CommandLine::CommandLine(const std::string& program, const std::string& description,
+                         const std::string& version_line)
+    : parser_(new Parser{CLI::App(description, program), version_line, {}, {}}) {
   parser_->app.require_subcommand(1);
+  addCommonFlags(parser_->app, version_line);
 }
 
 CommandLine::~CommandLine() = default;
 
 Options CommandLine::addSubcommand(const std::string& name, const std::string& description, Run run) {
   CLI::App* app = parser_->app.add_subcommand(name, description);
+  addCommonFlags(*app, parser_->version_line);
   parser_->subcommands.push_back({app, std::move(run)});
-  return Options(app);
+  return Options(app, &parser_->choices);
 }
 
-tl::expected<Run, int> CommandLine::parse(int count, char** arguments, const std::string& version_line) {
+DeclaredProgram CommandLine::declared() const {
+  const CLI::App& app = parser_->app;
+  DeclaredProgram program{app.get_name(), app.get_description(), {}, {}};
+  for (const CLI::Option* option : app.get_options())
+    program.options.push_back(declaredOption(*option, parser_->choices));
+  for (const auto& [sub, run] : parser_->subcommands) {
+    DeclaredSubcommand declared{sub->get_name(), sub->get_description(), {}, {}};
+    for (const CLI::Option* option : std::as_const(*sub).get_options()) {
+      auto& place = option->get_positional() ? declared.operands : declared.options;
+      place.push_back(declaredOption(*option, parser_->choices));
+    }
+    program.subcommands.push_back(std::move(declared));
+  }
+  return program;
+}
+
+tl::expected<Run, int> CommandLine::parse(int count, char** arguments) {
   CLI::App& app = parser_->app;
-  app.set_version_flag("--version", version_line);
-  for (const auto& sub : parser_->subcommands) sub.app->set_version_flag("--version", version_line);
   if (count > 1 && parser_->knowsNot(arguments[1])) {
     printError(quoted(arguments[1]) + " is no subcommand; see vorpipe --help");
     return tl::unexpected<int>(exit_input);

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 
+#include "cli/options/declared.h"
 #include "vorpipe.h"
 
 namespace CLI {
@@ -31,17 +33,21 @@ class Option {
   CLI::Option* option_;
 };
 
-/// A value: how help calls it, and what becomes of its text.
+/// A value: how help calls it, what becomes of its text, and what is known of it beforehand.
 struct Value {
   std::string name;
   std::function<std::string(const std::string&)> fault;  ///< what is wrong with it; empty: nothing
   std::function<void(const std::string&)> keep;          ///< called with what has no fault
+  Choices choices{};
 };
+
+/// What is known of the values of options.
+using ChoicesOf = std::map<const CLI::Option*, Choices>;
 
 /// What a subcommand takes. Names are `--name`, `-n`, or for what stands without one `NAME`.
 class Options {
  public:
-  explicit Options(CLI::App* app) : app_(app) {}
+  Options(CLI::App* app, ChoicesOf* choices) : app_(app), choices_(choices) {}
   /// What is given once at most.
   Option add(const std::string& name, Value value, const std::string& description);
   /// What may be given any number of times, with one value each time so that it does not swallow what
@@ -51,11 +57,14 @@ class Options {
   Option addList(const std::string& name, Value value, const std::string& description);
   /// Any text.
   Option addText(const std::string& name, std::string& target, const std::string& value,
-                 const std::string& description);
+                 const std::string& description, Choices choices = {});
   Option addFlag(const std::string& name, bool& target, const std::string& description);
 
  private:
+  Option keepChoices(CLI::Option* option, Choices choices);
+
   CLI::App* app_;
+  ChoicesOf* choices_;
 };
 
 /// What runs a subcommand once its options are parsed: the exit code, or an error that main prints and turns
@@ -64,7 +73,8 @@ using Run = std::function<Result<ExitCode>()>;
 
 class CommandLine {
  public:
-  CommandLine(const std::string& program, const std::string& description);
+  /// `version_line` is what --version prints.
+  CommandLine(const std::string& program, const std::string& description, const std::string& version_line);
   ~CommandLine();
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
@@ -72,9 +82,12 @@ class CommandLine {
   /// Options refer to what `run` reads.
   Options addSubcommand(const std::string& name, const std::string& description, Run run);
 
+  /// All that was declared, in the order in which help has it.
+  [[nodiscard]] DeclaredProgram declared() const;
+
   /// The run of the subcommand that is named. Else the exit code: help or the version were asked for, and
   /// printed; or the command line is wrong, and a line on standard error said how.
-  tl::expected<Run, int> parse(int count, char** arguments, const std::string& version_line);
+  tl::expected<Run, int> parse(int count, char** arguments);
 
  private:
   struct Parser;

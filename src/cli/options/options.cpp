@@ -5,6 +5,9 @@
 
 #include <cstdlib>
 
+#include "io/sites/site_source.h"
+#include "io/sites/sites_file.h"
+
 namespace vorpipe::cli {
 namespace {
 
@@ -15,13 +18,27 @@ bool validationAskedByEnvironment() {
   return value != nullptr && std::string_view(value) == "1";
 }
 
+const std::vector<std::string> weights_extensions = {".txt", ".csv", ".npy"};
+
+std::vector<std::string> strings(const std::vector<std::string_view>& names) {
+  return {names.begin(), names.end()};
+}
+
+std::string sitesDescription() {
+  return fmt::format(
+      "the sites: {}:N, made by a generator; or a file, {}, of which .csv has a header that names x, y and "
+      "optionally weight or radius; - is CSV on standard input",
+      fmt::join(patternNames(), ":N, "), anyOf(strings(sitesExtensions())));
+}
+
 /// --weights, --random-weights
 void addWeightOptions(Options& options, InputOptions& input, const Option& sites) {
-  Option file =
-      addFile(options, "--weights", input.weights, "",
-              "a weight for each site, a line each: .txt, .csv or .npy. The cell of site p of weight w "
-              "is where |x - p|^2 - w is least: a power diagram (also Laguerre, radical or weighted "
-              "Voronoi diagram); a radius r is the weight r^2");
+  Option file = addAnyFile(
+      options, "--weights", input.weights, weights_extensions,
+      fmt::format("a weight for each site, one to a line: {}. The cell of site p of weight w is where "
+                  "|x - p|^2 - w is least: a power diagram (also Laguerre, radical or weighted Voronoi "
+                  "diagram); a radius r is the weight r^2",
+                  anyOf(weights_extensions)));
   addParsed(options, "--random-weights", input.random_weights, "LO,HI",
             "for generators: weights evenly distributed from LO to HI, by --seed", parseWeightRange)
       .needs(sites)
@@ -33,41 +50,53 @@ void addWeightOptions(Options& options, InputOptions& input, const Option& sites
 
 Option addFile(Options& options, const std::string& name, std::string& target, const std::string& extension,
                const std::string& description) {
-  return addParsed(options, name, target, extension.empty() ? "FILE" : "FILE" + extension, description,
-                   [extension](std::string_view text) { return parseFile(text, extension); });
+  return addParsed(options, name, target, "FILE" + extension, description,
+                   [extension](std::string_view text) { return parseFile(text, extension); },
+                   {{}, {extension}});
+}
+
+Option addAnyFile(Options& options, const std::string& name, std::string& target,
+                  std::vector<std::string> usual, const std::string& description) {
+  return addParsed(options, name, target, "FILE", description,
+                   [](std::string_view text) { return parseFile(text, ""); }, {{}, std::move(usual)});
+}
+
+Choices sitesChoices() {
+  Choices choices{{}, strings(sitesExtensions())};
+  for (const std::string_view pattern : patternNames()) choices.words.push_back(fmt::format("{}:", pattern));
+  return choices;
 }
 
 Option addInputOptions(Options& options, InputOptions& input) {
-  const Option sites =
-      options.addText("--sites", input.sites, "SPEC",
-                      "random:N, square:N, hex:N, jitter:N, clusters:N, circle:N, or a file: .csv with a "
-                      "header that names x, y and optionally weight or radius, .xyz, .txt, .npy; - is "
-                      "CSV on standard input");
+  const Option sites = options.addText("--sites", input.sites, "SPEC", sitesDescription(), sitesChoices());
   addParsed(options, "--seed", input.seed, "S", "seed of the generator [1]", [](std::string_view text) {
     return parseWhole(text, 0, UINT64_MAX);
   }).needs(sites);
-  addParsed(
-      options, "--domain", input.domain, "XMIN,YMIN,XMAX,YMAX or FILE",
-      "what is drawn and measured [0,0,1,1; for files the box of the sites, grown by 5 % of its longer "
-      "side]; or its outline, polygons with holes: .geojson, .json or .wkt, over the square around which "
-      "generators are spread",
-      parseDomain)
+  addParsed(options, "--domain", input.domain, "BOX or FILE",
+            fmt::format(
+                "what is drawn and measured: the box XMIN,YMIN,XMAX,YMAX [0,0,1,1; for files the box of the "
+                "sites, grown by 5 % of its longer side]; or an outline, polygons with holes, in a file, {}, "
+                "in the square around which generators spread their sites",
+                anyOf(outlineExtensions())),
+            parseDomain, {{}, outlineExtensions()})
       .needs(sites);
   addWeightOptions(options, input, sites);
-  addParsed(options, "--periodic", input.periodic, "x, y or xy",
-            "axes along which the domain repeats itself: cells go on at the other side", parsePeriodic)
+  addParsed(options, "--periodic", input.periodic, anyOf(periodicNames()),
+            "axes along which the domain repeats itself: cells go on at the other side", parsePeriodic,
+            {periodicNames(), {}})
       .needs(sites);
   return sites;
 }
 
 void addDeviceChoice(Options& options, BackendOptions& backend) {
   options.addText("--device", backend.device, "DEVICE",
-                  "index or part of the name, as `vorpipe devices` lists them [the best]");
+                  "the device: its index or a part of its name, as `vorpipe devices` lists them [the best]");
 }
 
 void addBackendChoice(Options& options, BackendOptions& backend) {
   addParsed(options, "--backend", backend.name, "NAME",
-            fmt::format("{} [{}]", fmt::join(backendNames(), ", "), backend.name), parseBackend);
+            fmt::format("what computes: {} [{}]", anyOf(backendNames()), backend.name), parseBackend,
+            {backendNames(), {}});
   addDeviceChoice(options, backend);
 }
 
@@ -78,15 +107,19 @@ void addThreads(Options& options, int& threads) {
 }
 
 void addMaskOptions(Options& options, Mask& mask) {
+  Choices limits;
+  for (const std::string& name : limitNames()) limits.words.push_back(name + "=");
   addRepeatable(
       options, "--disable", "FEATURE",
       fmt::format("pretend that devices lack a feature: {}; repeatable", fmt::join(featureNames(), ", ")),
-      parseFeature, [&mask](std::string name) { mask.disabled.push_back(std::move(name)); });
-  addRepeatable(options, "--limit", "NAME=VALUE",
-                fmt::format("pretend that devices have a smaller limit, as in maxTexelBufferElements=65536: "
-                            "{}; repeatable",
-                            fmt::join(limitNames(), ", ")),
-                parseLimit, [&mask](auto limit) { mask.limits.push_back(std::move(limit)); });
+      parseFeature, [&mask](std::string name) { mask.disabled.push_back(std::move(name)); },
+      {featureNames(), {}});
+  addRepeatable(
+      options, "--limit", "NAME=VALUE",
+      fmt::format("pretend that devices have a smaller limit, as in maxTexelBufferElements=65536: "
+                  "{}; repeatable",
+                  fmt::join(limitNames(), ", ")),
+      parseLimit, [&mask](auto limit) { mask.limits.push_back(std::move(limit)); }, std::move(limits));
 }
 
 void addRunOptions(Options& options, BackendOptions& backend, std::optional<std::uint64_t>& memory_limit) {
@@ -103,13 +136,14 @@ void addRunOptions(Options& options, BackendOptions& backend, std::optional<std:
 
 void addSearchOptions(Options& options, SearchOptions& search) {
   addParsed(
-      options, "--search", search, "grid or flann[:K]",
+      options, "--search", search, fmt::format("{}[:K]", anyOf(searchNames())),
       "how neighbors are found: a uniform grid, or the K nearest by FLANN, K from 3 to 1024 (30) [grid]",
-      parseSearch);
+      parseSearch, {searchNames(), {}});
 }
 
 void addSizeOption(Options& options, std::optional<PictureSize>& size) {
-  addParsed(options, "--size", size, "WxH", "pixels [the longer side 1000, the domain's aspect]", parseSize);
+  addParsed(options, "--size", size, "WxH",
+            "width and height in pixels [the longer side 1000, the domain's aspect]", parseSize);
 }
 
 void addTalkOptions(Options& options, TalkOptions& talk) {

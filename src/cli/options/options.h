@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "cli/options/command_line.h"
 #include "cli/options/parse.h"
@@ -14,32 +15,40 @@ namespace vorpipe::cli {
 
 /// A value that `parse` reads and `take` gets; the command line's error is `--name: ` and what parse says.
 template <class Parse, class Take>
-Value parsedValue(const std::string& name, const Parse& parse, const Take& take) {
+Value parsedValue(const std::string& name, const Parse& parse, const Take& take, Choices choices = {}) {
   const auto fault = [parse](const std::string& text) {
     const auto parsed = parse(text);
     return parsed ? std::string() : parsed.error();
   };
-  return {name, fault, [parse, take](const std::string& text) { take(*parse(text)); }};
+  return {name, fault, [parse, take](const std::string& text) { take(*parse(text)); }, std::move(choices)};
 }
 
 /// Adds an option whose value `parse` turns into `target`.
 template <class Target, class Parse>
 Option addParsed(Options& options, const std::string& name, Target& target, const std::string& value,
-                 const std::string& description, const Parse& parse) {
+                 const std::string& description, const Parse& parse, Choices choices = {}) {
   const auto keep = [&target](auto parsed) { target = std::move(parsed); };
-  return options.add(name, parsedValue(value, parse, keep), description);
+  return options.add(name, parsedValue(value, parse, keep, std::move(choices)), description);
 }
 
 /// Adds an option that may be given any number of times; `take` gets what `parse` makes of each value.
 template <class Parse, class Take>
 Option addRepeatable(Options& options, const std::string& name, const std::string& value,
-                     const std::string& description, const Parse& parse, const Take& take) {
-  return options.addRepeatable(name, parsedValue(value, parse, take), description);
+                     const std::string& description, const Parse& parse, const Take& take,
+                     Choices choices = {}) {
+  return options.addRepeatable(name, parsedValue(value, parse, take, std::move(choices)), description);
 }
 
-/// Adds an option that names a file to write; `extension` as for parseFile.
+/// Adds an option that names a file; `extension` as for parseFile.
 Option addFile(Options& options, const std::string& name, std::string& target, const std::string& extension,
                const std::string& description);
+
+/// The same for a file of any name; `usual` is what such names end in.
+Option addAnyFile(Options& options, const std::string& name, std::string& target,
+                  std::vector<std::string> usual, const std::string& description);
+
+/// What a --sites may be.
+Choices sitesChoices();
 
 struct InputOptions {
   std::string sites;

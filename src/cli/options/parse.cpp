@@ -15,15 +15,26 @@
 namespace vorpipe::cli {
 namespace {
 
-struct NamedColor {
+template <class T>
+struct Named {
   std::string_view name;
-  ColorBy color;
+  T value;
 };
 
-constexpr std::array<NamedColor, 4> colors = {{{"site", ColorBy::site},
-                                               {"area", ColorBy::area},
-                                               {"neighbors", ColorBy::neighbors},
-                                               {"weight", ColorBy::weight}}};
+constexpr std::array<Named<ColorBy>, 4> colors = {{{"site", ColorBy::site},
+                                                   {"area", ColorBy::area},
+                                                   {"neighbors", ColorBy::neighbors},
+                                                   {"weight", ColorBy::weight}}};
+
+constexpr std::array<Named<Periodic>, 3> periods = {
+    {{"x", Periodic::x}, {"y", Periodic::y}, {"xy", Periodic::xy}}};
+
+template <class Table>
+std::vector<std::string> namesIn(const Table& table) {
+  std::vector<std::string> names;
+  for (const auto& row : table) names.emplace_back(row.name);
+  return names;
+}
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
@@ -41,12 +52,20 @@ Parsed<std::string> oneOf(const std::vector<std::string>& names, std::string_vie
   return bad(fmt::format("{} is not one of {}", quoted(text), fmt::join(names, ", ")));
 }
 
+/// The value that `text` names.
+template <class Table>
+auto valueIn(const Table& table, std::string_view text) -> Parsed<decltype(table[0].value)> {
+  return oneOf(namesIn(table), text).map([&](const std::string& name) {
+    return std::ranges::find(table, name, [](const auto& row) { return row.name; })->value;
+  });
+}
+
 Parsed<Box> parseBox(std::string_view text) {
   constexpr std::array<std::string_view, 4> names = {"xmin", "ymin", "xmax", "ymax"};
   const auto parts = split(text, ',');
   if (parts.size() != names.size()) {
-    return bad(
-        fmt::format("{} is neither XMIN,YMIN,XMAX,YMAX nor a .geojson, .json or .wkt file", quoted(text)));
+    return bad(fmt::format("{} is neither XMIN,YMIN,XMAX,YMAX nor a {} file", quoted(text),
+                           anyOf(outlineExtensions())));
   }
   std::array<double, 4> values{};
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -64,6 +83,16 @@ Parsed<Box> parseBox(std::string_view text) {
 
 }  // namespace
 
+std::string anyOf(std::span<const std::string> words) {
+  if (words.size() < 2) return fmt::to_string(fmt::join(words, ""));
+  return fmt::format("{} or {}", fmt::join(words.first(words.size() - 1), ", "), words.back());
+}
+
+std::vector<std::string> periodicNames() { return namesIn(periods); }
+std::vector<std::string> searchNames() { return {"grid", "flann"}; }
+std::vector<std::string> colorNames() { return namesIn(colors); }
+std::vector<std::string> outlineExtensions() { return {".geojson", ".json", ".wkt"}; }
+
 Parsed<std::uint64_t> parseWhole(std::string_view text, std::uint64_t low, std::uint64_t high) {
   std::uint64_t value = 0;
   const char* end = text.data() + text.size();
@@ -75,19 +104,14 @@ Parsed<std::uint64_t> parseWhole(std::string_view text, std::uint64_t low, std::
 }
 
 Parsed<DomainChoice> parseDomain(std::string_view text) {
-  const std::string extension = lowerExtension(std::string(text));
-  if (extension == ".geojson" || extension == ".json" || extension == ".wkt") {
+  const auto outlines = outlineExtensions();
+  if (std::ranges::find(outlines, lowerExtension(std::string(text))) != outlines.end()) {
     return DomainChoice{std::nullopt, std::string(text)};
   }
   return parseBox(text).map([](const Box& box) { return DomainChoice{box, {}}; });
 }
 
-Parsed<Periodic> parsePeriodic(std::string_view text) {
-  if (text == "x") return Periodic::x;
-  if (text == "y") return Periodic::y;
-  if (text == "xy") return Periodic::xy;
-  return bad(fmt::format("{} is not one of x, y, xy", quoted(text)));
-}
+Parsed<Periodic> parsePeriodic(std::string_view text) { return valueIn(periods, text); }
 
 Parsed<WeightRange> parseWeightRange(std::string_view text) {
   const auto parts = split(text, ',');
@@ -165,13 +189,7 @@ Parsed<std::pair<std::string, std::uint64_t>> parseLimit(std::string_view text) 
   return std::pair(std::move(*name), *value);
 }
 
-Parsed<ColorBy> parseColor(std::string_view text) {
-  const auto named = std::ranges::find(colors, text, &NamedColor::name);
-  if (named == colors.end()) {
-    return bad(fmt::format("{} is not one of site, area, neighbors, weight", quoted(text)));
-  }
-  return named->color;
-}
+Parsed<ColorBy> parseColor(std::string_view text) { return valueIn(colors, text); }
 
 Parsed<std::string> parseColormap(std::string_view text) { return oneOf(colormaps(), text); }
 

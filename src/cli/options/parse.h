@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,6 +22,17 @@ inline constexpr int largest_side = 32768;
 /// A whole number from low to high.
 Parsed<std::uint64_t> parseWhole(std::string_view text, std::uint64_t low, std::uint64_t high);
 
+/// "a, b or c", as help and messages name them.
+std::string anyOf(std::span<const std::string> words);
+
+/// The names that parsePeriodic, parseSearch (which takes more) and parseColor take.
+std::vector<std::string> periodicNames();
+std::vector<std::string> searchNames();
+std::vector<std::string> colorNames();
+
+/// The extensions of files with outlines, as parseDomain knows them.
+std::vector<std::string> outlineExtensions();
+
 /// A box, or the name of a file with an outline.
 struct DomainChoice {
   std::optional<Box> box;
@@ -34,7 +46,7 @@ Parsed<std::uint64_t> parseBytes(std::string_view text);
 /// `XMIN,YMIN,XMAX,YMAX`, a valid box, or a file name that ends in .geojson, .json or .wkt.
 Parsed<DomainChoice> parseDomain(std::string_view text);
 
-/// `x`, `y` or `xy`.
+/// One of periodicNames().
 Parsed<Periodic> parsePeriodic(std::string_view text);
 
 struct WeightRange {
@@ -59,7 +71,7 @@ Parsed<std::string> parseFeature(std::string_view text);
 /// `NAME=VALUE`, NAME one of limitNames().
 Parsed<std::pair<std::string, std::uint64_t>> parseLimit(std::string_view text);
 
-/// `site`, `area`, `neighbors` or `weight`.
+/// One of colorNames().
 Parsed<ColorBy> parseColor(std::string_view text);
 
 /// One of colormaps().

@@ -1,6 +1,7 @@
 #include "io/sites/site_source.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <charconv>
@@ -61,6 +62,12 @@ Result<SiteSource> generateSites(Pattern pattern, std::string_view spec, std::st
 
 }  // namespace
 
+std::vector<std::string_view> patternNames() {
+  std::vector<std::string_view> names;
+  for (const auto& [name, pattern] : patterns) names.push_back(name);
+  return names;
+}
+
 std::optional<std::uint64_t> generatedCount(std::string_view spec) {
   const std::size_t colon = spec.find(':');
   if (colon == std::string_view::npos || !patternNamed(spec.substr(0, colon))) {
@@ -83,9 +90,7 @@ Result<SiteSource> loadSites(const std::string& spec, std::uint64_t seed) {
   if (!sites) {
     if (colon != std::string_view::npos && !std::filesystem::exists(spec)) {
       return inputError(
-          fmt::format("{}: is neither a file nor a generator (random, square, hex, jitter, "
-                      "clusters, circle)",
-                      spec));
+          fmt::format("{}: is neither a file nor a generator ({})", spec, fmt::join(patternNames(), ", ")));
     }
     return tl::unexpected(std::move(sites.error()));
   }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "vorpipe.h"
 
@@ -14,6 +15,9 @@ struct SiteSource {
   Sites sites;
   std::optional<std::uint64_t> seed;  ///< of the generator; none when the sites come from a file
 };
+
+/// The patterns that loadSites takes, in the order in which messages name them.
+std::vector<std::string_view> patternNames();
 
 /// The N that `spec` asks a generator for; none where it names a file or is wrong.
 std::optional<std::uint64_t> generatedCount(std::string_view spec);

@@ -1,5 +1,10 @@
 #include "io/sites/sites_file.h"
 
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
 #include <new>
 #include <utility>
 
@@ -11,21 +16,29 @@
 namespace vorpipe {
 namespace {
 
+struct Kind {
+  std::string_view extension;
+  Result<Sites> (*read)(InputFile file);
+};
+
+constexpr std::array<Kind, 4> kinds = {
+    {{".csv", readCsvSites}, {".xyz", readTextSites}, {".txt", readTextSites}, {".npy", readNpySites}}};
+
 Result<Sites> readByExtension(const std::string& path, InputFile file) {
   const std::string extension = path == "-" ? ".csv" : lowerExtension(path);
-  if (extension == ".csv") {
-    return readCsvSites(std::move(file));
-  }
-  if (extension == ".xyz" || extension == ".txt") {
-    return readTextSites(std::move(file));
-  }
-  if (extension == ".npy") {
-    return readNpySites(std::move(file));
-  }
-  return inputError(path + ": unknown kind of file; known are .csv, .xyz, .txt and .npy");
+  const auto* const kind = std::ranges::find(kinds, extension, &Kind::extension);
+  if (kind != kinds.end()) return kind->read(std::move(file));
+  return inputError(
+      fmt::format("{}: unknown kind of file; known are {}", path, fmt::join(sitesExtensions(), ", ")));
 }
 
 }  // namespace
+
+std::vector<std::string_view> sitesExtensions() {
+  std::vector<std::string_view> extensions;
+  for (const Kind& kind : kinds) extensions.push_back(kind.extension);
+  return extensions;
+}
 
 Result<Sites> readSites(const std::string& path) {
   auto file = InputFile::open(path);

@@ -65,8 +65,8 @@ TEST_F(SitesFile, RefusesPaths) {
   EXPECT_EQ(readSites(path("no.csv")).error().message,
             path("no.csv") + ": cannot be read: No such file or directory");
   EXPECT_EQ(readSites(path("")).error().message, path("") + ": is a directory; a file is needed");
-  EXPECT_EQ(bad("a.dat", "1 2\n"), " unknown kind of file; known are .csv, .xyz, .txt and .npy");
-  EXPECT_EQ(bad("csv", "x,y\n1,2\n"), " unknown kind of file; known are .csv, .xyz, .txt and .npy");
+  EXPECT_EQ(bad("a.dat", "1 2\n"), " unknown kind of file; known are .csv, .xyz, .txt, .npy");
+  EXPECT_EQ(bad("csv", "x,y\n1,2\n"), " unknown kind of file; known are .csv, .xyz, .txt, .npy");
 }
 
 TEST_F(SitesFile, RefusesAFileWithoutPermission) {

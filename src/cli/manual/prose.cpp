@@ -1,0 +1,141 @@
+#include "cli/manual/prose.h"
+
+#include <array>
+
+namespace vorpipe::cli {
+namespace {
+
+Prose ofProgram() {
+  return {
+      "",
+      {"`vorpipe` computes and draws Voronoi diagrams of sites in the plane: for each site its cell, which "
+       "is "
+       "nearer to it than to any other site. With weights these are power diagrams. The domain is a box, a "
+       "box that repeats itself, or polygons with holes.",
+       "Cells are found on a graphics device through Vulkan or OpenGL 4.1, by Mesa's software drivers, or by "
+       "the CPU alone. Every cell is certified complete, and neighbors agree about the edge between them. "
+       "`--check` verifies a run with code that shares nothing with what computed it.",
+       "Errors are one line on standard error. Output files appear whole, or stay as they were."},
+      {{"Draw 10,000 random sites:", {"vorpipe render --sites random:10000 -o voronoi.png"}},
+       {"Get areas, neighbors and polygons of the sites of a file:",
+        {"vorpipe cells --sites sites.csv -o cells.csv -o cells.geojson"}},
+       {"See which devices are here:", {"vorpipe devices"}}}};
+}
+
+Prose ofRender() {
+  return {
+      "render",
+      {"Each pixel belongs to the site that is nearest to its center. `-o` is the picture, `--ids` an array "
+       "with the number of that site, in the order of the input. Without either of them, `--check` verifies "
+       "and nothing is written.",
+       "Colors by area or neighbors, weights, and outlines that sites lie beyond take the cells first, as "
+       "`vorpipe cells` computes them."},
+      {{"Draw sites of a file with their cells' edges:",
+        {"vorpipe render --sites sites.csv --edges --show-sites -o sites.png"}},
+       {"Show how large cells are:",
+        {"vorpipe render --sites jitter:2000 --color area --colormap magma -o area.png"}},
+       {"Draw a power diagram:",
+        {"vorpipe render --sites random:300 --random-weights 0,0.01 --color weight -o power.png"}},
+       {"Get the site of each pixel as an array:",
+        {"vorpipe render --sites random:1000 --size 500x500 --ids ids.npy"}}}};
+}
+
+Prose ofCells() {
+  return {
+      "cells",
+      {"There is a record for each site, in the order of the input: polygon, area, perimeter, centroid, "
+       "second "
+       "moments, and neighbors with the lengths of the edges between. Each format has what it can hold; .npz "
+       "has everything. Without `-o` the cells are computed, and verified by `--check`.",
+       "Neighbors run counter-clockwise. The walls of the domain are -1 to -4 (xmin, xmax, ymin, ymax), an "
+       "outline is -5. The status of a site is ok, empty where no part of the domain is nearest to it, or "
+       "duplicate where another site stands in the same place and owns the cell."},
+      {{"Get the cells as a table and as arrays:",
+        {"vorpipe cells --sites sites.csv -o cells.csv -o cells.npz"}},
+       {"Read sites from a pipe:",
+        {"printf 'x,y\\n1,2\\n4,1\\n3,5\\n' | vorpipe cells --sites - -o three.csv"}},
+       {"Clip the cells to polygons:",
+        {"vorpipe cells --sites sites.csv --domain outline.geojson -o clipped.geojson"}},
+       {"Verify a diagram that repeats itself:",
+        {"vorpipe cells --sites random:1000 --periodic xy --check"}}}};
+}
+
+Prose ofDiff() {
+  return {
+      "diff",
+      {"Two id arrays, as `vorpipe render --ids` writes them, or two pictures. With `--sites` and what else "
+       "the arrays were made with, a pixel whose center lies within 1/128 of a pixel of the bisector of its "
+       "two sites is a tie, and any other difference is wrong; without, every difference is."},
+      {{"Compare what two backends draw:",
+        {"vorpipe render --backend cpu --sites square:100 --ids a.npy",
+         "vorpipe render --backend opengl --sites square:100 --ids b.npy",
+         "vorpipe diff a.npy b.npy --sites square:100 -o where.png"}}}};
+}
+
+Prose ofCompare() {
+  return {"compare",
+          {"The same sites are drawn and computed on each backend, and every pair is compared, pixel by "
+           "pixel and "
+           "cell by cell. It is a difference where pixels differ by more than ties, or cells by status, "
+           "neighbors "
+           "or area."},
+          {{"Compare a device with the CPU, and write every figure:",
+            {"vorpipe compare --backends vulkan-compute,cpu --sites hex:1000 --report report.json"}}}};
+}
+
+Prose ofDevices() {
+  return {"devices",
+          {"For each device it says what `--device` takes, and for a backend that cannot be used, what would "
+           "help."},
+          {{"List devices as a table, or as JSON with their limits:",
+            {"vorpipe devices", "vorpipe devices --json"}}}};
+}
+
+Prose ofBench() {
+  return {
+      "bench",
+      {"Tables are printed in Markdown: how time grows with sites, what each stage takes, kinds of input, "
+       "memory, and the measurements of the thesis that the method comes from. Without a table all are "
+       "measured up to a size that takes some minutes."},
+      {{"Measure small inputs on the CPU, and draw the curves:",
+        {"vorpipe bench scaling --backend cpu --max-sites 10000 --repetitions 3 --plot scaling.svg"}}}};
+}
+
+Prose ofSelftest() {
+  return {"selftest",
+          {"Scenes of the program's own are computed and drawn on each backend and device, and judged by "
+           "`cpu`. It "
+           "is a difference where a promise is broken. A bug report wants the file that `--json` writes."},
+          {{"Test one backend within seconds:",
+            {"vorpipe selftest --quick --backend cpu --json selftest.json"}}}};
+}
+
+constexpr std::array<Row, 5> exit_statuses = {
+    {{"0", "Done, and everything is certified."},
+     {"1", "A comparison found a difference, or a promise is broken."},
+     {"2",
+      "The command line or an input file is wrong; the message names the option, or file, line and column."},
+     {"3", "There is no such device or backend here, or it failed; the message says what would help."},
+     {"130, 143", "Interrupted: 128 and the signal's number."}}};
+
+constexpr std::array<Row, 5> variables = {
+    {{"VORPIPE_VALIDATION", "Where it is 1, Vulkan's validation layers are on, as by `--validate`."},
+     {"VK_DRIVER_FILES", "The Vulkan drivers to use, as for every program: the files that describe them."},
+     {"LIBGL_ALWAYS_SOFTWARE", "Where it is true, OpenGL is that of Mesa's software drivers."},
+     {"GALLIUM_DRIVER", "Which of these, such as llvmpipe."},
+     {"LP_NUM_THREADS",
+      "Threads of Mesa's software drivers; set for them by `--threads` where it is not set."}}};
+
+}  // namespace
+
+Prose proseOf(std::string_view subcommand) {
+  for (const auto of : {ofProgram, ofRender, ofCells, ofDiff, ofCompare, ofDevices, ofBench, ofSelftest}) {
+    if (Prose prose = of(); prose.subcommand == subcommand) return prose;
+  }
+  return {subcommand, {}, {}};
+}
+
+std::span<const Row> exitStatuses() { return exit_statuses; }
+std::span<const Row> environment() { return variables; }
+
+}  // namespace vorpipe::cli
