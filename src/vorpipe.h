@@ -7,13 +7,17 @@
 #include <memory>
 #include <string>
 
+#include "vorpipe/cell.h"
 #include "vorpipe/cells.h"
 #include "vorpipe/devices.h"
 #include "vorpipe/forecast.h"
+#include "vorpipe/locate.h"
 #include "vorpipe/picture.h"
 #include "vorpipe/result.h"
 #include "vorpipe/run.h"
 #include "vorpipe/sites.h"
+#include "vorpipe/topology.h"
+#include "vorpipe/wall.h"
 
 namespace vorpipe {
 

@@ -84,7 +84,7 @@ set(guarded_headers
     "^CLI/"
     "^(tbb|oneapi)/")
 set(users
-    "^(core/session/|bench/|backend/registry/)"
+    "^(core/locate/|core/session/|bench/|backend/registry/)"
     "^backend/vulkan/"
     "^backend/opengl/"
     "^backend/cpu/"

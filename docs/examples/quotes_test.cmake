@@ -1,6 +1,6 @@
 # Whether the documents quote the examples as they are. cmake -D root=DIR -P quotes_test.cmake
 cmake_minimum_required(VERSION 3.25)
-foreach(example_and_page "count_pixels;docs/guide.md" "measure_cells;docs/domains.md" "list_devices;docs/backends.md")
+foreach(example_and_page "count_pixels;docs/guide.md" "measure_cells;docs/domains.md" "read_cells;docs/guide.md" "list_devices;docs/backends.md")
   list(GET example_and_page 0 example)
   list(GET example_and_page 1 page)
   file(READ ${root}/docs/examples/${example}.cpp text)

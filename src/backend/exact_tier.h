@@ -30,4 +30,14 @@ class ExactTier {
                        std::span<std::uint32_t> sites) = 0;
 };
 
+/// Finds the sites that are nearest to single places, by power, in double, as ExactTier does for pixels.
+/// Thread safe, and never fails.
+class PlaceSearch {
+ public:
+  virtual ~PlaceSearch() = default;
+
+  /// The index in the set of the site nearest to a place in scaled units, or no_site where all are hidden.
+  [[nodiscard]] virtual std::uint32_t nearest(Point place) const = 0;
+};
+
 }  // namespace vorpipe

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "vorpipe/result.h"
 #include "vorpipe/run.h"
 #include "vorpipe/sites.h"
+#include "vorpipe/wall.h"
 
 namespace vorpipe {
 
@@ -36,9 +38,8 @@ struct CellsOptions {
 /// are found later. Errors (input).
 Result<void> checkInput(const Sites& sites, const CellsOptions& options, int threads = 0);
 
-/// In `Diagram::neighbors`: the domain's walls xmin, xmax, ymin, ymax, and the outline.
-inline constexpr std::int64_t wall_xmin = -1, wall_xmax = -2, wall_ymin = -3, wall_ymax = -4,
-                              wall_outline = -5;
+class Cell;          // cell.h
+class CellIterator;  // cell.h
 
 /// Cells as data, in input order and in the caller's units: one record for each site, whatever
 /// happened to it. Cell i has the vertices cell_offsets[i] .. cell_offsets[i + 1] - 1, counter-
@@ -58,7 +59,7 @@ struct Diagram {
   std::vector<std::array<double, 3>> second_moments;  ///< about the centroid: integrals of xx, xy, yy
   std::vector<std::uint64_t> cell_offsets;            ///< size: sites + 1
   std::vector<Point> vertices;
-  std::vector<std::int64_t> neighbors;  ///< indices of sites, or walls
+  std::vector<std::int64_t> neighbors;  ///< indices of sites, or walls, as isWall() tells
   std::vector<double> edge_lengths;
   /// Of a periodic domain, one for each of `neighbors`: the image of the neighbor that the cell meets stands
   /// that many widths and heights of the domain from the neighbor itself, as wrapped() places it.
@@ -73,6 +74,12 @@ struct Diagram {
   /// the regular triangulation, without hidden sites. Empty where the domain is periodic.
   std::vector<std::array<std::uint32_t, 3>> triangles;
   Report report;
+
+  /// Sites, and so cells; each of them in place. `for (const Cell cell : diagram)` goes through all.
+  [[nodiscard]] std::size_t size() const { return status.size(); }
+  [[nodiscard]] Cell cell(std::size_t site) const;
+  [[nodiscard]] CellIterator begin() const;
+  [[nodiscard]] CellIterator end() const;
 };
 
 /// The sum of the cells' areas, without what adding up would round off.

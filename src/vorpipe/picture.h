@@ -41,8 +41,6 @@ CellsOptions cellsOptions(const RenderOptions& picture);
 
 std::vector<std::string> colormaps();
 
-inline constexpr std::uint32_t no_site = 0xFFFFFFFFu;
-
 /// Row 0 is the top (largest y). The center of pixel (row, column) is
 /// x = xmin + (column + 0.5) / width (xmax - xmin), y = ymax - (row + 0.5) / height (ymax - ymin).
 struct Image {

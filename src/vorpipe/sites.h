@@ -57,6 +57,9 @@ struct Sites {
   [[nodiscard]] std::size_t size() const { return x.size(); }
 };
 
+/// Stands where a place has no site.
+inline constexpr std::uint32_t no_site = 0xFFFFFFFFu;
+
 /// The sites as a periodic domain takes them. Along the axes that repeat, a site beyond the domain is moved
 /// into it, by whole periods, and coordinates are rounded to some 2^-52 of the domain's side or of its
 /// largest coordinate, if that is larger: then images are exact copies. Sites that are now equal, modulo the

@@ -59,8 +59,22 @@ class CpuExactTier final : public ExactTier {
   std::optional<cpu::SiteTree> tree_;        ///< made when first asked
 };
 
+class CpuPlaceSearch final : public PlaceSearch {
+ public:
+  CpuPlaceSearch(const SiteSet& sites, int threads) : nearest_(sites, threads) {}
+
+  [[nodiscard]] std::uint32_t nearest(Point place) const override { return nearest_.at({0, 0}, place); }
+
+ private:
+  cpu::NearestSite nearest_;
+};
+
 }  // namespace
 
 std::unique_ptr<ExactTier> makeExactTier(int threads) { return std::make_unique<CpuExactTier>(threads); }
+
+std::unique_ptr<PlaceSearch> makePlaceSearch(const SiteSet& sites, int threads) {
+  return std::make_unique<CpuPlaceSearch>(sites, threads);
+}
 
 }  // namespace vorpipe

@@ -10,4 +10,7 @@ namespace vorpipe {
 /// `threads`: 0 for all processors.
 std::unique_ptr<ExactTier> makeExactTier(int threads);
 
+/// The same for places one by one. `sites` outlive it.
+std::unique_ptr<PlaceSearch> makePlaceSearch(const SiteSet& sites, int threads);
+
 }  // namespace vorpipe

@@ -98,6 +98,10 @@ Result<OpenedBackend> openBackend(const BackendOptions& options) {
 
 std::unique_ptr<ExactTier> openExactTier(int threads) { return makeExactTier(threads); }
 
+std::unique_ptr<PlaceSearch> openPlaceSearch(const SiteSet& sites, int threads) {
+  return makePlaceSearch(sites, threads);
+}
+
 std::vector<std::string> backendNames() {
   return {"auto", "vulkan", "vulkan-geometry", "vulkan-compute", "opengl", "cpu"};
 }

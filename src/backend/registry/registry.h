@@ -26,4 +26,7 @@ Result<OpenedBackend> openBackend(const BackendOptions& options);
 /// What finds the cells that a device leaves.
 std::unique_ptr<ExactTier> openExactTier(int threads);
 
+/// What finds the site that is nearest to a place. `sites` outlive it.
+std::unique_ptr<PlaceSearch> openPlaceSearch(const SiteSet& sites, int threads);
+
 }  // namespace vorpipe

@@ -4,10 +4,7 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
-#include <span>
 #include <string_view>
 #include <utility>
 
@@ -15,25 +12,6 @@
 #include "vorpipe.h"
 
 namespace vorpipe {
-
-inline std::span<const Point> verticesOf(const Diagram& diagram, std::size_t site) {
-  const std::uint64_t begin = diagram.cell_offsets[site];
-  return std::span(diagram.vertices).subspan(begin, diagram.cell_offsets[site + 1] - begin);
-}
-
-inline std::span<const std::int64_t> neighborsOf(const Diagram& diagram, std::size_t site) {
-  const std::uint64_t begin = diagram.cell_offsets[site];
-  return std::span(diagram.neighbors).subspan(begin, diagram.cell_offsets[site + 1] - begin);
-}
-
-/// The shifts of neighborsOf(); empty where the domain does not repeat itself.
-inline std::span<const std::array<std::int32_t, 2>> shiftsOf(const Diagram& diagram, std::size_t site) {
-  if (diagram.neighbor_shifts.empty()) {
-    return {};
-  }
-  const std::uint64_t begin = diagram.cell_offsets[site];
-  return std::span(diagram.neighbor_shifts).subspan(begin, diagram.cell_offsets[site + 1] - begin);
-}
 
 inline std::string_view statusWord(Status status) {
   switch (status) {

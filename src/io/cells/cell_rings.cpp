@@ -7,35 +7,13 @@ namespace {
 
 constexpr std::uint64_t least_vertices = 3;
 
-/// Whether the area that the vertices enclose is negative.
-bool isClockwise(std::span<const Point> vertices) {
-  const Point& origin = vertices.front();
-  double twice_area = 0;
-  for (std::size_t k = 1; k + 1 < vertices.size(); ++k) {
-    const Point &a = vertices[k], &b = vertices[k + 1];
-    twice_area += (a.x - origin.x) * (b.y - origin.y) - (b.x - origin.x) * (a.y - origin.y);
-  }
-  return twice_area < 0;
-}
-
 }  // namespace
 
 std::vector<Ring> ringsOf(const Diagram& diagram, std::size_t site) {
-  const std::uint64_t begin = diagram.cell_offsets[site], end = diagram.cell_offsets[site + 1];
-  const auto& starts = diagram.ring_starts;
+  const CellRings all = diagram.cell(site).rings();
   std::vector<Ring> rings;
-  if (starts.empty()) {
-    if (end - begin >= least_vertices) {
-      rings.push_back({begin, end, false});
-    }
-    return rings;
-  }
-  for (auto start = std::ranges::lower_bound(starts, begin); start != starts.end() && *start < end; ++start) {
-    Ring ring{*start, start + 1 == starts.end() ? end : std::min(end, *(start + 1)), false};
-    if (ring.end - ring.begin >= least_vertices) {
-      ring.hole = !rings.empty() && isClockwise(verticesOf(diagram, ring));
-      rings.push_back(ring);
-    }
+  for (std::size_t r = 0; r < all.size(); ++r) {
+    if (all[r].size() >= least_vertices) rings.push_back({all.begin(r), all.end(r), all.isHole(r)});
   }
   return rings;
 }

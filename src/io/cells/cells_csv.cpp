@@ -11,7 +11,7 @@ namespace {
 /// The columns that only some diagrams have, in the order of their names in headerOf().
 void printMore(Bytes& text, const Diagram& diagram, std::size_t site) {
   if (!diagram.neighbor_shifts.empty()) {
-    const auto shifts = shiftsOf(diagram, site);
+    const auto shifts = diagram.cell(site).shifts();
     text.push_back(',');
     join(text, shifts.size(), " ",
          [&](Bytes& out, std::size_t k) { print(out, FMT_COMPILE("{}:{}"), shifts[k][0], shifts[k][1]); });
@@ -42,7 +42,7 @@ Result<void> write(ByteSink& sink, const Sites& sites, const Diagram& diagram) {
     return written;
   }
   return writeEach(sink, sites.size(), [&](Bytes& text, std::size_t site) {
-    const auto neighbors = neighborsOf(diagram, site);
+    const auto neighbors = diagram.cell(site).neighbors();
     print(text, FMT_COMPILE("{},{},{},{},{},{},{},{},{},{},"), site, sites.x[site], sites.y[site],
           sites.weight.empty() ? 0.0 : sites.weight[site], statusWord(diagram.status[site]),
           diagram.area[site], diagram.perimeter[site], diagram.centroid[site].x, diagram.centroid[site].y,

@@ -2,8 +2,10 @@
 
 #include <fmt/core.h>
 
-#include <bit>
+#include <algorithm>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "io/cells/cell_rings.h"
 #include "io/cells/hole_triangles.h"
@@ -12,50 +14,11 @@
 namespace vorpipe {
 namespace {
 
-constexpr std::int32_t vacant = -1;
-
-std::size_t hash(const Point& point) {
-  // Adding 0 makes -0 and 0, which are equal, one bit pattern.
-  const auto x = std::bit_cast<std::uint64_t>(point.x + 0.0);
-  const auto y = std::bit_cast<std::uint64_t>(point.y + 0.0);
-  std::uint64_t bits = (x ^ std::rotl(y, 32)) * 0x9E3779B97F4A7C15u;
-  bits ^= bits >> 32;
-  bits *= 0xD6E8FEB86659FD93u;
-  return bits ^ bits >> 32;
-}
-
-/// Positions by value. A table of open addresses: one allocation where a map of the standard library
-/// makes one for each of tens of millions of points.
-class PointTable {
- public:
-  PointTable(std::size_t most_points, std::vector<Point>& points)
-      : slots_(std::bit_ceil(2 * most_points + 1), vacant), points_(points) {}
-
-  std::int32_t indexOf(const Point& point) {
-    const std::size_t mask = slots_.size() - 1;
-    for (std::size_t slot = hash(point) & mask;; slot = (slot + 1) & mask) {
-      std::int32_t& index = slots_[slot];
-      if (index == vacant) {
-        index = static_cast<std::int32_t>(points_.size());
-        points_.push_back(point);
-        return index;
-      }
-      const Point& known = points_[static_cast<std::size_t>(index)];
-      if (known.x == point.x && known.y == point.y) {
-        return index;
-      }
-    }
-  }
-
- private:
-  std::vector<std::int32_t> slots_;
-  std::vector<Point>& points_;
-};
-
 class MeshMaker {
  public:
-  MeshMaker(const Diagram& diagram, CellsMesh& mesh)
-      : diagram_(diagram), mesh_(mesh), table_(diagram.vertices.size(), mesh.points) {
+  MeshMaker(const Diagram& diagram, DistinctPoints vertices, CellsMesh& mesh)
+      : diagram_(diagram), vertex_of_(std::move(vertices.index_of)), mesh_(mesh) {
+    mesh_.points = std::move(vertices.points);
     mesh_.corners.reserve(diagram.vertices.size());
     mesh_.offsets.push_back(0);
   }
@@ -65,26 +28,79 @@ class MeshMaker {
     const auto rings = ringsOf(diagram_, site);
     for (const auto piece : piecesOf(rings)) {
       if (piece.size() == 1) {
-        addFace(verticesOf(diagram_, piece.front()), site);
+        for (auto entry = piece.front().begin; entry < piece.front().end; ++entry) addCorner(entry);
+        endFace(site);
         continue;
       }
       const auto triangles = trianglesOf(diagram_, piece);
       if (!triangles) return false;
-      for (const auto& triangle : *triangles) addFace(triangle, site);
+      const auto entries = byPosition(piece);
+      for (const auto& triangle : *triangles) {
+        for (const Point& corner : triangle) {
+          const auto entry = entryAt(entries, corner);
+          if (!entry) return false;
+          addCorner(*entry);
+        }
+        endFace(site);
+      }
     }
     return true;
   }
 
+  /// Numbers the points in the order in which the faces meet them, and drops those that none does.
+  void numberPoints() {
+    if (in_order_ && met_ == mesh_.points.size()) return;
+    std::vector<std::uint32_t>().swap(vertex_of_);
+    constexpr std::int32_t not_met = -1;
+    std::vector<std::int32_t> number(mesh_.points.size(), not_met);
+    std::vector<Point> points;
+    points.reserve(mesh_.points.size());
+    for (std::int32_t& corner : mesh_.corners) {
+      const auto known = static_cast<std::size_t>(corner);
+      if (number[known] == not_met) {
+        number[known] = static_cast<std::int32_t>(points.size());
+        points.push_back(mesh_.points[known]);
+      }
+      corner = number[known];
+    }
+    mesh_.points = std::move(points);
+  }
+
  private:
-  void addFace(std::span<const Point> vertices, std::uint32_t site) {
-    for (const Point& vertex : vertices) mesh_.corners.push_back(table_.indexOf(vertex));
+  void addCorner(std::uint64_t entry) {
+    const std::uint32_t vertex = vertex_of_[entry];
+    if (vertex > met_) in_order_ = false;
+    if (vertex == met_) ++met_;
+    mesh_.corners.push_back(static_cast<std::int32_t>(vertex));
+  }
+  void endFace(std::uint32_t site) {
     mesh_.offsets.push_back(mesh_.corners.size());
     mesh_.sites.push_back(site);
   }
 
+  [[nodiscard]] std::vector<std::uint64_t> byPosition(std::span<const Ring> piece) const {
+    std::vector<std::uint64_t> entries;
+    for (const Ring& ring : piece) {
+      for (auto entry = ring.begin; entry < ring.end; ++entry) entries.push_back(entry);
+    }
+    std::ranges::sort(entries, isBefore, [this](std::uint64_t entry) { return diagram_.vertices[entry]; });
+    return entries;
+  }
+  /// The entry of a corner of a triangle: triangles have no other vertices than their piece.
+  [[nodiscard]] std::optional<std::uint64_t> entryAt(const std::vector<std::uint64_t>& entries,
+                                                     const Point& corner) const {
+    const auto vertex = [this](std::uint64_t entry) { return diagram_.vertices[entry]; };
+    const auto found = std::ranges::lower_bound(entries, corner, isBefore, vertex);
+    if (found == entries.end() || isBefore(corner, vertex(*found))) return std::nullopt;
+    return *found;
+  }
+  static bool isBefore(const Point& a, const Point& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+
   const Diagram& diagram_;
+  std::vector<std::uint32_t> vertex_of_;  ///< by place in Diagram::vertices
   CellsMesh& mesh_;
-  PointTable table_;
+  std::size_t met_ = 0;  ///< the points that corners have met, as long as these come in order
+  bool in_order_ = true;
 };
 
 }  // namespace
@@ -96,9 +112,11 @@ Result<CellsMesh> cellsMesh(const ByteSink& sink, const Diagram& diagram) {
   };
   constexpr std::uint64_t largest = std::numeric_limits<std::int32_t>::max();
   if (diagram.vertices.size() > largest) return tooMany();
+  auto vertices = distinctPoints(diagram.vertices);
+  if (!vertices) return tl::unexpected(vertices.error());
   CellsMesh mesh;
-  MeshMaker maker(diagram, mesh);
-  for (std::size_t site = 0; site < diagram.status.size(); ++site) {
+  MeshMaker maker(diagram, std::move(*vertices), mesh);
+  for (std::size_t site = 0; site < diagram.size(); ++site) {
     if (!maker.add(static_cast<std::uint32_t>(site))) {
       return deviceError(fmt::format("{}: the cell of site {} has holes, and could not be cut into triangles",
                                      sink.name(), site));
@@ -106,6 +124,7 @@ Result<CellsMesh> cellsMesh(const ByteSink& sink, const Diagram& diagram) {
   }
   // .vtk counts the corners of all faces and the faces together.
   if (mesh.corners.size() + mesh.size() > largest) return tooMany();
+  maker.numberPoints();
   return mesh;
 }
 

@@ -24,7 +24,7 @@ struct CellsMesh {
   }
 };
 
-/// Joins vertices whose coordinates are equal; none is moved. Errors: the cells have more vertices than the
+/// Joins vertices as distinctPoints() does. Errors: the cells have more vertices than the
 /// indices of mesh formats, 32-bit and signed, can count (input); a piece with holes could not be cut into
 /// triangles (device). `sink` is named.
 Result<CellsMesh> cellsMesh(const ByteSink& sink, const Diagram& diagram);

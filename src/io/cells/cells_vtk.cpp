@@ -65,9 +65,9 @@ Result<void> write(ByteSink& sink, const Sites& /*sites*/, const Diagram& diagra
         .and_then(data("site", "unsigned_int", [](std::uint32_t site) { return site; }))
         .and_then(data("area", "double", [&](std::uint32_t site) { return diagram.area[site]; }))
         .and_then(data("perimeter", "double", [&](std::uint32_t site) { return diagram.perimeter[site]; }))
-        .and_then(data(
-            "neighbors", "int",
-            [&](std::uint32_t site) { return static_cast<std::int32_t>(neighborsOf(diagram, site).size()); }))
+        .and_then(
+            data("neighbors", "int",
+                 [&](std::uint32_t site) { return static_cast<std::int32_t>(diagram.cell(site).edges()); }))
         .and_then(data("status", "unsigned_char",
                        [&](std::uint32_t site) { return static_cast<unsigned char>(diagram.status[site]); }))
         .and_then([&] { return sink.write("\n"); });

@@ -22,12 +22,12 @@ void printProperties(Bytes& text, const Sites& sites, const Diagram& diagram, st
     printPoint(text, diagram.mass_centroid[site]);
   }
   text.append(std::string_view(R"(,"neighbors":)"));
-  const auto neighbors = neighborsOf(diagram, site);
+  const auto neighbors = diagram.cell(site).neighbors();
   printList(text, json_list, neighbors.size(),
             [&](Bytes& out, std::size_t k) { print(out, FMT_COMPILE("{}"), neighbors[k]); });
   if (!diagram.neighbor_shifts.empty()) {
     text.append(std::string_view(R"(,"neighbor_shifts":)"));
-    const auto shifts = shiftsOf(diagram, site);
+    const auto shifts = diagram.cell(site).shifts();
     printList(text, json_list, shifts.size(), [&](Bytes& out, std::size_t k) {
       print(out, FMT_COMPILE("[{},{}]"), shifts[k][0], shifts[k][1]);
     });

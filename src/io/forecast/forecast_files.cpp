@@ -29,17 +29,19 @@ void planGrowing(MemoryPlan& plan, std::string_view what, std::uint64_t count,
   }
 }
 
-/// cellsMesh(): a table of positions, and the faces with their corners.
+/// cellsMesh(): a table of positions, which is gone when the faces with their corners come.
 void planMesh(MemoryPlan& plan, const Workload& work) {
   const std::string_view what = "the mesh to write";
   const auto corners =
       static_cast<std::uint64_t>(std::ceil(static_cast<double>(work.sites) * work.spread.edges));
   const auto since = plan.next();
-  plan.take(what, std::bit_ceil(2 * corners + 1) * index);
+  const auto table = plan.take(what, std::bit_ceil(2 * corners + 1) * index);
   plan.take(what, corners * index);
   // Each vertex is a corner of three cells, but at walls and where its places in them differ.
   const auto points = std::max(corners / 2, work.sites);
   planGrowing(plan, what, points, {sizeof(Point)});
+  plan.drop(table);
+  plan.take(what, corners * index);
   planGrowing(plan, what, work.sites, {number, index});
   plan.dropSince(since);
 }
