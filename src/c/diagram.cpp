@@ -13,6 +13,25 @@
 namespace vorpipe::c {
 namespace {
 
+Result<vorpipe_array> arrayOf(const Topology& topology, vorpipe_diagram_field field) {
+  switch (field) {
+    case VORPIPE_SHARED_VERTICES:
+      return array(topology.vertices, VORPIPE_DOUBLE);
+    case VORPIPE_VERTEX_OF:
+      return array(topology.vertex_of, VORPIPE_UINT32);
+    case VORPIPE_EDGE_OF:
+      return array(topology.edge_of, VORPIPE_UINT32);
+    case VORPIPE_EDGE_ENTRY:
+      return array(topology.edge_entry, VORPIPE_UINT64);
+    case VORPIPE_EDGE_VERTICES:
+      return array(topology.edge_vertices, VORPIPE_UINT32);
+    case VORPIPE_EDGE_CELLS:
+      return array(topology.edge_cells, VORPIPE_INT64);
+    default:
+      return noField(field);
+  }
+}
+
 Result<vorpipe_array> arrayOf(const Diagram& diagram, vorpipe_diagram_field field) {
   switch (field) {
     case VORPIPE_CELL_STATUS:
@@ -50,6 +69,13 @@ Result<vorpipe_array> arrayOf(const Diagram& diagram, vorpipe_diagram_field fiel
   }
 }
 
+/// What cells share is found once, by whichever thread asks first.
+Result<vorpipe_array> sharedArrayOf(const vorpipe_diagram& diagram, vorpipe_diagram_field field) {
+  std::call_once(diagram.topology_once, [&] { diagram.topology = topologyOf(diagram.diagram); });
+  if (!*diagram.topology) return tl::unexpected(diagram.topology->error());
+  return arrayOf(**diagram.topology, field);
+}
+
 vorpipe_code find(vorpipe_session& session, const vorpipe_input& input, const vorpipe_cells_options* given,
                   vorpipe_diagram** diagram) {
   auto options = cellsOptions(input, given);
@@ -57,7 +83,7 @@ vorpipe_code find(vorpipe_session& session, const vorpipe_input& input, const vo
   auto found = session.session.cells(*input.sites, *options);
   if (!found) return fail(found.error());
   options->progress = nullptr;
-  *diagram = new vorpipe_diagram{input.sites, std::move(*options), std::move(*found)};
+  *diagram = new vorpipe_diagram{input.sites, std::move(*options), std::move(*found), {}, {}};
   return VORPIPE_DONE;
 }
 
@@ -81,7 +107,10 @@ vorpipe_code vorpipe_diagram_array(const vorpipe_diagram* diagram, vorpipe_diagr
                                    vorpipe_array* array) {
   if (diagram == nullptr) return missing("diagram");
   if (array == nullptr) return missing("array");
-  return guarded([&] { return give(arrayOf(diagram->diagram, field), array); });
+  return guarded([&] {
+    const bool shared = field >= VORPIPE_SHARED_VERTICES && field <= VORPIPE_EDGE_CELLS;
+    return give(shared ? sharedArrayOf(*diagram, field) : arrayOf(diagram->diagram, field), array);
+  });
 }
 
 double vorpipe_diagram_area_sum(const vorpipe_diagram* diagram) {

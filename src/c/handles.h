@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -31,6 +32,12 @@ struct vorpipe_diagram {
   std::shared_ptr<const vorpipe::Sites> sites;
   vorpipe::CellsOptions options;  ///< of the run; without progress
   vorpipe::Diagram diagram;
+  mutable std::once_flag topology_once;
+  mutable std::optional<vorpipe::Result<vorpipe::Topology>> topology;  ///< found when first asked for
+};
+
+struct vorpipe_locator {
+  vorpipe::Locator locator;
 };
 
 struct vorpipe_picture {

@@ -219,6 +219,17 @@ class Diagram {
   [[nodiscard]] View<std::array<std::uint32_t, 3>> triangles() const {
     return view<std::array<std::uint32_t, 3>>(VORPIPE_TRIANGLES);
   }
+  /// What cells share; see vorpipe_c.h.
+  [[nodiscard]] View<Point> sharedVertices() const { return view<Point>(VORPIPE_SHARED_VERTICES); }
+  [[nodiscard]] View<std::uint32_t> vertexOf() const { return view<std::uint32_t>(VORPIPE_VERTEX_OF); }
+  [[nodiscard]] View<std::uint32_t> edgeOf() const { return view<std::uint32_t>(VORPIPE_EDGE_OF); }
+  [[nodiscard]] View<std::uint64_t> edgeEntry() const { return view<std::uint64_t>(VORPIPE_EDGE_ENTRY); }
+  [[nodiscard]] View<std::array<std::uint32_t, 2>> edgeVertices() const {
+    return view<std::array<std::uint32_t, 2>>(VORPIPE_EDGE_VERTICES);
+  }
+  [[nodiscard]] View<std::array<std::int64_t, 2>> edgeCells() const {
+    return view<std::array<std::int64_t, 2>>(VORPIPE_EDGE_CELLS);
+  }
   /// Those of one cell.
   [[nodiscard]] View<Point> vertices(std::size_t cell) const { return ofCell(vertices(), cell); }
   [[nodiscard]] View<std::int64_t> neighbors(std::size_t cell) const { return ofCell(neighbors(), cell); }
@@ -267,6 +278,25 @@ class Diagram {
   }
 
   Owned<vorpipe_diagram, vorpipe_diagram_free> diagram_;
+};
+
+class Locator {
+ public:
+  explicit Locator(const Input& input, int threads = 0) {
+    vorpipe_locator* locator = nullptr;
+    done(vorpipe_locator_create(input.get(), threads, &locator));
+    locator_.reset(locator);
+  }
+  /// The site of each place, or VORPIPE_NO_SITE.
+  [[nodiscard]] std::vector<std::uint32_t> find(const std::vector<Point>& places) const {
+    std::vector<std::uint32_t> sites(places.size());
+    done(vorpipe_locator_find(locator_.get(), reinterpret_cast<const double*>(places.data()), places.size(),
+                              sites.data()));
+    return sites;
+  }
+
+ private:
+  Owned<vorpipe_locator, vorpipe_locator_free> locator_;
 };
 
 class Picture {

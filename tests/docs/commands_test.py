@@ -50,6 +50,9 @@ NOT_RUN = {
     'cmake --preset dev': BUILDS,
     'cmake --build --preset dev --target vorpipe': BUILDS,
     'ctest --preset dev -R cli_cells': BUILDS,
+    'cmake --preset release && cmake --build --preset release': BUILDS,
+    'cmake --install build/release --prefix ~/.local': 'the test library_installed installs',
+    'src/package/make deb archive': BUILDS,
 }
 
 

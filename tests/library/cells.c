@@ -197,7 +197,54 @@ static void comparison(vorpipe_session* session) {
   vorpipe_input_free(other);
 }
 
+/* Euler's formula for the square with the world around it; a place near a site is in its cell. */
+static void sharedAndFound(vorpipe_session* session) {
+  const double places[] = {0.25, 0.25, 0.75, 0.75, 2, 2};
+  const double points[] = {0.2, 0.2, 0.8, 0.8, 0.2, 0.9};
+  uint32_t found[3] = {9, 9, 9};
+  vorpipe_sites sites = {sizeof sites};
+  vorpipe_input* input = NULL;
+  vorpipe_diagram* diagram;
+  vorpipe_locator* locator = NULL;
+  vorpipe_array array;
+  uint64_t vertices, edges, k;
+  DONE(vorpipe_input_read("random:1000", 1, &input));
+  diagram = cellsOf(session, input, VORPIPE_POLYGONS);
+  vertices = arrayOf(diagram, VORPIPE_SHARED_VERTICES).count;
+  array = arrayOf(diagram, VORPIPE_EDGE_CELLS);
+  edges = array.count;
+  PROMISE(vertices + 1001 == edges + 2);
+  for (k = 0; k < edges; ++k) {
+    const int64_t* cells = (const int64_t*)array.data + 2 * k;
+    PROMISE(cells[0] >= 0 && (cells[1] > cells[0] || cells[1] < 0));
+  }
+  PROMISE(arrayOf(diagram, VORPIPE_VERTEX_OF).count == arrayOf(diagram, VORPIPE_CELL_VERTICES).count);
+  PROMISE(arrayOf(diagram, VORPIPE_EDGE_OF).count == arrayOf(diagram, VORPIPE_CELL_NEIGHBORS).count);
+  PROMISE(arrayOf(diagram, VORPIPE_EDGE_VERTICES).columns == 2);
+  PROMISE(arrayOf(diagram, VORPIPE_EDGE_ENTRY).count == edges);
+  vorpipe_diagram_free(diagram);
+  diagram = cellsOf(session, input, VORPIPE_MEASURES);
+  REFUSED(VORPIPE_INPUT, "vertices", vorpipe_diagram_array(diagram, VORPIPE_VERTEX_OF, &array));
+  vorpipe_diagram_free(diagram);
+  vorpipe_input_free(input);
+  input = NULL;
+
+  sites.count = 3;
+  sites.x = points;
+  sites.y = points + 1;
+  sites.position_stride = 2 * sizeof(double);
+  DONE(vorpipe_input_create(&sites, &input));
+  DONE(vorpipe_input_set_box(input, 0, 0, 1, 1, VORPIPE_PERIODIC_NONE));
+  DONE(vorpipe_locator_create(input, 1, &locator));
+  DONE(vorpipe_locator_find(locator, places, 3, found));
+  PROMISE(found[0] == 0 && found[1] == 1 && found[2] == VORPIPE_NO_SITE);
+  DONE(vorpipe_locator_find(locator, NULL, 0, NULL));
+  vorpipe_locator_free(locator);
+  vorpipe_input_free(input);
+}
+
 void cells_promises(vorpipe_session* session) {
+  sharedAndFound(session);
   halves(session);
   shapes(session);
   formats(session);

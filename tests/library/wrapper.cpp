@@ -51,8 +51,14 @@ int main() {
   const vorpipe::Picture picture = session.render(random);
   promise(picture.width() == 1000 && picture.ids().size() == 1000000 && picture.check(), "pictures");
 
-  promise(thrownBy([&] { session.cells(random, {}, [](auto, double) { return false; }); }) == VORPIPE_CANCELLED,
-          "a run that is stopped");
+  const auto found = vorpipe::Locator(input).find({{0.1, 0.1}, {0.9, 0.1}, {3, 3}});
+  promise(found[0] == 0 && found[1] == 1 && found[2] == VORPIPE_NO_SITE, "places");
+  promise(cells.edgeCells().size() == cells.sharedVertices().size() + 1,
+          "edges and vertices that cells share");
+
+  promise(
+      thrownBy([&] { session.cells(random, {}, [](auto, double) { return false; }); }) == VORPIPE_CANCELLED,
+      "a run that is stopped");
   try {
     session.cells(random, {}, [](auto, double) -> bool { throw 42; });
     promise(false, "an exception of the caller's comes through");

@@ -278,7 +278,15 @@ enum {
   VORPIPE_CELL_RING_STARTS = 12,   /* uint64: where rings begin in vertices; of domains with an outline */
   VORPIPE_CELL_MASS = 13,          /* by site: double; with a density */
   VORPIPE_CELL_MASS_CENTROID = 14, /* by site: 2 doubles; with a density */
-  VORPIPE_TRIANGLES = 15           /* 3 uint32: the Delaunay or regular triangulation of the sites */
+  VORPIPE_TRIANGLES = 15,          /* 3 uint32: the Delaunay or regular triangulation of the sites */
+  /* What cells share, found when first asked for. An entry is an index into vertices, neighbors and edge
+   * lengths. Of VORPIPE_EVERYTHING and VORPIPE_POLYGONS. */
+  VORPIPE_SHARED_VERTICES = 16, /* 2 doubles: each vertex once */
+  VORPIPE_VERTEX_OF = 17,       /* by entry: uint32, its shared vertex */
+  VORPIPE_EDGE_OF = 18,         /* by entry: uint32, its edge */
+  VORPIPE_EDGE_ENTRY = 19,      /* by edge: uint64, its first entry */
+  VORPIPE_EDGE_VERTICES = 20,   /* by edge: 2 uint32, shared vertices */
+  VORPIPE_EDGE_CELLS = 21       /* by edge: 2 int64, sites; the second may be a wall */
 };
 
 /* Writes an array of the diagram, which it keeps. One that this diagram does not have is empty. */
@@ -308,6 +316,21 @@ typedef struct vorpipe_cells_difference {
 VORPIPE_API vorpipe_code vorpipe_diagrams_compare(const vorpipe_diagram* a, const vorpipe_diagram* b,
                                                   vorpipe_cells_difference* difference);
 
+/* ---- Places ---- */
+
+/* Where a place or a pixel has none. */
+#define VORPIPE_NO_SITE 0xFFFFFFFFu
+
+/* Finds the sites in whose cells places lie, without the cells. May be used by several threads at a time. */
+typedef struct vorpipe_locator vorpipe_locator;
+VORPIPE_API vorpipe_code vorpipe_locator_create(const vorpipe_input* input, int32_t threads,
+                                                vorpipe_locator** locator);
+VORPIPE_API void vorpipe_locator_free(vorpipe_locator* locator);
+/* `places` are `count` pairs of x and y; `sites` gets as many, VORPIPE_NO_SITE where a place is not in the
+ * domain. */
+VORPIPE_API vorpipe_code vorpipe_locator_find(const vorpipe_locator* locator, const double* places,
+                                              uint64_t count, uint32_t* sites);
+
 /* ---- Pictures ---- */
 
 typedef int32_t vorpipe_color;
@@ -332,9 +355,6 @@ VORPIPE_API vorpipe_code vorpipe_render(vorpipe_session* session, const vorpipe_
 /* Reads a PNG, which has pixels, or ids out of an .npy, which has ids, and nothing else. */
 VORPIPE_API vorpipe_code vorpipe_picture_read(const char* path, vorpipe_picture** picture);
 VORPIPE_API void vorpipe_picture_free(vorpipe_picture* picture);
-
-/* In ids: no site. */
-#define VORPIPE_NO_SITE 0xFFFFFFFFu
 
 /* Rows of pixels, the top one first. */
 typedef int32_t vorpipe_picture_field;
