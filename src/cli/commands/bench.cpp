@@ -234,10 +234,8 @@ std::string wrongTable(const std::string& text) {
 
 void addBench(CommandLine& line) {
   auto command = std::make_shared<BenchCommand>();
-  Options options = line.addSubcommand(
-      "bench",
-      "measures how fast it is, and prints tables in Markdown: scaling, stages, inputs, memory, thesis",
-      [command] { return bench(*command); });
+  Options options = line.addSubcommand("bench", "measures how fast it is, and prints tables in Markdown",
+                                       [command] { return bench(*command); });
   options.addList("TABLE",
                   {"",
                    wrongTable,
@@ -245,16 +243,18 @@ void addBench(CommandLine& line) {
                    {tableNames(), {}}},
                   fmt::format("what is measured: {} [all, up to {} sites: some minutes]", anyOf(tableNames()),
                               quick_sites));
-  addParsed(options, "--backend", command->backends, "NAME[,NAME...]",
-            fmt::format("on what: {} [all that can be used]", fmt::join(backendNames(), ", ")),
-            parseBackendList, {backendNames(), {}, true});
+  addParsed(
+      options, "--backend", command->backends, "NAME[,NAME...]",
+      fmt::format("what computes: one or more of {} [all that can be used]", fmt::join(backendNames(), ", ")),
+      parseBackendList, {backendNames(), {}, true});
   addDeviceChoice(options, command->backend);
   const auto whole = [](std::uint64_t most) {
     return [most](std::string_view text) { return parseWhole(text, 1, most); };
   };
-  addParsed(options, "--repetitions", command->repetitions, "N",
-            fmt::format("of each measurement, after one to warm up [{}]", bench::usual_repetitions),
-            whole(most_repetitions));
+  addParsed(
+      options, "--repetitions", command->repetitions, "N",
+      fmt::format("how often each is measured, after one time to warm up [{}]", bench::usual_repetitions),
+      whole(most_repetitions));
   addParsed(options, "--max-sites", command->max_sites, "N", "leaves out what has more sites",
             whole(all_sites));
   addParsed(options, "--max-side", command->max_side, "N", "leaves out pictures with longer sides",
@@ -265,7 +265,7 @@ void addBench(CommandLine& line) {
       [](std::string_view text) { return Parsed<std::string>(text); },
       [sites = &command->sites](std::string path) { sites->push_back(std::move(path)); }, sitesChoices());
   addRunOptions(options, command->backend, command->memory_limit);
-  addAnyFile(options, "--json", command->json, {".json"}, "every figure with all its samples");
+  addAnyFile(options, "--json", command->json, {".json"}, "every figure with all its samples, in JSON");
   addAnyFile(options, "--markdown", command->markdown, {".md"}, "what is printed, in a file");
   addFile(options, "--plot", command->plot, ".svg", "the curves");
   addTalkOptions(options, command->talk);

@@ -134,7 +134,7 @@ void addDiff(CommandLine& line) {
   const Choices compared{{}, {".npy", ".png"}};
   options.addText("A", command->a, "FILE", "one id array or picture", compared).required();
   options.addText("B", command->b, "FILE", "another of the same kind", compared).required();
-  addFile(options, "-o", command->png, ".png", "where they differ: red is wrong, yellow a tie");
+  addFile(options, "-o", command->png, ".png", "a picture of where they differ: red is wrong, yellow a tie");
   addInputOptions(options, command->input);
   addTalkOptions(options, command->talk);
 }

@@ -138,7 +138,7 @@ void addPictureOptions(Options& options, RenderCommand& command) {
             fmt::format("the colors: {} [{}]", anyOf(colormaps()), command.picture.colormap), parseColormap,
             {colormaps(), {}});
   options.addFlag("--edges", command.picture.edges, "darkens the edges of the cells");
-  options.addFlag("--show-sites", command.picture.show_sites, "a dot at each site");
+  options.addFlag("--show-sites", command.picture.show_sites, "draws a dot at each site");
 }
 
 }  // namespace

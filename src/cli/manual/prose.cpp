@@ -61,15 +61,16 @@ Prose ofCells() {
 }
 
 Prose ofDiff() {
-  return {
-      "diff",
-      {"Two id arrays, as `vorpipe render --ids` writes them, or two pictures. With `--sites` and what else "
-       "the arrays were made with, a pixel whose center lies within 1/128 of a pixel of the bisector of its "
-       "two sites is a tie, and any other difference is wrong; without, every difference is."},
-      {{"Compare what two backends draw:",
-        {"vorpipe render --backend cpu --sites square:100 --ids a.npy",
-         "vorpipe render --backend opengl --sites square:100 --ids b.npy",
-         "vorpipe diff a.npy b.npy --sites square:100 -o where.png"}}}};
+  return {"diff",
+          {"`vorpipe render --ids` writes id arrays. With `--sites`, and what else they were made with, a "
+           "pixel whose "
+           "center lies within 1/128 of a pixel of the bisector of its two sites is a tie, and any other "
+           "difference "
+           "is wrong. Without `--sites`, and in pictures, every difference is."},
+          {{"Compare what two backends draw:",
+            {"vorpipe render --backend cpu --sites square:100 --ids a.npy",
+             "vorpipe render --backend opengl --sites square:100 --ids b.npy",
+             "vorpipe diff a.npy b.npy --sites square:100 -o where.png"}}}};
 }
 
 Prose ofCompare() {
@@ -92,13 +93,16 @@ Prose ofDevices() {
 }
 
 Prose ofBench() {
-  return {
-      "bench",
-      {"Tables are printed in Markdown: how time grows with sites, what each stage takes, kinds of input, "
-       "memory, and the measurements of the thesis that the method comes from. Without a table all are "
-       "measured up to a size that takes some minutes."},
-      {{"Measure small inputs on the CPU, and draw the curves:",
-        {"vorpipe bench scaling --backend cpu --max-sites 10000 --repetitions 3 --plot scaling.svg"}}}};
+  return {"bench",
+          {"The tables say how time grows with sites, what each stage of a run takes, how kinds of input "
+           "differ, what "
+           "memory it takes, and have the measurements of the thesis that the method comes from. Where none "
+           "is named "
+           "all are measured, up to a size that takes some minutes."},
+          {{"See how kinds of input differ on the CPU:",
+            {"vorpipe bench inputs --backend cpu --max-sites 10000 --json inputs.json"}},
+           {"Draw how time grows with sites and with pixels:",
+            {"vorpipe bench scaling --backend cpu --max-sites 1000 --max-side 500 --plot scaling.svg"}}}};
 }
 
 Prose ofSelftest() {

@@ -24,7 +24,7 @@ CLI::Option* addTexts(CLI::App& app, const std::string& name, Value value, const
 
 /// The flags of the program and of each subcommand.
 void addCommonFlags(CLI::App& app, const std::string& version_line) {
-  app.set_help_flag("-h,--help", "prints this");
+  app.set_help_flag("-h,--help", "prints the options");
   app.set_version_flag("--version", version_line, "prints the version");
 }
 

@@ -26,9 +26,10 @@ std::vector<std::string> strings(const std::vector<std::string_view>& names) {
 
 std::string sitesDescription() {
   return fmt::format(
-      "the sites: {}:N, made by a generator; or a file, {}, of which .csv has a header that names x, y and "
-      "optionally weight or radius; - is CSV on standard input",
-      fmt::join(patternNames(), ":N, "), anyOf(strings(sitesExtensions())));
+      "the sites: a file ({}), - for CSV on standard input, or a generator ({}:N). The header of CSV names "
+      "x, y "
+      "and optionally weight or radius",
+      anyOf(strings(sitesExtensions())), fmt::join(patternNames(), ":N, "));
 }
 
 /// --weights, --random-weights
@@ -40,7 +41,7 @@ void addWeightOptions(Options& options, InputOptions& input, const Option& sites
                   "diagram); a radius r is the weight r^2",
                   anyOf(weights_extensions)));
   addParsed(options, "--random-weights", input.random_weights, "LO,HI",
-            "for generators: weights evenly distributed from LO to HI, by --seed", parseWeightRange)
+            "weights of generated sites, evenly distributed from LO to HI, by --seed", parseWeightRange)
       .needs(sites)
       .excludes(file);
   file.needs(sites);
@@ -72,13 +73,14 @@ Option addInputOptions(Options& options, InputOptions& input) {
   addParsed(options, "--seed", input.seed, "S", "seed of the generator [1]", [](std::string_view text) {
     return parseWhole(text, 0, UINT64_MAX);
   }).needs(sites);
-  addParsed(options, "--domain", input.domain, "BOX or FILE",
-            fmt::format(
-                "what is drawn and measured: the box XMIN,YMIN,XMAX,YMAX [0,0,1,1; for files the box of the "
-                "sites, grown by 5 % of its longer side]; or an outline, polygons with holes, in a file, {}, "
-                "in the square around which generators spread their sites",
-                anyOf(outlineExtensions())),
-            parseDomain, {{}, outlineExtensions()})
+  addParsed(
+      options, "--domain", input.domain, "BOX or FILE",
+      fmt::format(
+          "what is drawn and measured: the box XMIN,YMIN,XMAX,YMAX [0,0,1,1; for files the box of the "
+          "sites, grown by 5 % of its longer side], or a file with its outline, polygons with holes ({}); "
+          "generators fill the square around an outline",
+          anyOf(outlineExtensions())),
+      parseDomain, {{}, outlineExtensions()})
       .needs(sites);
   addWeightOptions(options, input, sites);
   addParsed(options, "--periodic", input.periodic, anyOf(periodicNames()),
@@ -116,8 +118,8 @@ void addMaskOptions(Options& options, Mask& mask) {
       {featureNames(), {}});
   addRepeatable(
       options, "--limit", "NAME=VALUE",
-      fmt::format("pretend that devices have a smaller limit, as in maxTexelBufferElements=65536: "
-                  "{}; repeatable",
+      fmt::format("pretend that devices have a smaller limit: {}, as in maxTexelBufferElements=65536; "
+                  "repeatable",
                   fmt::join(limitNames(), ", ")),
       parseLimit, [&mask](auto limit) { mask.limits.push_back(std::move(limit)); }, std::move(limits));
 }
@@ -126,7 +128,8 @@ void addRunOptions(Options& options, BackendOptions& backend, std::optional<std:
   addThreads(options, backend.threads);
   backend.validation = validationAskedByEnvironment();
   options.addFlag("--validate", backend.validation,
-                  "Vulkan validation layers; a message of theirs fails the run [VORPIPE_VALIDATION=1]");
+                  "turns on Vulkan's validation layers; a message of theirs fails the run [on where "
+                  "VORPIPE_VALIDATION is 1]");
   addParsed(options, "--memory-limit", memory_limit, "SIZE",
             "the most memory to take, as in 8GiB or 500MB: a run that needs more is refused before it begins "
             "[what this machine, and the groups and limits that it runs in, have left]",
@@ -135,10 +138,10 @@ void addRunOptions(Options& options, BackendOptions& backend, std::optional<std:
 }
 
 void addSearchOptions(Options& options, SearchOptions& search) {
-  addParsed(
-      options, "--search", search, fmt::format("{}[:K]", anyOf(searchNames())),
-      "how neighbors are found: a uniform grid, or the K nearest by FLANN, K from 3 to 1024 (30) [grid]",
-      parseSearch, {searchNames(), {}});
+  addParsed(options, "--search", search, fmt::format("{}[:K]", anyOf(searchNames())),
+            "how neighbors are found: on a uniform grid, or among the K nearest by FLANN, K from 3 to 1024 "
+            "[grid; K 30]",
+            parseSearch, {searchNames(), {}});
 }
 
 void addSizeOption(Options& options, std::optional<PictureSize>& size) {
@@ -148,7 +151,7 @@ void addSizeOption(Options& options, std::optional<PictureSize>& size) {
 
 void addTalkOptions(Options& options, TalkOptions& talk) {
   const Option quiet = options.addFlag("--quiet", talk.quiet, "prints nothing but errors");
-  options.addFlag("--verbose", talk.verbose, "also says why a backend was taken, on a terminal")
+  options.addFlag("--verbose", talk.verbose, "also says, on a terminal, why a backend was taken")
       .excludes(quiet);
 }
 
