@@ -1,143 +1,140 @@
 #include "io/arrays/zip_file.h"
 
-#include <fmt/core.h>
-#include <zip.h>
+#include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <tuple>
+#include <limits>
 #include <vector>
 
-#include "io/arrays/zip_plan.h"
-#include "io/files/error.h"
+#include "io/files/byte_order.h"
+
+// APPNOTE.TXT, the format's description by PKWARE, version 6.3.10: sections 4.3.7 (header of an
+// entry), 4.3.12 (its record in the directory), 4.3.14 to 4.3.16 (the end), 4.5.3 (the extra field of Zip64).
 
 namespace vorpipe {
 namespace {
 
-/// What libzip reads an entry from.
-struct EntryReader {
-  ZipPlan* plan;
-  const ZipEntry* entry;
-  std::uint64_t position = 0;
-  zip_error_t error{};
+/// A field of 16 or 32 bits that holds this has its value elsewhere, in 64 bits.
+constexpr std::uint16_t elsewhere_16 = 0xFFFF;
+constexpr std::uint32_t elsewhere_32 = 0xFFFFFFFF;
+/// The versions of the format that a reader must know, without Zip64 and with it.
+constexpr std::uint16_t plain_version = 10, zip64_version = 45;
+/// Made on Unix, by a program that knows version 6.3.
+constexpr std::uint16_t made_by = 3 << 8 | 63;
 
-  std::uint64_t read(char* to, std::uint64_t length) {
-    plan->reading = entry;
-    const std::uint64_t head = entry->head.size();
-    std::size_t count = 0;
-    if (position < head) {
-      count = entry->head.copy(to, length, position);
-    } else if (position - head < entry->body.size && length > 0) {
-      count = entry->body.read(position - head, to, length);
-    }
-    position += count;
-    return count;
-  }
+/// What the directory says of an entry besides its name.
+struct EntryRecord {
+  std::uint64_t begin;  ///< where its header stands in the archive
+  std::uint64_t size;   ///< of head and body
+  std::uint32_t checksum;
 };
 
-/// zip_source_callback of an EntryReader.
-zip_int64_t onEntry(void* user, void* data, zip_uint64_t length, zip_source_cmd_t command) {
-  auto& reader = *static_cast<EntryReader*>(user);
-  switch (command) {
-    case ZIP_SOURCE_SUPPORTS:
-      return zip_source_make_command_bitmap(ZIP_SOURCE_OPEN, ZIP_SOURCE_READ, ZIP_SOURCE_CLOSE,
-                                            ZIP_SOURCE_STAT, ZIP_SOURCE_ERROR, ZIP_SOURCE_FREE, -1);
-    case ZIP_SOURCE_OPEN:
-      reader.position = 0;
-      return 0;
-    case ZIP_SOURCE_READ:
-      return static_cast<zip_int64_t>(reader.read(static_cast<char*>(data), length));
-    case ZIP_SOURCE_CLOSE:
-      reader.plan->reading = nullptr;
-      return 0;
-    case ZIP_SOURCE_STAT:
-      return zipStatOf(reader.entry->head.size() + reader.entry->body.size, data);
-    case ZIP_SOURCE_ERROR:
-      return zip_error_to_data(&reader.error, data, length);
-    case ZIP_SOURCE_FREE:
-      return 0;
-    default:
-      zip_error_set(&reader.error, ZIP_ER_OPNOTSUPP, 0);
-      return -1;
-  }
+/// Appends numbers, each in as many bytes as its type has.
+template <class... Numbers>
+void put(std::string& bytes, Numbers... numbers) {
+  (appendNumber<std::endian::little>(bytes, numbers), ...);
 }
 
-struct Discard {
-  void operator()(zip_t* archive) const { zip_discard(archive); }
-};
-using Archive = std::unique_ptr<zip_t, Discard>;
-
-Archive openPlan(ZipPlan& plan, zip_error_t& error) {
-  zip_source_t* const target = zip_source_function_create(onZipPlan, &plan, &error);
-  if (target == nullptr) {
-    return nullptr;
-  }
-  Archive archive(zip_open_from_source(target, ZIP_CREATE | ZIP_TRUNCATE, &error));
-  if (!archive) {
-    zip_source_free(target);
-  }
-  return archive;
+std::uint32_t narrow32(std::uint64_t value) {
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(value, elsewhere_32));
 }
 
-bool addEntry(zip_t* archive, EntryReader& reader) {
-  constexpr zip_uint16_t midnight = 0, first_of_january_1980 = 0x21;
-  zip_source_t* const source = zip_source_function(archive, onEntry, &reader);
-  if (source == nullptr) {
-    return false;
-  }
-  const zip_int64_t index = zip_file_add(archive, reader.entry->name.c_str(), source, ZIP_FL_ENC_UTF_8);
-  if (index < 0) {
-    zip_source_free(source);
-    return false;
-  }
-  const auto number = static_cast<zip_uint64_t>(index);
-  return zip_set_file_compression(archive, number, ZIP_CM_STORE, 0) == 0 &&
-         zip_file_set_dostime(archive, number, midnight, first_of_january_1980, 0) == 0;
+std::uint16_t narrow16(std::uint64_t value) {
+  return static_cast<std::uint16_t>(std::min<std::uint64_t>(value, elsewhere_16));
 }
 
-/// The error is in libzip's words.
-tl::expected<void, std::string> makePlan(ZipPlan& plan, std::span<const ZipEntry> entries) {
-  std::vector<EntryReader> readers;
-  readers.reserve(entries.size());
-  zip_error_t error;
-  zip_error_init(&error);
-  Archive archive = openPlan(plan, error);
-  if (!archive) {
-    return tl::unexpected<std::string>(zip_error_strerror(&error));
-  }
-  for (const ZipEntry& entry : entries) {
-    readers.push_back({&plan, &entry});
-    if (!addEntry(archive.get(), readers.back())) {
-      return tl::unexpected<std::string>(zip_strerror(archive.get()));
-    }
-  }
-  if (zip_close(archive.get()) != 0) {
-    return tl::unexpected<std::string>(zip_strerror(archive.get()));
-  }
-  std::ignore = archive.release();  // zip_close has freed it
-  return {};
+bool isWide(std::uint64_t value) { return value >= elsewhere_32; }
+
+/// The extra field of Zip64 with those numbers; empty where there are none.
+std::string zip64Field(std::span<const std::uint64_t> numbers) {
+  constexpr std::uint16_t zip64_tag = 1;
+  std::string field;
+  if (numbers.empty()) return field;
+  put(field, zip64_tag, static_cast<std::uint16_t>(numbers.size_bytes()));
+  for (const std::uint64_t number : numbers) put(field, number);
+  return field;
 }
 
-Result<void> writePiece(ByteSink& sink, const ZipPiece& piece) {
-  if (piece.entry == nullptr) {
-    return sink.write(piece.bytes);
+/// What header and directory have in common, from the version to the lengths of the name and of `extra`.
+void putCommon(std::string& bytes, const std::string& name, const EntryRecord& record,
+               const std::string& extra) {
+  constexpr std::uint16_t no_flags = 0, stored = 0, midnight = 0, first_of_january_1980 = 0x21;
+  assert(name.size() < elsewhere_16);
+  put(bytes, extra.empty() ? plain_version : zip64_version, no_flags, stored, midnight, first_of_january_1980,
+      record.checksum, narrow32(record.size), narrow32(record.size), static_cast<std::uint16_t>(name.size()),
+      static_cast<std::uint16_t>(extra.size()));
+}
+
+/// The header that stands before an entry.
+std::string headerOf(const std::string& name, const EntryRecord& record) {
+  constexpr std::uint32_t signature = 0x04034B50;
+  const std::array sizes{record.size, record.size};
+  const std::string extra = isWide(record.size) ? zip64Field(sizes) : std::string();
+  std::string header;
+  put(header, signature);
+  putCommon(header, name, record, extra);
+  return header + name + extra;
+}
+
+/// An entry's record in the directory; the extra field has what is wide, and nothing else.
+std::string directoryRecord(const std::string& name, const EntryRecord& record) {
+  constexpr std::uint32_t signature = 0x02014B50, regular_file = 0100666u << 16;
+  constexpr std::uint16_t no_comment = 0, disk = 0, no_attributes = 0;
+  std::vector<std::uint64_t> wide;
+  if (isWide(record.size)) wide.insert(wide.end(), {record.size, record.size});
+  if (isWide(record.begin)) wide.push_back(record.begin);
+  const std::string extra = zip64Field(wide);
+  std::string bytes;
+  put(bytes, signature, made_by);
+  putCommon(bytes, name, record, extra);
+  put(bytes, no_comment, disk, no_attributes, regular_file, narrow32(record.begin));
+  return bytes + name + extra;
+}
+
+/// What ends an archive: the directory with so many records stands at `begin`, and ends where this begins.
+std::string endOf(std::uint64_t records, std::uint64_t begin, std::uint64_t end) {
+  constexpr std::uint32_t zip64_signature = 0x06064B50, locator_signature = 0x07064B50,
+                          signature = 0x06054B50, disk = 0, disks = 1;
+  constexpr std::uint16_t short_disk = 0, no_comment = 0;
+  const std::uint64_t size = end - begin;
+  std::string bytes;
+  if (records >= elsewhere_16 || isWide(size) || isWide(begin)) {
+    constexpr std::uint64_t rest_of_record = 44;
+    put(bytes, zip64_signature, rest_of_record, made_by, zip64_version, disk, disk, records, records, size,
+        begin);
+    put(bytes, locator_signature, disk, end, disks);
   }
-  if (auto written = sink.write(piece.entry->head); !written) {
-    return written;
-  }
-  std::array<char, std::size_t{1} << 16> chunk;
-  const ZipBody& body = piece.entry->body;
-  for (std::uint64_t offset = 0; offset < body.size;) {
-    const std::size_t count = body.read(offset, chunk.data(), chunk.size());
-    if (auto written = sink.write({chunk.data(), count}); !written) {
-      return written;
-    }
+  put(bytes, signature, short_disk, short_disk, narrow16(records), narrow16(records), narrow32(size),
+      narrow32(begin), no_comment);
+  return bytes;
+}
+
+/// Calls `use(bytes)` with the pieces of an entry, in order, until one is refused.
+template <class Use>
+Result<void> eachPiece(const ZipEntry& entry, const Use& use) {
+  Result<void> used = use(std::string_view(entry.head));
+  std::array<char, std::size_t{1} << 16> piece;
+  for (std::uint64_t offset = 0; used && offset < entry.body.size;) {
+    const std::size_t count = entry.body.read(offset, piece.data(), piece.size());
+    assert(count > 0);
+    used = use(std::string_view(piece.data(), count));
     offset += count;
   }
-  return {};
+  return used;
+}
+
+/// A reader that has no directory yet, of a pipe, needs the checksum in the header, before the bytes.
+std::uint32_t checksumOf(const ZipEntry& entry) {
+  uLong checksum = 0;
+  const auto add = [&](std::string_view bytes) -> Result<void> {
+    checksum = crc32_z(checksum, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
+    return {};
+  };
+  // Nothing here can be refused.
+  static_cast<void>(eachPiece(entry, add));
+  return static_cast<std::uint32_t>(checksum);
 }
 
 }  // namespace
@@ -150,24 +147,24 @@ ZipBody zipBody(std::string_view bytes) {
 
 Result<void> writeZip(ByteSink& sink, std::span<const ZipEntry> entries) {
   assert(!entries.empty());
-  ZipPlan plan;
-  if (const auto made = makePlan(plan, entries); !made) {
-    return deviceError(fmt::format("{}: could not be made a zip archive: {}", sink.name(), made.error()));
-  }
   std::uint64_t end = 0;
-  for (const auto& [begin, piece] : plan.pieces) {
-    if (begin != end) {
-      return deviceError(
-          fmt::format("{}: this libzip writes archives in an order that is not understood; "
-                      "another version of it is needed",
-                      sink.name()));
-    }
-    if (auto written = writePiece(sink, piece); !written) {
-      return written;
-    }
-    end += piece.size();
+  const auto write = [&](std::string_view bytes) {
+    end += bytes.size();
+    return sink.write(bytes);
+  };
+  std::vector<EntryRecord> records;
+  records.reserve(entries.size());
+  for (const ZipEntry& entry : entries) {
+    records.push_back({end, entry.head.size() + entry.body.size, checksumOf(entry)});
+    auto written = write(headerOf(entry.name, records.back()));
+    if (written) written = eachPiece(entry, write);
+    if (!written) return written;
   }
-  return {};
+  const std::uint64_t directory = end;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (auto written = write(directoryRecord(entries[i].name, records[i])); !written) return written;
+  }
+  return sink.write(endOf(records.size(), directory, end));
 }
 
 }  // namespace vorpipe

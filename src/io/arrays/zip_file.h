@@ -23,16 +23,16 @@ struct ZipBody {
 /// A body of bytes that stay where they are.
 ZipBody zipBody(std::string_view bytes);
 
-/// A file inside an archive: `head`, then `body`, which is read twice.
+/// A file inside an archive: `head`, then `body`, which is read twice. The name is in ASCII.
 struct ZipEntry {
   std::string name;
   std::string head;
   ZipBody body;
 };
 
-/// Writes an archive of at least one entry, stored without compression, and with a fixed time, so that
-/// equal entries give equal bytes. Takes no more memory than the archive's headers. Error (device):
-/// writing failed.
+/// Writes an archive of at least one entry, stored without compression, and with a fixed time, so that equal
+/// entries give equal bytes; as Zip64 only where a size, a place or the number of entries asks for it. Takes
+/// 24 bytes of memory for each entry (decision D91). Error (device): writing failed.
 Result<void> writeZip(ByteSink& sink, std::span<const ZipEntry> entries);
 
 }  // namespace vorpipe

@@ -1,7 +1,7 @@
-#include "io/cells/byte_order.h"
 #include "io/cells/cell_records.h"
 #include "io/cells/cells_file.h"
 #include "io/cells/cells_mesh.h"
+#include "io/files/byte_order.h"
 
 namespace vorpipe {
 namespace {

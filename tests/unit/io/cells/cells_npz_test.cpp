@@ -2,13 +2,11 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include <cstdlib>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "io/arrays/npy_array.h"
-#include "io/arrays/zip_file.h"
 #include "unit/io/cells/cells_fixture.h"
 
 namespace vorpipe::test {
@@ -96,34 +94,6 @@ TEST_F(CellsFile, NpzGoesThroughAPipe) {
     ASSERT_TRUE(file->commit());
   }
   EXPECT_EQ(received, expected);
-}
-
-/// The bytes that libzip writes at once are fewer than those of an entry.
-TEST_F(CellsFile, ZipKeepsLargeAndEmptyEntries) {
-  std::string large;
-  for (int i = 0; large.size() < 1'000'003; ++i) {
-    large += std::to_string(i);
-  }
-  large.resize(1'000'003);
-  const std::vector<ZipEntry> entries = {{"a", "", zipBody(large)},
-                                         {"b", "", zipBody("")},
-                                         {"c", "head ", zipBody("body")},
-                                         {"d", "x", zipBody("")}};
-  auto file = OutputFile::create(path("a.zip"));
-  ASSERT_TRUE(file);
-  const auto result = writeZip(*file, entries);
-  ASSERT_TRUE(result) << result.error().message;
-  ASSERT_TRUE(file->commit());
-  write("large", large);
-  if (!numpy("import zipfile\n"
-             "z = zipfile.ZipFile('a.zip')\n"
-             "assert z.namelist() == ['a', 'b', 'c', 'd']\n"
-             "assert z.read('a') == open('large', 'rb').read()\n"
-             "assert z.read('b') == b'' and z.read('c') == b'head body' and z.read('d') == b'x'\n"
-             "assert all(i.date_time == (1980, 1, 1, 0, 0, 0) for i in z.infolist())\n"
-             "assert all(i.compress_type == zipfile.ZIP_STORED for i in z.infolist())\n")) {
-    GTEST_SKIP() << without_numpy;
-  }
 }
 
 }  // namespace

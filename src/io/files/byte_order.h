@@ -5,13 +5,11 @@
 #include <array>
 #include <bit>
 
-#include "io/cells/cell_records.h"
-
 namespace vorpipe {
 
-/// Appends a number's bytes in the order given.
-template <std::endian order, class Number>
-void appendNumber(Bytes& bytes, Number number) {
+/// Appends a number's bytes in the order given, to a string or another buffer of char.
+template <std::endian order, class Buffer, class Number>
+void appendNumber(Buffer& bytes, Number number) {
   auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);
   if constexpr (order != std::endian::native) {
     std::reverse(raw.begin(), raw.end());

@@ -1,0 +1,5 @@
+find_package(ZLIB QUIET)
+if(TARGET ZLIB::ZLIB)
+  add_library(dep::zlib INTERFACE IMPORTED)
+  target_link_libraries(dep::zlib INTERFACE ZLIB::ZLIB)
+endif()
