@@ -17,11 +17,9 @@ int main() {
     std::fprintf(stderr, "%s\n", diagram.error().message.c_str());
     return 3;
   }
-  for (std::size_t i = 0; i < sites.size(); ++i) {
-    std::printf("site %zu: area %g, neighbors", i, diagram->area[i]);
-    for (auto k = diagram->cell_offsets[i]; k < diagram->cell_offsets[i + 1]; ++k) {
-      std::printf(" %lld", static_cast<long long>(diagram->neighbors[k]));
-    }
+  for (const vorpipe::Cell cell : *diagram) {
+    std::printf("site %zu: area %g, neighbors", cell.index(), cell.area());
+    for (const auto neighbor : cell.neighbors()) std::printf(" %lld", static_cast<long long>(neighbor));
     std::printf("\n");
   }
   const auto broken = vorpipe::check(sites, options, *diagram);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include "backend/registry/registry.h"
 #include "base/inside.h"
 #include "base/parallel.h"
+#include "core/locate/block_order.h"
 #include "core/outline/edge_tree.h"
 #include "core/periodic/band.h"
 #include "core/sites/bin_sort.h"
@@ -22,6 +24,8 @@ using namespace core;
 namespace {
 
 constexpr std::size_t grain = 1 << 12;
+/// Places that are put into an order.
+constexpr std::size_t most_at_once = std::size_t{1} << 20;
 
 /// A valid outline, to ask which places it holds.
 struct OutlineSearch {
@@ -133,9 +137,14 @@ std::uint32_t Locator::at(Point place) const { return state_->at(place); }
 
 void Locator::at(std::span<const Point> places, std::span<std::uint32_t> sites) const {
   assert(places.size() == sites.size());
-  parallelFor(places.size(), grain, state_->threads, [&](std::size_t begin, std::size_t end) {
-    for (auto k = begin; k < end; ++k) sites[k] = state_->at(places[k]);
-  });
+  // In any order each search would read memory that no cache has, which takes ten times as long.
+  for (std::size_t first = 0; first < places.size(); first += most_at_once) {
+    const auto some = places.subspan(first, std::min(most_at_once, places.size() - first));
+    const auto order = orderByBlocks(some, state_->domain);
+    parallelFor(some.size(), grain, state_->threads, [&](std::size_t begin, std::size_t end) {
+      for (auto k = begin; k < end; ++k) sites[first + order[k]] = state_->at(some[order[k]]);
+    });
+  }
 }
 
 }  // namespace vorpipe

@@ -88,7 +88,11 @@ TEST(Locator, findsManyPlacesAsItFindsOne) {
   Random random(3);
   const Sites sites = generate(Pattern::clusters, 20'000, 4);
   const Locator locator = located(sites, unit_cells);
-  const auto places = somePlaces(30'000, random, {-0.1, -0.1, 1.1, 1.1});
+  auto places = somePlaces(30'000, random, {-0.1, -0.1, 1.1, 1.1});
+  const double infinite = std::numeric_limits<double>::infinity();
+  places[3] = {infinite, 0.5};
+  places[4] = {0.5, -infinite};
+  places[5] = {infinite - infinite, infinite - infinite};
   std::vector<std::uint32_t> found(places.size());
   locator.at(places, found);
   for (std::size_t k = 0; k < places.size(); ++k) ASSERT_EQ(found[k], locator.at(places[k])) << k;
@@ -104,6 +108,16 @@ TEST(Locator, namesTheOwnerOfEqualSites) {
   repeated.periodic = Periodic::xy;
   const Sites copies{{0.5, 1.25, 0.25}, {0.5, 0.25, -0.75}, {}};
   EXPECT_EQ(located(copies, repeated).at({0.25, 0.2}), 1u);
+}
+
+TEST(Locator, givesPlacesBetweenSitesToTheFirst) {
+  const Sites corners{{0.75, 0.25, 0.75, 0.25}, {0.75, 0.25, 0.25, 0.75}, {}};
+  const Locator locator = located(corners, unit_cells);
+  EXPECT_EQ(locator.at({0.5, 0.5}), 0u);
+  EXPECT_EQ(locator.at({0.5, 0.25}), 1u);
+  EXPECT_EQ(locator.at({0.5, 0.75}), 0u);
+  EXPECT_EQ(locator.at({0.75, 0.5}), 0u);
+  EXPECT_EQ(locator.at({std::nextafter(0.75, 1.0), std::nextafter(0.5, 0.0)}), 2u);
 }
 
 TEST(Locator, hasTheSidesOfTheDomainAndNothingBeyond) {

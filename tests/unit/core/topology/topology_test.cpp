@@ -117,7 +117,7 @@ TEST(Topology, ofALatticeHasItsNumbers) {
 }
 
 TEST(Topology, ofManySitesHasThreeEdgesForTwoVertices) {
-  const std::size_t count = 5000;
+  const std::size_t count = 500;
   const Diagram diagram = cellsOf(generate(Pattern::random, count, 8), repeated(Periodic::xy));
   const Topology topology = sharedBy(diagram);
   // But for ties, of which random sites have none.
