@@ -90,8 +90,8 @@ struct Workload {
   int threads = 0;
 };
 
-/// What a run of Session::cells over these sites is about, on a device and with some CPU threads (0: all). Looks at
-/// how the sites lie. Errors: those of sitesAndImages().
+/// What a run of Session::cells over these sites is about, on a device and with some CPU threads (0: all).
+/// Looks at how the sites lie. Errors: those of sitesAndImages().
 Result<Workload> workloadOf(const Sites& sites, const CellsOptions& options, ImagesFor purpose,
                             const DeviceInfo& device, int threads);
 

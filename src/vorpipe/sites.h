@@ -25,9 +25,9 @@ Box boxOf(std::span<const Point> points);
 
 struct Sites;
 
-/// The domain that sites have where none is named: the box of at least one site, grown on every side by 5 % of its
-/// longer side, or by 0.5 where all sites are equal; by more where so little would vanish beside the coordinates.
-/// It is not finite where the sites reach too far.
+/// The domain that sites have where none is named: the box of at least one site, grown on every side by 5 %
+/// of its longer side, or by 0.5 where all sites are equal; by more where so little would vanish beside the
+/// coordinates. It is not finite where the sites reach too far.
 Box domainOf(const Sites& sites);
 
 /// A domain of any shape: polygons with holes, none of which cross or overlap. Ring r has the points
@@ -91,7 +91,8 @@ enum class Pattern : std::uint8_t {
 /// Sites of the patterns without randomness do not depend on seed.
 Sites generate(Pattern pattern, std::uint64_t n, std::uint64_t seed);
 
-/// Sites of the unit square, on the least square around a box with the same center: a pattern keeps its shape.
+/// Sites of the unit square, on the least square around a box with the same center: a pattern keeps its
+/// shape.
 Sites spreadOver(const Box& box, Sites sites);
 
 }  // namespace vorpipe

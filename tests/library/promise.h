@@ -10,12 +10,12 @@
 extern int broken_promises;
 
 /* Says where a promise is broken, and goes on. */
-#define PROMISE(holds)                                                                               \
-  do {                                                                                               \
-    if (!(holds)) {                                                                                  \
-      ++broken_promises;                                                                             \
+#define PROMISE(holds)                                                                                      \
+  do {                                                                                                      \
+    if (!(holds)) {                                                                                         \
+      ++broken_promises;                                                                                    \
       fprintf(stderr, "%s:%d: %s\n    last error: %s\n", __FILE__, __LINE__, #holds, vorpipe_last_error()); \
-    }                                                                                                \
+    }                                                                                                       \
   } while (0)
 
 #define DONE(call) PROMISE((call) == VORPIPE_DONE)

@@ -175,8 +175,8 @@ Result<std::uint64_t> forecastAll(const CompareCommand& command, const Input& in
 Result<ExitCode> compare(const CompareCommand& command) {
   setDriverThreads(command.backend.threads);
   const Stopwatch total;
-  const auto fits = forecastGenerated(command.input, planOf(command, command.size.value_or(PictureSize{1, 1})),
-                                      command.memory_limit);
+  const auto fits = forecastGenerated(
+      command.input, planOf(command, command.size.value_or(PictureSize{1, 1})), command.memory_limit);
   if (!fits) return tl::unexpected(fits.error());
   const auto input = loadInput(command.input);
   if (!input) return tl::unexpected(input.error());

@@ -87,8 +87,8 @@ Result<ExitCode> render(const RenderCommand& command) {
   const Stopwatch total;
   const std::vector<std::string> paths = outputPaths(command);
   if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("picture.png"));
-  const auto fits = forecastGenerated(command.input, planOf(command, command.size.value_or(PictureSize{1, 1})),
-                                      command.memory_limit);
+  const auto fits = forecastGenerated(
+      command.input, planOf(command, command.size.value_or(PictureSize{1, 1})), command.memory_limit);
   if (!fits) return tl::unexpected(fits.error());
   const auto input = loadInput(command.input);
   if (!input) return tl::unexpected(input.error());

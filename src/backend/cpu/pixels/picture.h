@@ -15,8 +15,8 @@ class NearestSite {
 
   /// The index in the set of the site nearest to a place, seen from another, in scaled units, by power, or
   /// no_site where all are hidden. Sites whose squared distances differ by rounding alone are told apart by
-  /// the place's side of their bisector; of those with the place on it the first of the input is taken. From a
-  /// corner of the domain no place in it is rounded by more than its distance to that.
+  /// the place's side of their bisector; of those with the place on it the first of the input is taken. From
+  /// a corner of the domain no place in it is rounded by more than its distance to that.
   [[nodiscard]] std::uint32_t at(Point from, Point p) const;
 
  private:
