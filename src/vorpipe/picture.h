@@ -13,6 +13,14 @@
 
 namespace vorpipe {
 
+/// Pixels.
+struct Size {
+  int width = 0, height = 0;
+};
+
+/// Pixels for a picture of `domain`: the longer side 1000, the other at least 1.
+Size defaultSize(const Box& domain);
+
 enum class ColorBy : std::uint8_t { site, area, neighbors, weight };
 
 struct RenderOptions {

@@ -50,6 +50,11 @@ struct Sites {
   [[nodiscard]] std::size_t size() const { return x.size(); }
 };
 
+/// A domain for at least one finite site, where none is named: their box, grown on every side by 5 % of its
+/// longer side, or by 0.5 where all sites are equal; by more where so little would vanish beside the
+/// coordinates. Its sides may be infinite where sites reach too far.
+Box domainOf(const Sites& sites);
+
 /// The sites as a periodic domain takes them. Along the axes that repeat, a site beyond the domain is moved
 /// into it, by whole periods, and coordinates are rounded to some 2^-52 of the domain's side or of its
 /// largest coordinate, if that is larger: then images are exact copies. Sites that are now equal, modulo the

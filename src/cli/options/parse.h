@@ -16,11 +16,6 @@ namespace vorpipe::cli {
 template <class T>
 using Parsed = tl::expected<T, std::string>;
 
-/// Pixels.
-struct Size {
-  int width = 0, height = 0;
-};
-
 inline constexpr int largest_side = 32768;
 
 /// A whole number from low to high.

@@ -16,8 +16,6 @@
 namespace vorpipe::cli {
 namespace {
 
-constexpr int default_longer_side = 1000;
-
 Result<void> takeWeights(const InputOptions& options, Input& input) {
   const std::string_view option = options.random_weights ? "--random-weights" : "--weights";
   if (!options.random_weights && options.weights.empty()) return {};
@@ -69,7 +67,7 @@ Result<void> takeDomain(const InputOptions& options, Input& input) {
   if (options.domain.box) {
     input.domain = *options.domain.box;
   } else if (!input.seed) {
-    input.domain = domainOfSites(input.sites);
+    input.domain = domainOf(input.sites);
     const Box& box = input.domain;
     if (!std::isfinite(box.xmax - box.xmin) || !std::isfinite(box.ymax - box.ymin)) {
       return inputError("--domain: the sites reach too far for a default, name what to draw");
@@ -138,27 +136,6 @@ Result<void> checkInput(const InputOptions& options, const Input& input, const C
                         int threads) {
   auto checked = vorpipe::checkInput(input.sites, cells, threads);
   return checked ? checked : asOption(std::move(checked.error()), options);
-}
-
-Box domainOfSites(const Sites& sites) {
-  const auto [xmin, xmax] = std::ranges::minmax(sites.x);
-  const auto [ymin, ymax] = std::ranges::minmax(sites.y);
-  const double longer = std::max(xmax - xmin, ymax - ymin);
-  double grown = longer > 0 ? 0.05 * longer : 0.5;
-  // Far from the origin so little may be less than a coordinate can tell; a few thousand steps are not.
-  const double largest = std::max({std::abs(xmin), std::abs(xmax), std::abs(ymin), std::abs(ymax)});
-  const double step = largest - std::nextafter(largest, 0.0);
-  grown = std::max(grown, 4096 * step);
-  return Box{xmin - grown, ymin - grown, xmax + grown, ymax + grown};
-}
-
-Size defaultSize(const Box& domain) {
-  const double width = domain.xmax - domain.xmin, height = domain.ymax - domain.ymin;
-  const auto shorter = [](double part) {
-    return std::max(1, static_cast<int>(std::lround(part * default_longer_side)));
-  };
-  if (width >= height) return Size{default_longer_side, shorter(height / width)};
-  return Size{shorter(width / height), default_longer_side};
 }
 
 }  // namespace vorpipe::cli

@@ -34,11 +34,4 @@ tl::unexpected<Error> asOption(Error error, const InputOptions& options);
 Result<void> checkInput(const InputOptions& options, const Input& input, const CellsOptions& cells,
                         int threads);
 
-/// The box of at least one site, grown on every side by 5 % of its longer side, or by 0.5 where all
-/// sites are equal; by more where so little would vanish beside the coordinates.
-Box domainOfSites(const Sites& sites);
-
-/// Pixels for a picture of `domain`: the longer side 1000, the other at least 1.
-Size defaultSize(const Box& domain);
-
 }  // namespace vorpipe::cli
