@@ -11,6 +11,7 @@ PYBIND11_MODULE(_vorpipe, module) {
   using namespace vorpipe::python;
   module.doc() = "What the package vorpipe is made of; import that.";
   module.attr("__version__") = std::string(vorpipe::version());
+  module.attr("LARGEST_SIDE") = vorpipe::largest_side;
   module.attr("NO_SITE") = vorpipe::no_site;
   module.attr("WALLS") = py::make_tuple(vorpipe::wall_xmin, vorpipe::wall_xmax, vorpipe::wall_ymin,
                                         vorpipe::wall_ymax, vorpipe::wall_outline);

@@ -10,33 +10,41 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// What a point adds to the determinant that says on which side of a circle another one lies, and how large
-/// its terms are where coordinates are off by `unsure`.
-struct Lifted {
-  double x, y;
+/// A point as seen from another one, how far off either coordinate may be, and what both add to determinants.
+struct Seen {
+  double x, y, unsure_x, unsure_y;
   [[nodiscard]] double square() const { return x * x + y * y; }
-  [[nodiscard]] Lifted sized(double unsure) const { return {std::abs(x) + unsure, std::abs(y) + unsure}; }
+  [[nodiscard]] Seen size() const { return {std::abs(x), std::abs(y), 0, 0}; }
+  [[nodiscard]] Seen largest() const { return {std::abs(x) + unsure_x, std::abs(y) + unsure_y, 0, 0}; }
 };
 
-double determinant(const Lifted& a, const Lifted& b, const Lifted& c) {
-  return a.square() * (b.x * c.y - b.y * c.x) - b.square() * (a.x * c.y - a.y * c.x) +
-         c.square() * (a.x * b.y - a.y * b.x);
+Seen seen(const Point& from, const Point& point) {
+  return {point.x - from.x, point.y - from.y, epsilon * std::max(std::abs(point.x), std::abs(from.x)),
+          epsilon * std::max(std::abs(point.y), std::abs(from.y))};
 }
 
-double permanent(const Lifted& a, const Lifted& b, const Lifted& c) {
-  return a.square() * (b.x * c.y + b.y * c.x) + b.square() * (a.x * c.y + a.y * c.x) +
-         c.square() * (a.x * b.y + a.y * b.x);
+double determinant(const Seen& a, const Seen& b) { return a.x * b.y - a.y * b.x; }
+double permanent(const Seen& a, const Seen& b) { return a.x * b.y + a.y * b.x; }
+
+double determinant(const Seen& a, const Seen& b, const Seen& c) {
+  return a.square() * determinant(b, c) - b.square() * determinant(a, c) + c.square() * determinant(a, b);
+}
+double permanent(const Seen& a, const Seen& b, const Seen& c) {
+  return a.square() * permanent(b, c) + b.square() * permanent(a, c) + c.square() * permanent(a, b);
 }
 
-/// Whether d lies on the circle through a, b and c, where coordinates are known to their last place: sites of
-/// a lattice that was turned are as good as on one circle.
+/// Whether a determinant of these is 0 where coordinates are known to their last place: sites of a lattice
+/// that was turned are as good as on one circle, and on one line.
+template <class... Points>
+bool isNothing(const Points&... points) {
+  const double size = permanent(points.size()...), largest = permanent(points.largest()...);
+  return std::abs(determinant(points...)) <= 8 * epsilon * size + (largest - size);
+}
+
+bool areOnLine(const Point& a, const Point& b, const Point& c) { return isNothing(seen(a, b), seen(a, c)); }
+
 bool areOnCircle(const Point& a, const Point& b, const Point& c, const Point& d) {
-  const Lifted da{a.x - d.x, a.y - d.y}, db{b.x - d.x, b.y - d.y}, dc{c.x - d.x, c.y - d.y};
-  const double unsure = epsilon * std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y),
-                                            std::abs(c.x), std::abs(c.y), std::abs(d.x), std::abs(d.y)});
-  const double size = permanent(da.sized(0), db.sized(0), dc.sized(0));
-  const double largest = permanent(da.sized(unsure), db.sized(unsure), dc.sized(unsure));
-  return std::abs(determinant(da, db, dc)) <= 8 * epsilon * size + (largest - size);
+  return isNothing(seen(d, a), seen(d, b), seen(d, c));
 }
 
 class Groups {
@@ -48,7 +56,7 @@ class Groups {
   }
   /// The lower one stands for both, so that the numbers of centers follow those of triangles.
   void join(std::size_t a, std::size_t b) {
-    const auto [low, high] = std::minmax(find(a), find(b));
+    const auto [low, high] = std::minmax({find(a), find(b)});
     parents_[high] = low;
   }
 
@@ -104,6 +112,36 @@ void joinTies(std::span<const Point> points, std::span<const Triangle> triangles
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> flatOnHull(std::span<const Point> points, std::span<const Triangle> triangles,
+                                     std::span<const Adjacent> adjacent) {
+  std::vector<std::uint8_t> are_flat(triangles.size());
+  std::vector<bool> are_on_hull(points.size());
+  std::vector<std::size_t> next;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (adjacent[t][k] >= 0) continue;
+      are_on_hull[triangles[t][(k + 1) % 3]] = are_on_hull[triangles[t][(k + 2) % 3]] = true;
+      next.push_back(t);
+    }
+  }
+  while (!next.empty()) {
+    const std::size_t t = next.back();
+    next.pop_back();
+    const Triangle& corners = triangles[t];
+    const auto inner =
+        std::ranges::find_if(corners, [&](std::uint32_t point) { return !are_on_hull[point]; });
+    // Without a corner inside, the others would lose what holds them together.
+    if (are_flat[t] || inner == corners.end()) continue;
+    if (!areOnLine(points[corners[0]], points[corners[1]], points[corners[2]])) continue;
+    are_flat[t] = true;
+    are_on_hull[*inner] = true;
+    for (const std::int32_t other : adjacent[t]) {
+      if (other >= 0) next.push_back(static_cast<std::size_t>(other));
+    }
+  }
+  return are_flat;
+}
 
 Centers centersOf(std::span<const Point> points, std::span<const Triangle> triangles,
                   std::span<const Adjacent> adjacent) {

@@ -23,6 +23,10 @@ struct Fans {
 };
 Fans fansOf(std::span<const Triangle> triangles, std::span<const Adjacent> adjacent, std::size_t points);
 
+/// Whether each triangle lies between the hull and a point that is on it as far as doubles can tell.
+std::vector<std::uint8_t> flatOnHull(std::span<const Point> points, std::span<const Triangle> triangles,
+                                     std::span<const Adjacent> adjacent);
+
 /// Triangles whose corners lie on one circle, as far as doubles can tell, share a center.
 struct Centers {
   std::vector<std::int32_t> of_triangle;  ///< index of its center

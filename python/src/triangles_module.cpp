@@ -39,6 +39,15 @@ std::tuple<py::array, py::array, py::array> fanArrays(const Rows<std::uint32_t>&
           arrayOf<std::uint8_t>(std::move(fans.are_closed))};
 }
 
+py::array flatArray(const Rows<double>& points, const Rows<std::uint32_t>& triangles,
+                    const Rows<std::int32_t>& adjacent) {
+  auto are_flat = [&] {
+    const py::gil_scoped_release no_gil;
+    return flatOnHull(rowsOf<Point>(points), rowsOf<Triangle>(triangles), rowsOf<Adjacent>(adjacent));
+  }();
+  return arrayOf<std::uint8_t>(std::move(are_flat));
+}
+
 std::tuple<py::array, py::array, py::array> centerArrays(const Rows<double>& points,
                                                          const Rows<std::uint32_t>& triangles,
                                                          const Rows<std::int32_t>& adjacent) {
@@ -65,6 +74,7 @@ py::array trianglesAtPlaces(const Rows<double>& points, const Rows<std::uint32_t
 
 void defineTriangles(py::module_& module) {
   module.def("adjacent_triangles", &adjacentArray, py::arg("triangles"), py::arg("points"));
+  module.def("flat_on_hull", &flatArray, py::arg("points"), py::arg("triangles"), py::arg("adjacent"));
   module.def("triangle_fans", &fanArrays, py::arg("triangles"), py::arg("adjacent"), py::arg("points"));
   module.def("triangle_centers", &centerArrays, py::arg("points"), py::arg("triangles"), py::arg("adjacent"));
   module.def("triangles_at", &trianglesAtPlaces, py::arg("points"), py::arg("triangles"), py::arg("adjacent"),

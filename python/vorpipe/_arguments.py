@@ -108,8 +108,8 @@ def size_of(value: Optional[Sequence[int]]) -> Optional[Tuple[int, int]]:
         width, height = (int(side) for side in value)
     except (TypeError, ValueError):
         raise refuse('size', f'{value!r} is not (width, height) in pixels') from None
-    if not 0 <= min(width, height) <= max(width, height) < 2**31:
-        raise refuse('size', f'{value!r}: a picture has 1 to 32768 pixels a side')
+    if min(width, height) < 1 or max(width, height) > _vorpipe.LARGEST_SIDE:
+        raise refuse('size', f'{width} x {height} pixels: must be 1 to {_vorpipe.LARGEST_SIDE} each')
     return width, height
 
 

@@ -73,6 +73,8 @@ class Session:
                progress: Optional[Progress] = None) -> Picture:
         """As `vorpipe.render`."""
         given = input_of(points, weights, domain, periodic, outline, None)
+        if colormap not in _vorpipe.colormaps():
+            raise _arguments.refuse('colormap', f'{colormap!r} is none of {", ".join(_vorpipe.colormaps())}')
         method, neighbors = _arguments.search_of(search)
         picture = Picture(self._session.render(given, _arguments.size_of(size), color, colormap, edges, show_sites,
                                                method, neighbors, progress))

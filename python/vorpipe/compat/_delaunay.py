@@ -16,6 +16,9 @@ EPSILON = float(np.finfo(np.float64).eps)
 class Delaunay(PlaneSet):
     """The Delaunay triangulation of points in the plane, with the attributes of scipy.spatial.Delaunay.
 
+    Triangles between the hull and a point that lies on it as far as doubles can tell are left out, so that the point
+    is one of the hull; `Diagram.triangles` has them.
+
     Args:
         points: (N, 2), three at least that are not on a line.
         furthest_site: only False.
@@ -78,8 +81,10 @@ class Delaunay(PlaneSet):
         last = corners[:, 2]
         (ax, ay), (bx, by) = (corners[:, 0] - last).T, (corners[:, 1] - last).T
         determinant = ax * by - ay * bx
-        size = (np.abs(ax) + np.abs(bx) + np.abs(ay) + np.abs(by)) ** 2
-        flat = ~(np.abs(determinant) > 1000 * EPSILON * size)
+        # As scipy does: by the condition of the matrix, in the norm that sums columns.
+        norm = np.maximum(np.abs(ax) + np.abs(ay), np.abs(bx) + np.abs(by))
+        norm_of_inverse = np.maximum(np.abs(by) + np.abs(ay), np.abs(bx) + np.abs(ax))
+        flat = ~(np.abs(determinant) > 1000 * EPSILON * norm * norm_of_inverse)
         with np.errstate(divide='ignore', invalid='ignore'):
             inverse = np.stack((by, -bx, -ay, ax), axis=-1) / determinant[:, None]
         result = np.concatenate((inverse.reshape(-1, 2, 2), last[:, None]), axis=1)

@@ -16,8 +16,9 @@ from ._points import Indices, PlaneSet
 class Voronoi(PlaneSet):
     """The unbounded Voronoi diagram of points in the plane, with the attributes of scipy.spatial.Voronoi.
 
-    Its vertices are the centers of the circles around Delaunay triangles; triangles whose circles are one, as far as
-    doubles can tell, share a vertex. The vertex at infinity is -1.
+    Its vertices are the centers of the circles around Delaunay triangles. Triangles whose circles are one, as far as
+    doubles can tell, share a vertex. The vertex at infinity is -1. As in Delaunay, points may lie on the hull as far
+    as doubles can tell.
 
     Args:
         points: (N, 2), three at least that are not on a line.
@@ -84,11 +85,17 @@ class Voronoi(PlaneSet):
         regions: List[List[int]] = [[]] * self._begins_with_empty
         for point in np.flatnonzero(self._owner == np.arange(self.npoints)).tolist():
             ring = around[bounds[point] : bounds[point + 1]]
-            closed = bool(are_closed[point])
-            # Ties stand side by side.
-            kept = [vertex for k, vertex in enumerate(ring) if vertex != ring[k - 1] or (k == 0 and not closed)]
-            regions.append((kept or ring[:1]) if closed else [-1, *kept])
+            regions.append(_around(ring if are_closed[point] else [-1, *ring]))
         return regions
+
+
+def _around(ring: List[int]) -> List[int]:
+    """Each vertex once, where it stands several times in a row; that at infinity first."""
+    kept = [vertex for k, vertex in enumerate(ring) if vertex != ring[k - 1]] or ring[:1]
+    if -1 in kept:
+        first = kept.index(-1)
+        return kept[first:] + kept[:first]
+    return kept
 
 
 def _exact_center(corners: Floats) -> Tuple[float, float]:

@@ -23,7 +23,6 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr int largest_side = 32768;
 constexpr std::size_t grain = 1 << 12;
 
 Result<void> checkSize(const RenderOptions& options) {
