@@ -59,10 +59,10 @@ requireTools() {
     if ! command -v "$tool" >/dev/null; then
       {
         printf 'vorpipe: %s is missing. Packages for the build:\n' "$tool"
-        printf '  Debian, Ubuntu: apt-get install %s\n' "$(packagesOf 6 tool build test shader driver | xargs)"
-        printf '  Fedora: dnf install %s\n' "$(packagesOf 7 tool build test shader driver | xargs)"
-        printf '  Arch: pacman -S %s\n' "$(packagesOf 8 tool build test shader driver | xargs)"
-        printf '  Homebrew: brew install %s\n' "$(packagesOf 9 tool build test shader driver | xargs)"
+        printf '  Debian, Ubuntu: apt-get install %s\n' "$(packagesOf 6 tool build test python shader driver | xargs)"
+        printf '  Fedora: dnf install %s\n' "$(packagesOf 7 tool build test python shader driver | xargs)"
+        printf '  Arch: pacman -S %s\n' "$(packagesOf 8 tool build test python shader driver | xargs)"
+        printf '  Homebrew: brew install %s\n' "$(packagesOf 9 tool build test python shader driver | xargs)"
       } >&2
       return 1
     fi

@@ -19,9 +19,10 @@ namespace vorpipe {
 /// right.
 ///
 /// Where distances differ by rounding alone the side of the bisector decides, on which a place lies by the
-/// differences of coordinates, as in the judge of pictures. A place on the bisector itself has either site: a
-/// choice that depends on the sites and the domain, and not on threads or other places. Of sites with
-/// weights it may be one that has no cell, where three and more are equal up to rounding.
+/// differences of coordinates, as in the judge of pictures. A place on the bisector itself has the first of
+/// its sites in the input, in a periodic domain of those that are not beyond its border, if any; with weights
+/// it may have another of them. It depends on the sites and the domain alone, not on threads or other places.
+/// Where three and more sites with weights are equal up to rounding, it may have one without a cell.
 class Locator {
  public:
   /// Prepares sites for the domain of `options`, its outline and its period; what else they say does not

@@ -13,21 +13,24 @@
 
 namespace vorpipe {
 
-enum class ColorBy : std::uint8_t { site, area, neighbors, weight };
-
 /// In pixels.
 struct PictureSize {
-  int width, height;
+  int width = 0, height = 0;
 };
+
+/// Most pixels of a side.
+inline constexpr int largest_side = 32768;
 
 /// The size of a picture of `domain` where none is named: the longer side 1000, the other at least 1.
 PictureSize defaultSize(const Box& domain);
+
+enum class ColorBy : std::uint8_t { site, area, neighbors, weight };
 
 struct RenderOptions {
   Box domain;         ///< what is drawn, and what cells are clipped to
   Outline outline{};  ///< what cells are clipped to besides, inside the domain; pixels beyond it have no site
   Periodic periodic = Periodic::none;
-  int width, height;  ///< pixels, 1 to 32768 each
+  int width, height;  ///< pixels, 1 to largest_side each
   ColorBy color = ColorBy::site;
   std::string colormap = "viridis";  ///< one of colormaps()
   bool edges = false;                ///< darkens pixels beside which another cell begins

@@ -48,6 +48,10 @@ NOT_RUN = {
     'cmake --preset asan && cmake --build --preset asan && ctest --preset asan': BUILDS,
     'cmake --build build/dev --target update-spv': BUILDS,
     'cmake --preset dev': BUILDS,
+    'pip install --no-index .': BUILDS,
+    'cmake -B build/python -G Ninja -DCMAKE_BUILD_TYPE=Release -DVORPIPE_TESTS=OFF -DVORPIPE_PYTHON=ON': BUILDS,
+    'cmake --build build/python --target _vorpipe': BUILDS,
+    'cmake --install build/python --component python --prefix /usr/local': BUILDS,
     'cmake --build --preset dev --target vorpipe': BUILDS,
     'ctest --preset dev -R cli_cells': BUILDS,
     'cmake --preset release && cmake --build --preset release': BUILDS,
@@ -89,7 +93,7 @@ class Page:
                 self.blocks.append([start, list(commands(inside, start + 1)), None])
             elif fence[1] == 'text' and fresh:
                 self.blocks[-1][2] = inside
-            elif fence[1] not in ('text', 'cpp', 'glsl', 'json', 'csv', 'cmake'):
+            elif fence[1] not in ('text', 'cpp', 'glsl', 'json', 'csv', 'cmake', 'python'):
                 self.fault(at + 1, f'a block of "{fence[1]}": use sh for commands, text for what they print')
             fresh = fence[1] == 'sh'
             at = end + 1

@@ -22,7 +22,7 @@ module_410 shaders.h
 
 
 def sources():
-    for folder in ('src', 'shaders', 'tests', 'docs/examples', 'third_party'):
+    for folder in ('src', 'python', 'shaders', 'tests', 'docs/examples', 'third_party'):
         for file in (ROOT / folder).rglob('*'):
             if file.is_file() and file.suffix not in ('.spv', '.npy', '.png', '.md') and 'docs' not in file.parts[-2:-1]:
                 yield file

@@ -17,8 +17,6 @@ namespace vorpipe::cli {
 template <class T>
 using Parsed = tl::expected<T, std::string>;
 
-inline constexpr int largest_side = 32768;
-
 /// A whole number from low to high.
 Parsed<std::uint64_t> parseWhole(std::string_view text, std::uint64_t low, std::uint64_t high);
 

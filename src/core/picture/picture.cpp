@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 
 #include "base/inside.h"
 #include "base/parallel.h"
@@ -24,7 +23,6 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr int largest_side = 32768;
 constexpr std::size_t grain = 1 << 12;
 
 Result<void> checkSize(const RenderOptions& options) {
@@ -204,16 +202,6 @@ void beginReport(const Report& cells, Report& report) {
 }  // namespace vorpipe::core
 
 namespace vorpipe {
-
-PictureSize defaultSize(const Box& domain) {
-  constexpr int longer_side = 1000;
-  const double width = domain.xmax - domain.xmin, height = domain.ymax - domain.ymin;
-  const auto shorter = [](double part) {
-    return std::max(1, static_cast<int>(std::lround(part * longer_side)));
-  };
-  if (width >= height) return {longer_side, shorter(height / width)};
-  return {shorter(width / height), longer_side};
-}
 
 CellsOptions cellsOptions(const RenderOptions& picture) {
   CellsOptions cells{};

@@ -1,0 +1,87 @@
+#include "vorpipe/forecast.h"
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <optional>
+#include <utility>
+
+#include "choices.h"
+#include "errors.h"
+#include "results.h"
+#include "session.h"
+
+namespace vorpipe::python {
+namespace {
+
+/// The arrays that Python's own arguments were copied to.
+void planInput(MemoryPlan& plan, const Input& input) {
+  constexpr std::uint64_t number = sizeof(double);
+  const std::uint64_t columns = input.sites.weight.empty() ? 2 : 3;
+  plan.take("points", columns * number * input.sites.size());
+  if (!input.density.values.empty()) plan.take("density", 2 * number * input.density.values.size());
+}
+
+Result<Workload> workloadOf(const Input& input, ImagesFor purpose, const DeviceInfo& device, int threads) {
+  Workload work;
+  work.sites = input.sites.size();
+  work.weighted = !input.sites.weight.empty();
+  work.outlined = !input.outline.empty();
+  work.periodic = input.periodic != Periodic::none;
+  work.density_pixels = input.density.values.size();
+  work.backend = device.backend;
+  work.device_on_host = device.type == "cpu";
+  work.threads = threads;
+  const auto all = sitesAndImages(input.sites, input.domain, input.periodic, purpose, threads);
+  if (!all) return tl::unexpected(all.error());
+  work.images = *all - work.sites;
+  work.spread = spreadOf(input.sites, input.domain, threads);
+  return work;
+}
+
+using Parts = std::vector<std::pair<std::string, std::uint64_t>>;
+
+/// Bytes at the peak, what they are, how many there are to have, and who sets that.
+std::tuple<std::uint64_t, Parts, std::uint64_t, std::string> told(const MemoryPlan& plan) {
+  Parts parts;
+  for (const MemoryPart& part : plan.parts()) parts.emplace_back(part.what, part.bytes);
+  const MemoryLimit limit = systemMemoryLimit();
+  return {plan.peak(), std::move(parts), limit.bytes, limit.what};
+}
+
+auto forecastCells(SharedSession& session, const Input& input, const std::string& detail, bool checked,
+                   int threads) {
+  const Detail wanted = chosen("detail", detail_choices, detail);
+  const Workload work = valueOf(workloadOf(input, ImagesFor::cells, session.device(), threads));
+  MemoryPlan plan;
+  planInput(plan, input);
+  planSession(plan, work);
+  planCells(plan, work, wanted);
+  if (checked) planCellsCheck(plan, work, wanted);
+  return told(plan);
+}
+
+auto forecastPicture(SharedSession& session, const Input& input,
+                     const std::optional<std::pair<int, int>>& size, const std::string& color, bool checked,
+                     int threads) {
+  const ColorBy by = chosen("color", color_choices, color);
+  const PictureSize wanted = size ? PictureSize{size->first, size->second} : defaultSize(input.domain);
+  const Workload work = valueOf(workloadOf(input, ImagesFor::pictures, session.device(), threads));
+  MemoryPlan plan;
+  planInput(plan, input);
+  planSession(plan, work);
+  planPicture(plan, work, wanted.width, wanted.height, by);
+  if (checked) planPictureCheck(plan, work, wanted.width, wanted.height);
+  return told(plan);
+}
+
+}  // namespace
+
+void defineForecast(py::module_& module) {
+  module.def("forecast_cells", &forecastCells, py::arg("session"), py::arg("input"), py::arg("detail"),
+             py::arg("check"), py::arg("threads"));
+  module.def("forecast_picture", &forecastPicture, py::arg("session"), py::arg("input"), py::arg("size"),
+             py::arg("color"), py::arg("check"), py::arg("threads"));
+}
+
+}  // namespace vorpipe::python

@@ -1,0 +1,29 @@
+/// The module _vorpipe: the C++ interface for the package in python/vorpipe, which says what each is for.
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include "input.h"
+#include "results.h"
+#include "session.h"
+#include "vorpipe.h"
+
+PYBIND11_MODULE(_vorpipe, module) {
+  using namespace vorpipe::python;
+  module.doc() = "What the package vorpipe is made of; import that.";
+  module.attr("__version__") = std::string(vorpipe::version());
+  module.attr("LARGEST_SIDE") = vorpipe::largest_side;
+  module.attr("NO_SITE") = vorpipe::no_site;
+  module.attr("WALLS") = py::make_tuple(vorpipe::wall_xmin, vorpipe::wall_xmax, vorpipe::wall_ymin,
+                                        vorpipe::wall_ymax, vorpipe::wall_outline);
+  defineInput(module);
+  defineReport(module);
+  defineCells(module);
+  definePicture(module);
+  defineDevices(module);
+  defineSession(module);
+  defineJudgment(module);
+  defineForecast(module);
+  defineSelftest(module);
+  defineFiles(module);
+  defineTriangles(module);
+}

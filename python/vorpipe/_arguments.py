@@ -1,0 +1,190 @@
+"""Arguments of any kind to arrays of the shapes that vorpipe takes; what cannot be is refused by name."""
+from __future__ import annotations
+
+import os
+from typing import Any, List, Mapping, Optional, Sequence, Tuple, Union
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _vorpipe
+from ._errors import InputError
+
+Floats = npt.NDArray[np.float64]
+Mask = Tuple[List[str], List[Tuple[str, int]]]
+Outline = Tuple[Floats, npt.NDArray[np.uint64], npt.NDArray[np.uint64]]
+PathLike = Union[str, 'os.PathLike[str]']
+
+
+def refuse(argument: str, message: str) -> InputError:
+    return InputError(f'{argument}: {message}', 'input', argument)
+
+
+def numbers(argument: str, value: Any) -> Floats:
+    """As float64, without a copy where it is that already; strides of any kind."""
+    if isinstance(value, np.ma.MaskedArray):
+        raise refuse(argument, 'masked arrays are not taken; leave the masked elements out')
+    array = np.asarray(value)
+    if array.dtype.kind not in 'biuf':
+        try:
+            if array.dtype.kind == 'c':
+                raise TypeError
+            return array.astype(np.float64)
+        except (TypeError, ValueError):
+            raise refuse(argument, f'no array of numbers, but of {array.dtype}') from None
+    return array.astype(np.float64, copy=False)
+
+
+def points_of(value: Any, argument: str = 'points') -> Floats:
+    """An array of shape (N, 2)."""
+    if hasattr(value, 'geom_type') or hasattr(value, 'geometry'):
+        raise refuse(argument, 'give the coordinates of geometries, an array of shape (N, 2)')
+    array = numbers(argument, value)
+    if array.size == 0 and array.ndim < 3:
+        return np.empty((0, 2))
+    if array.ndim != 2 or array.shape[1] != 2:
+        raise refuse(argument, f'shape {array.shape}, must be (N, 2): one row for each point')
+    return array
+
+
+def weights_of(value: Any, count: int) -> Optional[Floats]:
+    """An array of shape (N,)."""
+    if value is None:
+        return None
+    array = numbers('weights', value)
+    if array.shape != (count,):
+        raise refuse('weights', f'shape {array.shape}, must be ({count},): one for each point')
+    return array
+
+
+def box_of(value: Any) -> Optional[Tuple[float, float, float, float]]:
+    """(xmin, ymin, xmax, ymax)."""
+    if value is None:
+        return None
+    array = numbers('domain', value)
+    if array.shape != (4,):
+        raise refuse('domain', f'shape {array.shape}, must be 4 numbers: xmin, ymin, xmax, ymax')
+    xmin, ymin, xmax, ymax = array.tolist()
+    return xmin, ymin, xmax, ymax
+
+
+def density_of(value: Any) -> Optional[Floats]:
+    """An array of shape (H, W), row 0 at the top; or the path of a .png or .npy file."""
+    if value is None:
+        return None
+    if isinstance(value, (str, os.PathLike)):
+        return _vorpipe.read_density(os.fspath(value))
+    array = numbers('density', value)
+    if array.ndim != 2 or array.size == 0:
+        raise refuse('density', f'shape {array.shape}, must be (H, W): one value for each pixel')
+    return array
+
+
+def periodic_of(value: Union[None, bool, str]) -> str:
+    if value is None or value is False:
+        return 'none'
+    if value is True:
+        return 'xy'
+    if not isinstance(value, str):
+        raise refuse('periodic', f'{value!r} is none of "x", "y", "xy"')
+    return value
+
+
+def search_of(value: Any) -> Tuple[str, int]:
+    """ "grid", "flann" or "flann:K" """
+    method, colon, count = str(value).partition(':')
+    if not colon:
+        return method, 30
+    if method != 'flann' or not count.isdecimal():
+        raise refuse('search', f'{value!r} is none of "grid", "flann", "flann:K"')
+    return method, int(count)
+
+
+def size_of(value: Optional[Sequence[int]]) -> Optional[Tuple[int, int]]:
+    """(width, height)."""
+    if value is None:
+        return None
+    try:
+        width, height = (int(side) for side in value)
+    except (TypeError, ValueError):
+        raise refuse('size', f'{value!r} is not (width, height) in pixels') from None
+    if min(width, height) < 1 or max(width, height) > _vorpipe.LARGEST_SIDE:
+        raise refuse('size', f'{width} x {height} pixels: must be 1 to {_vorpipe.LARGEST_SIDE} each')
+    return width, height
+
+
+def threads_of(value: Optional[int]) -> int:
+    if value is None:
+        return 0
+    if value != int(value) or not 1 <= value < 2**31:
+        raise refuse('threads', f'{value!r} is no number of threads; None takes all processors')
+    return int(value)
+
+
+def mask_of(disabled: Sequence[str], limits: Optional[Mapping[str, int]]) -> Mask:
+    for name in disabled:
+        if name not in _vorpipe.feature_names():
+            raise refuse('disabled', f'{name!r} is none of {", ".join(_vorpipe.feature_names())}')
+    for name in limits or {}:
+        if name not in _vorpipe.limit_names():
+            raise refuse('limits', f'{name!r} is none of {", ".join(_vorpipe.limit_names())}')
+    return list(disabled), [(name, int(limit)) for name, limit in (limits or {}).items()]
+
+
+def outline_of(value: Any) -> Optional[Outline]:
+    """A path, what has a __geo_interface__, or coordinates nested like those of GeoJSON."""
+    if value is None:
+        return None
+    if isinstance(value, (str, os.PathLike)):
+        return _vorpipe.read_outline(os.fspath(value))
+    polygons = _polygons(getattr(value, '__geo_interface__', value))
+    rings = [_ring(ring) for polygon in polygons for ring in polygon]
+    if not rings:
+        raise refuse('outline', 'it has no ring')
+    ring_offsets = np.cumsum([0] + [len(ring) for ring in rings], dtype=np.uint64)
+    polygon_offsets = np.cumsum([0] + [len(polygon) for polygon in polygons], dtype=np.uint64)
+    return np.concatenate(rings), ring_offsets, polygon_offsets
+
+
+def _polygons(value: Any) -> List[Any]:
+    """Polygons, each a list of rings."""
+    if isinstance(value, Mapping):
+        return _polygons_of_geojson(value)
+    depth, inside = 0, value
+    while not isinstance(inside, np.ndarray) and hasattr(inside, '__len__') and len(inside) > 0:
+        depth, inside = depth + 1, inside[0]
+    depth += inside.ndim if isinstance(inside, np.ndarray) else 0
+    if depth == 2:
+        return [[value]]
+    if depth == 3:
+        return [value]
+    if depth == 4:
+        return list(value)
+    raise refuse('outline', 'neither a ring of shape (M, 2), nor a list of rings (a polygon, then its holes), nor a '
+                            'list of such polygons')
+
+
+def _polygons_of_geojson(value: Mapping[str, Any]) -> List[Any]:
+    kind = value.get('type')
+    if kind == 'Polygon':
+        return [value['coordinates']]
+    if kind == 'MultiPolygon':
+        return list(value['coordinates'])
+    if kind == 'Feature':
+        return _polygons_of_geojson(value['geometry'])
+    if kind == 'FeatureCollection':
+        return [polygon for feature in value['features'] for polygon in _polygons_of_geojson(feature)]
+    if kind == 'GeometryCollection':
+        return [polygon for part in value['geometries'] for polygon in _polygons_of_geojson(part)]
+    raise refuse('outline', f'a {kind} is no polygon')
+
+
+def _ring(value: Any) -> Floats:
+    """Without the first point repeated at its end, and without heights."""
+    array = numbers('outline', value)
+    if array.ndim != 2 or array.shape[1] not in (2, 3):
+        raise refuse('outline', f'a ring of shape {array.shape}, must be (M, 2)')
+    array = array[:, :2]
+    if len(array) > 1 and np.array_equal(array[0], array[-1]):
+        array = array[:-1]
+    return np.ascontiguousarray(array)

@@ -1,0 +1,264 @@
+"""Cells as data."""
+from __future__ import annotations
+
+import enum
+import os
+from typing import TYPE_CHECKING, Any, Iterator, List, Optional, Tuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arguments, _vorpipe
+from ._arguments import Floats, PathLike
+from ._cell import Cell
+
+if TYPE_CHECKING:
+    import geopandas
+    from matplotlib.axes import Axes
+
+Integers = npt.NDArray[np.int64]
+
+
+class Status(enum.IntEnum):
+    """What became of a point."""
+
+    OK = 0  #: it has a cell
+    EMPTY = 1  #: no place in the domain is nearest to it; it lies outside, or others hide it
+    DUPLICATE = 2  #: another point has the same position and owns the cell: the heaviest, then the first
+
+
+class Wall(enum.IntEnum):
+    """What a cell has for a neighbor where it ends at the domain."""
+
+    XMIN = -1
+    XMAX = -2
+    YMIN = -3
+    YMAX = -4
+    OUTLINE = -5
+
+
+class Diagram:
+    """The cells of N points, in their order and units; made by `cells`.
+
+    Arrays are read-only, and show the memory of the diagram without a copy; each keeps it alive. `array.copy()` can
+    be written to. Cell i has the vertices `offsets[i]` to `offsets[i + 1] - 1`, counter-clockwise. Its edge k runs
+    from its vertex k to the next and belongs to its neighbor k, so that `offsets` serves `vertices`, `neighbors` and
+    `edge_lengths`. `diagram[i]` is one cell.
+    """
+
+    __slots__ = ('_cells',)
+
+    def __init__(self, cells: _vorpipe.Cells) -> None:
+        self._cells = cells
+
+    def __len__(self) -> int:
+        return len(self._cells)
+
+    def __getitem__(self, site: int) -> Cell:
+        count = len(self)
+        index = int(site)
+        if not -count <= index < count:
+            raise IndexError(f'there is no cell {index}: the diagram has {count}')
+        return Cell(self, index % count)
+
+    def __iter__(self) -> Iterator[Cell]:
+        return (Cell(self, site) for site in range(len(self)))
+
+    def __repr__(self) -> str:
+        report = self.report
+        return f'<vorpipe.Diagram: {report.ok} cells of {len(self)} points, {report.backend}>'
+
+    def _needs(self, detail: str, name: str) -> None:
+        details = ('measures', 'polygons', 'everything')
+        if details.index(self.detail) < details.index(detail):
+            raise _arguments.refuse('detail', f'{name} takes detail={detail!r}, the cells were computed with '
+                                              f'{self.detail!r}')
+
+    # What it is about
+
+    @property
+    def points(self) -> Floats:
+        """(N, 2): the points that were given. A copy with each call."""
+        return self._cells.input.points
+
+    @property
+    def weights(self) -> Optional[Floats]:
+        """(N,): their weights; None where there are none."""
+        return self._cells.input.weights
+
+    @property
+    def domain(self) -> Tuple[float, float, float, float]:
+        """(xmin, ymin, xmax, ymax)."""
+        xmin, ymin, xmax, ymax = self._cells.input.domain
+        return xmin, ymin, xmax, ymax
+
+    @property
+    def periodic(self) -> str:
+        """ "none", "x", "y" or "xy"."""
+        return self._cells.input.periodic
+
+    @property
+    def detail(self) -> str:
+        """ "measures", "polygons" or "everything": which arrays there are."""
+        return self._cells.detail
+
+    @property
+    def report(self) -> _vorpipe.Report:
+        """Backend, device, times, and what became of how many points."""
+        return self._cells.report
+
+    # By cell
+
+    @property
+    def status(self) -> npt.NDArray[np.uint8]:
+        """(N,): a `Status` each."""
+        return self._cells.status
+
+    @property
+    def owner(self) -> npt.NDArray[np.uint32]:
+        """(N,): the point that owns the cell: itself unless it is a duplicate."""
+        return self._cells.owner
+
+    @property
+    def areas(self) -> Floats:
+        """(N,): 0 where there is no cell."""
+        return self._cells.areas
+
+    @property
+    def perimeters(self) -> Floats:
+        """(N,)."""
+        self._needs('polygons', 'perimeters')
+        return self._cells.perimeters
+
+    @property
+    def centroids(self) -> Floats:
+        """(N, 2): the point itself where there is no cell."""
+        return self._cells.centroids
+
+    @property
+    def second_moments(self) -> Floats:
+        """(N, 3): about the centroid: the integrals of xx, xy and yy."""
+        self._needs('polygons', 'second_moments')
+        return self._cells.second_moments
+
+    @property
+    def mass(self) -> Floats:
+        """(N,): the integral of the density over the cell; (0,) without a density."""
+        return self._cells.mass
+
+    @property
+    def mass_centroids(self) -> Floats:
+        """(N, 2): the center of that mass; (0, 2) without a density."""
+        return self._cells.mass_centroids
+
+    # By edge
+
+    @property
+    def offsets(self) -> Integers:
+        """(N + 1,): where the vertices, neighbors and edges of each cell begin."""
+        return self._cells.offsets
+
+    @property
+    def vertices(self) -> Floats:
+        """(M, 2): counter-clockwise; holes of cells in an outline clockwise."""
+        self._needs('polygons', 'vertices')
+        return self._cells.vertices
+
+    @property
+    def neighbors(self) -> Integers:
+        """(M,): indices of points, or a `Wall`."""
+        return self._cells.neighbors
+
+    @property
+    def edge_lengths(self) -> Floats:
+        """(M,)."""
+        self._needs('polygons', 'edge_lengths')
+        return self._cells.edge_lengths
+
+    @property
+    def neighbor_shifts(self) -> npt.NDArray[np.int32]:
+        """(M, 2): of a periodic domain, how many widths and heights of it away the neighbor's image stands."""
+        return self._cells.neighbor_shifts
+
+    @property
+    def ring_starts(self) -> Integers:
+        """Of a domain with an outline: where in `vertices` each ring begins; else of length 0."""
+        return self._cells.ring_starts
+
+    @property
+    def triangles(self) -> npt.NDArray[np.uint32]:
+        """(T, 3): the Delaunay triangles of all points, counter-clockwise; with weights the regular triangulation.
+
+        None where all points lie on a line, or the domain is periodic.
+        """
+        self._needs('everything', 'triangles')
+        return self._cells.triangles
+
+    def area_sum(self) -> float:
+        """The sum of the areas, without what adding up would round off: the domain's area, if all is well."""
+        return self._cells.area_sum()
+
+    def neighbor_pairs(self) -> Integers:
+        """(P, 2): pairs of points whose cells share an edge, each once, the lower index first; in ascending order."""
+        counts = np.diff(self.offsets)
+        own = np.repeat(np.arange(len(self)), counts)
+        other = self.neighbors
+        chosen = other >= own if self.periodic != 'none' else other > own
+        pairs = np.column_stack((own[chosen], other[chosen]))
+        return np.unique(pairs, axis=0) if self.periodic != 'none' or len(self.ring_starts) else _ascending(pairs)
+
+    def rings(self) -> List[List[Floats]]:
+        """The rings of each cell, (K, 2) each: an outer one, its holes, and so on; no rings where there is no cell."""
+        return [cell.rings() for cell in self]
+
+    def polygons(self) -> List[Floats]:
+        """The vertices of each cell, (K, 2); (0, 2) where there is none.
+
+        In a domain with an outline a cell may be more than one ring, which is an error: `rings` has them.
+        """
+        rings, offsets = self.ring_starts, self.offsets
+        if len(rings) > np.count_nonzero(np.diff(offsets)):
+            raise _arguments.refuse('outline', 'some cells have several rings, no polygon has them: call rings()')
+        return np.split(self.vertices, offsets[1:-1])
+
+    # To other programs
+
+    def check(self, threads: Optional[int] = None) -> List[str]:
+        """As `vorpipe.check`."""
+        return _vorpipe.check_cells(self._cells, _arguments.threads_of(threads))
+
+    def save(self, path: PathLike) -> None:
+        """Writes the cells, by the extension: .csv, .npz, .geojson, .geojsonl, .svg, .obj, .ply, .vtk or .wkt."""
+        self._cells.save(os.fspath(path))
+
+    def to_shapely(self) -> List[Any]:
+        """A polygon of shapely's for each point: empty where there is no cell, a MultiPolygon where it takes one."""
+        from ._shapes import shapely_polygons
+        return shapely_polygons(self)
+
+    def to_geopandas(self, crs: Any = None) -> geopandas.GeoDataFrame:
+        """A GeoDataFrame: a row for each point, with x, y, weight, status, owner, area, mass and the cell.
+
+        `crs` is the coordinate reference system of the points, in any form that GeoPandas takes; nothing is
+        projected.
+        """
+        from ._shapes import geo_data_frame
+        return geo_data_frame(self, crs)
+
+    def plot(self, ax: Optional[Axes] = None, *, color: Any = 'areas', show_sites: bool = False,
+             **properties: Any) -> Axes:
+        """Draws the cells with matplotlib, and returns the axes.
+
+        Args:
+            ax: where; None for the current axes.
+            color: an array of N values, the name of one of the diagram's ("areas", "mass" ...), or None for edges
+                alone.
+            show_sites: a dot at each point.
+            properties: of matplotlib's PathCollection, as cmap, edgecolor, linewidth, alpha.
+        """
+        from ._plot import plot_cells
+        return plot_cells(self, ax, color, show_sites, properties)
+
+
+def _ascending(pairs: Integers) -> Integers:
+    return pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]

@@ -1,0 +1,185 @@
+"""The functions of the package."""
+from __future__ import annotations
+
+import os
+from typing import Any, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union, overload
+
+from . import _arguments, _vorpipe
+from ._arguments import Floats, PathLike
+from ._diagram import Diagram
+from ._picture import Picture
+from ._sessions import Progress, Session, backend_for, input_of, shared_session
+
+Device = Union[None, int, str]
+
+
+def _count(points: Any) -> int:
+    return len(points) if hasattr(points, '__len__') else 0
+
+
+def _session(backend: str, device: Device, threads: Optional[int], points: Any, pixels: int = 0) -> Session:
+    return shared_session(backend_for(backend, device, _count(points), pixels), device, threads)
+
+
+def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[None, bool, str] = None,
+          density: Any = None, outline: Any = None, backend: str = 'auto', device: Device = None,
+          threads: Optional[int] = None, check: bool = False, detail: str = 'everything', search: str = 'grid',
+          progress: Optional[Progress] = None) -> Diagram:
+    """The cells of points: the Voronoi diagram, or with weights the power diagram, clipped to a domain.
+
+    Args:
+        points: array-like of shape (N, 2), N at least 1, finite.
+        weights: (N,), in squared units of the points: the cell of point i is where |x - p_i|^2 - w_i is least. A
+            radius r is the weight r^2.
+        domain: (xmin, ymin, xmax, ymax). Without it the box of the outline; else that of the points, grown on every
+            side by 5 % of its longer side.
+        periodic: "x", "y" or "xy" (or True): the axes along which the domain repeats itself; it must be named then.
+        density: (H, W), mass per unit of area, over the domain, row 0 at the top; or the path of a .png or .npy
+            file. Brings `mass` and `mass_centroids`.
+        outline: what cells are clipped to besides: a ring (M, 2), a list of rings (a polygon, then its holes), a
+            list of such polygons, GeoJSON, what has a __geo_interface__ (as shapely's polygons), or a path.
+        backend: "auto", "vulkan", "vulkan-compute", "vulkan-geometry", "opengl" or "cpu". The cells are the same from
+            each. "auto" takes "cpu" for up to 100,000 points, beyond that the best.
+        device: an index or a part of a name, as `devices` lists them; None for the best.
+        threads: of the processor; None for all.
+        check: verifies the cells, with nothing of what computes them.
+        detail: "measures" (status, owner, areas, centroids, offsets, neighbors), "polygons" (and perimeters, second
+            moments, vertices, edge lengths) or "everything" (and triangles). What is not wanted costs no time.
+        search: how the sites that may cut a cell are found: "grid", "flann" or "flann:K".
+        progress: called with a stage's name and the part done, from 0 to 1; returning False stops the run.
+
+    Ctrl-C stops it, other threads of Python go on meanwhile.
+
+    Raises:
+        InputError: an argument is wrong; the message begins with its name.
+        DeviceError: no such device here, it failed, or there is not enough memory.
+        CheckError: `check` found something. Cancelled: `progress` said stop.
+    """
+    session = _session(backend, device, threads, points)
+    return session.cells(points, weights, domain, periodic=periodic, density=density, outline=outline, check=check,
+                         detail=detail, search=search, progress=progress)
+
+
+def render(points: Any, weights: Any = None, domain: Any = None, size: Optional[Sequence[int]] = None,
+           color: str = 'site', colormap: str = 'viridis', edges: bool = False, show_sites: bool = False,
+           periodic: Union[None, bool, str] = None, outline: Any = None, backend: str = 'auto',
+           device: Device = None, threads: Optional[int] = None, check: bool = False, search: str = 'grid',
+           progress: Optional[Progress] = None) -> Picture:
+    """A picture of the cells, and whose cell each pixel is in.
+
+    Args:
+        size: (width, height) in pixels, up to 32768 each; else the longer side 1000, in the domain's shape.
+        color: by "site", "area", "neighbors" or "weight".
+        colormap: one of `colormaps()`, for the last three.
+        edges: darkens pixels beside which another cell begins.
+        show_sites: a dot at each site.
+
+    All others are as in `cells`; "auto" takes "cpu" for up to 100,000 points and 4 million pixels.
+    """
+    wanted = _arguments.size_of(size)
+    session = _session(backend, device, threads, points, wanted[0] * wanted[1] if wanted else 0)
+    return session.render(points, weights, domain, size=wanted, color=color, colormap=colormap, edges=edges,
+                          show_sites=show_sites, periodic=periodic, outline=outline, check=check, search=search,
+                          progress=progress)
+
+
+def check(result: Union[Diagram, Picture], threads: Optional[int] = None) -> List[str]:
+    """Verifies what is promised about a result, with nothing of what computes it.
+
+    Returns a line for each promise that is broken; none is as it should be.
+    """
+    return result.check(threads)
+
+
+@overload
+def compare(a: Diagram, b: Diagram) -> _vorpipe.CellsDiff: ...
+
+
+@overload
+def compare(a: Picture, b: Picture) -> _vorpipe.IdDiff: ...
+
+
+def compare(a: Union[Diagram, Picture], b: Union[Diagram, Picture]) -> Union[_vorpipe.CellsDiff, _vorpipe.IdDiff]:
+    """How two diagrams, or two pictures, of the same points differ; `agree` is True where rounding explains it.
+
+    Of diagrams: the status and owner of each site, its neighbors, and its area. Of pictures: the site of each pixel.
+    """
+    if isinstance(a, Diagram) and isinstance(b, Diagram):
+        return _vorpipe.diff_cells(a._cells, b._cells)
+    if isinstance(a, Picture) and isinstance(b, Picture):
+        return _vorpipe.diff_pictures(a._picture, b._picture)
+    raise _arguments.refuse('b', f'a {type(b).__name__} cannot be compared with a {type(a).__name__}')
+
+
+def devices(*, disabled: Sequence[str] = (), limits: Optional[Mapping[str, int]] = None) -> List[_vorpipe.DeviceInfo]:
+    """Every backend with its devices, usable or not; with `reason` where not."""
+    return _vorpipe.devices(_arguments.mask_of(disabled, limits))
+
+
+def selftest(backend: Optional[str] = None, device: Device = None, quick: bool = False, seed: int = 1,
+             threads: Optional[int] = None, *, disabled: Sequence[str] = (), limits: Optional[Mapping[str, int]] = None,
+             progress: Optional[Progress] = None) -> _vorpipe.SelftestReport:
+    """Runs scenes of its own on each backend and device, and compares what they answer with the processor."""
+    return _vorpipe.selftest(backend or '', '' if device is None else str(device), quick, seed,
+                             _arguments.threads_of(threads), _arguments.mask_of(disabled, limits), progress)
+
+
+class Forecast(NamedTuple):
+    """How much memory a run takes, told before it begins."""
+
+    bytes: int  #: at the peak
+    parts: List[Tuple[str, int]]  #: what they are, the largest first
+    available: int  #: how many bytes there are
+    limited_by: str  #: what sets that
+
+    @property
+    def fits(self) -> bool:
+        return self.bytes <= self.available
+
+
+def forecast(points: Any, weights: Any = None, domain: Any = None, periodic: Union[None, bool, str] = None,
+             density: Any = None, outline: Any = None, backend: str = 'auto', device: Device = None,
+             threads: Optional[int] = None, check: bool = False, detail: str = 'everything', *, picture: bool = False,
+             size: Optional[Sequence[int]] = None, color: str = 'site') -> Forecast:
+    """How much memory `cells` takes with these arguments, or with `picture=True` `render`; Python's own not counted."""
+    wanted = _arguments.size_of(size)
+    session = _session(backend, device, threads, points, wanted[0] * wanted[1] if wanted else 0)
+    given = input_of(points, weights, domain, periodic, outline, None if picture else density)
+    count = _arguments.threads_of(threads)
+    if picture:
+        return Forecast(*_vorpipe.forecast_picture(session._session, given, wanted, color, check, count))
+    return Forecast(*_vorpipe.forecast_cells(session._session, given, detail, check, count))
+
+
+def generate(pattern: str, n: int, seed: int = 1) -> Floats:
+    """About n points in the unit square, (n, 2): "random", "square", "hex", "jitter", "clusters" or "circle".
+
+    The same seed gives the same points on every platform, and those of the command line.
+    """
+    return _vorpipe.generate(pattern, str(n), seed)
+
+
+def random_weights(low: float, high: float, n: int, seed: int = 1) -> Floats:
+    """n weights, evenly distributed; those of the command line's --random-weights."""
+    return _vorpipe.random_weights(low, high, n, seed)
+
+
+def read_sites(path: PathLike) -> Tuple[Floats, Optional[Floats]]:
+    """The points (N, 2) of a .csv, .xyz, .txt or .npy file, and their weights (N,); None where it has none."""
+    return _vorpipe.read_sites(os.fspath(path))
+
+
+def read_weights(path: PathLike, n: int) -> Floats:
+    """The weights (n,) of a .txt, .csv or .npy file."""
+    return _vorpipe.read_weights(os.fspath(path), n)
+
+
+def backends() -> List[str]:
+    """The names that `backend` takes."""
+    return _vorpipe.backend_names()
+
+
+def colormaps() -> List[str]:
+    """The names that `colormap` takes."""
+    return _vorpipe.colormaps()
+

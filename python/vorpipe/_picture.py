@@ -1,0 +1,80 @@
+"""Cells as pixels."""
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, List, Optional, Tuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _arguments, _vorpipe
+from ._arguments import Floats, PathLike
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+
+class Picture:
+    """A picture of the cells of N points; made by `render`.
+
+    Arrays are read-only, and show the memory of the picture without a copy; each keeps it alive. Row 0 is the top,
+    where y is largest.
+    """
+
+    __slots__ = ('_picture',)
+
+    def __init__(self, picture: _vorpipe.Picture) -> None:
+        self._picture = picture
+
+    def __repr__(self) -> str:
+        height, width = self.ids.shape
+        return f'<vorpipe.Picture: {width} x {height} pixels, {self.report.backend}>'
+
+    @property
+    def rgba(self) -> npt.NDArray[np.uint8]:
+        """(H, W, 4): red, green, blue, alpha."""
+        return self._picture.rgba
+
+    @property
+    def ids(self) -> npt.NDArray[np.uint32]:
+        """(H, W): the point whose cell the pixel's center is in; NO_SITE outside of an outline."""
+        return self._picture.ids
+
+    @property
+    def status(self) -> npt.NDArray[np.uint8]:
+        """(N,): a `Status` each."""
+        return self._picture.status
+
+    @property
+    def owner(self) -> npt.NDArray[np.uint32]:
+        """(N,): the point that owns the cell: itself unless it is a duplicate."""
+        return self._picture.owner
+
+    @property
+    def points(self) -> Floats:
+        """(N, 2): the points that were given. A copy with each call."""
+        return self._picture.input.points
+
+    @property
+    def domain(self) -> Tuple[float, float, float, float]:
+        """(xmin, ymin, xmax, ymax): what is drawn."""
+        xmin, ymin, xmax, ymax = self._picture.input.domain
+        return xmin, ymin, xmax, ymax
+
+    @property
+    def report(self) -> _vorpipe.Report:
+        """Backend, device, times, and what became of how many points."""
+        return self._picture.report
+
+    def check(self, threads: Optional[int] = None) -> List[str]:
+        """As `vorpipe.check`."""
+        return _vorpipe.check_picture(self._picture, _arguments.threads_of(threads))
+
+    def save(self, path: PathLike) -> None:
+        """Writes the picture as .png, or its ids as .npy."""
+        self._picture.save(os.fspath(path))
+
+    def plot(self, ax: Optional[Axes] = None) -> Axes:
+        """Shows it on matplotlib's axes, in the units of the points; returns the axes."""
+        from ._plot import plot_picture
+        return plot_picture(self, ax)

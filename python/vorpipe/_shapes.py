@@ -1,0 +1,38 @@
+"""Cells for shapely and GeoPandas, which are imported here alone."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, List
+
+import numpy as np
+
+if TYPE_CHECKING:
+    import geopandas
+
+    from ._diagram import Diagram
+
+
+def shapely_polygons(diagram: Diagram) -> List[Any]:
+    from shapely.geometry import MultiPolygon, Polygon
+
+    if not len(diagram.ring_starts):
+        return [Polygon(ring) if len(ring) else Polygon() for ring in diagram.polygons()]
+    shapes = []
+    for cell in diagram:
+        parts = [Polygon(outer, holes) for outer, holes in cell.polygons()]
+        shapes.append(MultiPolygon(parts) if len(parts) > 1 else parts[0] if parts else Polygon())
+    return shapes
+
+
+def geo_data_frame(diagram: Diagram, crs: Any) -> geopandas.GeoDataFrame:
+    from geopandas import GeoDataFrame
+
+    x, y = diagram.points.T
+    columns = {'x': x, 'y': y}
+    if diagram.weights is not None:
+        columns['weight'] = diagram.weights.copy()
+    columns['status'] = np.array(['ok', 'empty', 'duplicate'])[diagram.status]
+    columns['owner'] = diagram.owner.astype(np.int64)
+    columns['area'] = diagram.areas.copy()
+    if len(diagram.mass):
+        columns['mass'] = diagram.mass.copy()
+    return GeoDataFrame(columns, geometry=diagram.to_shapely(), crs=crs)

@@ -1,0 +1,96 @@
+"""What both classes begin with: points, and the triangles of all of them."""
+from __future__ import annotations
+
+from typing import Any, Optional, Tuple
+
+import numpy as np
+import numpy.typing as npt
+
+from .. import _arguments, _vorpipe
+from .._arguments import Floats
+from .._errors import InputError
+from .._functions import cells
+
+Indices = npt.NDArray[np.int32]
+
+DEFAULT_OPTIONS = 'Qbb Qc Qz Q12'
+
+
+class QhullError(InputError, RuntimeError):
+    """What scipy.spatial.QhullError is raised for: too few points, or all on a line."""
+
+
+def options_of(options: Optional[str], furthest_site: bool) -> str:
+    """The options of Qhull that say something here: others than these are refused, not ignored."""
+    if furthest_site:
+        raise _arguments.refuse('furthest_site', 'only the diagram of nearest points is computed')
+    chosen = DEFAULT_OPTIONS if options is None else options
+    if isinstance(chosen, bytes):
+        chosen = chosen.decode('latin1')
+    for option in chosen.split():
+        if option not in ('Qbb', 'Qc', 'Qz', 'Q12', 'Qt', 'Qx', 'Pp'):
+            raise _arguments.refuse('qhull_options', f'{option} is not known; known are Qbb, Qc, Qz, Q12, Qt, Qx, Pp')
+    return chosen
+
+
+def plane_points(value: Any) -> Floats:
+    """As scipy takes them, a copy: (N, 2), finite, not masked."""
+    if np.ma.isMaskedArray(value):
+        raise _arguments.refuse('points', 'masked arrays are not taken; leave the masked elements out')
+    array = np.array(value, dtype=np.float64, order='C')
+    if array.ndim != 2:
+        raise _arguments.refuse('points', f'shape {array.shape}, must be (N, 2)')
+    if array.shape[1] != 2:
+        raise _arguments.refuse('points', f'{array.shape[1]} dimensions: vorpipe.compat is for points in the plane; '
+                                          'take scipy.spatial for others')
+    if not np.isfinite(array).all():
+        raise _arguments.refuse('points', 'some are not finite')
+    return array
+
+
+def triangulated(points: Floats) -> Tuple[npt.NDArray[np.uint32], npt.NDArray[np.uint32]]:
+    """The triangles of all points, and the owner of each position."""
+    if len(points) < 3:
+        raise QhullError(f'points: {len(points)}, it takes three', 'input', 'points')
+    diagram = cells(points)
+    if not len(diagram.triangles):
+        raise QhullError('points: all of them lie on a line', 'input', 'points')
+    return diagram.triangles, diagram.owner
+
+
+class PlaneSet:
+    """Points, and what came of them; more may be added where the caller said so."""
+
+    def __init__(self, points: Any, furthest_site: bool, incremental: bool, qhull_options: Optional[str]) -> None:
+        self._options = options_of(qhull_options, furthest_site)
+        self.furthest_site = False
+        self._incremental = bool(incremental)
+        self._take(plane_points(points))
+
+    def _take(self, points: Floats) -> None:
+        self._points = points
+        self.ndim = 2
+        self.npoints = len(points)
+        self.min_bound = points.min(axis=0)
+        self.max_bound = points.max(axis=0)
+        self._triangles, self._owner = triangulated(points)
+        self._adjacent = _vorpipe.adjacent_triangles(self._triangles, len(points))
+        flat = _vorpipe.flat_on_hull(points, self._triangles, self._adjacent)
+        if flat.any():
+            self._triangles = self._triangles[flat == 0]
+            self._adjacent = _vorpipe.adjacent_triangles(self._triangles, len(points))
+
+    @property
+    def points(self) -> Floats:
+        """(N, 2)."""
+        return self._points
+
+    def add_points(self, points: Any, restart: bool = False) -> None:
+        """Adds points, where the object was made with incremental=True; all is computed anew."""
+        if not self._incremental:
+            raise RuntimeError('incremental mode not enabled or already closed')
+        self._take(np.concatenate((self._points, plane_points(points))))
+
+    def close(self) -> None:
+        """No more points can be added."""
+        self._incremental = False

@@ -1,0 +1,108 @@
+"""What is taken, and what is refused with the argument's name."""
+import pickle
+
+import numpy as np
+import pytest
+
+import vorpipe
+
+POINTS = np.array([[0.2, 0.3], [0.7, 0.6], [0.4, 0.9]])
+
+
+@pytest.mark.parametrize('points', [
+    POINTS.tolist(), [tuple(point) for point in POINTS], np.asfortranarray(POINTS), np.repeat(POINTS, 2, axis=0)[::2],
+    np.column_stack((POINTS, POINTS))[:, :2], POINTS[::-1].copy()[::-1], POINTS.astype('>f8')])
+def test_any_array_like_gives_the_same_cells(points):
+    assert np.array_equal(vorpipe.cells(points).vertices, vorpipe.cells(POINTS).vertices)
+
+
+def test_other_types_are_taken_as_the_numbers_that_they_are():
+    single = POINTS.astype(np.float32)
+    assert np.array_equal(vorpipe.cells(single).points, single.astype(np.float64))
+    assert vorpipe.cells(np.array([[0, 0], [2, 1]], dtype=np.uint8)).points.tolist() == [[0, 0], [2, 1]]
+
+
+def test_points_are_not_changed():
+    points = POINTS.copy()
+    vorpipe.cells(points, domain=(0, 0, 1, 1), periodic='xy')
+    assert np.array_equal(points, POINTS)
+
+
+WRONG = [
+    ('points', 'there are none', {'points': []}),
+    ('points', 'there are none', {'points': np.empty((0, 2))}),
+    ('points', r'shape \(3, 3\), must be \(N, 2\)', {'points': np.zeros((3, 3))}),
+    ('points', r'shape \(2,\), must be \(N, 2\)', {'points': [1, 2]}),
+    ('points', 'point 1 is not finite: nan, 1', {'points': [[0, 0], [np.nan, 1]]}),
+    ('points', 'point 0 is not finite: 0, inf', {'points': [[0, np.inf], [1, 1]]}),
+    ('points', 'no array of numbers', {'points': [['a', 'b']]}),
+    ('points', 'no array of numbers', {'points': [[1j, 0]]}),
+    ('points', 'masked arrays are not taken', {'points': np.ma.masked_all((3, 2))}),
+    ('points', 'reach too far|domain', {'points': [[-1e308, 0], [1e308, 1]]}),
+    ('weights', r'shape \(2,\), must be \(3,\)', {'weights': [1, 2]}),
+    ('weights', 'not finite', {'weights': [1, 2, np.nan]}),
+    ('domain', 'must be 4 numbers', {'domain': (0, 1)}),
+    ('domain', '', {'domain': (1, 0, 0, 1)}),
+    ('domain', 'a domain that repeats must be named', {'periodic': 'x'}),
+    ('periodic', "'z' is none of none, x, y, xy", {'periodic': 'z', 'domain': (0, 0, 1, 1)}),
+    ('periodic', '3 is none of', {'periodic': 3}),
+    ('density', r'shape \(4,\), must be \(H, W\)', {'density': [1, 2, 3, 4]}),
+    ('density', '', {'density': [[1, -2]]}),
+    ('outline', 'neither a ring', {'outline': [1, 2, 3]}),
+    ('outline', 'a Point is no polygon', {'outline': {'type': 'Point', 'coordinates': [0, 0]}}),
+    ('outline', '', {'outline': [(0, 0), (1, 1), (1, 0), (0, 1)]}),
+    ('detail', "'all' is none of measures, polygons, everything", {'detail': 'all'}),
+    ('search', "'tree' is none of grid, flann", {'search': 'tree'}),
+    ('search', 'is none of', {'search': 'flann:many'}),
+    ('search', '2 neighbors: must be 3 to 1024', {'search': 'flann:2'}),
+    ('search', 'weights', {'search': 'flann', 'weights': [1, 2, 3]}),
+    ('backend', "'metal' is none of auto", {'backend': 'metal'}),
+    ('threads', '0 is no number of threads', {'threads': 0}),
+]
+
+
+@pytest.mark.parametrize('argument, message, arguments', WRONG)
+def test_what_is_wrong_is_named(argument, message, arguments):
+    with pytest.raises(vorpipe.InputError, match=message) as caught:
+        vorpipe.cells(**{'points': POINTS, **arguments})
+    error = caught.value
+    if 'reach' not in message:
+        assert str(error).startswith(f'{argument}: ') and error.subject == argument
+    assert error.code == 'input' and isinstance(error, ValueError) and isinstance(error, vorpipe.Error)
+    assert '\n' not in str(error)
+
+
+@pytest.mark.parametrize('argument, arguments', [
+    ('size', {'size': 100}), ('size', {'size': (10, 0)}), ('size', {'size': (10, 40000)}), ('color', {'color': 'red'}),
+    ('colormap', {'colormap': 'jet', 'color': 'area'})])
+def test_what_is_wrong_about_a_picture_is_named(argument, arguments):
+    with pytest.raises(vorpipe.InputError, match=f'^{argument}: ') as caught:
+        vorpipe.render(POINTS, **arguments)
+    assert caught.value.subject == argument
+
+
+def test_a_device_that_is_not_there_is_a_device_error():
+    with pytest.raises(vorpipe.DeviceError) as caught:
+        vorpipe.Session('cpu', device='none such')
+    assert caught.value.code == 'device' and isinstance(caught.value, RuntimeError)
+
+
+def test_features_and_limits_have_names():
+    with pytest.raises(vorpipe.InputError, match="disabled: 'wings' is none of"):
+        vorpipe.Session('cpu', disabled=['wings'])
+    with pytest.raises(vorpipe.InputError, match="limits: 'wings' is none of"):
+        vorpipe.devices(limits={'wings': 2})
+
+
+def test_an_error_survives_pickling():
+    with pytest.raises(vorpipe.InputError) as caught:
+        vorpipe.cells(POINTS, weights=[1])
+    again = pickle.loads(pickle.dumps(caught.value))
+    assert (str(again), again.code, again.subject) == (str(caught.value), 'input', 'weights')
+
+
+def test_a_missing_file_is_an_input_error(tmp_path):
+    with pytest.raises(vorpipe.InputError, match='missing.csv'):
+        vorpipe.read_sites(tmp_path / 'missing.csv')
+    with pytest.raises(vorpipe.InputError, match='missing.wkt'):
+        vorpipe.cells(POINTS, outline=tmp_path / 'missing.wkt')

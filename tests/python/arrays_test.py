@@ -1,0 +1,74 @@
+"""Arrays show the memory of results, and keep it."""
+import gc
+import sys
+
+import numpy as np
+import pytest
+
+import vorpipe
+
+OF_DIAGRAMS = ['status', 'owner', 'areas', 'perimeters', 'centroids', 'second_moments', 'offsets', 'vertices',
+               'neighbors', 'edge_lengths', 'triangles', 'ring_starts', 'mass', 'mass_centroids']
+
+
+@pytest.fixture(scope='module')
+def diagram():
+    return vorpipe.cells(vorpipe.generate('random', 1000), density=np.ones((2, 2)))
+
+
+@pytest.mark.parametrize('name', OF_DIAGRAMS)
+def test_arrays_of_a_diagram_are_read_only_views(name, diagram):
+    array = getattr(diagram, name)
+    assert not array.flags.writeable and array.flags.c_contiguous and array.flags.owndata == (array.size == 0)
+    with pytest.raises(ValueError):
+        array[...] = 0
+    if array.size:
+        assert np.shares_memory(array, getattr(diagram, name))
+        copy = array.copy()
+        copy[...] = 0
+
+
+def test_arrays_have_types_that_numpy_computes_with(diagram):
+    assert (diagram.offsets + diagram.neighbors[:1]).dtype == np.int64
+    assert diagram.points[diagram.triangles].shape == (len(diagram.triangles), 3, 2)
+
+
+def test_arrays_outlive_the_diagram(random):
+    points = random.random((5000, 2))
+    diagram = vorpipe.cells(points, domain=(0, 0, 1, 1))
+    areas, vertices = diagram.areas, diagram[7].vertices
+    expected = areas.copy(), vertices.copy()
+    del diagram
+    gc.collect()
+    others = [vorpipe.cells(random.random((5000, 2))) for _ in range(5)]
+    assert np.array_equal(areas, expected[0]) and np.array_equal(vertices, expected[1])
+    assert len(others) == 5
+
+
+def test_a_result_goes_with_its_last_array():
+    held = memory()
+    arrays = [vorpipe.cells(vorpipe.generate('random', 200_000, seed), detail='polygons').areas for seed in range(3)]
+    del arrays
+    gc.collect()
+    for seed in range(10):
+        vorpipe.cells(vorpipe.generate('random', 200_000, seed), detail='polygons')
+    assert memory() - held < 500e6
+
+
+def memory():
+    """Bytes that this process has."""
+    if not sys.platform.startswith('linux'):
+        pytest.skip('only Linux tells how much memory a process has by /proc')
+    with open('/proc/self/statm') as file:
+        return int(file.read().split()[1]) * 4096
+
+
+def test_arrays_of_a_picture_are_read_only_views():
+    picture = vorpipe.render([[0.2, 0.5], [0.8, 0.5]], domain=(0, 0, 1, 1), size=(30, 20))
+    for array, shape, kind in ((picture.rgba, (20, 30, 4), np.uint8), (picture.ids, (20, 30), np.uint32)):
+        assert array.shape == shape and array.dtype == kind
+        assert not array.flags.owndata and not array.flags.writeable
+    ids = picture.ids
+    del picture
+    gc.collect()
+    assert ids[:, :15].max() == 0 and ids[:, 15:].min() == 1

@@ -1,0 +1,82 @@
+"""Types: what the package says of itself, and what a program that uses it is told."""
+import os
+import pathlib
+import subprocess
+import sys
+
+import pytest
+
+import vorpipe
+
+pytest.importorskip('mypy', reason='there is no mypy')
+PACKAGE = pathlib.Path(vorpipe.__file__).parent
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+PROGRAM = '''
+from typing import List, Optional
+
+import numpy as np
+import numpy.typing as npt
+
+import vorpipe
+from vorpipe.compat import Delaunay, Voronoi
+
+
+def progress(stage: str, part: float) -> Optional[bool]:
+    return part < 0.5
+
+
+diagram: vorpipe.Diagram = vorpipe.cells([[0, 0], [1, 1]], weights=[0.0, 0.1], periodic='xy', domain=(0, 0, 2, 2))
+areas: npt.NDArray[np.float64] = diagram.areas
+cell: vorpipe.Cell = diagram[0]
+status: vorpipe.Status = cell.status
+picture: vorpipe.Picture = vorpipe.render(np.zeros((1, 2)), size=(10, 10))
+broken: List[str] = vorpipe.check(diagram)
+same: bool = vorpipe.compare(diagram, diagram).agree
+ties: int = vorpipe.compare(picture, picture).ties
+with vorpipe.Session('cpu', threads=2) as session:
+    name: str = session.device.name
+    session.cells(np.zeros((3, 2)), progress=progress, check=True)
+try:
+    vorpipe.cells([])
+except vorpipe.InputError as error:
+    subject: Optional[str] = error.subject
+ridges: List[List[int]] = Voronoi(np.eye(2)).ridge_vertices
+triangles: npt.NDArray[np.int32] = Delaunay(np.eye(2)).simplices
+'''
+
+
+def mypy(*arguments, folder):
+    environment = {**os.environ, 'MYPY_CACHE_DIR': str(folder / 'cache'), 'MYPYPATH': str(PACKAGE.parent)}
+    return subprocess.run([sys.executable, '-B', '-m', *arguments], capture_output=True, text=True, cwd=folder,
+                          env=environment)
+
+
+def test_mypy_accepts_a_program_and_refuses_a_wrong_one(tmp_path):
+    (tmp_path / 'program.py').write_text(PROGRAM)
+    checked = mypy('mypy', '--strict', 'program.py', folder=tmp_path)
+    assert checked.returncode == 0, checked.stdout + checked.stderr
+    (tmp_path / 'wrong.py').write_text('import vorpipe\nx: int = vorpipe.cells([[0, 0]]).areas\n'
+                                       'vorpipe.compare(vorpipe.cells([[0, 0]]), 1)\n')
+    checked = mypy('mypy', 'wrong.py', folder=tmp_path)
+    assert checked.stdout.count('error:') == 2, checked.stdout
+
+
+def test_the_package_is_typed_throughout(tmp_path):
+    checked = mypy('mypy', '--config-file', str(ROOT / 'pyproject.toml'), '-p', 'vorpipe', folder=tmp_path)
+    assert checked.returncode == 0, checked.stdout + checked.stderr
+
+
+def test_the_stub_says_what_the_module_has(tmp_path):
+    checked = mypy('mypy.stubtest', 'vorpipe._vorpipe', folder=tmp_path)
+    assert checked.returncode == 0, checked.stdout + checked.stderr
+
+
+def test_all_that_is_public_has_a_docstring():
+    for name in vorpipe.__all__:
+        thing = getattr(vorpipe, name)
+        if callable(thing):
+            assert thing.__doc__ and thing.__doc__.strip(), name
+    for kind in (vorpipe.Diagram, vorpipe.Picture):
+        for name, member in vars(kind).items():
+            assert name.startswith('_') or member.__doc__, f'{kind.__name__}.{name}'
