@@ -139,7 +139,8 @@ void defineSession(py::module_& module) {
           [](SharedSession& session, const Shared& input, const std::optional<std::pair<int, int>>& size,
              const std::string& color, const std::string& colormap, bool edges, bool show_sites,
              const std::string& search, int neighbors, py::object progress) {
-            const PictureSize wanted = size ? PictureSize{size->first, size->second} : defaultSize(input->domain);
+            const PictureSize wanted =
+                size ? PictureSize{size->first, size->second} : defaultSize(input->domain);
             RenderOptions options{};
             options.domain = input->domain;
             options.outline = input->outline;

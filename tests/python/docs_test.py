@@ -1,4 +1,4 @@
-"""The programs of docs/python.md: each block fenced with ```python runs, in order, in one session; a block fenced with
+"""The programs of README.md and docs/python.md: each block fenced with ```python runs, in order, in one session; a block fenced with
 ```text right behind one is what it prints, where ... stands for anything. A block that imports what is not here is
 skipped."""
 import contextlib
@@ -11,15 +11,15 @@ import traceback
 import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PAGE = ROOT / 'docs/python.md'
+PAGES = [ROOT / 'README.md', ROOT / 'docs/python.md']
 
 
-def blocks():
+def blocks(page):
     """(line, program, what it prints or None)."""
     found = []
-    for match in re.finditer(r'^```python\n(.*?)^```\n(?:\n```text\n(.*?)^```\n)?', PAGE.read_text(),
+    for match in re.finditer(r'^```python\n(.*?)^```\n(?:\n```text\n(.*?)^```\n)?', page.read_text(),
                              re.MULTILINE | re.DOTALL):
-        line = PAGE.read_text()[:match.start()].count('\n') + 2
+        line = page.read_text()[:match.start()].count('\n') + 2
         found.append((line, match[1], match[2]))
     return found
 
@@ -29,11 +29,12 @@ def missing(program):
     return [name for name in names if importlib.util.find_spec(name) is None]
 
 
-def test_the_page_runs(tmp_path, monkeypatch, capsys):
+@pytest.mark.parametrize('page', PAGES, ids=lambda page: page.name)
+def test_the_page_runs(page, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / 'docs').symlink_to(ROOT / 'docs')
-    found = blocks()
-    assert len(found) > 5
+    found = blocks(page)
+    assert found
     names = {'__name__': '__main__'}
     for line, program, expected in found:
         if missing(program):
@@ -41,14 +42,15 @@ def test_the_page_runs(tmp_path, monkeypatch, capsys):
         printed = io.StringIO()
         try:
             with contextlib.redirect_stdout(printed):
-                exec(compile('\n' * (line - 1) + program, str(PAGE), 'exec'), names)
+                exec(compile('\n' * (line - 1) + program, str(page), 'exec'), names)
         except Exception:
-            pytest.fail(f'{PAGE.name}:{line}:\n{traceback.format_exc(limit=-1)}')
+            pytest.fail(f'{page.name}:{line}:\n{traceback.format_exc(limit=-1)}')
         if expected is not None:
             pattern = re.escape(expected).replace(r'\.\.\.', '.*')
-            assert re.fullmatch(pattern, printed.getvalue()), f'{PAGE.name}:{line} prints\n{printed.getvalue()}'
+            assert re.fullmatch(pattern, printed.getvalue()), f'{page.name}:{line} prints\n{printed.getvalue()}'
 
 
-@pytest.mark.parametrize('line, program', [(line, program) for line, program, _ in blocks() if missing(program)])
+@pytest.mark.parametrize('line, program',
+                         [(line, program) for page in PAGES for line, program, _ in blocks(page) if missing(program)])
 def test_blocks_that_take_what_is_not_here(line, program):
     pytest.skip(f'there is no {", ".join(missing(program))}')
