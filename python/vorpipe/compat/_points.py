@@ -75,6 +75,7 @@ class PlaneSet:
         self.max_bound = points.max(axis=0)
         self._triangles, self._owner = triangulated(points)
         self._adjacent = _vorpipe.adjacent_triangles(self._triangles, len(points))
+        self._triangles, self._adjacent = _vorpipe.flipped_triangles(points, self._triangles, self._adjacent)
         flat = _vorpipe.flat_on_hull(points, self._triangles, self._adjacent)
         if flat.any():
             self._triangles = self._triangles[flat == 0]
