@@ -35,7 +35,7 @@ def options_of(options: Optional[str], furthest_site: bool) -> str:
 
 def plane_points(value: Any) -> Floats:
     """As scipy takes them, a copy: (N, 2), finite, not masked."""
-    if np.ma.isMaskedArray(value):
+    if isinstance(value, np.ma.MaskedArray):
         raise _arguments.refuse('points', 'masked arrays are not taken; leave the masked elements out')
     array = np.array(value, dtype=np.float64, order='C')
     if array.ndim != 2:
