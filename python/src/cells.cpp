@@ -6,6 +6,7 @@
 #include "choices.h"
 #include "errors.h"
 #include "io/cells/cells_file.h"
+#include "io/files/output_file.h"
 #include "results.h"
 
 namespace vorpipe::python {

@@ -6,6 +6,7 @@
 #include "arrays.h"
 #include "errors.h"
 #include "io/files/extension.h"
+#include "io/files/output_file.h"
 #include "io/pictures/npy_ids.h"
 #include "io/pictures/png_file.h"
 #include "results.h"

@@ -3,49 +3,11 @@
 #include <limits>
 #include <numeric>
 
+#include "triangle_signs.h"
 #include "triangles.h"
 
 namespace vorpipe::python {
 namespace {
-
-constexpr double epsilon = std::numeric_limits<double>::epsilon();
-
-/// A point as seen from another one, how far off either coordinate may be, and what both add to determinants.
-struct Seen {
-  double x, y, unsure_x, unsure_y;
-  [[nodiscard]] double square() const { return x * x + y * y; }
-  [[nodiscard]] Seen size() const { return {std::abs(x), std::abs(y), 0, 0}; }
-  [[nodiscard]] Seen largest() const { return {std::abs(x) + unsure_x, std::abs(y) + unsure_y, 0, 0}; }
-};
-
-Seen seen(const Point& from, const Point& point) {
-  return {point.x - from.x, point.y - from.y, epsilon * std::max(std::abs(point.x), std::abs(from.x)),
-          epsilon * std::max(std::abs(point.y), std::abs(from.y))};
-}
-
-double determinant(const Seen& a, const Seen& b) { return a.x * b.y - a.y * b.x; }
-double permanent(const Seen& a, const Seen& b) { return a.x * b.y + a.y * b.x; }
-
-double determinant(const Seen& a, const Seen& b, const Seen& c) {
-  return a.square() * determinant(b, c) - b.square() * determinant(a, c) + c.square() * determinant(a, b);
-}
-double permanent(const Seen& a, const Seen& b, const Seen& c) {
-  return a.square() * permanent(b, c) + b.square() * permanent(a, c) + c.square() * permanent(a, b);
-}
-
-/// Whether a determinant of these is 0 where coordinates are known to their last place: sites of a lattice
-/// that was turned are as good as on one circle, and on one line.
-template <class... Points>
-bool isNothing(const Points&... points) {
-  const double size = permanent(points.size()...), largest = permanent(points.largest()...);
-  return std::abs(determinant(points...)) <= 8 * epsilon * size + (largest - size);
-}
-
-bool areOnLine(const Point& a, const Point& b, const Point& c) { return isNothing(seen(a, b), seen(a, c)); }
-
-bool areOnCircle(const Point& a, const Point& b, const Point& c, const Point& d) {
-  return isNothing(seen(d, a), seen(d, b), seen(d, c));
-}
 
 class Groups {
  public:
@@ -103,8 +65,8 @@ void joinTies(std::span<const Point> points, std::span<const Triangle> triangles
       const std::size_t beyond = adjacent[o][0] == static_cast<std::int32_t>(t)   ? 0
                                  : adjacent[o][1] == static_cast<std::int32_t>(t) ? 1
                                                                                   : 2;
-      if (areOnCircle(points[triangle[0]], points[triangle[1]], points[triangle[2]],
-                      points[triangles[o][beyond]])) {
+      if (inCircle(points[triangle[0]], points[triangle[1]], points[triangle[2]],
+                   points[triangles[o][beyond]]) == 0) {
         groups.join(t, o);
       }
     }
@@ -112,36 +74,6 @@ void joinTies(std::span<const Point> points, std::span<const Triangle> triangles
 }
 
 }  // namespace
-
-std::vector<std::uint8_t> flatOnHull(std::span<const Point> points, std::span<const Triangle> triangles,
-                                     std::span<const Adjacent> adjacent) {
-  std::vector<std::uint8_t> are_flat(triangles.size());
-  std::vector<bool> are_on_hull(points.size());
-  std::vector<std::size_t> next;
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (adjacent[t][k] >= 0) continue;
-      are_on_hull[triangles[t][(k + 1) % 3]] = are_on_hull[triangles[t][(k + 2) % 3]] = true;
-      next.push_back(t);
-    }
-  }
-  while (!next.empty()) {
-    const std::size_t t = next.back();
-    next.pop_back();
-    const Triangle& corners = triangles[t];
-    const auto inner =
-        std::ranges::find_if(corners, [&](std::uint32_t point) { return !are_on_hull[point]; });
-    // Without a corner inside, the others would lose what holds them together.
-    if (are_flat[t] || inner == corners.end()) continue;
-    if (!areOnLine(points[corners[0]], points[corners[1]], points[corners[2]])) continue;
-    are_flat[t] = true;
-    are_on_hull[*inner] = true;
-    for (const std::int32_t other : adjacent[t]) {
-      if (other >= 0) next.push_back(static_cast<std::size_t>(other));
-    }
-  }
-  return are_flat;
-}
 
 Centers centersOf(std::span<const Point> points, std::span<const Triangle> triangles,
                   std::span<const Adjacent> adjacent) {

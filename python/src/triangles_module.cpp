@@ -39,6 +39,16 @@ std::tuple<py::array, py::array, py::array> fanArrays(const Rows<std::uint32_t>&
           arrayOf<std::uint8_t>(std::move(fans.are_closed))};
 }
 
+std::tuple<py::array, py::array> flippedArrays(const Rows<double>& points,
+                                               const Rows<std::uint32_t>& triangles,
+                                               const Rows<std::int32_t>& adjacent) {
+  Mesh mesh = [&] {
+    const py::gil_scoped_release no_gil;
+    return flipped(rowsOf<Point>(points), rowsOf<Triangle>(triangles), rowsOf<Adjacent>(adjacent));
+  }();
+  return {arrayOf<std::uint32_t>(std::move(mesh.triangles)), arrayOf<std::int32_t>(std::move(mesh.adjacent))};
+}
+
 py::array flatArray(const Rows<double>& points, const Rows<std::uint32_t>& triangles,
                     const Rows<std::int32_t>& adjacent) {
   auto are_flat = [&] {
@@ -74,6 +84,8 @@ py::array trianglesAtPlaces(const Rows<double>& points, const Rows<std::uint32_t
 
 void defineTriangles(py::module_& module) {
   module.def("adjacent_triangles", &adjacentArray, py::arg("triangles"), py::arg("points"));
+  module.def("flipped_triangles", &flippedArrays, py::arg("points"), py::arg("triangles"),
+             py::arg("adjacent"));
   module.def("flat_on_hull", &flatArray, py::arg("points"), py::arg("triangles"), py::arg("adjacent"));
   module.def("triangle_fans", &fanArrays, py::arg("triangles"), py::arg("adjacent"), py::arg("points"));
   module.def("triangle_centers", &centerArrays, py::arg("points"), py::arg("triangles"), py::arg("adjacent"));

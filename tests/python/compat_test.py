@@ -204,6 +204,13 @@ def test_duplicates_are_coplanar(rng):
     assert np.array_equal(voronoi.point_region[:20], voronoi.point_region[20:])
 
 
+# Of these, a diagram has a tie that is triangulated the other way.
+@pytest.mark.parametrize('seed', [1471, 3267, 3300, 3733])
+def test_ties_of_cells_are_no_ties_of_triangles(seed):
+    points = np.random.default_rng(seed).normal(size=(1000, 2))
+    assert triangle_set(Delaunay(points).simplices) == triangle_set(spatial.Delaunay(points).simplices)
+
+
 def test_a_square_has_two_triangles_and_one_vertex():
     square = [(0, 0), (0, 1), (1, 1), (1, 0)]
     triangulation, voronoi = Delaunay(square), Voronoi(square)
@@ -218,6 +225,13 @@ def test_nearly_flat_triangles_have_exact_centers():
     voronoi = Voronoi([(0, 0), (1, 1e-14), (2, 0), (1, 1)])
     far = voronoi.vertices[np.abs(voronoi.vertices[:, 1]).argmax()]
     assert far[0] == 1 and far[1] == pytest.approx(-5e13, rel=1e-14)
+
+
+def test_points_nearly_on_a_circle_are_triangulated_as_they_lie():
+    for away, expected in ((1e-8, {(0, 1, 3), (1, 2, 3)}), (-1e-8, {(0, 1, 2), (0, 2, 3)})):
+        points = [(0, 0), (1, 0), (1 + away, 1 + away), (0, 1)]
+        assert triangle_set(Delaunay(points).simplices) == expected
+        assert len(Voronoi(points).vertices) == 2
 
 
 def test_points_on_the_hull_but_for_a_last_digit_have_no_vertex_far_out():

@@ -68,7 +68,9 @@ def test_the_package_is_typed_throughout(tmp_path):
 
 
 def test_the_stub_says_what_the_module_has(tmp_path):
-    checked = mypy('mypy.stubtest', 'vorpipe._vorpipe', folder=tmp_path)
+    # What is of pybind11: the type of its types, and that objects which only vorpipe makes cannot be made.
+    (tmp_path / 'allowed').write_text(r'vorpipe\._vorpipe\.[A-Z]\w+(\.__init__)?')
+    checked = mypy('mypy.stubtest', '--allowlist', 'allowed', 'vorpipe._vorpipe', folder=tmp_path)
     assert checked.returncode == 0, checked.stdout + checked.stderr
 
 

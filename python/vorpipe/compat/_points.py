@@ -35,7 +35,7 @@ def options_of(options: Optional[str], furthest_site: bool) -> str:
 
 def plane_points(value: Any) -> Floats:
     """As scipy takes them, a copy: (N, 2), finite, not masked."""
-    if np.ma.isMaskedArray(value):
+    if isinstance(value, np.ma.MaskedArray):
         raise _arguments.refuse('points', 'masked arrays are not taken; leave the masked elements out')
     array = np.array(value, dtype=np.float64, order='C')
     if array.ndim != 2:
@@ -75,6 +75,7 @@ class PlaneSet:
         self.max_bound = points.max(axis=0)
         self._triangles, self._owner = triangulated(points)
         self._adjacent = _vorpipe.adjacent_triangles(self._triangles, len(points))
+        self._triangles, self._adjacent = _vorpipe.flipped_triangles(points, self._triangles, self._adjacent)
         flat = _vorpipe.flat_on_hull(points, self._triangles, self._adjacent)
         if flat.any():
             self._triangles = self._triangles[flat == 0]
