@@ -93,7 +93,7 @@ class Page:
                 self.blocks.append([start, list(commands(inside, start + 1)), None])
             elif fence[1] == 'text' and fresh:
                 self.blocks[-1][2] = inside
-            elif fence[1] not in ('text', 'cpp', 'glsl', 'json', 'csv', 'cmake', 'python'):
+            elif fence[1] not in ('text', 'c', 'cpp', 'glsl', 'json', 'csv', 'cmake', 'python'):
                 self.fault(at + 1, f'a block of "{fence[1]}": use sh for commands, text for what they print')
             fresh = fence[1] == 'sh'
             at = end + 1
