@@ -8,24 +8,24 @@
 #include "arrays.h"
 #include "errors.h"
 #include "results.h"
+#include "watch.h"
 
 namespace vorpipe::python {
 namespace {
 
-std::vector<std::string> brokenInCells(const CellsResult& result, int threads) {
-  auto broken = [&] {
-    const py::gil_scoped_release no_gil;
-    return check(result.input->sites, result.options, result.diagram, threads);
-  }();
-  return valueOf(std::move(broken));
+using Lines = std::vector<std::string>;
+
+/// Verifying knows no progress: Ctrl-C leaves it to itself.
+Lines brokenInCells(const std::shared_ptr<CellsResult>& result, int threads) {
+  return valueOf(watched<Lines>(py::none(), [result, threads](Watch&) {
+    return check(result->input->sites, result->options, result->diagram, threads);
+  }));
 }
 
-std::vector<std::string> brokenInPicture(const PictureResult& result, int threads) {
-  auto broken = [&] {
-    const py::gil_scoped_release no_gil;
-    return check(result.input->sites, result.options, result.rendering, threads);
-  }();
-  return valueOf(std::move(broken));
+Lines brokenInPicture(const std::shared_ptr<PictureResult>& result, int threads) {
+  return valueOf(watched<Lines>(py::none(), [result, threads](Watch&) {
+    return check(result->input->sites, result->options, result->rendering, threads);
+  }));
 }
 
 /// Two results can be told apart only where they are of the same sites.

@@ -6,6 +6,7 @@
 #include "results.h"
 #include "session.h"
 #include "vorpipe.h"
+#include "watch.h"
 
 PYBIND11_MODULE(_vorpipe, module) {
   using namespace vorpipe::python;
@@ -26,4 +27,5 @@ PYBIND11_MODULE(_vorpipe, module) {
   defineSelftest(module);
   defineFiles(module);
   defineTriangles(module);
+  module.def("wait_for_runs", &waitForRuns);
 }

@@ -4,16 +4,16 @@
 #include <pybind11/stl.h>
 
 #include "errors.h"
-#include "progress.h"
 #include "results.h"
 #include "session_options.h"
+#include "watch.h"
 
 namespace vorpipe::python {
 namespace {
 
 SelftestReport runSelftest(const std::string& backend, const std::string& device, bool quick,
-                           std::uint64_t seed, int threads, const MaskArguments& mask, py::object progress) {
-  HeardProgress heard(std::move(progress));
+                           std::uint64_t seed, int threads, const MaskArguments& mask,
+                           const py::object& progress) {
   SelftestOptions options;
   options.backend = backend;
   options.device = device;
@@ -21,13 +21,10 @@ SelftestReport runSelftest(const std::string& backend, const std::string& device
   options.seed = seed;
   options.threads = threads;
   options.mask = {mask.first, mask.second};
-  options.progress = heard.callback();
-  auto report = [&] {
-    const py::gil_scoped_release no_gil;
+  return valueOf(watched<SelftestReport>(progress, [options](Watch& watch) mutable {
+    options.progress = progressOf(watch);
     return selftest(options);
-  }();
-  heard.rethrow();
-  return valueOf(std::move(report));
+  }));
 }
 
 }  // namespace

@@ -2,8 +2,9 @@
 
 #include <pybind11/stl.h>
 
-#include <chrono>
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "choices.h"
 #include "errors.h"
@@ -13,6 +14,16 @@ namespace vorpipe::python {
 namespace {
 
 [[noreturn]] void raiseDevice(const char* message) { raise({ErrorCode::device, message}); }
+
+/// The sessions that this thread waits for; more than one where a progress function uses another.
+thread_local std::vector<const SharedSession*> waiting;
+
+struct Waiting {
+  explicit Waiting(const SharedSession* session) { waiting.push_back(session); }
+  ~Waiting() { waiting.pop_back(); }
+  Waiting(const Waiting&) = delete;
+  Waiting& operator=(const Waiting&) = delete;
+};
 
 }  // namespace
 
@@ -26,85 +37,83 @@ SharedSession::SharedSession(const BackendOptions& options) {
 
 SharedSession::~SharedSession() {
   // Threads and devices stayed with the process that opened them: nothing of them can be ended here.
-  if (getpid() != process_) {
-    static_cast<void>(session_.release());
-    return;
-  }
-  const py::gil_scoped_release no_gil;
-  session_.reset();
+  if (getpid() != process_) static_cast<void>(session_.release());
 }
 
-void SharedSession::lock() {
+void SharedSession::refuseOtherUse() const {
   if (getpid() != process_) {
     raiseDevice("the session belongs to the process that opened it: open another one in this process");
   }
-  if (user_ == std::this_thread::get_id()) {
+  if (std::ranges::find(waiting, this) != waiting.end()) {
     raiseDevice("the session is busy with the run whose progress function this is");
-  }
-  constexpr auto pause = std::chrono::milliseconds(50);
-  const auto locked = [&] {
-    const py::gil_scoped_release no_gil;
-    return mutex_.try_lock_for(pause);
-  };
-  while (!locked()) {
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
   }
 }
 
-template <class Work>
-auto SharedSession::use(Work work) -> decltype(work(std::declval<Session&>())) {
-  lock();
-  const std::unique_lock lock(mutex_, std::adopt_lock);
-  if (!session_) raiseDevice("the session is closed");
-  const py::gil_scoped_release no_gil;
-  user_ = std::this_thread::get_id();
-  auto result = work(*session_);
-  user_ = std::thread::id();
-  return result;
+template <class T>
+T SharedSession::use(const py::object& progress, std::function<Result<T>(Session&, const Progress&)> work) {
+  refuseOtherUse();
+  std::function<Result<T>(Watch&)> run = [self = shared_from_this(),
+                                          work = std::move(work)](Watch& watch) -> Result<T> {
+    const std::lock_guard lock(self->mutex_);
+    if (!self->session_) return tl::unexpected(Error{ErrorCode::device, "the session is closed"});
+    return work(*self->session_, progressOf(watch));
+  };
+  const Waiting here(this);
+  return valueOf(watched<T>(progress, std::move(run)));
 }
 
 std::shared_ptr<CellsResult> SharedSession::cells(const std::shared_ptr<const Input>& input,
                                                   const std::string& detail, const std::string& search,
-                                                  int neighbors, py::object progress) {
+                                                  int neighbors, const py::object& progress) {
   CellsOptions options = cellsOptionsOf(*input);
   options.detail = chosen("detail", detail_choices, detail);
   options.search = {chosen("search", search_choices, search), neighbors};
-  HeardProgress heard(std::move(progress));
-  options.progress = heard.callback();
-  auto diagram = use([&](Session& session) { return session.cells(input->sites, options); });
-  heard.rethrow();
-  options.progress = nullptr;
-  return std::make_shared<CellsResult>(CellsResult{input, std::move(options), valueOf(std::move(diagram))});
+  return use<std::shared_ptr<CellsResult>>(
+      progress,
+      [input, options = std::move(options)](
+          Session& session, const Progress& heard) mutable -> Result<std::shared_ptr<CellsResult>> {
+        options.progress = heard;
+        auto diagram = session.cells(input->sites, options);
+        if (!diagram) return tl::unexpected(std::move(diagram.error()));
+        options.progress = nullptr;
+        return std::make_shared<CellsResult>(CellsResult{input, std::move(options), std::move(*diagram)});
+      });
 }
 
 std::shared_ptr<PictureResult> SharedSession::render(const std::shared_ptr<const Input>& input,
-                                                     RenderOptions options, py::object progress) {
-  HeardProgress heard(std::move(progress));
-  options.progress = heard.callback();
-  auto rendering = use([&](Session& session) { return session.render(input->sites, options); });
-  heard.rethrow();
-  options.progress = nullptr;
-  return std::make_shared<PictureResult>(
-      PictureResult{input, std::move(options), valueOf(std::move(rendering))});
+                                                     RenderOptions options, const py::object& progress) {
+  return use<std::shared_ptr<PictureResult>>(
+      progress,
+      [input, options = std::move(options)](
+          Session& session, const Progress& heard) mutable -> Result<std::shared_ptr<PictureResult>> {
+        options.progress = heard;
+        auto rendering = session.render(input->sites, options);
+        if (!rendering) return tl::unexpected(std::move(rendering.error()));
+        options.progress = nullptr;
+        return std::make_shared<PictureResult>(
+            PictureResult{input, std::move(options), std::move(*rendering)});
+      });
 }
 
 Arithmetic SharedSession::arithmetic() {
-  return valueOf(use([](Session& session) { return session.arithmetic(); }));
+  return use<Arithmetic>(py::none(), [](Session& session, const Progress&) { return session.arithmetic(); });
 }
 
 DeviceInfo SharedSession::device() {
-  return use([](Session& session) { return session.device(); });
+  return use<DeviceInfo>(
+      py::none(), [](Session& session, const Progress&) -> Result<DeviceInfo> { return session.device(); });
 }
 
 std::string SharedSession::choice() {
-  return use([](Session& session) { return session.choice(); });
+  return use<std::string>(
+      py::none(), [](Session& session, const Progress&) -> Result<std::string> { return session.choice(); });
 }
 
 void SharedSession::close() {
   if (closed_ || getpid() != process_) return;
-  lock();
-  const std::unique_lock lock(mutex_, std::adopt_lock);
+  refuseOtherUse();
   const py::gil_scoped_release no_gil;
+  const std::lock_guard lock(mutex_);
   closed_ = true;
   session_.reset();
 }
@@ -130,15 +139,15 @@ void defineSession(py::module_& module) {
       .def(
           "cells",
           [](SharedSession& session, const Shared& input, const std::string& detail,
-             const std::string& search, int neighbors, py::object progress) {
-            return session.cells(input, detail, search, neighbors, std::move(progress));
+             const std::string& search, int neighbors, const py::object& progress) {
+            return session.cells(input, detail, search, neighbors, progress);
           },
           py::arg("input"), py::arg("detail"), py::arg("search"), py::arg("neighbors"), py::arg("progress"))
       .def(
           "render",
           [](SharedSession& session, const Shared& input, const std::optional<std::pair<int, int>>& size,
              const std::string& color, const std::string& colormap, bool edges, bool show_sites,
-             const std::string& search, int neighbors, py::object progress) {
+             const std::string& search, int neighbors, const py::object& progress) {
             const PictureSize wanted =
                 size ? PictureSize{size->first, size->second} : defaultSize(input->domain);
             RenderOptions options{};
@@ -152,7 +161,7 @@ void defineSession(py::module_& module) {
             options.edges = edges;
             options.show_sites = show_sites;
             options.search = {chosen("search", search_choices, search), neighbors};
-            return session.render(input, std::move(options), std::move(progress));
+            return session.render(input, std::move(options), progress);
           },
           py::arg("input"), py::arg("size"), py::arg("color"), py::arg("colormap"), py::arg("edges"),
           py::arg("show_sites"), py::arg("search"), py::arg("neighbors"), py::arg("progress"))

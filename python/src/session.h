@@ -9,16 +9,15 @@
 #include <memory>
 #include <mutex>
 #include <string>
-#include <thread>
 
-#include "progress.h"
 #include "results.h"
 #include "vorpipe.h"
+#include "watch.h"
 
 namespace vorpipe::python {
 
 /// One run at a time: other threads wait for theirs, and hear Ctrl-C while they do.
-class SharedSession {
+class SharedSession : public std::enable_shared_from_this<SharedSession> {
  public:
   explicit SharedSession(const BackendOptions& options);
   ~SharedSession();
@@ -26,9 +25,9 @@ class SharedSession {
   SharedSession& operator=(const SharedSession&) = delete;
 
   std::shared_ptr<CellsResult> cells(const std::shared_ptr<const Input>& input, const std::string& detail,
-                                     const std::string& search, int neighbors, py::object progress);
+                                     const std::string& search, int neighbors, const py::object& progress);
   std::shared_ptr<PictureResult> render(const std::shared_ptr<const Input>& input, RenderOptions options,
-                                        py::object progress);
+                                        const py::object& progress);
   Arithmetic arithmetic();
   DeviceInfo device();
   std::string choice();
@@ -38,13 +37,12 @@ class SharedSession {
   [[nodiscard]] bool isClosed() const { return closed_; }
 
  private:
-  /// Calls `work` with the session, alone and without the GIL.
-  template <class Work>
-  auto use(Work work) -> decltype(work(std::declval<Session&>()));
-  void lock();
+  /// The result of `work` with the session, alone, on a thread of its own.
+  template <class T>
+  T use(const py::object& progress, std::function<Result<T>(Session&, const Progress&)> work);
+  void refuseOtherUse() const;
 
-  std::timed_mutex mutex_;
-  std::atomic<std::thread::id> user_{};
+  std::mutex mutex_;
   std::unique_ptr<Session> session_;
   std::atomic<bool> closed_{false};
   pid_t process_ = getpid();

@@ -157,5 +157,6 @@ def _renew_lock() -> None:
     _lock = threading.Lock()
 
 
+atexit.register(_vorpipe.wait_for_runs)
 atexit.register(close_sessions)
 os.register_at_fork(after_in_child=_renew_lock)

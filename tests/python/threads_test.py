@@ -39,8 +39,9 @@ def test_other_threads_go_on_while_it_computes():
     assert during > 10_000
 
 
-def test_ctrl_c_is_heard_within_a_tenth_of_a_second():
-    ended = run('''
+@pytest.mark.parametrize('after', [0.1, 0.6])
+def test_ctrl_c_is_heard_within_a_tenth_of_a_second(after):
+    ended = run(f'''
         import os, signal, threading, time
         import vorpipe
         points = vorpipe.generate('random', 2_000_000)
@@ -48,7 +49,7 @@ def test_ctrl_c_is_heard_within_a_tenth_of_a_second():
         def send():
             sent.append(time.monotonic())
             os.kill(os.getpid(), signal.SIGINT)
-        threading.Timer(0.3, send).start()
+        threading.Timer({after}, send).start()
         try:
             vorpipe.cells(points, backend='cpu')
             print('not heard')
@@ -56,8 +57,8 @@ def test_ctrl_c_is_heard_within_a_tenth_of_a_second():
             print(time.monotonic() - sent[0])
     ''')
     assert ended.stdout, ended.stderr
-    # Machines are busy: what is promised is 0.1 s.
-    assert float(ended.stdout) < 2
+    # 0.1 s is what is promised; a machine may be busy with other things.
+    assert float(ended.stdout) < 1
 
 
 def test_a_handler_of_a_signal_may_raise_what_it_likes():
