@@ -51,6 +51,8 @@ NOT_RUN = {
     'pip install --no-index .': BUILDS,
     'cmake -B build/python -G Ninja -DCMAKE_BUILD_TYPE=Release -DVORPIPE_TESTS=OFF -DVORPIPE_PYTHON=ON': BUILDS,
     'cmake --build build/python --target _vorpipe': BUILDS,
+    'PYTHONPATH=build/python/python VORPIPE_CALL=build/python/tests/bench/bench_call python3 tests/bench/python.py':
+        BUILDS,
     'cmake --install build/python --component python --prefix /usr/local': BUILDS,
     'cmake --build --preset dev --target vorpipe': BUILDS,
     'ctest --preset dev -R cli_cells': BUILDS,

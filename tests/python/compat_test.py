@@ -1,4 +1,6 @@
 """vorpipe.compat beside scipy.spatial, and on its own."""
+from fractions import Fraction
+
 import numpy as np
 import pytest
 
@@ -63,18 +65,49 @@ def ridges_of(voronoi):
             for pair, ends in zip(voronoi.ridge_points.tolist(), voronoi.ridge_vertices)}
 
 
+def in_circle(corners):
+    """Exactly: above 0 where the last one lies inside the circle through the first three, counter-clockwise."""
+    *three, last = [(Fraction(x), Fraction(y)) for x, y in corners.tolist()]
+    (ax, ay), (bx, by), (cx, cy) = [(x - last[0], y - last[1]) for x, y in three]
+    a, b, c = ax * ax + ay * ay, bx * bx + by * by, cx * cx + cy * cy
+    return a * (bx * cy - by * cx) - b * (ax * cy - ay * cx) + c * (ax * by - ay * bx)
+
+
+def faults(triangulation, only):
+    """Triangles among `only` in whose circle the far corner of a neighbor lies."""
+    found = 0
+    for triangle, adjacent in zip(triangulation.simplices.tolist(), triangulation.neighbors.tolist()):
+        for other in adjacent if tuple(sorted(triangle)) in only else []:
+            if other >= 0:
+                far, = set(triangulation.simplices[other].tolist()) - set(triangle)
+                found += in_circle(triangulation.points[[*triangle, far]]) > 0
+    return found
+
+
+def agreed(pattern, rng):
+    """Points of a pattern of which scipy finds the Delaunay triangles, too: of a few in a hundred it does not."""
+    for _ in range(100):
+        points = pattern(rng)
+        if triangle_set(Delaunay(points).simplices) == triangle_set(spatial.Delaunay(points).simplices):
+            return points
+    raise AssertionError('scipy never agrees')
+
+
 @pytest.mark.parametrize('pattern', GENERAL)
-def test_triangles_are_those_of_scipy(pattern, rng):
+def test_triangles_are_those_of_scipy_or_better(pattern, rng):
     points = pattern(rng)
     ours, theirs = Delaunay(points), spatial.Delaunay(points)
-    assert triangle_set(ours.simplices) == triangle_set(theirs.simplices)
+    our_triangles, their_triangles = triangle_set(ours.simplices), triangle_set(theirs.simplices)
+    assert len(our_triangles - their_triangles) < 10
+    assert faults(ours, our_triangles - their_triangles) == 0
+    assert our_triangles == their_triangles or faults(theirs, their_triangles - our_triangles) > 0
     assert triangle_set(ours.convex_hull) == triangle_set(theirs.convex_hull)
     assert ours.simplices.dtype == theirs.simplices.dtype and ours.neighbors.dtype == theirs.neighbors.dtype
 
 
 @pytest.mark.parametrize('pattern', GENERAL)
 def test_ridges_are_those_of_scipy(pattern, rng):
-    points = pattern(rng)
+    points = agreed(pattern, rng)
     ours, theirs = ridges_of(Voronoi(points)), ridges_of(spatial.Voronoi(points))
     assert ours.keys() == theirs.keys()
     size = np.ptp(points, axis=0).max()
@@ -106,7 +139,7 @@ def test_a_lattice_has_the_ridges_of_scipy():
 
 @pytest.mark.parametrize('pattern', GENERAL + [lattice, hexagons])
 def test_regions_go_around_their_points(pattern, rng):
-    points = pattern(rng)
+    points = agreed(pattern, rng) if pattern in GENERAL else pattern(rng)
     voronoi = Voronoi(points)
     theirs = spatial.Voronoi(points)
     for point in range(len(points)):
@@ -157,7 +190,7 @@ def test_neighbors_are_opposite_to_corners(pattern, rng):
 
 @pytest.mark.parametrize('pattern', GENERAL)
 def test_find_simplex_finds_what_scipy_finds(pattern, rng):
-    points = pattern(rng)
+    points = agreed(pattern, rng)
     ours, theirs = Delaunay(points), spatial.Delaunay(points)
     low, high = points.min(axis=0), points.max(axis=0)
     places = low + rng.random((2000, 2)) * (high - low) * 1.2 - 0.1 * (high - low)
