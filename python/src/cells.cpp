@@ -30,12 +30,7 @@ Result<void> writeFile(const CellsResult& result, const CellsFormat& format, con
 }
 
 void save(const CellsResult& result, const std::string& path) {
-  const CellsFormat& format = *valueOf(cellsFormatOf(path));
-  if (format.detail > result.options.detail) {
-    raiseInput("detail", fmt::format("{} takes cells that were computed with detail='{}'; these have '{}'",
-                                     format.extension, nameIn(detail_choices, format.detail),
-                                     nameIn(detail_choices, result.options.detail)));
-  }
+  const CellsFormat& format = formatOf(result, path);
   auto written = [&] {
     const py::gil_scoped_release no_gil;
     return writeFile(result, format, path);
@@ -44,6 +39,16 @@ void save(const CellsResult& result, const std::string& path) {
 }
 
 }  // namespace
+
+const CellsFormat& formatOf(const CellsResult& result, const std::string& path) {
+  const CellsFormat& format = *valueOf(cellsFormatOf(path));
+  if (format.detail > result.options.detail) {
+    raiseInput("detail", fmt::format("{} takes cells that were computed with detail='{}'; these have '{}'",
+                                     format.extension, nameIn(detail_choices, format.detail),
+                                     nameIn(detail_choices, result.options.detail)));
+  }
+  return format;
+}
 
 void defineCells(py::module_& module) {
   py::class_<CellsResult, Shared>(module, "Cells", "The arrays of a diagram.")

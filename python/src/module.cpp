@@ -19,6 +19,7 @@ PYBIND11_MODULE(_vorpipe, module) {
   defineInput(module);
   defineReport(module);
   defineCells(module);
+  defineReading(module);
   definePicture(module);
   defineDevices(module);
   defineSession(module);

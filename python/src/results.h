@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "input.h"
+#include "io/cells/cells_file.h"
 #include "vorpipe.h"
 
 namespace vorpipe::python {
@@ -23,8 +24,14 @@ struct PictureResult {
 /// The options that follow from the input.
 CellsOptions cellsOptionsOf(const Input& input);
 
+/// The format that the path's extension names. Throws InputError where there is none, or it takes more detail
+/// than the cells have.
+const CellsFormat& formatOf(const CellsResult& result, const std::string& path);
+
 void defineReport(py::module_& module);
 void defineCells(py::module_& module);
+/// What is found in cells once they are there.
+void defineReading(py::module_& module);
 void definePicture(py::module_& module);
 /// check, and what compares two results.
 void defineJudgment(py::module_& module);

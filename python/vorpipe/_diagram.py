@@ -46,10 +46,11 @@ class Diagram:
     `edge_lengths`. `diagram[i]` is one cell.
     """
 
-    __slots__ = ('_cells',)
+    __slots__ = ('_cells', '_locator')
 
     def __init__(self, cells: _vorpipe.Cells) -> None:
         self._cells = cells
+        self._locator: Optional[_vorpipe.Locator] = None
 
     def __len__(self) -> int:
         return len(self._cells)
@@ -221,6 +222,21 @@ class Diagram:
             raise _arguments.refuse('outline', 'some cells have several rings, no polygon has them: call rings()')
         return np.split(self.vertices, offsets[1:-1])
 
+    def topology(self, threads: Optional[int] = None) -> _vorpipe.Topology:
+        """The vertices and edges that cells share, each once; boundary edges have a `Wall` for their second cell."""
+        self._needs('polygons', 'topology')
+        return _vorpipe.topology_of(self._cells, _arguments.threads_of(threads))
+
+    def locate(self, places: npt.ArrayLike, threads: Optional[int] = None) -> npt.NDArray[np.uint32]:
+        """(P,): the point whose cell holds each of the places (P, 2); `NO_SITE` beyond the domain.
+
+        The first call prepares a search tree, which the diagram keeps.
+        """
+        wanted = _arguments.points_of(places, 'places')
+        if self._locator is None:
+            self._locator = _vorpipe.locator_of(self._cells, _arguments.threads_of(threads))
+        return self._locator.find(wanted)
+
     # To other programs
 
     def check(self, threads: Optional[int] = None) -> List[str]:
@@ -230,6 +246,10 @@ class Diagram:
     def save(self, path: PathLike) -> None:
         """Writes the cells, by the extension: .csv, .npz, .geojson, .geojsonl, .svg, .obj, .ply, .vtk or .wkt."""
         self._cells.save(os.fspath(path))
+
+    def to_bytes(self, extension: str) -> bytes:
+        """What `save` would write into a file with that extension, as ".geojson"."""
+        return _vorpipe.bytes_of(self._cells, extension)
 
     def to_shapely(self) -> List[Any]:
         """A polygon of shapely's for each point: empty where there is no cell, a MultiPolygon where it takes one."""

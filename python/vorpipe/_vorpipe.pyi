@@ -107,6 +107,32 @@ class Cells:
     def area_sum(self) -> float: ...
     def save(self, path: str) -> None: ...
 
+class Topology:
+    """The vertices and edges that cells share. Arrays are read-only, and show its memory."""
+
+    @property
+    def vertices(self) -> _Floats:
+        """(V, 2): each vertex once."""
+    @property
+    def vertex_of(self) -> npt.NDArray[np.uint32]:
+        """(M,): the index in `vertices` of each of the diagram's `vertices`."""
+    @property
+    def edge_of(self) -> npt.NDArray[np.uint32]:
+        """(M,): the edge of each of the diagram's `neighbors`."""
+    @property
+    def edge_vertices(self) -> npt.NDArray[np.uint32]:
+        """(E, 2): where each edge begins and ends, counter-clockwise around the first of its cells."""
+    @property
+    def edge_cells(self) -> npt.NDArray[np.int64]:
+        """(E, 2): the cells on its left and right; the second may be a `Wall`."""
+
+class Locator:
+    def find(self, places: _Floats) -> npt.NDArray[np.uint32]: ...
+
+def topology_of(cells: Cells, threads: int) -> Topology: ...
+def locator_of(cells: Cells, threads: int) -> Locator: ...
+def bytes_of(cells: Cells, extension: str) -> bytes: ...
+
 class Picture:
     @property
     def input(self) -> Input: ...
