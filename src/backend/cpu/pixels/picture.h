@@ -1,28 +1,13 @@
-/// The judge of every picture: which site is nearest to a pixel's center, in double.
+/// Pictures as the judge has them: the site nearest to each pixel's center.
 #pragma once
 
-#include <memory>
+#include <cstdint>
+#include <span>
 
 #include "backend/backend.h"
+#include "backend/cpu/pixels/nearest_site.h"
 
 namespace vorpipe::cpu {
-
-/// Finds nearest sites. Independent of the clipping: a kd-tree over the sites.
-class NearestSite {
- public:
-  NearestSite(const SiteSet& sites, int threads);  ///< `sites` must outlive this
-  ~NearestSite();
-
-  /// The index in the set of the site nearest to a place, seen from another, in scaled units, by power, or
-  /// no_site where all are hidden. Sites whose squared distances differ by rounding alone are told apart by
-  /// the place's side of their bisector; of those with the place on it the first of the input is taken. From
-  /// a corner of the domain no place in it is rounded by more than its distance to that.
-  [[nodiscard]] std::uint32_t at(Point from, Point p) const;
-
- private:
-  struct Tree;
-  std::unique_ptr<Tree> tree_;
-};
 
 /// Writes the index in the set of the nearest site for every pixel center of the view; row 0 is
 /// the bottom.

@@ -1,11 +1,11 @@
-/// The judge of pictures against brute force.
+/// Nearest sites against brute force.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <numeric>
 #include <random>
 
-#include "backend/cpu/pixels/picture.h"
+#include "backend/cpu/pixels/nearest_site.h"
 
 namespace vorpipe::cpu {
 namespace {
@@ -37,7 +37,7 @@ void compare(const SiteSet& set, double rounding, int side = 40) {
   }
 }
 
-struct Picture : testing::TestWithParam<double> {
+struct Nearest : testing::TestWithParam<double> {
   std::mt19937_64 random{7};
   std::uniform_real_distribution<double> uniform{0, 1};
 
@@ -53,12 +53,12 @@ struct Picture : testing::TestWithParam<double> {
   }
 };
 
-TEST_P(Picture, showsTheNearestSite) {
+TEST_P(Nearest, showsTheNearestSite) {
   for (const std::size_t count : {1U, 2U, 7U, 300U}) compare(noise(count), 1e-14 * (1 + GetParam()));
 }
 
 // The center of a square: whatever order the set has them in.
-TEST_P(Picture, showsTheFirstOfSitesThatAreEquallyNear) {
+TEST_P(Nearest, showsTheFirstOfSitesThatAreEquallyNear) {
   SiteSet set;
   set.x = {1, 0, 1, 0};
   set.y = {0, 1, 1, 0};
@@ -69,10 +69,10 @@ TEST_P(Picture, showsTheFirstOfSitesThatAreEquallyNear) {
 }
 
 // In any order: each part lies among the others.
-TEST_P(Picture, showsTheNearestSiteOfManyParts) { compare(noise(300'000), 1e-14 * (1 + GetParam()), 6); }
+TEST_P(Nearest, showsTheNearestSiteOfManyParts) { compare(noise(300'000), 1e-14 * (1 + GetParam()), 6); }
 
 // Rows of sites: parts lie above each other, and one of them may have no site that is seen.
-TEST_P(Picture, showsTheNearestSiteOfPartsInRows) {
+TEST_P(Nearest, showsTheNearestSiteOfPartsInRows) {
   auto set = noise(400'000);
   std::sort(set.y.begin(), set.y.end());
   compare(set, 1e-14 * (1 + GetParam()), 6);
@@ -81,7 +81,7 @@ TEST_P(Picture, showsTheNearestSiteOfPartsInRows) {
   compare(set, 1e-14 * (1 + GetParam()), 6);
 }
 
-TEST_P(Picture, showsHeavySites) {
+TEST_P(Nearest, showsHeavySites) {
   if (GetParam() == 0) return;
   auto set = noise(200);
   for (std::uint32_t i = 0; i < 5; ++i) {
@@ -94,7 +94,7 @@ TEST_P(Picture, showsHeavySites) {
   EXPECT_EQ(nearest.at({0, 0}, {0.1, 0.9}), 3U);
 }
 
-TEST_P(Picture, showsHeavySitesAlone) {
+TEST_P(Nearest, showsHeavySitesAlone) {
   auto set = noise(20);
   if (set.weight.empty()) return;
   set.heavy.resize(20);
@@ -103,7 +103,7 @@ TEST_P(Picture, showsHeavySitesAlone) {
 }
 
 // As when weights leave each site less than an outline has room for.
-TEST_P(Picture, showsNoSiteWhereAllAreHidden) {
+TEST_P(Nearest, showsNoSiteWhereAllAreHidden) {
   auto set = noise(20);
   if (set.weight.empty()) return;
   set.heavy = {3, 7};
@@ -113,7 +113,7 @@ TEST_P(Picture, showsNoSiteWhereAllAreHidden) {
   EXPECT_EQ(NearestSite(set, 2).at({0, 0}, {0.1, 0.9}), 7U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Weights, Picture, testing::Values(0.0, 1e-3, 0.1, 100.0));
+INSTANTIATE_TEST_SUITE_P(Weights, Nearest, testing::Values(0.0, 1e-3, 0.1, 100.0));
 
 }  // namespace
 }  // namespace vorpipe::cpu
