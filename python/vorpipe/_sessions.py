@@ -13,7 +13,7 @@ from ._picture import Picture
 
 Progress = Callable[[str, float], Optional[bool]]
 
-# Up to so many points, or pixels, "auto" does not look for a GPU: the processor is done before one is ready.
+# Up to this many points and pixels "auto" does not look for a GPU: the processor is done before one is ready.
 FEW_POINTS, FEW_PIXELS = 100_000, 4_000_000
 
 
@@ -125,7 +125,7 @@ _lock = threading.Lock()
 
 
 def backend_for(backend: str, device: Union[None, int, str], points: int, pixels: int = 0) -> str:
-    """What "auto" means for so many points."""
+    """What "auto" means for a run of `points` points and `pixels` pixels."""
     few = points <= FEW_POINTS and pixels <= FEW_PIXELS
     return 'cpu' if backend == 'auto' and device is None and few else backend
 

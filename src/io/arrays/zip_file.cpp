@@ -93,7 +93,8 @@ std::string directoryRecord(const std::string& name, const EntryRecord& record) 
   return bytes + name + extra;
 }
 
-/// What ends an archive: the directory with so many records stands at `begin`, and ends where this begins.
+/// What ends an archive: its directory has `records` records and stands from `begin` to `end`, where this
+/// begins.
 std::string endOf(std::uint64_t records, std::uint64_t begin, std::uint64_t end) {
   constexpr std::uint32_t zip64_signature = 0x06064B50, locator_signature = 0x07064B50,
                           signature = 0x06054B50, disk = 0, disks = 1;
