@@ -100,7 +100,7 @@ Bisector bisectorWith(IN(Viewpoint) view, cell_int index) {
 cell_bool cutBySite(INOUT(Cell) c, IN(Viewpoint) view, cell_int index) {
     Bisector b = bisectorWith(view, index);
 #ifdef WEIGHTED
-    b.h = hasEdge(c, index) ? FAR : b.h;  // a heavy site comes twice
+    b.h = hasEdge(c, index) ? FAR : b.h;  // heavy sites are tried first, then in their bins again
 #endif
     cutCell(c, b.n, b.h, index);
     cell_bool own = index == view.self;

@@ -1,4 +1,5 @@
-/// Where writers put their bytes: into a file, into memory, or to whoever calls (decision D92).
+/// Output streams that writers of all formats append to: a file, a buffer in memory, or a callback (decision
+/// D92).
 #pragma once
 
 #include <functional>
