@@ -53,11 +53,12 @@ vorpipe_report reportOf(const Report& report) {
   shown.cells_ms = report.time_ms.cells;
   shown.draw_ms = report.time_ms.draw;
   shown.download_ms = report.time_ms.download;
+  shown.validation_count = report.validation_messages.size();
   return shown;
 }
 
-const char* noteAt(const Report& report, std::size_t index) {
-  return index < report.notes.size() ? report.notes[index].c_str() : nullptr;
+const char* textAt(const std::vector<std::string>& texts, std::size_t index) {
+  return index < texts.size() ? texts[index].c_str() : nullptr;
 }
 
 }  // namespace vorpipe::c

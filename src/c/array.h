@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "c/vorpipe_c.h"
@@ -29,6 +30,6 @@ vorpipe_code give(const Result<vorpipe_array>& array, vorpipe_array* to);
 vorpipe_report reportOf(const Report& report);
 
 /// NULL past the end.
-const char* noteAt(const Report& report, std::size_t index);
+const char* textAt(const std::vector<std::string>& texts, std::size_t index);
 
 }  // namespace vorpipe::c

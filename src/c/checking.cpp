@@ -36,9 +36,11 @@ vorpipe_code compareIds(const vorpipe_picture& a, const vorpipe_picture& b,
                         vorpipe_picture_difference* difference) {
   const Image& first = a.rendering.image;
   const auto& ids = b.rendering.image.ids;
-  Result<IdDiff> found = a.sites == nullptr ? diffIds(first.ids, ids, first.width, first.height)
-                                            : diffIds(first.ids, ids, first.width, first.height, *a.sites,
-                                                      a.options.domain, a.options.periodic);
+  const vorpipe_picture& drawn = a.sites != nullptr ? a : b;
+  Result<IdDiff> found = drawn.sites == nullptr
+                             ? diffIds(first.ids, ids, first.width, first.height)
+                             : diffIds(first.ids, ids, first.width, first.height, *drawn.sites,
+                                       drawn.options.domain, drawn.options.periodic);
   if (!found) return fail(found.error());
   vorpipe_picture_difference figures{};
   figures.equal = found->equal;

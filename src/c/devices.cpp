@@ -6,39 +6,17 @@
 
 #include "c/failure.h"
 #include "c/handles.h"
+#include "c/options.h"
 #include "c/structs.h"
 #include "io/files/error.h"
 
 namespace vorpipe::c {
 namespace {
 
-Result<Mask> maskOf(const vorpipe_session_options& options) {
-  Mask mask;
-  if (options.disabled_count > 0 && options.disabled == nullptr) return inputError("disabled: is NULL");
-  if (options.limit_count > 0 && options.limits == nullptr) return inputError("limits: is NULL");
-  for (std::uint32_t k = 0; k < options.disabled_count; ++k) {
-    const char* name = options.disabled[k];
-    const auto known = featureNames();
-    if (name == nullptr || std::ranges::find(known, name) == known.end()) {
-      return inputError(fmt::format("disabled: no feature {}", name == nullptr ? "NULL" : name));
-    }
-    mask.disabled.emplace_back(name);
-  }
-  for (std::uint64_t k = 0; k < options.limit_count; ++k) {
-    const auto& [name, value] = options.limits[k];
-    const auto known = limitNames();
-    if (name == nullptr || std::ranges::find(known, name) == known.end()) {
-      return inputError(fmt::format("limits: no limit {}", name == nullptr ? "NULL" : name));
-    }
-    mask.limits.emplace_back(name, value);
-  }
-  return mask;
-}
-
 Result<BackendOptions> backendOptions(const vorpipe_session_options* given) {
   const auto options = taken(given, "vorpipe_session_options");
   if (!options) return tl::unexpected(options.error());
-  auto mask = maskOf(*options);
+  auto mask = maskOf(options->disabled_count, options->disabled, options->limit_count, options->limits);
   if (!mask) return tl::unexpected(mask.error());
   if (options->threads < 0) return inputError(fmt::format("threads: is {}", options->threads));
   BackendOptions backend;

@@ -124,5 +124,9 @@ vorpipe_code vorpipe_diagram_report(const vorpipe_diagram* diagram, vorpipe_repo
 }
 
 const char* vorpipe_diagram_note(const vorpipe_diagram* diagram, size_t index) {
-  return diagram == nullptr ? nullptr : noteAt(diagram->diagram.report, index);
+  return diagram == nullptr ? nullptr : textAt(diagram->diagram.report.notes, index);
+}
+
+const char* vorpipe_diagram_validation(const vorpipe_diagram* diagram, size_t index) {
+  return diagram == nullptr ? nullptr : textAt(diagram->diagram.report.validation_messages, index);
 }

@@ -9,6 +9,7 @@ namespace {
 
 struct LastError {
   std::string message;
+  bool out_of_memory = false;  ///< stands for a message that takes none
   vorpipe_subject subject = VORPIPE_SUBJECT_NONE;
 };
 
@@ -53,19 +54,28 @@ vorpipe_code numberOf(ErrorCode code) {
 
 }  // namespace
 
-vorpipe_code fail(vorpipe_code code, std::string message, Subject subject) {
-  lastError() = {std::move(message), numberOf(subject)};
+vorpipe_code fail(vorpipe_code code, std::string message, Subject subject) noexcept {
+  lastError() = {std::move(message), false, numberOf(subject)};
   return code;
+}
+
+vorpipe_code outOfMemory() noexcept {
+  lastError().out_of_memory = true;
+  lastError().subject = VORPIPE_SUBJECT_NONE;
+  return VORPIPE_DEVICE;
 }
 
 vorpipe_code fail(const Error& error) { return fail(numberOf(error.code), error.message, error.subject); }
 
-vorpipe_code missing(std::string_view argument) {
-  return fail(VORPIPE_INPUT, fmt::format("{}: is NULL", argument));
+vorpipe_code missing(std::string_view argument) noexcept {
+  return guarded([&] { return fail(VORPIPE_INPUT, fmt::format("{}: is NULL", argument)); });
 }
 
 }  // namespace vorpipe::c
 
-const char* vorpipe_last_error() { return vorpipe::c::lastError().message.c_str(); }
+const char* vorpipe_last_error() {
+  const auto& error = vorpipe::c::lastError();
+  return error.out_of_memory ? "there is not enough memory for this" : error.message.c_str();
+}
 
 vorpipe_subject vorpipe_last_subject() { return vorpipe::c::lastError().subject; }

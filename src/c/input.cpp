@@ -161,6 +161,16 @@ vorpipe_code vorpipe_input_read_weights(vorpipe_input* input, const char* path) 
   return guarded([&] { return setWeights(*input, readWeights(path, input->sites->size())); });
 }
 
+vorpipe_code vorpipe_input_random_weights(vorpipe_input* input, double low, double high, uint64_t seed) {
+  if (input == nullptr) return missing("input");
+  return guarded([&] {
+    if (!std::isfinite(low) || !std::isfinite(high) || low > high) {
+      return fail(VORPIPE_INPUT, fmt::format("weights: none are from {} to {}", low, high), Subject::weights);
+    }
+    return setWeights(*input, randomWeights(low, high, input->sites->size(), seed));
+  });
+}
+
 vorpipe_code vorpipe_input_set_box(vorpipe_input* input, double xmin, double ymin, double xmax, double ymax,
                                    vorpipe_axes periodic) {
   if (input == nullptr) return missing("input");

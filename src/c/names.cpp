@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "c/array.h"
 #include "c/vorpipe_c.h"
 #include "io/cells/cells_file.h"
 #include "vorpipe.h"
@@ -18,24 +19,20 @@ std::vector<std::string> cellsFormats() {
   return names;
 }
 
-const char* nameAt(const std::vector<std::string>& names, std::size_t index) {
-  return index < names.size() ? names[index].c_str() : nullptr;
-}
-
 const char* nameOf(vorpipe_list list, std::size_t index) {
   static const auto backends = backendNames(), maps = colormaps(), formats = cellsFormats(),
                     features = featureNames(), limits = limitNames();
   switch (list) {
     case VORPIPE_BACKENDS:
-      return nameAt(backends, index);
+      return textAt(backends, index);
     case VORPIPE_COLORMAPS:
-      return nameAt(maps, index);
+      return textAt(maps, index);
     case VORPIPE_CELLS_FORMATS:
-      return nameAt(formats, index);
+      return textAt(formats, index);
     case VORPIPE_FEATURES:
-      return nameAt(features, index);
+      return textAt(features, index);
     case VORPIPE_LIMITS:
-      return nameAt(limits, index);
+      return textAt(limits, index);
     default:
       return nullptr;
   }

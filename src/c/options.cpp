@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 
@@ -36,6 +37,30 @@ Progress progressOf(vorpipe_progress progress, void* user) {
   return [progress, user](std::string_view stage, double fraction) {
     return progress(user, std::string(stage).c_str(), fraction) == 0;
   };
+}
+
+Result<Mask> maskOf(std::uint32_t disabled_count, const char* const* disabled, std::uint64_t limit_count,
+                    const vorpipe_limit* limits) {
+  Mask mask;
+  if (disabled_count > 0 && disabled == nullptr) return inputError("disabled: is NULL");
+  if (limit_count > 0 && limits == nullptr) return inputError("limits: is NULL");
+  for (std::uint32_t k = 0; k < disabled_count; ++k) {
+    const char* name = disabled[k];
+    const auto known = featureNames();
+    if (name == nullptr || std::ranges::find(known, name) == known.end()) {
+      return inputError(fmt::format("disabled: no feature {}", name == nullptr ? "NULL" : name));
+    }
+    mask.disabled.emplace_back(name);
+  }
+  for (std::uint64_t k = 0; k < limit_count; ++k) {
+    const auto& [name, value] = limits[k];
+    const auto known = limitNames();
+    if (name == nullptr || std::ranges::find(known, name) == known.end()) {
+      return inputError(fmt::format("limits: no limit {}", name == nullptr ? "NULL" : name));
+    }
+    mask.limits.emplace_back(name, value);
+  }
+  return mask;
 }
 
 Result<int> threadsOf(std::int32_t threads) {

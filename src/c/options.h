@@ -15,6 +15,10 @@ Result<RenderOptions> renderOptions(const vorpipe_input& input, const vorpipe_re
 /// Empty where there is none.
 Progress progressOf(vorpipe_progress progress, void* user);
 
+/// Errors (input): no such feature or limit.
+Result<Mask> maskOf(std::uint32_t disabled_count, const char* const* disabled, std::uint64_t limit_count,
+                    const vorpipe_limit* limits);
+
 /// Fewer than no threads are refused (input).
 Result<int> threadsOf(std::int32_t threads);
 

@@ -111,5 +111,9 @@ vorpipe_code vorpipe_picture_report(const vorpipe_picture* picture, vorpipe_repo
 }
 
 const char* vorpipe_picture_note(const vorpipe_picture* picture, size_t index) {
-  return picture == nullptr ? nullptr : noteAt(picture->rendering.report, index);
+  return picture == nullptr ? nullptr : textAt(picture->rendering.report.notes, index);
+}
+
+const char* vorpipe_picture_validation(const vorpipe_picture* picture, size_t index) {
+  return picture == nullptr ? nullptr : textAt(picture->rendering.report.validation_messages, index);
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "c/failure.h"
 #include "c/options.h"
@@ -20,7 +21,10 @@ Result<SelftestOptions> selftestOptions(const vorpipe_selftest_options* given) {
   if (!options) return tl::unexpected(options.error());
   const auto threads = threadsOf(options->threads);
   if (!threads) return tl::unexpected(threads.error());
+  auto mask = maskOf(options->disabled_count, options->disabled, options->limit_count, options->limits);
+  if (!mask) return tl::unexpected(mask.error());
   SelftestOptions wanted;
+  wanted.mask = std::move(*mask);
   if (options->backend != nullptr) wanted.backend = options->backend;
   if (options->device != nullptr) wanted.device = options->device;
   wanted.quick = options->quick != 0;

@@ -186,6 +186,9 @@ VORPIPE_API uint64_t vorpipe_input_count(const vorpipe_input* input);
 VORPIPE_API vorpipe_code vorpipe_input_set_weights(vorpipe_input* input, const double* weights,
                                                    uint64_t count);
 VORPIPE_API vorpipe_code vorpipe_input_read_weights(vorpipe_input* input, const char* path);
+/* Evenly distributed from `low` to `high`; the same seed gives the same on every platform. */
+VORPIPE_API vorpipe_code vorpipe_input_random_weights(vorpipe_input* input, double low, double high,
+                                                      uint64_t seed);
 /* What cells are clipped to: a box, along the axes of which the domain may repeat itself; or polygons, of the
  * caller's or out of a file (GeoJSON or WKT). */
 VORPIPE_API vorpipe_code vorpipe_input_set_box(vorpipe_input* input, double xmin, double ymin, double xmax,
@@ -384,7 +387,7 @@ typedef struct vorpipe_picture_difference {
   uint64_t ties_allowed; /* what is within 1/128 of a pixel of the cells' boundaries may go to either cell */
   double widest_tie;     /* in pixels */
 } vorpipe_picture_difference;
-/* Compares ids where both have them, by the sites of `a`, if it was drawn; else the pixels, where any
+/* Compares ids where both have them, by the sites of one that was drawn; else the pixels, where any
  * difference counts. VORPIPE_DIFFERENT where they do not agree. `difference` may be NULL. */
 VORPIPE_API vorpipe_code vorpipe_pictures_compare(const vorpipe_picture* a, const vorpipe_picture* b,
                                                   vorpipe_picture_difference* difference);
@@ -402,12 +405,15 @@ typedef struct vorpipe_report {
   uint64_t hidden;                            /* of the empty: by others that are heavier */
   uint64_t retried, in_double, exact, pixels; /* how often cells and pixels were asked for again */
   double order_ms, upload_ms, search_ms, cells_ms, draw_ms, download_ms;
+  uint64_t validation_count; /* messages of Vulkan's validation layers: any is a fault */
 } vorpipe_report;
 VORPIPE_API vorpipe_code vorpipe_diagram_report(const vorpipe_diagram* diagram, vorpipe_report* report);
 VORPIPE_API vorpipe_code vorpipe_picture_report(const vorpipe_picture* picture, vorpipe_report* report);
 /* NULL past the end. */
 VORPIPE_API const char* vorpipe_diagram_note(const vorpipe_diagram* diagram, size_t index);
 VORPIPE_API const char* vorpipe_picture_note(const vorpipe_picture* picture, size_t index);
+VORPIPE_API const char* vorpipe_diagram_validation(const vorpipe_diagram* diagram, size_t index);
+VORPIPE_API const char* vorpipe_picture_validation(const vorpipe_picture* picture, size_t index);
 
 /* ---- Memory ---- */
 
@@ -428,6 +434,10 @@ typedef struct vorpipe_selftest_options {
   const char* device;  /* NULL: all */
   uint64_t seed;       /* of the scenes; 0: 1 */
   int32_t threads;
+  uint32_t disabled_count;
+  const char* const* disabled; /* as in vorpipe_session_options */
+  uint64_t limit_count;
+  const vorpipe_limit* limits;
   vorpipe_progress progress;
   void* progress_user;
 } vorpipe_selftest_options;

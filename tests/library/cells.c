@@ -90,6 +90,7 @@ static void shapes(vorpipe_session* session) {
   for (k = 0; k < 500; ++k) mass += ((const double*)array.data)[k];
   PROMISE(fabs(mass - 2.5) < 1e-12);
   DONE(vorpipe_diagram_check(diagram, 2, NULL, NULL));
+  DONE(vorpipe_input_random_weights(input, 0, 1e-4, 3));
   vorpipe_diagram_free(diagram);
 
   diagram = cellsOf(session, input, VORPIPE_MEASURES);
@@ -187,6 +188,7 @@ static void comparison(vorpipe_session* session) {
   PROMISE(difference.areas > 300);
   DONE(vorpipe_diagram_report(a, &report));
   PROMISE(strcmp(report.backend, "cpu") == 0 && report.ok == 400 && report.note_count == 0);
+  PROMISE(report.validation_count == 0 && vorpipe_diagram_validation(a, 0) == NULL);
   PROMISE(report.cells_ms >= 0 && vorpipe_diagram_note(a, 0) == NULL);
   DONE(vorpipe_cells_memory(session, input, NULL, &bytes));
   PROMISE(bytes > 1000000 && bytes < vorpipe_memory_limit());

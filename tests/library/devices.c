@@ -27,3 +27,22 @@ void devices_promises(void) {
   PROMISE(vorpipe_name(VORPIPE_BACKENDS, 0) != NULL && vorpipe_name(VORPIPE_BACKENDS, 100) == NULL);
   PROMISE(vorpipe_name(99, 0) == NULL);
 }
+
+/* The self-test of "cpu", and what it refuses. */
+static int32_t count(void* user, const void* bytes, size_t number) {
+  *(size_t*)user += bytes != NULL ? number : 0;
+  return 0;
+}
+
+void selftest_promises(void) {
+  vorpipe_selftest_options options = {sizeof options};
+  const vorpipe_limit limit = {"noSuchLimit", 1};
+  size_t size = 0;
+  options.quick = 1;
+  options.backend = "cpu";
+  DONE(vorpipe_selftest(&options, count, &size));
+  PROMISE(size > 1000);
+  options.limit_count = 1;
+  options.limits = &limit;
+  REFUSED(VORPIPE_INPUT, "noSuchLimit", vorpipe_selftest(&options, NULL, NULL));
+}

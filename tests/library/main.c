@@ -12,6 +12,7 @@ int main(void) {
   DONE(vorpipe_session_open(&options, &session));
   if (session == NULL) return 1;
   devices_promises();
+  selftest_promises();
   cells_promises(session);
   input_promises(session);
   pictures_promises(session);

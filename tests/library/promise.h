@@ -32,5 +32,6 @@ void pictures_promises(vorpipe_session* session);
 void input_promises(vorpipe_session* session);
 void refusals(vorpipe_session* session);
 void devices_promises(void);
+void selftest_promises(void);
 
 #endif

@@ -74,6 +74,7 @@ void refusals(vorpipe_session* session) {
   structs(session, input);
   REFUSED(VORPIPE_INPUT, "2 for 10", vorpipe_input_set_weights(input, weights, 2));
   PROMISE(vorpipe_last_subject() == VORPIPE_SUBJECT_WEIGHTS);
+  REFUSED(VORPIPE_INPUT, "from 2 to 1", vorpipe_input_random_weights(input, 2, 1, 1));
   REFUSED(VORPIPE_INPUT, "periodic", vorpipe_input_set_box(input, 0, 0, 1, 1, 4));
   render.width = -1;
   render.height = 5;
