@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "vorpipe/cells.h"
@@ -26,6 +28,25 @@ PictureSize defaultSize(const Box& domain);
 
 enum class ColorBy : std::uint8_t { site, area, neighbors, weight };
 
+/// How values become colors.
+enum class ColorScale : std::uint8_t {
+  automatic,  ///< quantile by area and by weight, linear by neighbors
+  linear,
+  log,       ///< of values above 0; all others have the first color
+  quantile,  ///< by rank: as many cells have one color as another
+};
+
+/// The values that have the first and the last color.
+struct ColorRange {
+  double low = 0, high = 0;  ///< low is below high
+};
+
+/// What becomes of a domain in a picture of another aspect.
+enum class Fit : std::uint8_t {
+  stretch,    ///< it fills the picture
+  letterbox,  ///< it keeps its aspect, in the middle; pixels beside it have no site
+};
+
 struct RenderOptions {
   Box domain;         ///< what is drawn, and what cells are clipped to
   Outline outline{};  ///< what cells are clipped to besides, inside the domain; pixels beyond it have no site
@@ -37,7 +58,40 @@ struct RenderOptions {
   bool show_sites = false;           ///< a dot at each site
   SearchOptions search;
   Progress progress;  ///< may be empty
+  ColorScale color_scale = ColorScale::automatic;
+  std::optional<ColorRange> color_range{};  ///< none: the least and the greatest value of a cell
+  bool legend = false;                      ///< what colors stand for, drawn in a corner
+  double edge_width = 1;                    ///< pixels, 1 to 100
+  double dot_size = 0;  ///< of a site, across, in pixels, up to 100; 0: by the spacing of those that show
+  Fit fit = Fit::stretch;
 };
+
+/// What the colors of a picture stand for.
+struct ColorKey {
+  ColorBy color = ColorBy::area;
+  ColorScale scale = ColorScale::linear;  ///< never automatic
+  ColorRange range{};                     ///< low is high where all values are equal
+  /// Places along the colors in [0, 1], ascending, with their values: 0 and 1 are among them.
+  std::vector<std::pair<double, double>> ticks{};
+};
+
+/// The colors of cells, as render gives them.
+struct SiteColors {
+  std::vector<std::uint32_t> rgba;  ///< by site, in input order
+  std::optional<ColorKey> key;      ///< none by site
+};
+
+/// Colors sites as a picture with these options does. `cells` are those of the same sites; by site and by
+/// weight they are not read. Errors (input): a color map or a scale that there is not for these sites.
+Result<SiteColors> siteColors(const Sites& sites, const Diagram& cells, const RenderOptions& options);
+
+/// The part of a picture that shows the domain.
+struct PictureFrame {
+  int left = 0, top = 0, width = 0, height = 0;
+};
+
+/// Where a picture of width x height pixels shows the domain.
+PictureFrame frameOf(const Box& domain, int width, int height, Fit fit);
 
 /// The options of the same cells as data, with Detail::measures.
 CellsOptions cellsOptions(const RenderOptions& picture);
@@ -56,6 +110,7 @@ struct Rendering {
   Image image;
   std::vector<Status> status;        ///< by site, in input order
   std::vector<std::uint32_t> owner;  ///< the site that owns the cell: itself unless a duplicate
+  std::optional<ColorKey> key;       ///< what colors stand for; none by site
   Report report;
 };
 

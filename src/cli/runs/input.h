@@ -3,8 +3,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "cli/options/options.h"
+#include "io/attributes/attribute.h"
+#include "io/attributes/coordinate_system.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {
@@ -14,7 +17,9 @@ struct Input {
   Box domain{0, 0, 1, 1};
   Outline outline{};  ///< the domain is its box
   Periodic periodic = Periodic::none;
-  std::optional<std::uint64_t> seed;  ///< of the generator; none for files
+  std::optional<std::uint64_t> seed;    ///< of the generator; none for files
+  std::vector<Attribute> attributes{};  ///< of a file's sites
+  CoordinateSystem system{};
   double read_ms = 0;
 };
 

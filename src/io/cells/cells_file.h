@@ -1,14 +1,26 @@
 /// Cells as a file of any known kind.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "io/attributes/attribute.h"
+#include "io/attributes/coordinate_system.h"
 #include "io/files/byte_sink.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
+
+/// Cells, and what their records say besides.
+struct CellsOutput {
+  const Sites& sites;
+  const Diagram& diagram;
+  std::span<const Attribute> attributes{};  ///< each as long as the sites
+  CoordinateSystem system{};                ///< of all positions
+  bool only_cells = false;                  ///< in formats of features: leaves out records without a polygon
+};
 
 /// A kind of file for cells. Each has a file of its own, cells_NAME.cpp, and a line in cells_file.cpp.
 struct CellsFormat {

@@ -1,0 +1,73 @@
+#include "io/attributes/attribute.h"
+
+#include <algorithm>
+#include <charconv>
+#include <system_error>
+
+namespace vorpipe {
+namespace {
+
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+/// Takes digits off the front; whether there was one.
+bool takeDigits(std::string_view& text) {
+  const auto end = std::ranges::find_if_not(text, isDigit);
+  const auto count = static_cast<std::size_t>(end - text.begin());
+  text.remove_prefix(count);
+  return count > 0;
+}
+
+}  // namespace
+
+bool isJsonInteger(std::string_view text) {
+  std::int64_t value = 0;
+  const char* const last = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), last, value);
+  const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
+  return stop == last && error == std::errc() && (digits.size() == 1 || !digits.starts_with('0'));
+}
+
+bool isJsonNumber(std::string_view text) {
+  if (text.starts_with('-')) text.remove_prefix(1);
+  const bool zero = text.starts_with('0');
+  const std::size_t before = text.size();
+  if (!takeDigits(text) || (zero && before - text.size() > 1)) return false;
+  if (text.starts_with('.')) {
+    text.remove_prefix(1);
+    if (!takeDigits(text)) return false;
+  }
+  if (text.starts_with('e') || text.starts_with('E')) {
+    text.remove_prefix(1);
+    if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
+    if (!takeDigits(text)) return false;
+  }
+  return text.empty();
+}
+
+std::optional<std::string_view> Attribute::at(std::size_t site) const {
+  if (ends_[site] % 2 == 1) return std::nullopt;
+  const std::uint64_t begin = site == 0 ? 0 : ends_[site - 1] / 2;
+  return std::string_view(text_).substr(begin, ends_[site] / 2 - begin);
+}
+
+void Attribute::add(std::optional<std::string_view> value) {
+  if (value) text_.append(*value);
+  ends_.push_back(text_.size() * 2 + (value ? 0 : 1));
+}
+
+void Attribute::inferType() {
+  bool any = false, integers = true, numbers = true, booleans = true;
+  for (std::size_t site = 0; site < size() && (numbers || booleans); ++site) {
+    const auto value = at(site);
+    if (!value) continue;
+    any = true;
+    integers = integers && isJsonInteger(*value);
+    numbers = numbers && (integers || isJsonNumber(*value));
+    booleans = booleans && (*value == "true" || *value == "false");
+  }
+  type_ = AttributeType::text;
+  if (any && booleans) type_ = AttributeType::boolean;
+  if (any && numbers) type_ = integers ? AttributeType::integer : AttributeType::real;
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,35 @@
+/// Sites as a file has them, with all that it says of them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/attributes/attribute.h"
+#include "io/attributes/coordinate_system.h"
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+/// How a file with sites is read, where it does not say so itself.
+struct ReadOptions {
+  /// The kind of file by its extension, without the dot: "csv", "geojson". Empty: by the path's own; of
+  /// standard input "csv".
+  std::string format{};
+  /// X,Y or X,Y,W: names in any case, or numbers from 1. One name: a column of WKT points. Empty: as the
+  /// header says.
+  std::vector<std::string> columns{};
+  std::string layer{};        ///< of a GeoPackage; empty: its only one with points
+  bool skip_missing = false;  ///< leaves out rows without a place, or with an empty weight, and counts them
+  bool attributes = true;     ///< whether attributes are kept
+};
+
+struct SiteTable {
+  Sites sites;
+  std::vector<Attribute> attributes{};  ///< in the file's order, each as long as the sites
+  CoordinateSystem system{};
+  std::uint64_t skipped = 0;         ///< rows that were left out
+  std::vector<std::string> notes{};  ///< what was reinterpreted or ignored: a line each, which names the file
+};
+
+}  // namespace vorpipe

@@ -1,0 +1,37 @@
+/// Where the legend of a picture stands, and what is in it: the same for pixels, SVG and PDF.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "vorpipe/picture.h"
+
+namespace vorpipe {
+
+/// In pixels from the picture's upper left corner, y downward.
+struct LegendBox {
+  double left, top, width, height;
+  std::uint32_t rgba;  ///< R in the lowest byte; may be translucent
+};
+
+enum class Anchor : std::uint8_t { start, middle, end };
+
+struct LegendText {
+  double x, baseline;
+  double height;  ///< of a capital letter
+  Anchor anchor;
+  std::string text;  ///< ASCII
+};
+
+/// Boxes first, each over those before it; then texts, in black.
+struct Legend {
+  std::vector<LegendBox> boxes;
+  std::vector<LegendText> texts;
+};
+
+/// The legend of a picture of width x height pixels, in its lower left corner. `key` is that of its colors in
+/// `colormap`, which is one of colormaps().
+Legend legendOf(const ColorKey& key, const std::string& colormap, int width, int height);
+
+}  // namespace vorpipe

@@ -1,0 +1,31 @@
+/// The Earth as a plane, where areas are right.
+#pragma once
+
+#include "vorpipe/cells.h"
+#include "vorpipe/result.h"
+#include "vorpipe/sites.h"
+
+namespace vorpipe {
+
+/// Lambert's azimuthal equal-area projection of the ellipsoid WGS 84 (Snyder 1987, Map Projections: A Working
+/// Manual, chapter 24): degrees of longitude and latitude to kilometers east and north of a center, and back.
+/// Areas are those on the ellipsoid; distances are true near the center.
+class Projection {
+ public:
+  /// Error (input): the center is no place on the Earth.
+  static Result<Projection> around(Point degrees);
+
+  [[nodiscard]] Point center() const { return center_; }
+  /// A place to the plane: its longitude in any turn, its latitude from -90 to 90.
+  [[nodiscard]] Point toPlane(Point degrees) const;
+  /// Back; longitudes within 180 degrees of the center's. A place beyond the Earth's edge has none: NaN.
+  [[nodiscard]] Point toDegrees(Point kilometers) const;
+
+ private:
+  Projection() = default;
+  Point center_{};                ///< degrees
+  double sine_ = 0, cosine_ = 0;  ///< of its authalic latitude
+  double stretch_ = 1;            ///< what makes scale true at the center
+};
+
+}  // namespace vorpipe
