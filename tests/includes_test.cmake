@@ -63,7 +63,7 @@ vorpipe_read_rooms(
 vorpipe_read_rooms(backend/cpu "vorpipe\\.h|base/.*|backend/[^/]*\\.h|(layout|bins|cell|grid|list)\\.glsl")
 vorpipe_read_rooms(backend/vulkan "vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl|shaders\\.h")
 vorpipe_read_rooms(backend/opengl "vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl|shaders\\.h")
-vorpipe_read_rooms(io "vorpipe\\.h|geos\\.h")
+vorpipe_read_rooms(io "vorpipe\\.h|geos\\.h|base/parallel\\.h")
 vorpipe_read_rooms(
   bench "vorpipe\\.h|base/.*|io/(text/json_text|sites/site_source)\\.h|core/(cells/cells_run|picture/picture)\\.h|backend/(backend|exact_tier|forwarding_backend|registry/registry)\\.h")
 vorpipe_read_rooms(cli "vorpipe\\.h|vorpipe/selftest\\.h|selftest/selftest_json\\.h|base/stopwatch\\.h|io/.*|bench/.*")
@@ -91,7 +91,7 @@ set(users
     "^core/search/flann_"
     "^io/text/csv_reader\\."
     "^io/pictures/png_file\\."
-    "^io/arrays/zip_file\\.cpp$"
+    "^io/(arrays/zip_file|pictures/deflate)\\.cpp$"
     "^geos\\.h$"
     "^(core/outline/validity|io/cells/hole_triangles)\\."
     "^core/outline/"

@@ -1,0 +1,23 @@
+/// Where the pixels of a picture lie in the coordinates of its sites.
+#pragma once
+
+#include "io/files/byte_sink.h"
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+/// Pixels of one size; the corner is the upper left one of the pixel in row 0 and column 0.
+struct PixelGrid {
+  double left, top;      ///< x and y of the corner
+  double width, height;  ///< of a pixel, above 0
+};
+
+/// The pixels of a picture that shows `domain` in `frame`.
+PixelGrid pixelGridOf(const Box& domain, const PictureFrame& frame);
+
+/// Writes a world file (.pgw): six lines, which give the x and y of the center of column c and row r as
+/// x = line 1 * c + line 3 * r + line 5, y = line 2 * c + line 4 * r + line 6. Error (device): writing
+/// failed.
+Result<void> writeWorldFile(ByteSink& sink, const PixelGrid& grid);
+
+}  // namespace vorpipe
