@@ -9,6 +9,9 @@
 
 namespace vorpipe {
 
+/// The smallest picture that a legend fits into, in either direction.
+inline constexpr PictureSize least_with_legend{100, 64};
+
 /// In pixels from the picture's upper left corner, y downward.
 struct LegendBox {
   double left, top, width, height;

@@ -26,6 +26,9 @@ inline constexpr int largest_side = 32768;
 /// The size of a picture of `domain` where none is named: the longer side 1000, the other at least 1.
 PictureSize defaultSize(const Box& domain);
 
+/// The same with another longer side, in pixels.
+PictureSize sizeFor(const Box& domain, int longer_side);
+
 enum class ColorBy : std::uint8_t { site, area, neighbors, weight };
 
 /// How values become colors.
@@ -33,10 +36,11 @@ enum class ColorScale : std::uint8_t {
   automatic,  ///< quantile by area and by weight, linear by neighbors
   linear,
   log,       ///< of values above 0; all others have the first color
-  quantile,  ///< by rank: as many cells have one color as another
+  quantile,  ///< by rank: as many cells have one color as another; equal values share their middle rank
 };
 
-/// The values that have the first and the last color.
+/// The values that have the first and the last color; those beyond have the same. Quantiles are those of the
+/// values inside, the least and the greatest of which then have these colors.
 struct ColorRange {
   double low = 0, high = 0;  ///< low is below high
 };
@@ -44,7 +48,7 @@ struct ColorRange {
 /// What becomes of a domain in a picture of another aspect.
 enum class Fit : std::uint8_t {
   stretch,    ///< it fills the picture
-  letterbox,  ///< it keeps its aspect, in the middle; pixels beside it have no site
+  letterbox,  ///< it keeps its aspect, in the middle; pixels beside it have no site. To a pixel it is stretched
 };
 
 struct RenderOptions {
@@ -60,7 +64,8 @@ struct RenderOptions {
   Progress progress;  ///< may be empty
   ColorScale color_scale = ColorScale::automatic;
   std::optional<ColorRange> color_range{};  ///< none: the least and the greatest value of a cell
-  bool legend = false;                      ///< what colors stand for, drawn in a corner
+  /// What colors stand for, drawn in a corner of a picture of at least least_with_legend pixels.
+  bool legend = false;
   double edge_width = 1;                    ///< pixels, 1 to 100
   double dot_size = 0;  ///< of a site, across, in pixels, up to 100; 0: by the spacing of those that show
   Fit fit = Fit::stretch;
@@ -81,8 +86,10 @@ struct SiteColors {
   std::optional<ColorKey> key;      ///< none by site
 };
 
-/// Colors sites as a picture with these options does. `cells` are those of the same sites; by site and by
-/// weight they are not read. Errors (input): a color map or a scale that there is not for these sites.
+/// Colors sites as a picture with these options does; a site that has no cell counts for nothing. `cells` are
+/// those of the same sites; by site they are not read, and by weight their statuses alone, if there are any.
+/// Errors (input): a color map or a scale that there is not for these sites; a scale, a range or a legend of
+/// colors by site.
 Result<SiteColors> siteColors(const Sites& sites, const Diagram& cells, const RenderOptions& options);
 
 /// The part of a picture that shows the domain.
@@ -90,7 +97,8 @@ struct PictureFrame {
   int left = 0, top = 0, width = 0, height = 0;
 };
 
-/// Where a picture of width x height pixels shows the domain.
+/// Where a picture of width x height pixels shows the domain: everywhere if it is stretched, or if that changes
+/// no side by more than a pixel.
 PictureFrame frameOf(const Box& domain, int width, int height, Fit fit);
 
 /// The options of the same cells as data, with Detail::measures.

@@ -5,11 +5,16 @@
 
 namespace vorpipe::core {
 
-/// Returns a palette index for each of `ids`, indices in the input. By site: 256 i / (n + 1), as in the
-/// thesis (Listing A.2), i the input index of n. By area, neighbors or weight: linear from the least to the
-/// greatest. `cells` are the measures of the same sites; by site and by weight they are not read. Error
-/// (input): color by weight of sites without weights.
-Result<std::vector<std::uint8_t>> paletteIndices(ColorBy color, const Sites& sites,
-                                                 std::span<const std::uint32_t> ids, const Diagram& cells);
+struct PaletteIndices {
+  std::vector<std::uint8_t> index;  ///< by site, in input order; 0 for sites that have no cell
+  std::optional<ColorKey> key;      ///< none by site
+};
+
+/// By site: 256 i / (n + 1), as in the thesis (Listing A.2), i the input index of n. By area, neighbors or
+/// weight: as ColorPlaces has the values of sites that have a cell. `cells` are the measures of the same
+/// sites; by site they are not read, and by weight their statuses alone, if there are any. Errors (input):
+/// color by weight of sites without weights; a scale, a range or a legend by site; those of ColorPlaces::of.
+Result<PaletteIndices> paletteIndices(const Sites& sites, const Diagram& cells, const RenderOptions& options,
+                                      int threads);
 
 }  // namespace vorpipe::core

@@ -155,6 +155,15 @@ Result<Drawn> drawParts(Backend& backend, CellDrawing& drawing, const NearestSit
   return drawn;
 }
 
+/// Palette indices by index in the set, from those by the caller's site.
+std::vector<std::uint8_t> indicesInSet(const SiteSet& set, const Scene& scene,
+                                       const std::vector<std::uint8_t>& by_site) {
+  std::vector<std::uint8_t> indices(set.size());
+  std::ranges::transform(set.id, indices.begin(),
+                         [&](std::uint32_t id) { return by_site[scene.siteOf(id)]; });
+  return indices;
+}
+
 /// Which sites of a set have no cell, if `cells` say it: a device does not see whether the cell of a site
 /// with weights is very small or empty.
 std::vector<std::uint8_t> hiddenSites(const SiteSet& set, const Scene& scene, const Diagram& cells) {
@@ -234,17 +243,17 @@ Result<Rendering> renderOn(const Machine& machine, const Sites& sites, const Ren
   beginReport(cells.report, report);
   const Stopwatch order_watch;
   SiteSet& set = run->prepared.set;
-  auto ids = set.id;
-  nameSites(scene, ids);
-  const auto palette_indices = paletteIndices(options.color, sites, ids, cells);
-  if (!palette_indices) return tl::unexpected(palette_indices.error());
+  auto colors = paletteIndices(sites, cells, options, machine.threads);
+  if (!colors) return tl::unexpected(colors.error());
+  rendering.key = std::move(colors->key);
+  const auto palette_indices = indicesInSet(set, scene, colors->index);
   times.order += 1e3 * order_watch.seconds();
 
   if (run->cells) set.hidden = hiddenSites(set, scene, cells);
   CellDrawing drawing({machine.backend, run->judge, set, options.search, machine.threads, options.progress},
-                      *palette_indices, std::move(run->cells));
+                      palette_indices, std::move(run->cells));
   const Sites& drawn = scene.sitesOr(sites);
-  const NearestSites nearest{run->judge, set, *palette_indices, drawn.size(), machine.threads};
+  const NearestSites nearest{run->judge, set, palette_indices, drawn.size(), machine.threads};
   const int exponent = run->prepared.exponent;
   auto picture =
       drawParts(machine.backend, drawing, nearest, scaled(scene.picture, exponent), *palette, options);

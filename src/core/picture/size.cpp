@@ -5,14 +5,32 @@
 
 namespace vorpipe {
 
+PictureSize sizeFor(const Box& domain, int longer_side) {
+  const double width = domain.xmax - domain.xmin, height = domain.ymax - domain.ymin;
+  const auto shorter = [&](double part) {
+    return std::max(1, static_cast<int>(std::lround(part * longer_side)));
+  };
+  if (width >= height) return PictureSize{longer_side, shorter(height / width)};
+  return PictureSize{shorter(width / height), longer_side};
+}
+
 PictureSize defaultSize(const Box& domain) {
   constexpr int default_longer_side = 1000;
-  const double width = domain.xmax - domain.xmin, height = domain.ymax - domain.ymin;
-  const auto shorter = [](double part) {
-    return std::max(1, static_cast<int>(std::lround(part * default_longer_side)));
-  };
-  if (width >= height) return PictureSize{default_longer_side, shorter(height / width)};
-  return PictureSize{shorter(width / height), default_longer_side};
+  return sizeFor(domain, default_longer_side);
+}
+
+PictureFrame frameOf(const Box& domain, int width, int height, Fit fit) {
+  const PictureFrame whole{0, 0, width, height};
+  if (fit == Fit::stretch) return whole;
+  // Per width of the picture and per height of it, so that no extent of a domain overflows.
+  const double wide = (domain.xmax - domain.xmin) / width, high = (domain.ymax - domain.ymin) / height;
+  const double fitting_width = wide < high ? width * (wide / high) : width;
+  const double fitting_height = high < wide ? height * (high / wide) : height;
+  // Of a picture as wide as its height asks for, rounding leaves up to a pixel.
+  if (width - fitting_width <= 1 && height - fitting_height <= 1) return whole;
+  const auto pixels = [](double side) { return std::max(1, static_cast<int>(std::lround(side))); };
+  const int frame_width = pixels(fitting_width), frame_height = pixels(fitting_height);
+  return {(width - frame_width) / 2, (height - frame_height) / 2, frame_width, frame_height};
 }
 
 }  // namespace vorpipe

@@ -1,0 +1,101 @@
+#include "core/picture/color_scale.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/picture/color_ticks.h"
+
+namespace vorpipe::core {
+namespace {
+
+tl::unexpected<Error> refuse(std::string message) {
+  return tl::unexpected(Error{ErrorCode::input, std::move(message)});
+}
+
+ColorScale scaleOf(const Coloring& coloring) {
+  if (coloring.scale != ColorScale::automatic) return coloring.scale;
+  return coloring.color == ColorBy::neighbors ? ColorScale::linear : ColorScale::quantile;
+}
+
+Result<void> checkRange(const ColorRange& range, ColorScale scale) {
+  const bool ascends = std::isfinite(range.low) && std::isfinite(range.high) && range.low < range.high;
+  if (!ascends) {
+    return refuse(fmt::format("color range {} to {}: the first must be less than the second, and both finite",
+                              range.low, range.high));
+  }
+  if (scale == ColorScale::log && range.low <= 0) {
+    return refuse(
+        fmt::format("color range {} to {}: the logarithm needs one above 0", range.low, range.high));
+  }
+  return {};
+}
+
+/// Where `at` lies from `low` to `high`; halves, since the difference of large numbers is infinite.
+double partOf(double at, double low, double high) {
+  const double whole = high / 2 - low / 2;
+  if (!(whole > 0)) return at < low ? 0 : at > high ? 1 : 0.5;
+  return std::clamp((at / 2 - low / 2) / whole, 0.0, 1.0);
+}
+
+}  // namespace
+
+Result<ColorPlaces> ColorPlaces::of(const Coloring& coloring, std::vector<double> values) {
+  ColorPlaces places;
+  ColorKey& key = places.key_;
+  key.color = coloring.color;
+  key.scale = scaleOf(coloring);
+  if (coloring.range) {
+    if (auto checked = checkRange(*coloring.range, key.scale); !checked)
+      return tl::unexpected(checked.error());
+  }
+  if (key.scale == ColorScale::log) std::erase_if(values, [](double value) { return value <= 0; });
+  if (key.scale == ColorScale::quantile && coloring.range) {
+    std::erase_if(
+        values, [&range = *coloring.range](double value) { return value < range.low || value > range.high; });
+  }
+  const bool takes_range = coloring.range && key.scale != ColorScale::quantile;
+  if (values.empty() && key.scale == ColorScale::log) {
+    return refuse("color scale log: no value is above 0");
+  }
+  if (values.empty() && coloring.range && !takes_range) {
+    return refuse(fmt::format("color range {} to {}: no value lies inside, and there is nothing to rank",
+                              coloring.range->low, coloring.range->high));
+  }
+  if (takes_range) {
+    key.range = *coloring.range;
+  } else if (!values.empty()) {
+    const auto [least, greatest] = std::ranges::minmax(values);
+    key.range = {least, greatest};
+  }
+  if (key.scale == ColorScale::quantile) {
+    std::ranges::sort(values);
+    places.ranked_ = std::move(values);
+  }
+  key.ticks = ticksOf(key, places.ranked_);
+  return places;
+}
+
+double ColorPlaces::rankOf(double value) const {
+  const auto [first, last] = std::ranges::equal_range(ranked_, value);
+  if (first == last) return value < key_.range.low ? 0 : 1;
+  const auto before = static_cast<double>(first - ranked_.begin());
+  const auto equal = static_cast<double>(last - first);
+  const auto most = static_cast<double>(ranked_.size() - 1);
+  return most > 0 ? (before + (equal - 1) / 2) / most : 0.5;
+}
+
+double ColorPlaces::operator()(double value) const {
+  const auto [low, high] = key_.range;
+  switch (key_.scale) {
+    case ColorScale::quantile:
+      return rankOf(value);
+    case ColorScale::log:
+      return value > 0 ? partOf(std::log(value), std::log(low), std::log(high)) : 0;
+    default:
+      return partOf(value, low, high);
+  }
+}
+
+}  // namespace vorpipe::core

@@ -1,0 +1,38 @@
+/// How values of sites become places along the colors.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "vorpipe.h"
+
+namespace vorpipe::core {
+
+/// What colors stand for, as RenderOptions have it.
+struct Coloring {
+  ColorBy color;  ///< not by site
+  ColorScale scale;
+  std::optional<ColorRange> range;
+};
+
+/// The places along the colors, from 0 to 1, of values.
+class ColorPlaces {
+ public:
+  /// `values` are those of the sites that have a cell, finite, in any order. Where a range is named,
+  /// quantiles are those of the values inside it. Errors (input): the range is none, or holds nothing for the
+  /// scale.
+  static Result<ColorPlaces> of(const Coloring& coloring, std::vector<double> values);
+
+  /// Never falls where `value` rises: values below the range have 0, those above it 1, and the middle is that
+  /// of all values where they are equal.
+  [[nodiscard]] double operator()(double value) const;
+  [[nodiscard]] const ColorKey& key() const { return key_; }
+
+ private:
+  [[nodiscard]] double rankOf(double value) const;
+
+  ColorKey key_;
+  std::vector<double> ranked_;  ///< the values inside the range, ascending; by quantile alone
+};
+
+}  // namespace vorpipe::core
