@@ -222,8 +222,8 @@ std::string directoryOf(const std::vector<Field>& fields, bool big, std::uint64_
   return directory + values;
 }
 
-Result<void> writeAll(ByteSink& sink, int width, int height, const Strips& strips,
-                      const TiffOptions& options) {
+Result<void> writeFile(ByteSink& sink, int width, int height, const Strips& strips,
+                       const TiffOptions& options) {
   const auto headOf = [&](bool big, std::uint64_t strips_begin) {
     const std::string header = headerOf(big);
     return header +
@@ -248,7 +248,7 @@ Result<void> writeTiffIds(ByteSink& sink, int width, int height, std::span<const
   assert(width > 0 && height > 0 &&
          ids.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   try {
-    return writeAll(sink, width, height, compressed(width, height, ids, options.threads), options);
+    return writeFile(sink, width, height, compressed(width, height, ids, options.threads), options);
   } catch (const std::bad_alloc&) {
     return deviceError(sink.name() + ": there is not enough memory for its compressed ids");
   }

@@ -1,0 +1,281 @@
+#include "io/pictures/pdf_picture.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <new>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "io/files/bytes.h"
+#include "io/files/error.h"
+#include "io/pictures/deflate.h"
+#include "io/pictures/vector_picture.h"
+#include "io/pictures/vector_text.h"
+
+// PDF Reference, third edition (1.4): 3.4 (the file), 4.3 and 4.4 (what draws), 5.2 and 5.3 (text).
+
+namespace vorpipe {
+namespace {
+
+constexpr double opaque = 0xFF;
+
+/// Objects of a file, whose places are kept for the table at its end.
+class PdfFile final : public ByteSink {
+ public:
+  explicit PdfFile(ByteSink& to) : ByteSink(to.name()), to_(&to) {}
+
+  Result<void> write(std::string_view bytes) override {
+    size_ += bytes.size();
+    return to_->write(bytes);
+  }
+  [[nodiscard]] std::uint64_t size() const { return size_; }
+
+  /// Begins the next object, which ends with endobj; they are numbered from 1.
+  Result<void> begin() {
+    places_.push_back(size_);
+    return write(fmt::format("{} 0 obj\n", places_.size()));
+  }
+  Result<void> add(std::string_view object) {
+    auto written = begin();
+    if (written) written = write(object);
+    return written ? write("\nendobj\n") : written;
+  }
+
+  /// Ends the file; object 1 is its catalog.
+  Result<void> finish() {
+    const std::uint64_t table = size_;
+    Bytes text;
+    print(text, FMT_COMPILE("xref\n0 {}\n0000000000 65535 f \n"), places_.size() + 1);
+    for (const std::uint64_t place : places_) print(text, FMT_COMPILE("{:010} 00000 n \n"), place);
+    print(text, FMT_COMPILE("trailer\n<< /Size {} /Root 1 0 R >>\nstartxref\n{}\n%%EOF\n"),
+          places_.size() + 1, table);
+    return writeAll(*this, text);
+  }
+
+ private:
+  ByteSink* to_;
+  std::uint64_t size_ = 0;
+  std::vector<std::uint64_t> places_;
+};
+
+void put(Bytes& text, std::string_view more) { text.append(more); }
+
+/// Sets a color, R in the lowest byte, by `rg` (what fills) or `RG` (what strokes).
+void printColor(Bytes& text, std::uint32_t rgba, std::string_view operation) {
+  const auto channel = [&](int shift) { return (rgba >> shift & 0xFF) / opaque; };
+  print(text, FMT_COMPILE("{:.4g} {:.4g} {:.4g} {}\n"), channel(0), channel(8), channel(16), operation);
+}
+
+void printLength(Bytes& text, double pixels, std::string_view operation) {
+  printPixels(text, pixels);
+  print(text, FMT_COMPILE(" {}\n"), operation);
+}
+
+void printBox(Bytes& text, double left, double top, double width, double height) {
+  printPoint(text, {left, top});
+  text.push_back(' ');
+  printPoint(text, {width, height});
+  put(text, " re\n");
+}
+
+void printLines(Bytes& text, const Lines& lines, bool closed) {
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const auto line = lines[k];
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      printPoint(text, line[i]);
+      put(text, i == 0 ? " m\n" : " l\n");
+    }
+    if (closed) put(text, "h\n");
+  }
+}
+
+/// The names of what drawing refers to: a dot, the font, and an opacity out of 255.
+constexpr std::string_view dot_name = "/Dot", font_name = "/Font";
+std::string opacityName(std::uint32_t rgba) { return fmt::format("/Alpha{}", rgba >> 24); }
+
+Result<void> writeCells(ByteSink& page, Bytes& text, const VectorPicture& picture) {
+  printLength(text, VectorPicture::seam_width, "w");
+  std::uint32_t last = 0;
+  return picture.eachCell([&](std::size_t site, const Lines& rings) {
+    const std::uint32_t color = picture.color(site);
+    if (color != last) {
+      printColor(text, color, "rg");
+      printColor(text, color, "RG");
+      last = color;
+    }
+    printLines(text, rings, /*closed=*/true);
+    put(text, "B*\n");
+    return writeIfFull(page, text);
+  });
+}
+
+Result<void> writeEdges(ByteSink& page, Bytes& text, const VectorPicture& picture) {
+  printColor(text, VectorPicture::edge_color, "RG");
+  printLength(text, picture.edgeWidth(), "w");
+  auto written = picture.eachEdge([&](const Lines& lines) {
+    printLines(text, lines, /*closed=*/false);
+    put(text, "S\n");
+    return writeIfFull(page, text);
+  });
+  if (const Lines border = picture.border(); !border.empty()) {
+    printLength(text, picture.borderWidth(), "w");
+    printLines(text, border, /*closed=*/true);
+    put(text, "S\n");
+  }
+  return written;
+}
+
+Result<void> writeDots(ByteSink& page, Bytes& text, const VectorPicture& picture) {
+  for (const Point& dot : picture.dots()) {
+    put(text, "q 1 0 0 1 ");
+    printPoint(text, dot);
+    print(text, FMT_COMPILE(" cm {} Do Q\n"), dot_name);
+    if (auto written = writeIfFull(page, text); !written) return written;
+  }
+  return {};
+}
+
+void printText(Bytes& text, const LegendText& line) {
+  const double size = fontSize(line.height), width = textWidth(line.text, size);
+  const double left = line.x - (line.anchor == Anchor::start ? 0
+                                : line.anchor == Anchor::end ? width
+                                                             : width / 2);
+  // The page's y goes downward, which letters do not.
+  print(text, FMT_COMPILE("BT {} {:.6g} Tf 1 0 0 -1 "), font_name, size);
+  printPoint(text, {left, line.baseline});
+  put(text, " Tm (");
+  for (const char letter : line.text) {
+    if (letter == '(' || letter == ')' || letter == '\\') text.push_back('\\');
+    text.push_back(letter);
+  }
+  put(text, ") Tj ET\n");
+}
+
+void printLegend(Bytes& text, const Legend& legend) {
+  for (const LegendBox& box : legend.boxes) {
+    print(text, FMT_COMPILE("{} gs\n"), opacityName(box.rgba));
+    printColor(text, box.rgba, "rg");
+    printBox(text, box.left, box.top, box.width, box.height);
+    put(text, "f\n");
+  }
+  put(text, "0 g\n");
+  for (const LegendText& line : legend.texts) printText(text, line);
+}
+
+/// What the page shows; its unit is a pixel, and y goes downward.
+Result<void> writeContents(ByteSink& page, const VectorPicture& picture, double points) {
+  Bytes text;
+  print(text, FMT_COMPILE("{0} 0 0 -{0} 0 {1} cm 1 j 1 J\nq\n"), points, points * picture.height());
+  const PictureFrame& frame = picture.frame();
+  printBox(text, frame.left, frame.top, frame.width, frame.height);
+  put(text, "W n\n");
+  if (auto written = writeCells(page, text, picture); !written) return written;
+  if (const Lines outline = picture.outline(); !outline.empty()) {
+    printLines(text, outline, /*closed=*/true);
+    put(text, "W* n\n");
+  }
+  if (picture.hasEdges()) {
+    if (auto written = writeEdges(page, text, picture); !written) return written;
+  }
+  if (auto written = writeDots(page, text, picture); !written) return written;
+  put(text, "Q\n");
+  if (picture.legend()) printLegend(text, *picture.legend());
+  return writeAll(page, text);
+}
+
+/// A circle about the origin, of four curves that are as near to it as a quarter of a thousandth.
+void printCircle(Bytes& text, double radius) {
+  constexpr double handle = 0.5522847498;
+  const double r = radius, h = handle * radius;
+  const Point quarters[4][3] = {{{r, h}, {h, r}, {0, r}},
+                                {{-h, r}, {-r, h}, {-r, 0}},
+                                {{-r, -h}, {-h, -r}, {0, -r}},
+                                {{h, -r}, {r, -h}, {r, 0}}};
+  printPoint(text, {r, 0});
+  put(text, " m\n");
+  for (const auto& quarter : quarters) {
+    join(text, 3, " ", [&](Bytes& out, std::size_t k) { printPoint(out, quarter[k]); });
+    put(text, " c\n");
+  }
+}
+
+/// A dot about the origin, as an object of its own.
+std::string dotObject(const VectorPicture& picture) {
+  Bytes text;
+  const double radius = picture.dotRadius(), rim = picture.rimWidth();
+  printColor(text, VectorPicture::dot_color, "rg");
+  if (rim > 0) {
+    printColor(text, VectorPicture::rim_color, "RG");
+    printLength(text, rim, "w");
+  }
+  // The line is half inside and half outside.
+  printCircle(text, radius - rim / 2);
+  put(text, rim > 0 ? "b\n" : "f\n");
+  return fmt::format(
+      "<< /Type /XObject /Subtype /Form /BBox [{0} {0} {1} {1}] /Resources << >> /Length {2} >>\n"
+      "stream\n{3}\nendstream",
+      -radius - 1, radius + 1, text.size(), std::string_view(text.data(), text.size()));
+}
+
+/// The objects that follow the page's contents are numbered from here.
+constexpr int page_object = 3, contents_object = 4, length_object = 5, font_object = 6, dot_object = 7;
+
+std::string pageObject(const VectorPicture& picture, double points) {
+  std::set<std::uint32_t> opacities;
+  if (picture.legend()) {
+    for (const LegendBox& box : picture.legend()->boxes) opacities.insert(box.rgba >> 24);
+  }
+  std::string states;
+  for (const std::uint32_t opacity : opacities) {
+    states += fmt::format("{} << /ca {:.3g} >> ", opacityName(opacity << 24), opacity / opaque);
+  }
+  return fmt::format(
+      "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 {} {}] /Contents {} 0 R\n"
+      "/Resources << /Font << {} {} 0 R >> /XObject << {} {} 0 R >> /ExtGState << {}>> >> >>",
+      points * picture.width(), points * picture.height(), contents_object, font_name, font_object, dot_name,
+      dot_object, states);
+}
+
+Result<void> writeFile(ByteSink& sink, const VectorPicture& picture) {
+  constexpr double points_of_pixel = 0.75, most_points = 14400;
+  const double points = std::min(points_of_pixel, most_points / std::max(picture.width(), picture.height()));
+  PdfFile file(sink);
+  // The bytes above 127 tell programs that move files that this is no text.
+  auto written = file.write("%PDF-1.4\n%\xE2\xE3\xCF\xD3\n");
+  if (written) written = file.add("<< /Type /Catalog /Pages 2 0 R >>");
+  if (written) written = file.add(fmt::format("<< /Type /Pages /Kids [{} 0 R] /Count 1 >>", page_object));
+  if (written) written = file.add(pageObject(picture, points));
+  if (written) written = file.begin();
+  if (written) {
+    written = file.write(fmt::format("<< /Length {} 0 R /Filter /FlateDecode >>\nstream\n", length_object));
+  }
+  const std::uint64_t begin = file.size();
+  DeflateSink page(file);
+  if (written) written = writeContents(page, picture, points);
+  if (written) written = page.finish();
+  const std::uint64_t length = file.size() - begin;
+  if (written) written = file.write("\nendstream\nendobj\n");
+  if (written) written = file.add(std::to_string(length));
+  if (written) {
+    written = file.add("<< /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >>");
+  }
+  if (written) written = file.add(dotObject(picture));
+  return written ? file.finish() : written;
+}
+
+}  // namespace
+
+Result<void> writePdfPicture(ByteSink& sink, const Sites& sites, const Diagram& diagram,
+                             const RenderOptions& options, int threads) {
+  try {
+    const auto picture = VectorPicture::make(sites, diagram, options, threads);
+    return picture ? writeFile(sink, *picture) : tl::unexpected(picture.error());
+  } catch (const std::bad_alloc&) {
+    return deviceError(sink.name() + ": there is not enough memory to write its shapes");
+  }
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,191 @@
+#include "io/pictures/svg_picture.h"
+
+#include <cstdint>
+#include <new>
+#include <string_view>
+
+#include "io/files/bytes.h"
+#include "io/files/error.h"
+#include "io/pictures/vector_picture.h"
+#include "io/pictures/vector_text.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr std::uint32_t opaque = 0xFF;
+
+void put(Bytes& text, std::string_view more) { text.append(more); }
+
+/// `#rrggbb` of R in the lowest byte.
+void printColor(Bytes& text, std::uint32_t rgba) {
+  print(text, FMT_COMPILE("#{:02x}{:02x}{:02x}"), rgba & 0xFF, rgba >> 8 & 0xFF, rgba >> 16 & 0xFF);
+}
+
+void printColor(Bytes& text, std::string_view name, std::uint32_t rgba) {
+  print(text, FMT_COMPILE(" {}=\""), name);
+  printColor(text, rgba);
+  text.push_back('"');
+}
+
+void printLength(Bytes& text, std::string_view name, double pixels) {
+  print(text, FMT_COMPILE(" {}=\""), name);
+  printPixels(text, pixels);
+  text.push_back('"');
+}
+
+/// The data of a path; `end` is Z where lines are closed.
+void printLines(Bytes& text, const Lines& lines, std::string_view end) {
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    text.push_back('M');
+    join(text, lines[k].size(), " ", [&](Bytes& out, std::size_t i) { printPoint(out, lines[k][i]); });
+    put(text, end);
+  }
+}
+
+void printHead(Bytes& text, const VectorPicture& picture) {
+  print(text,
+        FMT_COMPILE("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
+                    "viewBox=\"0 0 {0} {1}\">\n"),
+        picture.width(), picture.height());
+  const PictureFrame& frame = picture.frame();
+  print(text,
+        FMT_COMPILE("<clipPath id=\"frame\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>"
+                    "</clipPath>\n"),
+        frame.left, frame.top, frame.width, frame.height);
+  if (const Lines outline = picture.outline(); !outline.empty()) {
+    put(text, "<clipPath id=\"outline\"><path clip-rule=\"evenodd\" d=\"");
+    printLines(text, outline, "Z");
+    put(text, "\"/></clipPath>\n");
+  }
+}
+
+Result<void> writeCells(ByteSink& sink, Bytes& text, const VectorPicture& picture, const Diagram& diagram) {
+  put(text, "<g fill-rule=\"evenodd\"");
+  printLength(text, "stroke-width", VectorPicture::seam_width);
+  put(text, ">\n");
+  auto written = picture.eachCell([&](std::size_t site, const Lines& rings) {
+    put(text, "<path");
+    printColor(text, "fill", picture.color(site));
+    printColor(text, "stroke", picture.color(site));
+    put(text, " d=\"");
+    printLines(text, rings, "Z");
+    print(text, FMT_COMPILE("\"><title>site {}, area {}</title></path>\n"), site, diagram.area[site]);
+    return writeIfFull(sink, text);
+  });
+  put(text, "</g>\n");
+  return written;
+}
+
+Result<void> writeEdges(ByteSink& sink, Bytes& text, const VectorPicture& picture) {
+  // So many that readers choke neither on the length of a path nor on the number of paths.
+  constexpr std::size_t lines_of_path = 1000;
+  put(text, "<g fill=\"none\"");
+  printColor(text, "stroke", VectorPicture::edge_color);
+  printLength(text, "stroke-width", picture.edgeWidth());
+  put(text, ">\n");
+  std::size_t lines_here = 0;
+  auto written = picture.eachEdge([&](const Lines& lines) {
+    if (lines_here == 0) put(text, "<path d=\"");
+    printLines(text, lines, "");
+    lines_here += lines.size();
+    if (lines_here < lines_of_path) return Result<void>();
+    lines_here = 0;
+    put(text, "\"/>\n");
+    return writeIfFull(sink, text);
+  });
+  if (lines_here > 0) put(text, "\"/>\n");
+  if (const Lines border = picture.border(); !border.empty()) {
+    put(text, "<path");
+    printLength(text, "stroke-width", picture.borderWidth());
+    put(text, " d=\"");
+    printLines(text, border, "Z");
+    put(text, "\"/>\n");
+  }
+  put(text, "</g>\n");
+  return written;
+}
+
+Result<void> writeDots(ByteSink& sink, Bytes& text, const VectorPicture& picture) {
+  put(text, "<g");
+  printColor(text, "fill", VectorPicture::dot_color);
+  const double rim = picture.rimWidth();
+  if (rim > 0) {
+    printColor(text, "stroke", VectorPicture::rim_color);
+    printLength(text, "stroke-width", rim);
+  }
+  put(text, ">\n");
+  for (const Point& dot : picture.dots()) {
+    put(text, "<circle");
+    printLength(text, "cx", dot.x);
+    printLength(text, "cy", dot.y);
+    // The line is half inside and half outside.
+    printLength(text, "r", picture.dotRadius() - rim / 2);
+    put(text, "/>\n");
+    if (auto written = writeIfFull(sink, text); !written) return written;
+  }
+  put(text, "</g>\n");
+  return {};
+}
+
+void printLegend(Bytes& text, const Legend& legend) {
+  put(text, "<g>\n");
+  for (const LegendBox& box : legend.boxes) {
+    put(text, "<rect");
+    printLength(text, "x", box.left);
+    printLength(text, "y", box.top);
+    printLength(text, "width", box.width);
+    printLength(text, "height", box.height);
+    printColor(text, "fill", box.rgba);
+    if (const std::uint32_t alpha = box.rgba >> 24; alpha != opaque) {
+      print(text, FMT_COMPILE(" fill-opacity=\"{:.3g}\""), alpha / double{opaque});
+    }
+    put(text, "/>\n");
+  }
+  put(text, "<g font-family=\"Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif\">\n");
+  for (const LegendText& line : legend.texts) {
+    constexpr std::string_view anchors[] = {"start", "middle", "end"};
+    put(text, "<text");
+    printLength(text, "x", line.x);
+    printLength(text, "y", line.baseline);
+    printLength(text, "font-size", fontSize(line.height));
+    print(text, FMT_COMPILE(" text-anchor=\"{}\">"), anchors[static_cast<std::size_t>(line.anchor)]);
+    for (const char letter : line.text) {
+      put(text, letter == '<' ? "&lt;" : letter == '&' ? "&amp;" : std::string_view(&letter, 1));
+    }
+    put(text, "</text>\n");
+  }
+  put(text, "</g>\n</g>\n");
+}
+
+Result<void> write(ByteSink& sink, const VectorPicture& picture, const Diagram& diagram) {
+  Bytes text;
+  printHead(text, picture);
+  put(text, "<g clip-path=\"url(#frame)\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
+  if (auto written = writeCells(sink, text, picture, diagram); !written) return written;
+  const bool outlined = !picture.outline().empty();
+  if (outlined) put(text, "<g clip-path=\"url(#outline)\">\n");
+  if (picture.hasEdges()) {
+    if (auto written = writeEdges(sink, text, picture); !written) return written;
+  }
+  if (!picture.dots().empty()) {
+    if (auto written = writeDots(sink, text, picture); !written) return written;
+  }
+  put(text, outlined ? "</g>\n</g>\n" : "</g>\n");
+  if (picture.legend()) printLegend(text, *picture.legend());
+  put(text, "</svg>\n");
+  return writeAll(sink, text);
+}
+
+}  // namespace
+
+Result<void> writeSvgPicture(ByteSink& sink, const Sites& sites, const Diagram& diagram,
+                             const RenderOptions& options, int threads) {
+  try {
+    const auto picture = VectorPicture::make(sites, diagram, options, threads);
+    return picture ? write(sink, *picture, diagram) : tl::unexpected(picture.error());
+  } catch (const std::bad_alloc&) {
+    return deviceError(sink.name() + ": there is not enough memory to write its shapes");
+  }
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,196 @@
+#include "io/pictures/vector_picture.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace vorpipe {
+namespace {
+
+constexpr std::size_t least_vertices = 3;
+
+/// How many periods along an axis the copies of something stand that show.
+struct Copies {
+  int first = 0, last = 0;
+};
+
+/// Copies of what reaches from `low` to `high` that meet the period from `begin` to `end`.
+Copies copiesOf(double low, double high, double begin, double end) {
+  const double period = end - begin;
+  return {static_cast<int>(std::ceil((begin - high) / period)),
+          static_cast<int>(std::floor((end - low) / period))};
+}
+
+/// Calls `use` with how far each copy of a cell that shows stands from it.
+template <class Use>
+Result<void> eachCopy(const Cell& cell, const RenderOptions& options, const Use& use) {
+  if (options.periodic == Periodic::none) return use(Point{0, 0});
+  const Box box = boxOf(cell.vertices());
+  const Box& domain = options.domain;
+  Copies columns, rows;
+  if (options.periodic != Periodic::y) columns = copiesOf(box.xmin, box.xmax, domain.xmin, domain.xmax);
+  if (options.periodic != Periodic::x) rows = copiesOf(box.ymin, box.ymax, domain.ymin, domain.ymax);
+  for (int row = rows.first; row <= rows.last; ++row) {
+    for (int column = columns.first; column <= columns.last; ++column) {
+      const Point by{column * (domain.xmax - domain.xmin), row * (domain.ymax - domain.ymin)};
+      if (auto used = use(by); !used) return used;
+    }
+  }
+  return {};
+}
+
+/// Both cells of an edge have it: whether it is this one that draws it.
+bool drawsEdge(const Cell& cell, std::size_t edge) {
+  const auto here = static_cast<std::int64_t>(cell.index()), there = cell.neighbors()[edge];
+  if (here != there) return here < there;
+  // A cell that meets its own image has the edge twice, seen from either side.
+  return cell.shifts()[edge] > std::array<std::int32_t, 2>{};
+}
+
+/// Adds the edges that a cell draws, as lines as long as they are connected.
+template <class Place>
+void addEdges(const Cell& cell, Lines& lines, const Place& place) {
+  const CellRings rings = cell.rings();
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const auto ring = rings[r];
+    const std::size_t first = rings.begin(r) - cell.begin();
+    bool drawing = false;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      if (!drawsEdge(cell, first + k)) {
+        drawing = false;
+        continue;
+      }
+      if (!drawing) {
+        lines.begin();
+        lines.add(place(ring[k]));
+      }
+      lines.add(place(ring[(k + 1) % ring.size()]));
+      drawing = true;
+    }
+  }
+}
+
+}  // namespace
+
+VectorPicture::VectorPicture(const Diagram& diagram, const RenderOptions& options)
+    : diagram_(&diagram),
+      options_(&options),
+      frame_(frameOf(options.domain, options.width, options.height, options.fit)) {}
+
+Point VectorPicture::pixelOf(Point place) const {
+  const Box& domain = options_->domain;
+  return {frame_.left + (place.x - domain.xmin) / (domain.xmax - domain.xmin) * frame_.width,
+          frame_.top + (domain.ymax - place.y) / (domain.ymax - domain.ymin) * frame_.height};
+}
+
+Result<VectorPicture> VectorPicture::make(const Sites& sites, const Diagram& diagram,
+                                          const RenderOptions& options, int threads) {
+  VectorPicture picture(diagram, options);
+  auto colors = siteColors(sites, diagram, options);
+  if (!colors) return tl::unexpected(std::move(colors.error()));
+  picture.colors_ = std::move(*colors);
+  if (options.legend && picture.colors_.key) {
+    picture.legend_ = legendOf(*picture.colors_.key, options.colormap, options.width, options.height);
+  }
+  if (options.show_sites) {
+    auto dots = picture.placesOfDots(sites, threads);
+    if (!dots) return tl::unexpected(std::move(dots.error()));
+    for (Point& dot : *dots) dot = picture.pixelOf(dot);
+    picture.dots_ = std::move(*dots);
+    picture.dot_size_ =
+        2 * std::clamp(0.12 * std::sqrt(static_cast<double>(options.width) * options.height / sites.size()),
+                       1.0, 5.0);
+  }
+  return picture;
+}
+
+Result<std::vector<Point>> VectorPicture::placesOfDots(const Sites& sites, int threads) const {
+  const Box& domain = options_->domain;
+  const bool periodic = options_->periodic != Periodic::none;
+  Result<Sites> placed = periodic ? wrapped(sites, domain, options_->periodic, threads) : Sites{};
+  if (!placed) return tl::unexpected(std::move(placed.error()));
+  const Sites& at = periodic ? *placed : sites;
+  std::vector<Point> inside;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const double x = at.x[i], y = at.y[i];
+    if (!(x >= domain.xmin && x <= domain.xmax && y >= domain.ymin && y <= domain.ymax)) continue;
+    if (diagram_->status[i] != Status::duplicate) inside.push_back({x, y});
+  }
+  if (options_->outline.empty()) return inside;
+  auto locator = Locator::make(sites, cellsOptions(*options_), threads);
+  if (!locator) return tl::unexpected(std::move(locator.error()));
+  std::vector<std::uint32_t> cells(inside.size());
+  locator->at(inside, cells);
+  std::vector<Point> shown;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (cells[i] != no_site) shown.push_back(inside[i]);
+  }
+  return shown;
+}
+
+double VectorPicture::rimWidth() const { return 1; }
+
+Lines VectorPicture::outline() const {
+  const Outline& outline = options_->outline;
+  Lines lines;
+  for (std::size_t r = 0; r + 1 < outline.ring_offsets.size(); ++r) {
+    lines.begin();
+    for (auto k = outline.ring_offsets[r]; k < outline.ring_offsets[r + 1]; ++k) {
+      lines.add(pixelOf(outline.points[k]));
+    }
+  }
+  return lines;
+}
+
+Lines VectorPicture::border() const {
+  if (!options_->outline.empty()) return outline();
+  Lines lines;
+  const double left = frame_.left, top = frame_.top;
+  const double right = left + frame_.width, bottom = top + frame_.height;
+  const auto add = [&](double x0, double y0, double x1, double y1) {
+    lines.begin();
+    lines.add({x0, y0});
+    lines.add({x1, y1});
+  };
+  if (frame_.left > 0) add(left, top, left, bottom);
+  if (right < options_->width) add(right, top, right, bottom);
+  if (frame_.top > 0) add(left, top, right, top);
+  if (bottom < options_->height) add(left, bottom, right, bottom);
+  return lines;
+}
+
+Result<void> VectorPicture::eachCell(const UseCell& use) const {
+  Lines rings;
+  for (const Cell cell : *diagram_) {
+    const CellRings all = cell.rings();
+    if (all.empty()) continue;
+    auto used = eachCopy(cell, *options_, [&](Point by) {
+      rings.clear();
+      for (std::size_t r = 0; r < all.size(); ++r) {
+        if (all[r].size() < least_vertices) continue;
+        rings.begin();
+        for (const Point& vertex : all[r]) rings.add(pixelOf({vertex.x + by.x, vertex.y + by.y}));
+      }
+      return rings.empty() ? Result<void>() : use(cell.index(), rings);
+    });
+    if (!used) return used;
+  }
+  return {};
+}
+
+Result<void> VectorPicture::eachEdge(const UseLines& use) const {
+  Lines lines;
+  for (const Cell cell : *diagram_) {
+    if (cell.rings().empty()) continue;
+    auto used = eachCopy(cell, *options_, [&](Point by) {
+      lines.clear();
+      addEdges(cell, lines, [&](Point vertex) { return pixelOf({vertex.x + by.x, vertex.y + by.y}); });
+      return lines.empty() ? Result<void>() : use(lines);
+    });
+    if (!used) return used;
+  }
+  return {};
+}
+
+}  // namespace vorpipe

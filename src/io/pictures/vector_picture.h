@@ -1,0 +1,99 @@
+/// What a picture of cells shows, as shapes: all that its writers have in common.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+/// Lines through points, in pixels from the picture's upper left corner, y downward.
+class Lines {
+ public:
+  void clear() {
+    points_.clear();
+    begins_.clear();
+  }
+  /// Begins another line, which has no point yet.
+  void begin() { begins_.push_back(points_.size()); }
+  void add(Point point) { points_.push_back(point); }
+
+  [[nodiscard]] std::size_t size() const { return begins_.size(); }
+  [[nodiscard]] bool empty() const { return begins_.empty(); }
+  [[nodiscard]] std::span<const Point> operator[](std::size_t k) const {
+    const std::size_t end = k + 1 < begins_.size() ? begins_[k + 1] : points_.size();
+    return std::span(points_).subspan(begins_[k], end - begins_[k]);
+  }
+
+ private:
+  std::vector<Point> points_;
+  std::vector<std::size_t> begins_;
+};
+
+/// A picture with the same colors, edges, dots, frame and legend as one in pixels, in the order in which it
+/// is painted: cells, edges, dots, the legend. Shapes are made one after the other, when they are asked for.
+class VectorPicture {
+ public:
+  /// Renderers smooth the two sides of an edge apart, so that what is below shines through. A line so wide
+  /// around each cell, in its own color, closes the gap.
+  static constexpr double seam_width = 0.5;
+  static constexpr std::uint32_t edge_color = 0xFF181818u, dot_color = 0xFFFFFFFFu, rim_color = 0xFF000000u;
+
+  /// The picture that `options` draw of `diagram`, the cells of `sites` with Detail::polygons. They all
+  /// outlive it. Errors: those of siteColors and wrapped(); a size that is none (input); out of memory
+  /// (device).
+  static Result<VectorPicture> make(const Sites& sites, const Diagram& diagram, const RenderOptions& options,
+                                    int threads = 0);
+
+  [[nodiscard]] int width() const { return options_->width; }
+  [[nodiscard]] int height() const { return options_->height; }
+  /// Where it shows the domain: all but the legend is clipped to that.
+  [[nodiscard]] const PictureFrame& frame() const { return frame_; }
+  [[nodiscard]] bool hasEdges() const { return options_->edges; }
+  [[nodiscard]] std::uint32_t color(std::size_t site) const { return colors_.rgba[site]; }
+  /// Rings that edges and dots are clipped to besides, by the rule of even and odd; none without an outline.
+  [[nodiscard]] Lines outline() const;
+  /// Of a dot, from its center; the rim, if any, is inside.
+  [[nodiscard]] double dotRadius() const { return dot_size_ / 2; }
+  [[nodiscard]] double rimWidth() const;
+  /// Of edges between cells, and of the border, the outer half of which is clipped away.
+  [[nodiscard]] double edgeWidth() const { return options_->edge_width; }
+  [[nodiscard]] double borderWidth() const { return 2 * options_->edge_width; }
+  [[nodiscard]] const std::optional<Legend>& legend() const { return legend_; }
+
+  /// Calls `use` with the rings of each cell, to be filled by the rule of even and odd: in a periodic domain
+  /// once for each place where the cell shows. Errors: those of `use`.
+  using UseCell = std::function<Result<void>(std::size_t site, const Lines& rings)>;
+  Result<void> eachCell(const UseCell& use) const;
+
+  /// Calls `use` with the open lines that are edges between cells, each once.
+  using UseLines = std::function<Result<void>(const Lines& lines)>;
+  Result<void> eachEdge(const UseLines& use) const;
+
+  /// The lines at which cells end without another cell on the other side.
+  [[nodiscard]] Lines border() const;
+
+  /// Centers.
+  [[nodiscard]] std::span<const Point> dots() const { return dots_; }
+
+ private:
+  VectorPicture(const Diagram& diagram, const RenderOptions& options);
+  [[nodiscard]] Point pixelOf(Point place) const;
+  /// Where dots stand: sites in places that have a cell, each position once.
+  [[nodiscard]] Result<std::vector<Point>> placesOfDots(const Sites& sites, int threads) const;
+
+  const Diagram* diagram_;
+  const RenderOptions* options_;
+  PictureFrame frame_;
+  SiteColors colors_;
+  std::optional<Legend> legend_;
+  std::vector<Point> dots_;
+  double dot_size_ = 0;
+};
+
+}  // namespace vorpipe
