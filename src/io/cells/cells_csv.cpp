@@ -36,7 +36,9 @@ std::string headerOf(const Diagram& diagram) {
 /// where the domain is periodic; rings where it has an outline; mass,mass_centroid_x,mass_centroid_y where it
 /// has a density. The weight is 0 where sites have none; `vertices` and `rings` are numbers; neighbors are
 /// separated by spaces, and so are shifts, each kx:ky.
-Result<void> write(ByteSink& sink, const Sites& sites, const Diagram& diagram) {
+Result<void> write(ByteSink& sink, const CellsOutput& output) {
+  const Sites& sites = output.sites;
+  const Diagram& diagram = output.diagram;
   auto written = sink.write(headerOf(diagram));
   if (!written) {
     return written;

@@ -5,13 +5,13 @@ namespace vorpipe {
 namespace {
 
 /// A FeatureCollection, with a feature for each site.
-Result<void> write(ByteSink& sink, const Sites& sites, const Diagram& diagram) {
+Result<void> write(ByteSink& sink, const CellsOutput& output) {
   if (auto written = sink.write(R"({"type":"FeatureCollection","features":[)"); !written) {
     return written;
   }
-  auto features = writeEach(sink, sites.size(), [&](Bytes& text, std::size_t site) {
+  auto features = writeEach(sink, output.sites.size(), [&](Bytes& text, std::size_t site) {
     text.append(std::string_view(site == 0 ? "\n" : ",\n"));
-    printFeature(text, sites, diagram, site);
+    printFeature(text, output, site);
   });
   if (!features) {
     return features;

@@ -6,9 +6,9 @@ namespace {
 
 /// A feature for each site, each on a line of its own (GeoJSONSeq without record separators, as GDAL, PostGIS
 /// and tile makers stream it).
-Result<void> write(ByteSink& sink, const Sites& sites, const Diagram& diagram) {
-  return writeEach(sink, sites.size(), [&](Bytes& text, std::size_t site) {
-    printFeature(text, sites, diagram, site);
+Result<void> write(ByteSink& sink, const CellsOutput& output) {
+  return writeEach(sink, output.sites.size(), [&](Bytes& text, std::size_t site) {
+    printFeature(text, output, site);
     text.push_back('\n');
   });
 }

@@ -8,7 +8,8 @@ namespace {
 
 /// The faces stand in the order of their sites; z is 0. A piece of a cell is a face, one with holes several
 /// triangles; where cells may have several faces, these stand in groups site_N.
-Result<void> write(ByteSink& sink, const Sites& /*sites*/, const Diagram& diagram) {
+Result<void> write(ByteSink& sink, const CellsOutput& output) {
+  const Diagram& diagram = output.diagram;
   const auto mesh = cellsMesh(sink, diagram);
   if (!mesh) {
     return tl::unexpected(mesh.error());

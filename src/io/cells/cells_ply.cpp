@@ -13,7 +13,8 @@ void append(Bytes& bytes, Number number) {
 
 /// Binary, little-endian, z is 0; faces, as in .obj, have vertex_indices, site and
 /// area, the whole cell's.
-Result<void> write(ByteSink& sink, const Sites& /*sites*/, const Diagram& diagram) {
+Result<void> write(ByteSink& sink, const CellsOutput& output) {
+  const Diagram& diagram = output.diagram;
   const auto mesh = cellsMesh(sink, diagram);
   if (!mesh) {
     return tl::unexpected(mesh.error());

@@ -54,7 +54,8 @@ Result<void> writeCellData(ByteSink& sink, const CellsMesh& mesh, std::string_vi
 
 /// Legacy format, version 3.0, binary, POLYDATA, z is 0; faces as in .obj; cell data are site, area,
 /// perimeter, neighbors (their number) and status (as in .npz), the whole cell's.
-Result<void> write(ByteSink& sink, const Sites& /*sites*/, const Diagram& diagram) {
+Result<void> write(ByteSink& sink, const CellsOutput& output) {
+  const Diagram& diagram = output.diagram;
   return cellsMesh(sink, diagram).and_then([&](const CellsMesh& mesh) {
     const auto data = [&](std::string_view name, std::string_view type, const auto& numberOf) {
       return [&, name, type, numberOf] { return writeCellData(sink, mesh, name, type, numberOf); };

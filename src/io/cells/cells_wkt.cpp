@@ -24,7 +24,8 @@ void printCell(Bytes& text, const Diagram& diagram, std::size_t site) {
 }
 
 /// Polygons begin and end at the same vertex.
-Result<void> write(ByteSink& sink, const Sites& /*sites*/, const Diagram& diagram) {
+Result<void> write(ByteSink& sink, const CellsOutput& output) {
+  const Diagram& diagram = output.diagram;
   if (diagram.status.empty()) {
     return sink.write("GEOMETRYCOLLECTION EMPTY\n");
   }

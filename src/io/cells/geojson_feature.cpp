@@ -55,11 +55,11 @@ void printGeometry(Bytes& text, const Diagram& diagram, std::size_t site) {
 
 }  // namespace
 
-void printFeature(Bytes& text, const Sites& sites, const Diagram& diagram, std::size_t site) {
+void printFeature(Bytes& text, const CellsOutput& output, std::size_t site) {
   print(text, FMT_COMPILE(R"({{"type":"Feature","id":{},)"), site);
-  printProperties(text, sites, diagram, site);
+  printProperties(text, output.sites, output.diagram, site);
   text.push_back(',');
-  printGeometry(text, diagram, site);
+  printGeometry(text, output.diagram, site);
   text.push_back('}');
 }
 
