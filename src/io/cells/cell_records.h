@@ -1,14 +1,10 @@
-/// One record after the other out of a Diagram, and into a file.
+/// What a record says of a cell, in words that several formats share.
 #pragma once
-
-#include <fmt/compile.h>
-#include <fmt/format.h>
 
 #include <cstddef>
 #include <string_view>
-#include <utility>
 
-#include "io/files/byte_sink.h"
+#include "io/text/print.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -25,42 +21,18 @@ inline std::string_view statusWord(Status status) {
   return "duplicate";
 }
 
-/// Bytes of a file before they are written.
-using Bytes = fmt::memory_buffer;
-
-/// Appends text; `format` is a FMT_COMPILE, and a double prints as the shortest text that reads back to it.
-template <class Format, class... Values>
-void print(Bytes& bytes, const Format& format, const Values&... values) {
-  fmt::format_to(fmt::appender(bytes), format, values...);
+/// Appends the neighbors of a site, separated by spaces.
+inline void printNeighbors(Bytes& text, const Diagram& diagram, std::size_t site) {
+  const auto neighbors = diagram.cell(site).neighbors();
+  join(text, neighbors.size(), " ",
+       [&](Bytes& out, std::size_t k) { print(out, FMT_COMPILE("{}"), neighbors[k]); });
 }
 
-/// Appends what `put(bytes, index)` appends for each index below `count`, `separator` between them.
-template <class Put>
-void join(Bytes& bytes, std::size_t count, std::string_view separator, const Put& put) {
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i != 0) {
-      bytes.append(separator);
-    }
-    put(bytes, i);
-  }
-}
-
-/// Writes what `put(bytes, index)` appends for each index below `count`, through a buffer that is handed
-/// on when it is full. Error (device): writing failed.
-template <class Put>
-Result<void> writeEach(ByteSink& sink, std::size_t count, const Put& put) {
-  constexpr std::size_t full = std::size_t{1} << 16;
-  Bytes bytes;
-  for (std::size_t i = 0; i < count; ++i) {
-    put(bytes, i);
-    if (bytes.size() >= full || i + 1 == count) {
-      if (auto written = sink.write({bytes.data(), bytes.size()}); !written) {
-        return written;
-      }
-      bytes.clear();
-    }
-  }
-  return {};
+/// Appends their shifts, each kx:ky, separated by spaces.
+inline void printShifts(Bytes& text, const Diagram& diagram, std::size_t site) {
+  const auto shifts = diagram.cell(site).shifts();
+  join(text, shifts.size(), " ",
+       [&](Bytes& out, std::size_t k) { print(out, FMT_COMPILE("{}:{}"), shifts[k][0], shifts[k][1]); });
 }
 
 }  // namespace vorpipe

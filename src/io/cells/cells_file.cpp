@@ -20,10 +20,13 @@ namespace vorpipe {
   format(npz)                 \
   format(geojson)             \
   format(geojsonl)            \
+  format(gpkg)                \
   format(svg)                 \
   format(obj)                 \
   format(ply)                 \
   format(vtk)                 \
+  format(vtp)                 \
+  format(vtu)                 \
   format(wkt)
 // clang-format on
 

@@ -26,9 +26,11 @@ struct CellsOutput {
 struct CellsFormat {
   std::string_view extension;
   Detail detail;  ///< the parts of a Diagram that it writes
-  bool mesh;      ///< whether it is made of faces that share their vertices, which takes memory
   /// The errors are those of writeCells.
   Result<void> (*write)(ByteSink& sink, const CellsOutput& output);
+  bool mesh = false;       ///< whether it is made of faces that share their vertices, which takes memory
+  bool features = false;   ///< whether a record without a polygon can be left out, as `only_cells` wants it
+  bool in_memory = false;  ///< whether the whole file is in memory before it is written
 };
 
 /// The extensions of all kinds, in the order in which messages name them.

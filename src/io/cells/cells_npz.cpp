@@ -78,6 +78,6 @@ Result<void> write(ByteSink& sink, const CellsOutput& output) {
 }  // namespace
 
 extern const CellsFormat npz_cells;
-const CellsFormat npz_cells{".npz", Detail::everything, /*mesh=*/false, write};
+const CellsFormat npz_cells{.extension = ".npz", .detail = Detail::everything, .write = write};
 
 }  // namespace vorpipe

@@ -1,6 +1,6 @@
-#include "io/cells/cell_records.h"
 #include "io/cells/cells_file.h"
 #include "io/cells/cells_mesh.h"
+#include "io/text/print.h"
 
 namespace vorpipe {
 
@@ -42,6 +42,6 @@ Result<void> write(ByteSink& sink, const CellsOutput& output) {
 }  // namespace
 
 extern const CellsFormat obj_cells;
-const CellsFormat obj_cells{".obj", Detail::polygons, /*mesh=*/true, write};
+const CellsFormat obj_cells{.extension = ".obj", .detail = Detail::polygons, .write = write, .mesh = true};
 
 }  // namespace vorpipe

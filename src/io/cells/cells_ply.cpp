@@ -1,7 +1,7 @@
-#include "io/cells/cell_records.h"
 #include "io/cells/cells_file.h"
 #include "io/cells/cells_mesh.h"
 #include "io/files/byte_order.h"
+#include "io/text/print.h"
 
 namespace vorpipe {
 namespace {
@@ -51,6 +51,6 @@ Result<void> write(ByteSink& sink, const CellsOutput& output) {
 }  // namespace
 
 extern const CellsFormat ply_cells;
-const CellsFormat ply_cells{".ply", Detail::polygons, /*mesh=*/true, write};
+const CellsFormat ply_cells{.extension = ".ply", .detail = Detail::polygons, .write = write, .mesh = true};
 
 }  // namespace vorpipe

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/cells/cell_records.h"
 #include "io/cells/cell_rings.h"
 #include "io/cells/cells_file.h"
+#include "io/text/print.h"
 
 namespace vorpipe {
 namespace {
@@ -111,6 +111,6 @@ Result<void> write(ByteSink& sink, const CellsOutput& output) {
 }  // namespace
 
 extern const CellsFormat svg_cells;
-const CellsFormat svg_cells{".svg", Detail::polygons, /*mesh=*/false, write};
+const CellsFormat svg_cells{.extension = ".svg", .detail = Detail::polygons, .write = write};
 
 }  // namespace vorpipe

@@ -1,9 +1,9 @@
 #include <string_view>
 
-#include "io/cells/cell_records.h"
 #include "io/cells/cells_file.h"
 #include "io/cells/cells_mesh.h"
 #include "io/files/byte_order.h"
+#include "io/text/print.h"
 
 namespace vorpipe {
 namespace {
@@ -78,6 +78,6 @@ Result<void> write(ByteSink& sink, const CellsOutput& output) {
 }  // namespace
 
 extern const CellsFormat vtk_cells;
-const CellsFormat vtk_cells{".vtk", Detail::polygons, /*mesh=*/true, write};
+const CellsFormat vtk_cells{.extension = ".vtk", .detail = Detail::polygons, .write = write, .mesh = true};
 
 }  // namespace vorpipe

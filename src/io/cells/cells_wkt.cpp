@@ -1,6 +1,6 @@
-#include "io/cells/cell_records.h"
 #include "io/cells/cells_file.h"
 #include "io/cells/polygon_text.h"
+#include "io/text/print.h"
 
 namespace vorpipe {
 namespace {
@@ -45,6 +45,6 @@ Result<void> write(ByteSink& sink, const CellsOutput& output) {
 }  // namespace
 
 extern const CellsFormat wkt_cells;
-const CellsFormat wkt_cells{".wkt", Detail::polygons, /*mesh=*/false, write};
+const CellsFormat wkt_cells{.extension = ".wkt", .detail = Detail::polygons, .write = write};
 
 }  // namespace vorpipe
