@@ -25,7 +25,7 @@ auto viewed(std::vector<Row> Diagram::*rows) {
 Result<void> writeFile(const CellsResult& result, const CellsFormat& format, const std::string& path) {
   auto file = OutputFile::create(path);
   if (!file) return tl::unexpected(std::move(file.error()));
-  auto written = writeCells(*file, result.input->sites, result.diagram, format);
+  auto written = writeCells(*file, {result.input->sites, result.diagram}, format);
   return written ? file->commit() : written;
 }
 

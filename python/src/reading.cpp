@@ -38,7 +38,7 @@ py::bytes bytesOf(const CellsResult& cells, const std::string& extension) {
   MemorySink sink(extension);
   auto written = [&] {
     const py::gil_scoped_release no_gil;
-    return writeCells(sink, cells.input->sites, cells.diagram, format);
+    return writeCells(sink, {cells.input->sites, cells.diagram}, format);
   }();
   valueOf(std::move(written));
   return sink.take();

@@ -27,7 +27,7 @@ Result<void> writeAs(ByteSink& to, const vorpipe_diagram& diagram, const CellsFo
     return inputError(
         fmt::format("{}: {} needs cells of more detail than these have", to.name(), format.extension));
   }
-  return writeCells(to, *diagram.sites, diagram.diagram, format);
+  return writeCells(to, {*diagram.sites, diagram.diagram}, format);
 }
 
 /// Pixels or ids, by the extension.

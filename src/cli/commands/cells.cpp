@@ -83,7 +83,7 @@ Result<void> writeFiles(const CellsCommand& command, const Input& input, const D
   std::vector<Writer> writers;
   for (const CellsFile& file : command.files) {
     writers.emplace_back([&input, &diagram, format = file.format](ByteSink& to) {
-      return writeCells(to, input.sites, diagram, *format);
+      return writeCells(to, {input.sites, diagram, input.attributes, input.system}, *format);
     });
   }
   if (!command.stats.empty()) {

@@ -1,9 +1,10 @@
-/// One record after the other out of a Diagram, and into a file.
+/// What a record says of a cell, in words that several formats share.
 #pragma once
 
+#include <cstddef>
 #include <string_view>
 
-#include "io/files/bytes.h"
+#include "io/text/print.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -18,6 +19,20 @@ inline std::string_view statusWord(Status status) {
       break;
   }
   return "duplicate";
+}
+
+/// Appends the neighbors of a site, separated by spaces.
+inline void printNeighbors(Bytes& text, const Diagram& diagram, std::size_t site) {
+  const auto neighbors = diagram.cell(site).neighbors();
+  join(text, neighbors.size(), " ",
+       [&](Bytes& out, std::size_t k) { print(out, FMT_COMPILE("{}"), neighbors[k]); });
+}
+
+/// Appends their shifts, each kx:ky, separated by spaces.
+inline void printShifts(Bytes& text, const Diagram& diagram, std::size_t site) {
+  const auto shifts = diagram.cell(site).shifts();
+  join(text, shifts.size(), " ",
+       [&](Bytes& out, std::size_t k) { print(out, FMT_COMPILE("{}:{}"), shifts[k][0], shifts[k][1]); });
 }
 
 }  // namespace vorpipe

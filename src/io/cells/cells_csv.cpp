@@ -1,8 +1,10 @@
 #include <string>
 
+#include "io/cells/cell_attributes.h"
 #include "io/cells/cell_records.h"
 #include "io/cells/cell_rings.h"
 #include "io/cells/cells_file.h"
+#include "io/text/field_text.h"
 
 namespace vorpipe {
 
@@ -11,10 +13,8 @@ namespace {
 /// The columns that only some diagrams have, in the order of their names in headerOf().
 void printMore(Bytes& text, const Diagram& diagram, std::size_t site) {
   if (!diagram.neighbor_shifts.empty()) {
-    const auto shifts = diagram.cell(site).shifts();
     text.push_back(',');
-    join(text, shifts.size(), " ",
-         [&](Bytes& out, std::size_t k) { print(out, FMT_COMPILE("{}:{}"), shifts[k][0], shifts[k][1]); });
+    printShifts(text, diagram, site);
   }
   if (!diagram.ring_starts.empty()) {
     print(text, FMT_COMPILE(",{}"), ringsOf(diagram, site).size());
@@ -25,38 +25,53 @@ void printMore(Bytes& text, const Diagram& diagram, std::size_t site) {
   }
 }
 
-std::string headerOf(const Diagram& diagram) {
-  return fmt::format("site,x,y,weight,status,area,perimeter,centroid_x,centroid_y,vertices,neighbors{}{}{}\n",
-                     diagram.neighbor_shifts.empty() ? "" : ",neighbor_shifts",
-                     diagram.ring_starts.empty() ? "" : ",rings",
-                     diagram.mass.empty() ? "" : ",mass,mass_centroid_x,mass_centroid_y");
+Bytes headerOf(const CellsOutput& output) {
+  const Diagram& diagram = output.diagram;
+  Bytes text;
+  print(text,
+        FMT_COMPILE("site,x,y,weight,status,area,perimeter,centroid_x,centroid_y,vertices,neighbors{}{}{}"),
+        diagram.neighbor_shifts.empty() ? "" : ",neighbor_shifts",
+        diagram.ring_starts.empty() ? "" : ",rings",
+        diagram.mass.empty() ? "" : ",mass,mass_centroid_x,mass_centroid_y");
+  for (const std::string& name : attributeNames(output.attributes)) {
+    text.push_back(',');
+    printCsvField(text, name);
+  }
+  text.push_back('\n');
+  return text;
+}
+
+void printRecord(Bytes& text, const CellsOutput& output, std::size_t site) {
+  const Sites& sites = output.sites;
+  const Diagram& diagram = output.diagram;
+  print(text, FMT_COMPILE("{},{},{},{},{},{},{},{},{},{},"), site, sites.x[site], sites.y[site],
+        sites.weight.empty() ? 0.0 : sites.weight[site], statusWord(diagram.status[site]), diagram.area[site],
+        diagram.perimeter[site], diagram.centroid[site].x, diagram.centroid[site].y,
+        diagram.cell(site).edges());
+  printNeighbors(text, diagram, site);
+  printMore(text, diagram, site);
+  for (const Attribute& attribute : output.attributes) {
+    text.push_back(',');
+    printCsvValue(text, attribute, site);
+  }
+  text.push_back('\n');
 }
 
 /// Columns site,x,y,weight,status,area,perimeter,centroid_x,centroid_y,vertices,neighbors; neighbor_shifts
 /// where the domain is periodic; rings where it has an outline; mass,mass_centroid_x,mass_centroid_y where it
-/// has a density. The weight is 0 where sites have none; `vertices` and `rings` are numbers; neighbors are
-/// separated by spaces, and so are shifts, each kx:ky.
-Result<void> write(ByteSink& sink, const Sites& sites, const Diagram& diagram) {
-  auto written = sink.write(headerOf(diagram));
-  if (!written) {
-    return written;
-  }
-  return writeEach(sink, sites.size(), [&](Bytes& text, std::size_t site) {
-    const auto neighbors = diagram.cell(site).neighbors();
-    print(text, FMT_COMPILE("{},{},{},{},{},{},{},{},{},{},"), site, sites.x[site], sites.y[site],
-          sites.weight.empty() ? 0.0 : sites.weight[site], statusWord(diagram.status[site]),
-          diagram.area[site], diagram.perimeter[site], diagram.centroid[site].x, diagram.centroid[site].y,
-          neighbors.size());
-    join(text, neighbors.size(), " ",
-         [&](Bytes& out, std::size_t k) { print(out, FMT_COMPILE("{}"), neighbors[k]); });
-    printMore(text, diagram, site);
-    text.push_back('\n');
+/// has a density; then the attributes. The weight is 0 where sites have none; `vertices` and `rings` are
+/// numbers; neighbors are separated by spaces, and so are shifts, each kx:ky.
+Result<void> write(ByteSink& sink, const CellsOutput& output) {
+  const Bytes header = headerOf(output);
+  return sink.write({header.data(), header.size()}).and_then([&] {
+    return writeEach(sink, output.sites.size(),
+                     [&](Bytes& text, std::size_t site) { printRecord(text, output, site); });
   });
 }
 
 }  // namespace
 
 extern const CellsFormat csv_cells;
-const CellsFormat csv_cells{".csv", Detail::polygons, /*mesh=*/false, write};
+const CellsFormat csv_cells{.extension = ".csv", .detail = Detail::polygons, .write = write};
 
 }  // namespace vorpipe

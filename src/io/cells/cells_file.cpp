@@ -20,10 +20,13 @@ namespace vorpipe {
   format(npz)                 \
   format(geojson)             \
   format(geojsonl)            \
+  format(gpkg)                \
   format(svg)                 \
   format(obj)                 \
   format(ply)                 \
   format(vtk)                 \
+  format(vtp)                 \
+  format(vtu)                 \
   format(wkt)
 // clang-format on
 
@@ -54,12 +57,13 @@ Result<const CellsFormat*> cellsFormatOf(const std::string& path) {
                                 fmt::join(cellsExtensions(), ", ")));
 }
 
-Result<void> writeCells(ByteSink& sink, const Sites& sites, const Diagram& diagram,
-                        const CellsFormat& format) {
-  assert(diagram.status.size() == sites.size() && diagram.cell_offsets.size() == sites.size() + 1);
+Result<void> writeCells(ByteSink& sink, const CellsOutput& output, const CellsFormat& format) {
+  const Diagram& diagram = output.diagram;
+  assert(diagram.status.size() == output.sites.size());
+  assert(diagram.cell_offsets.size() == output.sites.size() + 1);
   assert(diagram.vertices.size() == diagram.cell_offsets.back());
   try {
-    return format.write(sink, sites, diagram);
+    return format.write(sink, output);
   } catch (const std::bad_alloc&) {
     return deviceError(sink.name() + ": there is not enough memory to write its cells");
   }

@@ -26,9 +26,11 @@ struct CellsOutput {
 struct CellsFormat {
   std::string_view extension;
   Detail detail;  ///< the parts of a Diagram that it writes
-  bool mesh;      ///< whether it is made of faces that share their vertices, which takes memory
-  /// Writes the cells of `sites`; the errors are those of writeCells.
-  Result<void> (*write)(ByteSink& sink, const Sites& sites, const Diagram& diagram);
+  /// The errors are those of writeCells.
+  Result<void> (*write)(ByteSink& sink, const CellsOutput& output);
+  bool mesh = false;       ///< whether it is made of faces that share their vertices, which takes memory
+  bool features = false;   ///< whether a record without a polygon can be left out, as `only_cells` wants it
+  bool in_memory = false;  ///< whether the whole file is in memory before it is written
 };
 
 /// The extensions of all kinds, in the order in which messages name them.
@@ -37,11 +39,9 @@ std::vector<std::string_view> cellsExtensions();
 /// The format that the path's extension names; never null. Error (input): it names none.
 Result<const CellsFormat*> cellsFormatOf(const std::string& path);
 
-/// Writes `diagram`, the cells of `sites` with the format's detail or more, in input order; equal cells give
-/// equal bytes. Numbers in text read back to the same double, but for .svg, which is in pixels. Errors: .obj,
-/// .ply or .vtk with more vertices than its indices can count (input); writing failed or memory ran out
-/// (device).
-Result<void> writeCells(ByteSink& sink, const Sites& sites, const Diagram& diagram,
-                        const CellsFormat& format);
+/// Writes cells with the format's detail or more, in input order; equal cells give equal bytes. Numbers in
+/// text read back to the same double, but for .svg, which is in pixels. Errors: .obj, .ply or .vtk with more
+/// vertices than its indices can count (input); writing failed or memory ran out (device).
+Result<void> writeCells(ByteSink& sink, const CellsOutput& output, const CellsFormat& format);
 
 }  // namespace vorpipe

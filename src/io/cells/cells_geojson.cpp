@@ -5,23 +5,14 @@ namespace vorpipe {
 namespace {
 
 /// A FeatureCollection, with a feature for each site.
-Result<void> write(ByteSink& sink, const Sites& sites, const Diagram& diagram) {
-  if (auto written = sink.write(R"({"type":"FeatureCollection","features":[)"); !written) {
-    return written;
-  }
-  auto features = writeEach(sink, sites.size(), [&](Bytes& text, std::size_t site) {
-    text.append(std::string_view(site == 0 ? "\n" : ",\n"));
-    printFeature(text, sites, diagram, site);
-  });
-  if (!features) {
-    return features;
-  }
-  return sink.write("\n]}\n");
+Result<void> write(ByteSink& sink, const CellsOutput& output) {
+  return writeCellFeatures(sink, FeaturesAs::collection, output);
 }
 
 }  // namespace
 
 extern const CellsFormat geojson_cells;
-const CellsFormat geojson_cells{".geojson", Detail::polygons, /*mesh=*/false, write};
+const CellsFormat geojson_cells{
+    .extension = ".geojson", .detail = Detail::polygons, .write = write, .features = true};
 
 }  // namespace vorpipe

@@ -4,18 +4,15 @@
 namespace vorpipe {
 namespace {
 
-/// A feature for each site, each on a line of its own (GeoJSONSeq without record separators, as GDAL, PostGIS
-/// and tile makers stream it).
-Result<void> write(ByteSink& sink, const Sites& sites, const Diagram& diagram) {
-  return writeEach(sink, sites.size(), [&](Bytes& text, std::size_t site) {
-    printFeature(text, sites, diagram, site);
-    text.push_back('\n');
-  });
+/// A feature for each site, each on a line of its own.
+Result<void> write(ByteSink& sink, const CellsOutput& output) {
+  return writeCellFeatures(sink, FeaturesAs::lines, output);
 }
 
 }  // namespace
 
 extern const CellsFormat geojsonl_cells;
-const CellsFormat geojsonl_cells{".geojsonl", Detail::polygons, /*mesh=*/false, write};
+const CellsFormat geojsonl_cells{
+    .extension = ".geojsonl", .detail = Detail::polygons, .write = write, .features = true};
 
 }  // namespace vorpipe

@@ -1,6 +1,6 @@
-#include "io/cells/cell_records.h"
 #include "io/cells/cells_file.h"
 #include "io/cells/cells_mesh.h"
+#include "io/text/print.h"
 
 namespace vorpipe {
 
@@ -8,7 +8,8 @@ namespace {
 
 /// The faces stand in the order of their sites; z is 0. A piece of a cell is a face, one with holes several
 /// triangles; where cells may have several faces, these stand in groups site_N.
-Result<void> write(ByteSink& sink, const Sites& /*sites*/, const Diagram& diagram) {
+Result<void> write(ByteSink& sink, const CellsOutput& output) {
+  const Diagram& diagram = output.diagram;
   const auto mesh = cellsMesh(sink, diagram);
   if (!mesh) {
     return tl::unexpected(mesh.error());
@@ -41,6 +42,6 @@ Result<void> write(ByteSink& sink, const Sites& /*sites*/, const Diagram& diagra
 }  // namespace
 
 extern const CellsFormat obj_cells;
-const CellsFormat obj_cells{".obj", Detail::polygons, /*mesh=*/true, write};
+const CellsFormat obj_cells{.extension = ".obj", .detail = Detail::polygons, .write = write, .mesh = true};
 
 }  // namespace vorpipe

@@ -1,7 +1,7 @@
-#include "io/cells/cell_records.h"
 #include "io/cells/cells_file.h"
 #include "io/cells/cells_mesh.h"
 #include "io/files/byte_order.h"
+#include "io/text/print.h"
 
 namespace vorpipe {
 namespace {
@@ -13,7 +13,8 @@ void append(Bytes& bytes, Number number) {
 
 /// Binary, little-endian, z is 0; faces, as in .obj, have vertex_indices, site and
 /// area, the whole cell's.
-Result<void> write(ByteSink& sink, const Sites& /*sites*/, const Diagram& diagram) {
+Result<void> write(ByteSink& sink, const CellsOutput& output) {
+  const Diagram& diagram = output.diagram;
   const auto mesh = cellsMesh(sink, diagram);
   if (!mesh) {
     return tl::unexpected(mesh.error());
@@ -50,6 +51,6 @@ Result<void> write(ByteSink& sink, const Sites& /*sites*/, const Diagram& diagra
 }  // namespace
 
 extern const CellsFormat ply_cells;
-const CellsFormat ply_cells{".ply", Detail::polygons, /*mesh=*/true, write};
+const CellsFormat ply_cells{.extension = ".ply", .detail = Detail::polygons, .write = write, .mesh = true};
 
 }  // namespace vorpipe

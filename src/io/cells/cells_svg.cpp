@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/cells/cell_records.h"
 #include "io/cells/cell_rings.h"
 #include "io/cells/cells_file.h"
+#include "io/text/print.h"
 
 namespace vorpipe {
 namespace {
@@ -88,7 +88,8 @@ void printCell(Bytes& text, const PixelMap& map, const Diagram& diagram, std::si
 }
 
 /// The longer side is 1000 pixels, the largest y is at the top; a site's hue follows from its index.
-Result<void> write(ByteSink& sink, const Sites& /*sites*/, const Diagram& diagram) {
+Result<void> write(ByteSink& sink, const CellsOutput& output) {
+  const Diagram& diagram = output.diagram;
   const PixelMap map = pixelMap(diagram);
   const std::string head = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.8g}\" height=\"{1:.8g}\" "
@@ -110,6 +111,6 @@ Result<void> write(ByteSink& sink, const Sites& /*sites*/, const Diagram& diagra
 }  // namespace
 
 extern const CellsFormat svg_cells;
-const CellsFormat svg_cells{".svg", Detail::polygons, /*mesh=*/false, write};
+const CellsFormat svg_cells{.extension = ".svg", .detail = Detail::polygons, .write = write};
 
 }  // namespace vorpipe

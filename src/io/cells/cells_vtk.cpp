@@ -1,9 +1,9 @@
 #include <string_view>
 
-#include "io/cells/cell_records.h"
 #include "io/cells/cells_file.h"
 #include "io/cells/cells_mesh.h"
 #include "io/files/byte_order.h"
+#include "io/text/print.h"
 
 namespace vorpipe {
 namespace {
@@ -54,7 +54,8 @@ Result<void> writeCellData(ByteSink& sink, const CellsMesh& mesh, std::string_vi
 
 /// Legacy format, version 3.0, binary, POLYDATA, z is 0; faces as in .obj; cell data are site, area,
 /// perimeter, neighbors (their number) and status (as in .npz), the whole cell's.
-Result<void> write(ByteSink& sink, const Sites& /*sites*/, const Diagram& diagram) {
+Result<void> write(ByteSink& sink, const CellsOutput& output) {
+  const Diagram& diagram = output.diagram;
   return cellsMesh(sink, diagram).and_then([&](const CellsMesh& mesh) {
     const auto data = [&](std::string_view name, std::string_view type, const auto& numberOf) {
       return [&, name, type, numberOf] { return writeCellData(sink, mesh, name, type, numberOf); };
@@ -77,6 +78,6 @@ Result<void> write(ByteSink& sink, const Sites& /*sites*/, const Diagram& diagra
 }  // namespace
 
 extern const CellsFormat vtk_cells;
-const CellsFormat vtk_cells{".vtk", Detail::polygons, /*mesh=*/true, write};
+const CellsFormat vtk_cells{.extension = ".vtk", .detail = Detail::polygons, .write = write, .mesh = true};
 
 }  // namespace vorpipe

@@ -1,6 +1,6 @@
-#include "io/cells/cell_records.h"
 #include "io/cells/cells_file.h"
 #include "io/cells/polygon_text.h"
+#include "io/text/print.h"
 
 namespace vorpipe {
 namespace {
@@ -24,7 +24,8 @@ void printCell(Bytes& text, const Diagram& diagram, std::size_t site) {
 }
 
 /// Polygons begin and end at the same vertex.
-Result<void> write(ByteSink& sink, const Sites& /*sites*/, const Diagram& diagram) {
+Result<void> write(ByteSink& sink, const CellsOutput& output) {
+  const Diagram& diagram = output.diagram;
   if (diagram.status.empty()) {
     return sink.write("GEOMETRYCOLLECTION EMPTY\n");
   }
@@ -44,6 +45,6 @@ Result<void> write(ByteSink& sink, const Sites& /*sites*/, const Diagram& diagra
 }  // namespace
 
 extern const CellsFormat wkt_cells;
-const CellsFormat wkt_cells{".wkt", Detail::polygons, /*mesh=*/false, write};
+const CellsFormat wkt_cells{.extension = ".wkt", .detail = Detail::polygons, .write = write};
 
 }  // namespace vorpipe

@@ -1,13 +1,12 @@
 #include "io/cells/geojson_feature.h"
 
+#include "io/cells/cell_attributes.h"
+#include "io/cells/cell_records.h"
 #include "io/cells/polygon_text.h"
+#include "io/text/field_text.h"
 
 namespace vorpipe {
 namespace {
-
-void printPoint(Bytes& text, const Point& point) { print(text, FMT_COMPILE("[{},{}]"), point.x, point.y); }
-
-constexpr ListText json_list{"[", ",", "]"};
 
 void printProperties(Bytes& text, const Sites& sites, const Diagram& diagram, std::size_t site) {
   print(text, FMT_COMPILE(R"("properties":{{"x":{},"y":{},)"), sites.x[site], sites.y[site]);
@@ -16,10 +15,10 @@ void printProperties(Bytes& text, const Sites& sites, const Diagram& diagram, st
   }
   print(text, FMT_COMPILE(R"("status":"{}","owner":{},"area":{},"perimeter":{},"centroid":)"),
         statusWord(diagram.status[site]), diagram.owner[site], diagram.area[site], diagram.perimeter[site]);
-  printPoint(text, diagram.centroid[site]);
+  printJsonPoint(text, diagram.centroid[site]);
   if (!diagram.mass.empty()) {
     print(text, FMT_COMPILE(R"(,"mass":{},"mass_centroid":)"), diagram.mass[site]);
-    printPoint(text, diagram.mass_centroid[site]);
+    printJsonPoint(text, diagram.mass_centroid[site]);
   }
   text.append(std::string_view(R"(,"neighbors":)"));
   const auto neighbors = diagram.cell(site).neighbors();
@@ -32,7 +31,6 @@ void printProperties(Bytes& text, const Sites& sites, const Diagram& diagram, st
       print(out, FMT_COMPILE("[{},{}]"), shifts[k][0], shifts[k][1]);
     });
   }
-  text.push_back('}');
 }
 
 void printGeometry(Bytes& text, const Diagram& diagram, std::size_t site) {
@@ -46,21 +44,48 @@ void printGeometry(Bytes& text, const Diagram& diagram, std::size_t site) {
   print(text, FMT_COMPILE(R"("geometry":{{"type":"{}","coordinates":)"),
         several ? "MultiPolygon" : "Polygon");
   if (several) {
-    printPolygons(text, json_list, diagram, pieces, printPoint);
+    printPolygons(text, json_list, diagram, pieces, printJsonPoint);
   } else {
-    printPolygon(text, json_list, diagram, pieces.front(), printPoint);
+    printPolygon(text, json_list, diagram, pieces.front(), printJsonPoint);
   }
+  text.push_back('}');
+}
+
+/// The names of attributes as JSON has them, each with the comma before it and the colon after it.
+std::vector<std::string> keysOf(const CellsOutput& output) {
+  std::vector<std::string> keys;
+  for (const std::string& name : attributeNames(output.attributes)) {
+    Bytes key;
+    key.push_back(',');
+    printJsonString(key, name);
+    key.push_back(':');
+    keys.push_back(fmt::to_string(key));
+  }
+  return keys;
+}
+
+void printFeature(Bytes& text, const CellsOutput& output, const std::vector<std::string>& keys,
+                  std::size_t site) {
+  print(text, FMT_COMPILE(R"({{"type":"Feature","id":{},)"), site);
+  printProperties(text, output.sites, output.diagram, site);
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    text.append(keys[k]);
+    printJsonValue(text, output.attributes[k], site);
+  }
+  text.append(std::string_view("},"));
+  printGeometry(text, output.diagram, site);
   text.push_back('}');
 }
 
 }  // namespace
 
-void printFeature(Bytes& text, const Sites& sites, const Diagram& diagram, std::size_t site) {
-  print(text, FMT_COMPILE(R"({{"type":"Feature","id":{},)"), site);
-  printProperties(text, sites, diagram, site);
-  text.push_back(',');
-  printGeometry(text, diagram, site);
-  text.push_back('}');
+Result<void> writeCellFeatures(ByteSink& sink, FeaturesAs as, const CellsOutput& output) {
+  const auto keys = keysOf(output);
+  return writeFeatures(sink, as, output.sites.size(), [&](Bytes& text, std::size_t site) {
+    if (output.only_cells && !hasPolygon(output.diagram, site)) return false;
+    printFeature(text, output, keys, site);
+    return true;
+  });
 }
 
 }  // namespace vorpipe

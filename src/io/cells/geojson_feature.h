@@ -1,15 +1,19 @@
-/// The cell of a site as a feature of GeoJSON.
+/// The cells of sites as features of GeoJSON.
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <vector>
 
-#include "io/cells/cell_records.h"
+#include "io/cells/cells_file.h"
+#include "io/text/geojson_text.h"
 
 namespace vorpipe {
 
-/// Appends a feature: its id is the site, its properties are x, y, weight (where sites have one), status,
-/// owner, area, perimeter, centroid and neighbors; mass, mass_centroid and neighbor_shifts where the diagram
-/// has them. The geometry is a Polygon, of several pieces a MultiPolygon, or null.
-void printFeature(Bytes& text, const Sites& sites, const Diagram& diagram, std::size_t site);
+/// Writes a feature for each site: its id is the site, its properties are x, y, weight (where sites have
+/// one), status, owner, area, perimeter, centroid and neighbors; mass, mass_centroid and neighbor_shifts
+/// where the diagram has them; then the attributes. The geometry is a Polygon, of several pieces a
+/// MultiPolygon, or null. Error (device): writing failed.
+Result<void> writeCellFeatures(ByteSink& sink, FeaturesAs as, const CellsOutput& output);
 
 }  // namespace vorpipe

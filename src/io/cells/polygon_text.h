@@ -2,25 +2,11 @@
 #pragma once
 
 #include <span>
-#include <string_view>
 
-#include "io/cells/cell_records.h"
 #include "io/cells/cell_rings.h"
+#include "io/text/print.h"
 
 namespace vorpipe {
-
-/// How a format writes a list.
-struct ListText {
-  std::string_view open, separator, close;
-};
-
-/// Appends a list of what `put(bytes, index)` appends for each index below `count`.
-template <class Put>
-void printList(Bytes& text, const ListText& list, std::size_t count, const Put& put) {
-  text.append(list.open);
-  join(text, count, list.separator, put);
-  text.append(list.close);
-}
 
 /// Appends the rings of one polygon, each of which ends where it began; `put(bytes, point)` appends a point.
 template <class Put>

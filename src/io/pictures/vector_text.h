@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "io/files/bytes.h"
+#include "io/text/print.h"
 #include "vorpipe.h"
 
 namespace vorpipe {

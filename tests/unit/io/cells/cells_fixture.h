@@ -77,7 +77,7 @@ class CellsFile : public InTemporaryDirectory {
       ADD_FAILURE() << name << " cannot be written";
       return "";
     }
-    auto result = writeCells(*file, sites, cells, **format);
+    auto result = writeCells(*file, {sites, cells}, **format);
     if (result) {
       result = file->commit();
     }

@@ -90,7 +90,7 @@ TEST_F(CellsFile, NpzGoesThroughAPipe) {
     const std::jthread reader([&] { received = contents(pipe); });
     auto file = OutputFile::create(pipe);
     ASSERT_TRUE(file) << file.error().message;
-    ASSERT_TRUE(writeCells(*file, someSites(), someCells(), **cellsFormatOf(pipe)));
+    ASSERT_TRUE(writeCells(*file, {someSites(), someCells()}, **cellsFormatOf(pipe)));
     ASSERT_TRUE(file->commit());
   }
   EXPECT_EQ(received, expected);

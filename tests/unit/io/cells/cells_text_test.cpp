@@ -58,7 +58,7 @@ TEST_F(CellsFile, SaysWhenTheDiskIsFull) {
   for (const std::string& name : allNames()) {
     auto file = OutputFile::create("/dev/full");
     ASSERT_TRUE(file);
-    auto result = writeCells(*file, someSites(), someCells(), **cellsFormatOf(name));
+    auto result = writeCells(*file, {someSites(), someCells()}, **cellsFormatOf(name));
     if (result) {
       result = file->commit();
     }

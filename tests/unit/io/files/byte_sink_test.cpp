@@ -27,7 +27,7 @@ std::vector<Writer> allWriters() {
   for (const auto extension : cellsExtensions()) {
     const std::string name = "c" + std::string(extension);
     writers.push_back({name, [name](ByteSink& to) {
-                         return writeCells(to, someSites(), someCells(), **cellsFormatOf(name));
+                         return writeCells(to, {someSites(), someCells()}, **cellsFormatOf(name));
                        }});
   }
   constexpr int width = 300, height = 200;

@@ -1,4 +1,4 @@
-/// Text and numbers that are collected before a sink gets them.
+/// Records of text or bytes, one after the other into a file.
 #pragma once
 
 #include <fmt/compile.h>
@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "io/files/byte_sink.h"
+#include "vorpipe.h"
 
 namespace vorpipe {
 
@@ -31,6 +32,19 @@ void join(Bytes& bytes, std::size_t count, std::string_view separator, const Put
   }
 }
 
+/// How a format writes a list.
+struct ListText {
+  std::string_view open, separator, close;
+};
+
+/// Appends a list of what `put(bytes, index)` appends for each index below `count`.
+template <class Put>
+void printList(Bytes& text, const ListText& list, std::size_t count, const Put& put) {
+  text.append(list.open);
+  join(text, count, list.separator, put);
+  text.append(list.close);
+}
+
 /// Hands on what has been collected. Error (device): writing failed.
 inline Result<void> writeAll(ByteSink& sink, Bytes& bytes) {
   auto written = sink.write({bytes.data(), bytes.size()});
@@ -38,7 +52,7 @@ inline Result<void> writeAll(ByteSink& sink, Bytes& bytes) {
   return written;
 }
 
-/// The same once there is enough of it for a call.
+/// The same once there is enough of it to be worth a call.
 inline Result<void> writeIfFull(ByteSink& sink, Bytes& bytes) {
   constexpr std::size_t full = std::size_t{1} << 16;
   return bytes.size() < full ? Result<void>() : writeAll(sink, bytes);

@@ -1,0 +1,87 @@
+#include "io/cells/cell_attributes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <unordered_set>
+
+#include "io/files/error.h"
+#include "io/text/field_text.h"
+
+namespace vorpipe {
+namespace {
+
+/// Of all formats, so that an attribute has one name in all of them; fid and geom are GeoPackage's.
+constexpr std::array<std::string_view, 21> own_fields{"fid",
+                                                      "geom",
+                                                      "site",
+                                                      "x",
+                                                      "y",
+                                                      "weight",
+                                                      "status",
+                                                      "owner",
+                                                      "area",
+                                                      "perimeter",
+                                                      "centroid",
+                                                      "centroid_x",
+                                                      "centroid_y",
+                                                      "vertices",
+                                                      "neighbors",
+                                                      "rings",
+                                                      "mass",
+                                                      "neighbor_shifts",
+                                                      "mass_centroid",
+                                                      "mass_centroid_x",
+                                                      "mass_centroid_y"};
+
+std::string lowerCase(std::string_view name) {
+  std::string lower(name);
+  std::ranges::transform(lower, lower.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return lower;
+}
+
+}  // namespace
+
+std::vector<std::string> attributeNames(std::span<const Attribute> attributes) {
+  std::unordered_set<std::string> taken{""};
+  for (const std::string_view field : own_fields) taken.emplace(field);
+  std::vector<std::string> names;
+  for (const Attribute& attribute : attributes) {
+    std::string name = attribute.name();
+    while (!taken.insert(lowerCase(name)).second) name.insert(0, "input_");
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+std::string renamingNote(std::span<const Attribute> attributes) {
+  const auto names = attributeNames(attributes);
+  std::string renamed;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (names[k] == attributes[k].name()) continue;
+    renamed += fmt::format("{}{} is {}", renamed.empty() ? "" : ", ", quoted(attributes[k].name()),
+                           quoted(names[k]));
+  }
+  if (renamed.empty()) return renamed;
+  return "attributes whose names other fields have get new ones: " + renamed;
+}
+
+void printJsonValue(Bytes& text, const Attribute& attribute, std::size_t site) {
+  const auto value = attribute.at(site);
+  if (!value) {
+    text.append(std::string_view("null"));
+  } else if (attribute.type() == AttributeType::text) {
+    printJsonString(text, *value);
+  } else {
+    text.append(*value);
+  }
+}
+
+void printCsvValue(Bytes& text, const Attribute& attribute, std::size_t site) {
+  if (const auto value = attribute.at(site)) printCsvField(text, *value);
+}
+
+}  // namespace vorpipe

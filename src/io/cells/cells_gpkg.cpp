@@ -1,0 +1,162 @@
+#include <charconv>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/cells/cell_attributes.h"
+#include "io/cells/cell_records.h"
+#include "io/cells/cell_rings.h"
+#include "io/cells/cells_file.h"
+#include "io/geopackage/geopackage.h"
+#include "io/text/field_text.h"
+
+namespace vorpipe {
+namespace {
+
+FieldType fieldType(AttributeType type) {
+  switch (type) {
+    case AttributeType::integer:
+      return FieldType::integer;
+    case AttributeType::real:
+      return FieldType::real;
+    case AttributeType::boolean:
+      return FieldType::boolean;
+    case AttributeType::text:
+    case AttributeType::json:
+      break;
+  }
+  return FieldType::text;
+}
+
+std::vector<LayerField> fieldsOf(const CellsOutput& output) {
+  const Diagram& diagram = output.diagram;
+  std::vector<LayerField> fields;
+  const auto add = [&](FieldType type, std::initializer_list<const char*> names) {
+    for (const char* name : names) fields.push_back({name, type});
+  };
+  add(FieldType::integer, {"site"});
+  add(FieldType::real, {"x", "y"});
+  if (!output.sites.weight.empty()) add(FieldType::real, {"weight"});
+  add(FieldType::text, {"status"});
+  add(FieldType::integer, {"owner"});
+  add(FieldType::real, {"area", "perimeter", "centroid_x", "centroid_y"});
+  if (!diagram.mass.empty()) add(FieldType::real, {"mass", "mass_centroid_x", "mass_centroid_y"});
+  add(FieldType::integer, {"vertices"});
+  add(FieldType::text, {"neighbors"});
+  if (!diagram.neighbor_shifts.empty()) add(FieldType::text, {"neighbor_shifts"});
+  if (!diagram.ring_starts.empty()) add(FieldType::integer, {"rings"});
+  const auto names = attributeNames(output.attributes);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    fields.push_back({utf8Of(names[k]), fieldType(output.attributes[k].type())});
+  }
+  return fields;
+}
+
+template <class Number>
+Number numberOf(std::string_view text) {
+  Number number{};
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
+void addValue(FeatureRow& row, const Attribute& attribute, std::size_t site) {
+  const auto value = attribute.at(site);
+  if (!value) return row.addMissing();
+  switch (attribute.type()) {
+    case AttributeType::integer:
+      return row.add(numberOf<std::int64_t>(*value));
+    case AttributeType::real:
+      return row.add(numberOf<double>(*value));
+    case AttributeType::boolean:
+      return row.add(std::int64_t{*value == "true"});
+    case AttributeType::text:
+    case AttributeType::json:
+      break;
+  }
+  row.add(std::string_view(utf8Of(*value)));
+}
+
+/// The rows of the layer, filled in the order of fieldsOf().
+class Rows {
+ public:
+  explicit Rows(const CellsOutput& output) : output_(output) {}
+
+  bool fill(std::size_t site, FeatureRow& row) {
+    const auto rings = ringsOf(output_.diagram, site);
+    if (rings.empty() && output_.only_cells) return false;
+    if (!rings.empty()) setPolygons(row, rings);
+    addFields(row, site);
+    for (const Attribute& attribute : output_.attributes) addValue(row, attribute, site);
+    return true;
+  }
+
+ private:
+  void setPolygons(FeatureRow& row, std::span<const Ring> rings) {
+    const auto pieces = piecesOf(rings);
+    wkb_.clear();
+    wkb_.begin(GeometryType::multi_polygon, pieces.size());
+    for (const auto piece : pieces) {
+      wkb_.begin(GeometryType::polygon, piece.size());
+      for (const Ring& ring : piece) {
+        const auto vertices = verticesOf(output_.diagram, ring);
+        wkb_.beginRing(vertices.size() + 1);
+        for (const Point& vertex : vertices) wkb_.add(vertex);
+        wkb_.add(vertices.front());
+      }
+    }
+    row.setGeometry(wkb_);
+  }
+
+  template <class Print>
+  void addText(FeatureRow& row, std::size_t site, const Print& print_text) {
+    text_.clear();
+    print_text(text_, output_.diagram, site);
+    row.add(std::string_view(text_.data(), text_.size()));
+  }
+
+  void addFields(FeatureRow& row, std::size_t site) {
+    const Sites& sites = output_.sites;
+    const Diagram& diagram = output_.diagram;
+    const auto addPoint = [&row](const Point& point) {
+      row.add(point.x);
+      row.add(point.y);
+    };
+    row.add(static_cast<std::int64_t>(site));
+    addPoint({sites.x[site], sites.y[site]});
+    if (!sites.weight.empty()) row.add(sites.weight[site]);
+    row.add(statusWord(diagram.status[site]));
+    row.add(std::int64_t{diagram.owner[site]});
+    row.add(diagram.area[site]);
+    row.add(diagram.perimeter[site]);
+    addPoint(diagram.centroid[site]);
+    if (!diagram.mass.empty()) {
+      row.add(diagram.mass[site]);
+      addPoint(diagram.mass_centroid[site]);
+    }
+    row.add(static_cast<std::int64_t>(diagram.cell(site).edges()));
+    addText(row, site, printNeighbors);
+    if (!diagram.neighbor_shifts.empty()) addText(row, site, printShifts);
+    if (!diagram.ring_starts.empty()) row.add(static_cast<std::int64_t>(ringsOf(diagram, site).size()));
+  }
+
+  const CellsOutput& output_;
+  Wkb wkb_;
+  Bytes text_;
+};
+
+/// A GeoPackage with the layer `cells`, of MultiPolygons, NULL where there is no cell. Its fields are the
+/// columns of .csv and `owner`; weight, mass and the like only where there are some.
+Result<void> write(ByteSink& sink, const CellsOutput& output) {
+  const Layer layer{"cells", GeometryType::multi_polygon, fieldsOf(output), output.system};
+  Rows rows(output);
+  return writeGeoPackage(sink, layer, output.sites.size(),
+                         [&](std::size_t site, FeatureRow& row) { return rows.fill(site, row); });
+}
+
+}  // namespace
+
+extern const CellsFormat gpkg_cells;
+const CellsFormat gpkg_cells{
+    .extension = ".gpkg", .detail = Detail::polygons, .write = write, .features = true, .in_memory = true};
+
+}  // namespace vorpipe

@@ -1,0 +1,58 @@
+#include "io/text/field_text.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace vorpipe {
+namespace {
+
+bool isAscii(char c) { return static_cast<unsigned char>(c) < 0x80; }
+
+/// Whether a character stands in a string of JSON as it is.
+bool isPlain(char c) {
+  constexpr unsigned char first_printable = 0x20;
+  return isAscii(c) && static_cast<unsigned char>(c) >= first_printable && c != '"' && c != '\\';
+}
+
+std::string jsonString(std::string_view text) {
+  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+bool isBlank(char c) { return c == ' ' || c == '\t'; }
+
+bool needsQuotes(std::string_view field) {
+  return field.empty() || isBlank(field.front()) || isBlank(field.back()) ||
+         field.find_first_of("\",\r\n") != std::string_view::npos;
+}
+
+}  // namespace
+
+void printCsvField(Bytes& text, std::string_view field) {
+  if (!needsQuotes(field)) {
+    text.append(field);
+    return;
+  }
+  text.push_back('"');
+  for (const char c : field) {
+    if (c == '"') text.push_back('"');
+    text.push_back(c);
+  }
+  text.push_back('"');
+}
+
+void printJsonString(Bytes& text, std::string_view string) {
+  if (!std::ranges::all_of(string, isPlain)) {
+    text.append(jsonString(string));
+    return;
+  }
+  text.push_back('"');
+  text.append(string);
+  text.push_back('"');
+}
+
+std::string utf8Of(std::string_view text) {
+  if (std::ranges::all_of(text, isAscii)) return std::string(text);
+  return nlohmann::json::parse(jsonString(text)).get<std::string>();
+}
+
+}  // namespace vorpipe
