@@ -6,14 +6,16 @@
 #include "bench/measured/driver_threads.h"
 #include "cli/commands/command.h"
 #include "cli/options/options.h"
+#include "cli/options/picture_files.h"
 #include "cli/reports/stats.h"
+#include "cli/runs/drawing.h"
 #include "cli/runs/forecast.h"
 #include "cli/runs/input.h"
 #include "cli/runs/run_end.h"
 #include "cli/terminal/progress.h"
 #include "io/files/error.h"
-#include "io/pictures/npy_ids.h"
-#include "io/pictures/png_file.h"
+#include "io/forecast/forecast_files.h"
+#include "io/pictures/picture_file.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -25,24 +27,36 @@ struct RenderCommand {
   RenderOptions picture{};
   std::optional<PictureSize> size;
   bool check = false;
-  std::string png, ids, stats;
+  PictureFiles files;
+  std::string stats;
   std::optional<std::uint64_t> memory_limit;
 };
 
 /// The output files that were asked for, in the order in which they are created.
 std::vector<std::string> outputPaths(const RenderCommand& command) {
   std::vector<std::string> paths;
-  for (const std::string& path : {command.png, command.ids, command.stats}) {
+  for (const PictureFile& file : command.files.pictures) paths.push_back(file.path);
+  for (const std::string& path : {command.files.ids.path, command.stats}) {
     if (!path.empty()) paths.push_back(path);
   }
   return paths;
 }
 
-PlanRun planOf(const RenderCommand& command, const PictureSize& size) {
-  return [&command, size](MemoryPlan& plan, const Workload& work) {
+DrawingNeeds needsOf(const PictureFiles& files) { return {files.needPixels(), files.needCells()}; }
+
+/// What images of sites in a periodic domain are for.
+ImagesFor imagesOf(const RenderCommand& command) {
+  return command.files.needCells() ? ImagesFor::cells : imagesFor(command.picture.color);
+}
+
+/// What a run takes; `options` are those of the picture, as far as they are known.
+PlanRun planOf(const RenderCommand& command, const RenderOptions& options) {
+  return [&command, &options](MemoryPlan& plan, const Workload& work) {
     planSession(plan, work);
-    planPicture(plan, work, size.width, size.height, command.picture.color);
-    if (command.check) planPictureCheck(plan, work, size.width, size.height);
+    planDrawing(plan, work, options, needsOf(command.files), command.check);
+    if (command.files.ids.format != nullptr) {
+      planIdsFile(plan, work, *command.files.ids.format, {options.width, options.height});
+    }
   };
 }
 
@@ -62,21 +76,28 @@ Result<RenderOptions> pictureOptions(const RenderCommand& command, const Input& 
   return options;
 }
 
-Result<void> writeFiles(const RenderCommand& command, const Input& input, const Rendering& rendering,
-                        std::uint64_t forecast, std::span<OutputFile> files, const Stopwatch& total) {
+Result<void> writeFiles(const RenderCommand& command, const Input& input, const RenderOptions& options,
+                        const Drawing& drawing, std::uint64_t forecast, std::span<OutputFile> files,
+                        const Stopwatch& total) {
   const Stopwatch watch;
-  const Image& image = rendering.image;
+  const PictureOutput output{input.sites,
+                             options,
+                             drawing.pixels ? &drawing.pixels->image : nullptr,
+                             drawing.cells ? &*drawing.cells : nullptr,
+                             input.system,
+                             command.backend.threads};
   std::vector<Writer> writers;
-  if (!command.png.empty()) {
-    writers.emplace_back([&](ByteSink& to) { return writePng(to, image.width, image.height, image.rgba); });
+  for (const PictureFile& file : command.files.pictures) {
+    writers.emplace_back([&output, format = file.format](ByteSink& to) { return format->write(to, output); });
   }
-  if (!command.ids.empty()) {
-    writers.emplace_back([&](ByteSink& to) { return writeNpyIds(to, image.width, image.height, image.ids); });
+  if (const IdsFile& ids = command.files.ids; !ids.path.empty()) {
+    writers.emplace_back([&output, format = ids.format](ByteSink& to) { return format->write(to, output); });
   }
   if (!command.stats.empty()) {
     writers.emplace_back([&](ByteSink& to) {
-      return to.write(statsJson(
-          {"render", input, rendering.report, watch.milliseconds(), total.milliseconds(), forecast}));
+      Stats stats{"render", input, drawing.report(), watch.milliseconds(), total.milliseconds(), forecast};
+      if (drawing.cells) stats.area_sum = areaSum(*drawing.cells);
+      return to.write(statsJson(stats));
     });
   }
   return writeOutputs(files, writers);
@@ -87,51 +108,54 @@ Result<ExitCode> render(const RenderCommand& command) {
   const Stopwatch total;
   const std::vector<std::string> paths = outputPaths(command);
   if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("picture.png"));
-  const auto fits = forecastGenerated(
-      command.input, planOf(command, command.size.value_or(PictureSize{1, 1})), command.memory_limit);
-  if (!fits) return tl::unexpected(fits.error());
+  RenderOptions options = command.picture;
+  const PictureSize known = command.size.value_or(PictureSize{1, 1});
+  options.width = known.width;
+  options.height = known.height;
+  const PlanRun plan = planOf(command, options);
+  if (const auto fits = forecastGenerated(command.input, plan, command.memory_limit); !fits) {
+    return tl::unexpected(fits.error());
+  }
   const auto input = loadInput(command.input);
   if (!input) return tl::unexpected(input.error());
-  auto options = pictureOptions(command, *input);
-  if (!options) return tl::unexpected(std::move(options.error()));
+  auto complete = pictureOptions(command, *input);
+  if (!complete) return tl::unexpected(std::move(complete.error()));
+  options = std::move(*complete);
   const int threads = command.backend.threads;
-  if (const auto checked = checkInput(command.input, *input, cellsOptions(*options), threads); !checked) {
+  if (const auto checked = checkInput(command.input, *input, cellsOptions(options), threads); !checked) {
     return tl::unexpected(checked.error());
   }
   auto files = openOutputs(paths);
   if (!files) return tl::unexpected(std::move(files.error()));
   auto session = Session::open(command.backend);
   if (!session) return tl::unexpected(std::move(session.error()));
-  const auto forecast =
-      forecastRun(command.input, *input, imagesFor(command.picture.color), session->device(), command.backend,
-                  planOf(command, {options->width, options->height}), command.memory_limit);
+  const auto forecast = forecastRun(command.input, *input, imagesOf(command), session->device(),
+                                    command.backend, plan, command.memory_limit);
   if (!forecast) return tl::unexpected(forecast.error());
   ProgressBar bar(command.talk.quiet);
-  options->progress = bar.callback();
-  const auto rendering = session->render(input->sites, *options);
+  options.progress = bar.callback();
+  const auto drawing = draw(*session, input->sites, options, needsOf(command.files));
   bar.clear();
-  if (!rendering) return asOption(rendering.error(), command.input);
-  printNotes(command.talk, rendering->report);
-  if (!validationIsSilent(rendering->report)) return exit_device;
+  if (!drawing) return asOption(drawing.error(), command.input);
+  printNotes(command.talk, drawing->report());
+  if (!validationIsSilent(drawing->report())) return exit_device;
   if (command.check) {
-    const auto passed = passesCheck(check(input->sites, *options, *rendering, threads));
+    const auto passed = passesCheck(checkDrawing(input->sites, options, *drawing, threads));
     if (!passed) return tl::unexpected(passed.error());
     if (!*passed) return exit_different;
   }
-  const auto written = writeFiles(command, *input, *rendering, *forecast, *files, total);
+  const auto written = writeFiles(command, *input, options, *drawing, *forecast, *files, total);
   if (!written) return tl::unexpected(written.error());
   printSummary(command.talk, paths,
-               fmt::format("{}, {}x{}, {}\n", outcomeText(paths, rendering->report), options->width,
-                           options->height, runText(rendering->report, total.milliseconds(), command.check)));
+               fmt::format("{}, {}x{}, {}\n", outcomeText(paths, drawing->report()), options.width,
+                           options.height, runText(drawing->report(), total.milliseconds(), command.check)));
   if (command.talk.verbose && !session->choice().empty()) printNote(session->choice());
   return exit_done;
 }
 
 void addPictureOptions(Options& options, RenderCommand& command) {
-  addFile(options, "-o", command.png, ".png", "the picture");
+  addPictureFiles(options, command.files);
   addSizeOption(options, command.size);
-  addFile(options, "--ids", command.ids, ".npy",
-          "the site of each pixel: uint32, row 0 at the top, 4294967295 where there is none");
   addParsed(options, "--color", command.picture.color, "BY",
             fmt::format("what colors show: {} [site]", anyOf(colorNames())), parseColor, {colorNames(), {}});
   addParsed(options, "--colormap", command.picture.colormap, "NAME",
@@ -147,14 +171,18 @@ void addRender(CommandLine& line) {
   auto command = std::make_shared<RenderCommand>();
   Options options =
       line.addSubcommand("render", "draws the Voronoi diagram of sites; with weights, the power diagram",
-                         [command] { return render(*command); });
+                         [command]() -> Result<ExitCode> {
+                           const auto named = nameStandardOutput(command->files);
+                           return named ? render(*command) : tl::unexpected(named.error());
+                         });
   addInputOptions(options, command->input).required();
   addPictureOptions(options, *command);
   addBackendChoice(options, command->backend);
   addSearchOptions(options, command->picture.search);
   addRunOptions(options, command->backend, command->memory_limit);
   options.addFlag("--check", command->check,
-                  "verifies statuses and the nearest site of each pixel; exit code 1 if a promise is broken");
+                  "verifies statuses and the nearest site of each pixel, of shapes the cells; exit code 1 if "
+                  "a promise is broken");
   addAnyFile(options, "--stats", command->stats, {".json"}, "what was done, in JSON");
   addTalkOptions(options, command->talk);
 }

@@ -80,4 +80,26 @@ void planCellsFile(MemoryPlan& plan, const Workload& work, const CellsFormat& fo
   if (format.mesh) planMesh(plan, work);
 }
 
+void planShapes(MemoryPlan& plan, const Workload& work, ColorBy color, bool dots) {
+  const std::string_view what = "the shapes to write";
+  const auto since = plan.next();
+  const auto indices = plan.take(what, work.sites);
+  if (color != ColorBy::site) plan.drop(plan.take(what, work.sites * number));
+  plan.take(what, work.sites * sizeof(std::uint32_t));
+  plan.drop(indices);
+  if (dots) planGrowing(plan, what, work.sites, {sizeof(Point)});
+  plan.dropSince(since);
+}
+
+void planIdsFile(MemoryPlan& plan, const Workload& work, const IdsFormat& format, const PictureSize& size) {
+  if (!format.compressed) return;
+  // A line through even sites meets 4/pi of a cell for each of the sites along a side of the domain. There
+  // differences are other than 0, and take a little more than their four bytes.
+  constexpr double cells_of_line = 1.28, bytes_of_change = 5, bytes_of_row = 64;
+  const double changes =
+      std::min<double>(size.width, cells_of_line * std::sqrt(static_cast<double>(work.sites)));
+  const double bytes = size.height * (bytes_of_row + bytes_of_change * changes);
+  plan.drop(plan.take("the compressed ids", static_cast<std::uint64_t>(bytes)));
+}
+
 }  // namespace vorpipe

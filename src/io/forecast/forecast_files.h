@@ -4,6 +4,7 @@
 #include <string>
 
 #include "io/cells/cells_file.h"
+#include "io/pictures/picture_file.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -19,5 +20,11 @@ void planDensity(MemoryPlan& plan, std::uint64_t pixels);
 
 /// Plans writeCells.
 void planCellsFile(MemoryPlan& plan, const Workload& work, const CellsFormat& format);
+
+/// Plans the writer of a picture's shapes; their cells are planned by planCells.
+void planShapes(MemoryPlan& plan, const Workload& work, ColorBy color, bool dots);
+
+/// Plans the writer of ids of a picture.
+void planIdsFile(MemoryPlan& plan, const Workload& work, const IdsFormat& format, const PictureSize& size);
 
 }  // namespace vorpipe

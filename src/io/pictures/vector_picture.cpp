@@ -98,9 +98,9 @@ Result<VectorPicture> VectorPicture::make(const Sites& sites, const Diagram& dia
     if (!dots) return tl::unexpected(std::move(dots.error()));
     for (Point& dot : *dots) dot = picture.pixelOf(dot);
     picture.dots_ = std::move(*dots);
-    picture.dot_size_ =
-        2 * std::clamp(0.12 * std::sqrt(static_cast<double>(options.width) * options.height / sites.size()),
-                       1.0, 5.0);
+    picture.dot_size_ = 2 * std::clamp(0.12 * std::sqrt(static_cast<double>(options.width) * options.height /
+                                                        static_cast<double>(sites.size())),
+                                       1.0, 5.0);
   }
   return picture;
 }

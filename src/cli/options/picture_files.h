@@ -1,0 +1,42 @@
+/// The files that render writes, and their kinds.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/options/command_line.h"
+#include "cli/options/format_choice.h"
+#include "cli/options/parse.h"
+#include "io/pictures/picture_file.h"
+
+namespace vorpipe::cli {
+
+struct PictureFile {
+  std::string path;
+  const PictureFormat* format = nullptr;  ///< null for standard output until nameStandardOutput()
+};
+
+struct IdsFile {
+  std::string path;  ///< empty: none is asked for
+  const IdsFormat* format = nullptr;
+};
+
+/// What render writes besides --stats.
+struct PictureFiles {
+  std::vector<PictureFile> pictures;
+  IdsFile ids;
+  FormatChoice format;
+
+  [[nodiscard]] bool needPixels() const;
+  [[nodiscard]] bool needCells() const;
+};
+
+/// -o, --ids, --format
+void addPictureFiles(Options& options, PictureFiles& files);
+
+/// Has `-o -` go to standard output, as the kind that --format names, or as PNG. Error (input): --format
+/// names no kind of picture.
+Result<void> nameStandardOutput(PictureFiles& files);
+
+}  // namespace vorpipe::cli

@@ -1,0 +1,74 @@
+#include "io/pictures/picture_file.h"
+
+#include <array>
+#include <cassert>
+#include <span>
+
+#include "io/files/format_list.h"
+#include "io/pictures/georeference.h"
+#include "io/pictures/npy_ids.h"
+#include "io/pictures/pdf_picture.h"
+#include "io/pictures/png_file.h"
+#include "io/pictures/svg_picture.h"
+#include "io/pictures/tiff_ids.h"
+
+namespace vorpipe {
+namespace {
+
+PixelGrid gridOf(const RenderOptions& options) {
+  return pixelGridOf(options.domain, frameOf(options.domain, options.width, options.height, options.fit));
+}
+
+Result<void> asPng(ByteSink& sink, const PictureOutput& output) {
+  assert(output.image != nullptr);
+  return writePng(sink, output.image->width, output.image->height, output.image->rgba);
+}
+
+Result<void> asWorldFile(ByteSink& sink, const PictureOutput& output) {
+  return writeWorldFile(sink, gridOf(output.options));
+}
+
+Result<void> asSvg(ByteSink& sink, const PictureOutput& output) {
+  assert(output.diagram != nullptr);
+  return writeSvgPicture(sink, output.sites, *output.diagram, output.options, output.threads);
+}
+
+Result<void> asPdf(ByteSink& sink, const PictureOutput& output) {
+  assert(output.diagram != nullptr);
+  return writePdfPicture(sink, output.sites, *output.diagram, output.options, output.threads);
+}
+
+Result<void> asNpy(ByteSink& sink, const PictureOutput& output) {
+  assert(output.image != nullptr);
+  return writeNpyIds(sink, output.image->width, output.image->height, output.image->ids);
+}
+
+Result<void> asTiff(ByteSink& sink, const PictureOutput& output) {
+  assert(output.image != nullptr);
+  return writeTiffIds(sink, output.image->width, output.image->height, output.image->ids,
+                      {gridOf(output.options), output.system, output.threads});
+}
+
+constexpr PictureFormat png{".png", /*of_shapes=*/false, asPng}, svg{".svg", /*of_shapes=*/true, asSvg},
+    pdf{".pdf", /*of_shapes=*/true, asPdf}, world{".pgw", /*of_shapes=*/false, asWorldFile};
+constexpr std::array picture_formats{&png, &svg, &pdf, &world};
+constexpr std::span<const PictureFormat* const> all_pictures(picture_formats);
+
+constexpr IdsFormat npy{".npy", /*compressed=*/false, asNpy}, tif{".tif", /*compressed=*/true, asTiff},
+    tiff{".tiff", /*compressed=*/true, asTiff};
+constexpr std::array ids_formats{&npy, &tif, &tiff};
+constexpr std::span<const IdsFormat* const> all_ids(ids_formats);
+
+}  // namespace
+
+std::vector<std::string_view> pictureExtensions() { return extensionsOf(all_pictures); }
+
+Result<const PictureFormat*> pictureFormatOf(const std::string& path) {
+  return formatFor(path, "pictures", all_pictures);
+}
+
+std::vector<std::string_view> idsExtensions() { return extensionsOf(all_ids); }
+
+Result<const IdsFormat*> idsFormatOf(const std::string& path) { return formatFor(path, "ids", all_ids); }
+
+}  // namespace vorpipe
