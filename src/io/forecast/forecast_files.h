@@ -1,9 +1,11 @@
 /// What files and generators add to a MemoryPlan.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "io/cells/cells_file.h"
+#include "io/edges/edges_file.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -17,7 +19,10 @@ void planWeights(MemoryPlan& plan, const std::string& path, std::uint64_t sites)
 /// Plans readDensity.
 void planDensity(MemoryPlan& plan, std::uint64_t pixels);
 
-/// Plans writeCells.
+/// Plans writeCells, without attributes.
 void planCellsFile(MemoryPlan& plan, const Workload& work, const CellsFormat& format);
+
+/// Plans topologyOf, and writeEdges in each of these formats; nothing where there is none.
+void planEdgesFiles(MemoryPlan& plan, const Workload& work, std::span<const EdgesFormat* const> formats);
 
 }  // namespace vorpipe
