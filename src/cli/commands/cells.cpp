@@ -18,6 +18,7 @@
 #include "io/cells/cells_file.h"
 #include "io/domain/density_file.h"
 #include "io/edges/edges_file.h"
+#include "io/files/error.h"
 #include "io/forecast/forecast_files.h"
 
 namespace vorpipe::cli {
@@ -115,11 +116,19 @@ Result<CellsOptions> cellsOptions(const CellsCommand& command, const Input& inpu
   return options;
 }
 
+/// Refuses a --format that nothing takes.
+Result<void> checkFormat(const CellsCommand& command) {
+  const bool given = !command.format.output.empty();
+  if (!given || command.input.sites == "-" || command.targets.useStandardOutput()) return {};
+  return inputError("--format: neither --sites - nor -o - is there to take it");
+}
+
 Result<ExitCode> cells(CellsCommand& command) {
   setDriverThreads(command.backend.threads);
   const Stopwatch total;
   const std::vector<std::string> paths = outputPaths(command);
   if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("cells.csv"));
+  if (auto used = checkFormat(command); !used) return tl::unexpected(std::move(used.error()));
   if (auto taken = takeFormat(command.targets, command.format.output); !taken) {
     return tl::unexpected(std::move(taken.error()));
   }

@@ -60,6 +60,10 @@ std::vector<const EdgesFormat*> CellsTargets::edgesFormats() const {
   return formats;
 }
 
+bool CellsTargets::useStandardOutput() const {
+  return std::ranges::any_of(cells, [](const CellsTarget& target) { return target.path == standard_output; });
+}
+
 std::vector<std::string> cellsKinds() {
   std::vector<std::string> kinds;
   for (const std::string_view extension : cellsExtensions()) kinds.emplace_back(extension.substr(1));

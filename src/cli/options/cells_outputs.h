@@ -32,6 +32,8 @@ struct CellsTargets {
   /// The parts of a Diagram that they take.
   [[nodiscard]] Detail detail() const;
   [[nodiscard]] std::vector<const EdgesFormat*> edgesFormats() const;
+  /// Whether one of them is standard output.
+  [[nodiscard]] bool useStandardOutput() const;
 };
 
 /// The kinds of files of cells, as --format names them: extensions without their dot.

@@ -50,10 +50,13 @@ void planMesh(MemoryPlan& plan, const Workload& work) {
   plan.dropSince(since);
 }
 
+/// Each once: those at walls belong to one cell.
+std::uint64_t edgesOf(const Workload& work) { return cornersOf(work) / 2 + work.sites / 8; }
+
 /// topologyOf(); the plan keeps its arrays.
 void planTopology(MemoryPlan& plan, const Workload& work) {
   const std::string_view what = "the topology";
-  const auto corners = cornersOf(work), edges = corners / 2 + work.sites / 2;
+  const auto corners = cornersOf(work), edges = edgesOf(work);
   const auto vertices = std::max(corners / 2, work.sites);
   const auto table = plan.take(what, std::bit_ceil(2 * corners + 1) * index);
   plan.take(what, corners * index);
@@ -114,8 +117,8 @@ void planEdgesFiles(MemoryPlan& plan, const Workload& work, std::span<const Edge
   const auto since = plan.next();
   planTopology(plan, work);
   if (std::ranges::any_of(formats, [](const EdgesFormat* format) { return format->in_memory; })) {
-    constexpr std::uint64_t edge_bytes = 200;  // as measured, with the index
-    plan.take("the file to write", (cornersOf(work) + work.sites) / 2 * edge_bytes);
+    constexpr std::uint64_t edge_bytes = 175;  // as measured, with the index
+    plan.take("the file to write", edgesOf(work) * edge_bytes);
   }
   plan.dropSince(since);
 }
