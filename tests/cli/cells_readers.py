@@ -31,10 +31,11 @@ except ImportError:
 
 sys.dont_write_bytecode = True  # the modules beside this one are in the source tree
 from cells_readers_data import Cells, equal, near, program, shoelace
-from cells_readers_mesh import assimp_meshes, python_obj, python_ply, vtk_meshes
+from cells_readers_layers import CELLS_CHECKS, EDGES_CHECKS, EDGES_FORMATS
+from cells_readers_mesh import assimp_meshes, python_obj, python_ply, vtk_meshes, vtk_xml_meshes
 
 WORDS = ["ok", "empty", "duplicate"]
-FORMATS = ["npz", "csv", "geojson", "geojsonl", "wkt", "svg", "obj", "ply", "vtk"]
+FORMATS = ["npz", "csv", "geojson", "geojsonl", "gpkg", "wkt", "svg", "obj", "ply", "vtk", "vtp", "vtu"]
 
 
 def numpy_npz(cells):
@@ -218,7 +219,8 @@ def librsvg_svg(_):
 
 CHECKS = [numpy_npz, python_csv, python_geojson, python_geojsonl, ogr_geojson, geos_wkt]
 CHECKS += [python_svg, libxml_svg, librsvg_svg]
-CHECKS += [python_obj, python_ply, assimp_meshes, vtk_meshes]
+CHECKS += [python_obj, python_ply, assimp_meshes, vtk_meshes, vtk_xml_meshes]
+CHECKS += CELLS_CHECKS + EDGES_CHECKS
 
 
 class Scene:
@@ -253,6 +255,7 @@ def main():
         os.chdir(folder)
         for scene in scenes():
             outputs = [word for extension in FORMATS for word in ("-o", f"c.{extension}")]
+            outputs += [word for extension in EDGES_FORMATS for word in ("--edges", f"e.{extension}")]
             command = [vorpipe, "cells", "--backend", "cpu", *scene.options, "--quiet", *outputs]
             subprocess.run(command, check=True)
             cells = Cells("c.npz", scene)

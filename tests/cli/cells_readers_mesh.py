@@ -92,6 +92,12 @@ def assimp_meshes(cells):
     return None
 
 
+def data_of(cells):
+    """What files of VTK say of each site's faces."""
+    data = {"site": np.arange(cells.count), "area": cells.areas, "perimeter": cells.perimeters}
+    return data | {"neighbors": np.diff(cells.neighbor_offsets), "status": cells.status}
+
+
 def vtk_meshes(cells):
     try:
         import vtkmodules.util.numpy_support as support
@@ -100,24 +106,50 @@ def vtk_meshes(cells):
         from vtkmodules.vtkIOPLY import vtkPLYReader
     except ImportError:
         return "VTK"
-    sites, counts = cells.faces(), np.diff(cells.neighbor_offsets)
-    data = {"site": np.arange(cells.count), "area": cells.areas, "perimeter": cells.perimeters}
-    data |= {"neighbors": counts, "status": cells.status}
+    sites = cells.faces()
     for reader, path in (vtkPolyDataReader(), "c.vtk"), (vtkPLYReader(), "c.ply"), (vtkOBJReader(), "c.obj"):
         reader.SetFileName(path)
         if path == "c.vtk":
             reader.ReadAllScalarsOn()
         reader.Update()
         mesh = reader.GetOutput()
-        polygons = mesh.GetPolys()
-        corners = support.vtk_to_numpy(polygons.GetConnectivityArray())
-        offsets = support.vtk_to_numpy(polygons.GetOffsetsArray())
-        if path != "c.vtk" and cells.outline is None:
-            equal(np.diff(offsets), np.diff(cells.cell_offsets)[sites], f"corners of faces in {path}")
         if path == "c.vtk":  # the other two readers make float32 of the positions
-            of_faces = support.vtk_to_numpy(mesh.GetCellData().GetArray("site"))
-            points = support.vtk_to_numpy(mesh.GetPoints().GetData())
-            check_mesh(cells, points, np.split(corners, offsets[1:-1]), of_faces)
-            for name, values in data.items():
-                equal(support.vtk_to_numpy(mesh.GetCellData().GetArray(name)), values[of_faces], name)
+            check_vtk(cells, mesh, mesh.GetPolys(), data_of(cells))
+        elif cells.outline is None:
+            offsets = support.vtk_to_numpy(mesh.GetPolys().GetOffsetsArray())
+            equal(np.diff(offsets), np.diff(cells.cell_offsets)[sites], f"corners of faces in {path}")
+    return None
+
+
+def check_vtk(cells, mesh, polygons, data):
+    import vtkmodules.util.numpy_support as support
+
+    arrays = mesh.GetCellData()
+    of_faces = support.vtk_to_numpy(arrays.GetArray("site"))
+    points = support.vtk_to_numpy(mesh.GetPoints().GetData())
+    corners = support.vtk_to_numpy(polygons.GetConnectivityArray())
+    offsets = support.vtk_to_numpy(polygons.GetOffsetsArray())
+    check_mesh(cells, points, np.split(corners, offsets[1:-1]), of_faces)
+    for name, values in data.items():
+        equal(support.vtk_to_numpy(arrays.GetArray(name)), values[of_faces], name)
+
+
+def vtk_xml_meshes(cells):
+    try:
+        import vtkmodules.util.numpy_support as support
+        from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
+    except ImportError:
+        return "VTK"
+    data = data_of(cells) | {"centroid": np.hstack([cells.centroids, np.zeros((cells.count, 1))])}
+    if hasattr(cells, "weights"):
+        data["weight"] = cells.weights
+    for reader, path in (vtkXMLPolyDataReader(), "c.vtp"), (vtkXMLUnstructuredGridReader(), "c.vtu"):
+        reader.SetFileName(path)
+        reader.Update()
+        mesh = reader.GetOutput()
+        polygons = mesh.GetPolys() if path == "c.vtp" else mesh.GetCells()
+        check_vtk(cells, mesh, polygons, data)
+        if path == "c.vtu":
+            kinds = support.vtk_to_numpy(mesh.GetCellTypesArray())
+            assert (kinds == 7).all(), "cells that are no polygons"
     return None

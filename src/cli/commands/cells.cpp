@@ -7,23 +7,22 @@
 #include "base/stopwatch.h"
 #include "bench/measured/driver_threads.h"
 #include "cli/commands/command.h"
+#include "cli/options/cells_outputs.h"
 #include "cli/options/options.h"
 #include "cli/reports/stats.h"
+#include "cli/runs/cells_notes.h"
 #include "cli/runs/forecast.h"
 #include "cli/runs/input.h"
 #include "cli/runs/run_end.h"
 #include "cli/terminal/progress.h"
 #include "io/cells/cells_file.h"
 #include "io/domain/density_file.h"
+#include "io/edges/edges_file.h"
+#include "io/files/error.h"
 #include "io/forecast/forecast_files.h"
 
 namespace vorpipe::cli {
 namespace {
-
-struct CellsFile {
-  std::string path;
-  const CellsFormat* format;
-};
 
 struct CellsCommand {
   InputOptions input;
@@ -31,32 +30,22 @@ struct CellsCommand {
   TalkOptions talk;
   SearchOptions search;
   bool check = false;
-  std::vector<CellsFile> files;
+  CellsTargets targets;
+  FormatChoice format;
   std::string density, stats;
   std::optional<std::uint64_t> memory_limit;
 };
 
-Parsed<CellsFile> parseCellsFile(std::string_view text) {
-  auto path = parseFile(text, "");
-  if (!path) return tl::unexpected(std::move(path.error()));
-  const auto format = cellsFormatOf(*path);
-  if (!format) return tl::unexpected(format.error().message);
-  return CellsFile{std::move(*path), *format};
-}
-
 /// The output files that were asked for, in the order in which they are created.
 std::vector<std::string> outputPaths(const CellsCommand& command) {
-  std::vector<std::string> paths;
-  for (const CellsFile& file : command.files) paths.push_back(file.path);
+  std::vector<std::string> paths = command.targets.paths();
   if (!command.stats.empty()) paths.push_back(command.stats);
   return paths;
 }
 
 /// The parts of the cells that the outputs and the check need.
 Detail neededDetail(const CellsCommand& command) {
-  Detail detail = command.check ? Detail::everything : Detail::measures;
-  for (const CellsFile& file : command.files) detail = std::max(detail, file.format->detail);
-  return detail;
+  return command.check ? Detail::everything : command.targets.detail();
 }
 
 /// What a run takes; the density may not have been read yet.
@@ -68,7 +57,8 @@ PlanRun planOf(const CellsCommand& command, std::uint64_t density_pixels) {
     planSession(plan, work);
     planCells(plan, work, detail);
     if (command.check) planCellsCheck(plan, work, detail);
-    for (const CellsFile& file : command.files) planCellsFile(plan, work, *file.format);
+    for (const CellsTarget& target : command.targets.cells) planCellsFile(plan, work, *target.format);
+    planEdgesFiles(plan, work, command.targets.edgesFormats());
   };
 }
 
@@ -77,13 +67,26 @@ std::optional<double> massSum(const Diagram& diagram) {
   return std::accumulate(diagram.mass.begin(), diagram.mass.end(), 0.0);
 }
 
+/// The topology of a diagram whose edges are to be written; else nothing.
+Result<Topology> topologyFor(const CellsCommand& command, const Diagram& diagram) {
+  if (command.targets.edges.empty()) return {};
+  return topologyOf(diagram, command.backend.threads);
+}
+
 Result<void> writeFiles(const CellsCommand& command, const Input& input, const Diagram& diagram,
                         std::uint64_t forecast, std::span<OutputFile> files, const Stopwatch& total) {
   const Stopwatch watch;
+  const CellsOutput output{input.sites, diagram, input.attributes, input.system, command.targets.only_cells};
   std::vector<Writer> writers;
-  for (const CellsFile& file : command.files) {
-    writers.emplace_back([&input, &diagram, format = file.format](ByteSink& to) {
-      return writeCells(to, {input.sites, diagram, input.attributes, input.system}, *format);
+  for (const CellsTarget& target : command.targets.cells) {
+    writers.emplace_back(
+        [&, format = target.format](ByteSink& to) { return writeCells(to, output, *format); });
+  }
+  const auto topology = topologyFor(command, diagram);
+  if (!topology) return tl::unexpected(topology.error());
+  for (const EdgesTarget& target : command.targets.edges) {
+    writers.emplace_back([&, format = target.format](ByteSink& to) {
+      return writeEdges(to, {diagram, *topology, input.system}, *format);
     });
   }
   if (!command.stats.empty()) {
@@ -92,7 +95,9 @@ Result<void> writeFiles(const CellsCommand& command, const Input& input, const D
                                  forecast, areaSum(diagram), massSum(diagram)}));
     });
   }
-  return writeOutputs(files, writers);
+  auto written = writeOutputs(files, writers);
+  if (written) printCellsNotes(command.talk, command.targets, output);
+  return written;
 }
 
 /// What is computed, but for the progress.
@@ -111,11 +116,22 @@ Result<CellsOptions> cellsOptions(const CellsCommand& command, const Input& inpu
   return options;
 }
 
-Result<ExitCode> cells(const CellsCommand& command) {
+/// Refuses a --format that nothing takes.
+Result<void> checkFormat(const CellsCommand& command) {
+  const bool given = !command.format.output.empty();
+  if (!given || command.input.sites == "-" || command.targets.useStandardOutput()) return {};
+  return inputError("--format: neither --sites - nor -o - is there to take it");
+}
+
+Result<ExitCode> cells(CellsCommand& command) {
   setDriverThreads(command.backend.threads);
   const Stopwatch total;
   const std::vector<std::string> paths = outputPaths(command);
   if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("cells.csv"));
+  if (auto used = checkFormat(command); !used) return tl::unexpected(std::move(used.error()));
+  if (auto taken = takeFormat(command.targets, command.format.output); !taken) {
+    return tl::unexpected(std::move(taken.error()));
+  }
   const auto fits = forecastGenerated(command.input, planOf(command, command.density.empty() ? 0 : 1),
                                       command.memory_limit);
   if (!fits) return tl::unexpected(fits.error());
@@ -166,12 +182,10 @@ void addCells(CommandLine& line) {
                          "those of the power diagram",
                          [command] { return cells(*command); });
   addInputOptions(options, command->input).required();
-  const auto extensions = cellsExtensions();
-  addRepeatable(
-      options, "-o", "FILE",
-      fmt::format("the cells in input order, by the extension: {}; repeatable", fmt::join(extensions, ", ")),
-      parseCellsFile, [files = &command->files](CellsFile file) { files->push_back(std::move(file)); },
-      {{}, {extensions.begin(), extensions.end()}});
+  addCellsTargets(options, command->targets);
+  addParsed(options, "--format", command->format, "KIND",
+            "the kind of what goes to standard output, by -o -, as an extension without its dot", parseFormat,
+            {cellsKinds(), {}});
   addAnyFile(
       options, "--density", command->density, {".png", ".npy"},
       "a density over the domain, .png (dark is dense) or .npy, pixels with row 0 at the top: the mass "

@@ -72,6 +72,7 @@ Result<void> write(ByteSink& sink, const CellsOutput& output) {
 }  // namespace
 
 extern const CellsFormat csv_cells;
-const CellsFormat csv_cells{.extension = ".csv", .detail = Detail::polygons, .write = write};
+const CellsFormat csv_cells{
+    .extension = ".csv", .detail = Detail::polygons, .write = write, .attributes = true};
 
 }  // namespace vorpipe

@@ -1,15 +1,11 @@
 #include "io/cells/cells_file.h"
 
-#include <fmt/core.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
 #include <array>
 #include <cassert>
 #include <new>
 
 #include "io/files/error.h"
-#include "io/files/extension.h"
+#include "io/files/format_list.h"
 
 namespace vorpipe {
 
@@ -39,22 +35,14 @@ namespace {
 #define LISTED(name) &name##_cells,
 constexpr std::array formats{CELLS_FORMATS(LISTED)};
 #undef LISTED
+constexpr std::span<const CellsFormat* const> all_formats(formats);
 
 }  // namespace
 
-std::vector<std::string_view> cellsExtensions() {
-  std::vector<std::string_view> extensions;
-  for (const CellsFormat* format : formats) extensions.push_back(format->extension);
-  return extensions;
-}
+std::vector<std::string_view> cellsExtensions() { return extensionsOf(all_formats); }
 
 Result<const CellsFormat*> cellsFormatOf(const std::string& path) {
-  const std::string extension = lowerExtension(path);
-  const auto found = std::ranges::find_if(
-      formats, [&](const CellsFormat* format) { return format->extension == extension; });
-  if (found != formats.end()) return *found;
-  return inputError(fmt::format("{}: unknown kind of file for cells; known are {}", path,
-                                fmt::join(cellsExtensions(), ", ")));
+  return formatFor(path, "cells", all_formats);
 }
 
 Result<void> writeCells(ByteSink& sink, const CellsOutput& output, const CellsFormat& format) {

@@ -28,9 +28,10 @@ struct CellsFormat {
   Detail detail;  ///< the parts of a Diagram that it writes
   /// The errors are those of writeCells.
   Result<void> (*write)(ByteSink& sink, const CellsOutput& output);
-  bool mesh = false;       ///< whether it is made of faces that share their vertices, which takes memory
-  bool features = false;   ///< whether a record without a polygon can be left out, as `only_cells` wants it
-  bool in_memory = false;  ///< whether the whole file is in memory before it is written
+  bool mesh = false;        ///< whether it is made of faces that share their vertices, which takes memory
+  bool attributes = false;  ///< whether it has those of the input
+  bool features = false;    ///< whether it can leave out records without a polygon, as `only_cells` wants
+  bool in_memory = false;   ///< whether the whole file is in memory before it is written
 };
 
 /// The extensions of all kinds, in the order in which messages name them.

@@ -12,7 +12,10 @@ Result<void> write(ByteSink& sink, const CellsOutput& output) {
 }  // namespace
 
 extern const CellsFormat geojson_cells;
-const CellsFormat geojson_cells{
-    .extension = ".geojson", .detail = Detail::polygons, .write = write, .features = true};
+const CellsFormat geojson_cells{.extension = ".geojson",
+                                .detail = Detail::polygons,
+                                .write = write,
+                                .attributes = true,
+                                .features = true};
 
 }  // namespace vorpipe

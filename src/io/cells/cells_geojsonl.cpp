@@ -12,7 +12,10 @@ Result<void> write(ByteSink& sink, const CellsOutput& output) {
 }  // namespace
 
 extern const CellsFormat geojsonl_cells;
-const CellsFormat geojsonl_cells{
-    .extension = ".geojsonl", .detail = Detail::polygons, .write = write, .features = true};
+const CellsFormat geojsonl_cells{.extension = ".geojsonl",
+                                 .detail = Detail::polygons,
+                                 .write = write,
+                                 .attributes = true,
+                                 .features = true};
 
 }  // namespace vorpipe

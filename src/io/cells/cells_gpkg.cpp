@@ -156,7 +156,11 @@ Result<void> write(ByteSink& sink, const CellsOutput& output) {
 }  // namespace
 
 extern const CellsFormat gpkg_cells;
-const CellsFormat gpkg_cells{
-    .extension = ".gpkg", .detail = Detail::polygons, .write = write, .features = true, .in_memory = true};
+const CellsFormat gpkg_cells{.extension = ".gpkg",
+                             .detail = Detail::polygons,
+                             .write = write,
+                             .attributes = true,
+                             .features = true,
+                             .in_memory = true};
 
 }  // namespace vorpipe

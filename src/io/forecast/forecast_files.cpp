@@ -29,11 +29,15 @@ void planGrowing(MemoryPlan& plan, std::string_view what, std::uint64_t count,
   }
 }
 
+/// Corners of all cells.
+std::uint64_t cornersOf(const Workload& work) {
+  return static_cast<std::uint64_t>(std::ceil(static_cast<double>(work.sites) * work.spread.edges));
+}
+
 /// cellsMesh(): a table of positions, which is gone when the faces with their corners come.
 void planMesh(MemoryPlan& plan, const Workload& work) {
   const std::string_view what = "the mesh to write";
-  const auto corners =
-      static_cast<std::uint64_t>(std::ceil(static_cast<double>(work.sites) * work.spread.edges));
+  const auto corners = cornersOf(work);
   const auto since = plan.next();
   const auto table = plan.take(what, std::bit_ceil(2 * corners + 1) * index);
   plan.take(what, corners * index);
@@ -44,6 +48,29 @@ void planMesh(MemoryPlan& plan, const Workload& work) {
   plan.take(what, corners * index);
   planGrowing(plan, what, work.sites, {number, index});
   plan.dropSince(since);
+}
+
+/// Each once: those at walls belong to one cell.
+std::uint64_t edgesOf(const Workload& work) { return cornersOf(work) / 2 + work.sites / 8; }
+
+/// topologyOf(); the plan keeps its arrays.
+void planTopology(MemoryPlan& plan, const Workload& work) {
+  const std::string_view what = "the topology";
+  const auto corners = cornersOf(work), edges = edgesOf(work);
+  const auto vertices = std::max(corners / 2, work.sites);
+  const auto table = plan.take(what, std::bit_ceil(2 * corners + 1) * index);
+  plan.take(what, corners * index);
+  planGrowing(plan, what, vertices, {sizeof(Point)});
+  plan.drop(table);
+  plan.take(what, corners * index);
+  if (work.periodic) {
+    const std::vector<MemoryPlan::Array> copies{plan.take(what, vertices * number),
+                                                plan.take(what, vertices * index)};
+    plan.drop(copies);
+  }
+  plan.take(what, edges * number);
+  plan.take(what, edges * 2 * index);
+  plan.take(what, edges * 2 * number);
 }
 
 }  // namespace
@@ -78,6 +105,22 @@ void planDensity(MemoryPlan& plan, std::uint64_t pixels) {
 
 void planCellsFile(MemoryPlan& plan, const Workload& work, const CellsFormat& format) {
   if (format.mesh) planMesh(plan, work);
+  if (format.in_memory) {
+    // As measured: the numbers and the index, and what is for each corner a position and a neighbor's number.
+    constexpr std::uint64_t site_bytes = 220, corner_bytes = 26;
+    plan.drop(plan.take("the file to write", work.sites * site_bytes + cornersOf(work) * corner_bytes));
+  }
+}
+
+void planEdgesFiles(MemoryPlan& plan, const Workload& work, std::span<const EdgesFormat* const> formats) {
+  if (formats.empty()) return;
+  const auto since = plan.next();
+  planTopology(plan, work);
+  if (std::ranges::any_of(formats, [](const EdgesFormat* format) { return format->in_memory; })) {
+    constexpr std::uint64_t edge_bytes = 175;  // as measured, with the index
+    plan.take("the file to write", edgesOf(work) * edge_bytes);
+  }
+  plan.dropSince(since);
 }
 
 void planShapes(MemoryPlan& plan, const Workload& work, ColorBy color, bool dots) {

@@ -1,9 +1,11 @@
 /// What files and generators add to a MemoryPlan.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "io/cells/cells_file.h"
+#include "io/edges/edges_file.h"
 #include "io/pictures/picture_file.h"
 #include "vorpipe.h"
 
@@ -18,7 +20,7 @@ void planWeights(MemoryPlan& plan, const std::string& path, std::uint64_t sites)
 /// Plans readDensity.
 void planDensity(MemoryPlan& plan, std::uint64_t pixels);
 
-/// Plans writeCells.
+/// Plans writeCells, without attributes.
 void planCellsFile(MemoryPlan& plan, const Workload& work, const CellsFormat& format);
 
 /// Plans the writer of a picture's shapes; their cells are planned by planCells.
@@ -26,5 +28,7 @@ void planShapes(MemoryPlan& plan, const Workload& work, ColorBy color, bool dots
 
 /// Plans the writer of ids of a picture.
 void planIdsFile(MemoryPlan& plan, const Workload& work, const IdsFormat& format, const PictureSize& size);
+/// Plans topologyOf, and writeEdges in each of these formats; nothing where there is none.
+void planEdgesFiles(MemoryPlan& plan, const Workload& work, std::span<const EdgesFormat* const> formats);
 
 }  // namespace vorpipe

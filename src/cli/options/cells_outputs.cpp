@@ -1,0 +1,116 @@
+#include "cli/options/cells_outputs.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "cli/options/options.h"
+#include "io/files/error.h"
+
+namespace vorpipe::cli {
+namespace {
+
+constexpr std::string_view standard_output = "/dev/stdout";
+
+Parsed<CellsTarget> parseCells(std::string_view text) {
+  if (text == "-" || text == standard_output) return CellsTarget{std::string(standard_output), nullptr};
+  auto path = parseFile(text, "");
+  if (!path) return tl::unexpected(std::move(path.error()));
+  const auto format = cellsFormatOf(*path);
+  if (!format) return tl::unexpected(format.error().message);
+  return CellsTarget{std::move(*path), *format};
+}
+
+Parsed<EdgesTarget> parseEdges(std::string_view text) {
+  auto path = parseFile(text, "");
+  if (!path) return tl::unexpected(std::move(path.error()));
+  const auto format = edgesFormatOf(*path);
+  if (!format) return tl::unexpected(format.error().message);
+  return EdgesTarget{std::move(*path), *format};
+}
+
+std::string extensionsOfFeatures() {
+  std::vector<std::string_view> extensions;
+  for (const std::string_view extension : cellsExtensions()) {
+    if ((*cellsFormatOf("cells" + std::string(extension)))->features) extensions.push_back(extension);
+  }
+  return fmt::format("{}", fmt::join(extensions, ", "));
+}
+
+}  // namespace
+
+std::vector<std::string> CellsTargets::paths() const {
+  std::vector<std::string> paths;
+  for (const CellsTarget& target : cells) paths.push_back(target.path);
+  for (const EdgesTarget& target : edges) paths.push_back(target.path);
+  return paths;
+}
+
+Detail CellsTargets::detail() const {
+  Detail detail = edges.empty() ? Detail::measures : Detail::polygons;
+  for (const CellsTarget& target : cells) detail = std::max(detail, target.format->detail);
+  return detail;
+}
+
+std::vector<const EdgesFormat*> CellsTargets::edgesFormats() const {
+  std::vector<const EdgesFormat*> formats;
+  for (const EdgesTarget& target : edges) formats.push_back(target.format);
+  return formats;
+}
+
+bool CellsTargets::useStandardOutput() const {
+  return std::ranges::any_of(cells, [](const CellsTarget& target) { return target.path == standard_output; });
+}
+
+std::vector<std::string> cellsKinds() {
+  std::vector<std::string> kinds;
+  for (const std::string_view extension : cellsExtensions()) kinds.emplace_back(extension.substr(1));
+  return kinds;
+}
+
+void addCellsTargets(Options& options, CellsTargets& targets) {
+  const auto cells = cellsExtensions(), edges = edgesExtensions();
+  addRepeatable(
+      options, "-o", "FILE",
+      fmt::format(
+          "the cells in input order, by the extension: {}; or - for standard output, as --format says "
+          "[csv]; repeatable",
+          fmt::join(cells, ", ")),
+      parseCells, [&targets](CellsTarget target) { targets.cells.push_back(std::move(target)); },
+      {{}, {cells.begin(), cells.end()}});
+  addRepeatable(
+      options, "--edges", "FILE",
+      fmt::format("the edges of all cells as lines, each once, with its two sites and its length: {}; "
+                  "repeatable",
+                  fmt::join(edges, ", ")),
+      parseEdges, [&targets](EdgesTarget target) { targets.edges.push_back(std::move(target)); },
+      {{}, {edges.begin(), edges.end()}});
+  options.addFlag(
+      "--only-cells", targets.only_cells,
+      fmt::format("leaves out sites without a cell, in files of features: {}", extensionsOfFeatures()));
+}
+
+Result<void> takeFormat(CellsTargets& targets, const std::string& kind) {
+  bool taken = false;
+  for (CellsTarget& target : targets.cells) {
+    if (target.format != nullptr) continue;
+    if (std::exchange(taken, true))
+      return inputError("-o: standard output takes one file, and is named twice");
+    const auto format = cellsFormatOf("-." + (kind.empty() ? "csv" : kind));
+    if (!format) {
+      return inputError(fmt::format("--format: {} is no kind of file for cells; known are {}", quoted(kind),
+                                    fmt::join(cellsKinds(), ", ")));
+    }
+    target.format = *format;
+  }
+  const auto has_features = [](const CellsTarget& target) { return target.format->features; };
+  if (targets.only_cells && std::ranges::none_of(targets.cells, has_features)) {
+    return inputError(fmt::format("--only-cells: there is no output with features to leave out: -o with {}",
+                                  extensionsOfFeatures()));
+  }
+  return {};
+}
+
+}  // namespace vorpipe::cli

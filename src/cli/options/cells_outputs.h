@@ -1,0 +1,50 @@
+/// What `cells` writes: files of cells and of edges.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/options/command_line.h"
+#include "cli/options/format_choice.h"
+#include "io/cells/cells_file.h"
+#include "io/edges/edges_file.h"
+#include "vorpipe.h"
+
+namespace vorpipe::cli {
+
+struct CellsTarget {
+  std::string path;
+  const CellsFormat* format;  ///< null for standard output until takeFormat()
+};
+
+struct EdgesTarget {
+  std::string path;
+  const EdgesFormat* format;
+};
+
+struct CellsTargets {
+  std::vector<CellsTarget> cells;
+  std::vector<EdgesTarget> edges;
+  bool only_cells = false;
+
+  /// The paths of all, in the order in which they are created.
+  [[nodiscard]] std::vector<std::string> paths() const;
+  /// The parts of a Diagram that they take.
+  [[nodiscard]] Detail detail() const;
+  [[nodiscard]] std::vector<const EdgesFormat*> edgesFormats() const;
+  /// Whether one of them is standard output.
+  [[nodiscard]] bool useStandardOutput() const;
+};
+
+/// The kinds of files of cells, as --format names them: extensions without their dot.
+std::vector<std::string> cellsKinds();
+
+/// -o, --edges, --only-cells
+void addCellsTargets(Options& options, CellsTargets& targets);
+
+/// Gives what goes to standard output its format, the extension `kind` without its dot, or csv; and refuses
+/// what contradicts itself. Errors (input): the kind is none of cells; standard output is named twice;
+/// --only-cells has nothing to leave out.
+Result<void> takeFormat(CellsTargets& targets, const std::string& kind);
+
+}  // namespace vorpipe::cli

@@ -1,0 +1,15 @@
+#include "io/edges/edge_feature.h"
+
+namespace vorpipe {
+namespace {
+
+Result<void> write(ByteSink& sink, const EdgesOutput& output) {
+  return writeEdgeFeatures(sink, FeaturesAs::collection, output);
+}
+
+}  // namespace
+
+extern const EdgesFormat geojson_edges;
+const EdgesFormat geojson_edges{.extension = ".geojson", .write = write};
+
+}  // namespace vorpipe

@@ -1,0 +1,15 @@
+#include "io/edges/edge_feature.h"
+
+namespace vorpipe {
+namespace {
+
+Result<void> write(ByteSink& sink, const EdgesOutput& output) {
+  return writeEdgeFeatures(sink, FeaturesAs::lines, output);
+}
+
+}  // namespace
+
+extern const EdgesFormat geojsonl_edges;
+const EdgesFormat geojsonl_edges{.extension = ".geojsonl", .write = write};
+
+}  // namespace vorpipe

@@ -1,0 +1,50 @@
+#include <fmt/format.h>
+
+#include "io/cells/vtk_xml.h"
+#include "io/edges/edges_file.h"
+
+namespace vorpipe {
+namespace {
+
+/// PolyData with lines, z is 0. Edges share their ends, but in a periodic domain, where each has its own two:
+/// there a vertex stands in several places.
+Result<void> write(ByteSink& sink, const EdgesOutput& output) {
+  const Topology& topology = output.topology;
+  const std::size_t count = topology.edge_entry.size();
+  const bool periodic = !output.diagram.neighbor_shifts.empty();
+  const std::size_t points = periodic ? 2 * count : topology.vertices.size();
+  const auto ends = [&, periodic](std::size_t k) -> std::size_t {
+    return periodic ? k : topology.edge_vertices[k / 2][k % 2];
+  };
+  const auto position = [&, periodic](std::size_t point) {
+    if (!periodic) return topology.vertices[point];
+    const EdgeLine line = edgeLine(output, point / 2);
+    return point % 2 == 0 ? line.begin : line.end;
+  };
+  const auto sites = [&](std::string_view name, std::size_t side) {
+    return vtkNumbers<std::int64_t>(
+        name, count, [&topology, side](std::size_t edge) { return topology.edge_cells[edge][side]; });
+  };
+  return writeVtkXml(
+      sink,
+      {"PolyData",
+       fmt::format("NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" "
+                   "NumberOfPolys=\"0\"",
+                   points, count),
+       {{"Points", {vtkPoints("Points", points, position)}},
+        {"Lines",
+         {vtkNumbers<std::int64_t>("connectivity", 2 * count, ends),
+          vtkNumbers<std::int64_t>("offsets", count, [](std::size_t edge) { return 2 * edge + 2; })}},
+        {"CellData",
+         {vtkNumbers<std::int64_t>("edge", count, [](std::size_t edge) { return edge; }), sites("site_a", 0),
+          sites("site_b", 1), vtkNumbers<double>("length", count, [&](std::size_t edge) {
+            return output.diagram.edge_lengths[topology.edge_entry[edge]];
+          })}}}});
+}
+
+}  // namespace
+
+extern const EdgesFormat vtp_edges;
+const EdgesFormat vtp_edges{.extension = ".vtp", .write = write};
+
+}  // namespace vorpipe

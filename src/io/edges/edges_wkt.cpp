@@ -1,0 +1,27 @@
+#include "io/edges/edges_file.h"
+#include "io/text/print.h"
+
+namespace vorpipe {
+namespace {
+
+/// A line for each edge, from where it begins to where it ends.
+Result<void> write(ByteSink& sink, const EdgesOutput& output) {
+  const std::size_t count = output.topology.edge_entry.size();
+  if (count == 0) return sink.write("GEOMETRYCOLLECTION EMPTY\n");
+  return sink.write("GEOMETRYCOLLECTION (")
+      .and_then([&] {
+        return writeEach(sink, count, [&](Bytes& text, std::size_t edge) {
+          const EdgeLine line = edgeLine(output, edge);
+          print(text, FMT_COMPILE("{}\nLINESTRING ({} {}, {} {})"), edge == 0 ? "" : ",", line.begin.x,
+                line.begin.y, line.end.x, line.end.y);
+        });
+      })
+      .and_then([&] { return sink.write("\n)\n"); });
+}
+
+}  // namespace
+
+extern const EdgesFormat wkt_edges;
+const EdgesFormat wkt_edges{.extension = ".wkt", .write = write};
+
+}  // namespace vorpipe
