@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <numeric>
 
@@ -44,6 +45,12 @@ Parsed<CellsFile> parseCellsFile(std::string_view text) {
   return CellsFile{std::move(*path), *format};
 }
 
+/// The formats that write what the input says of its sites.
+bool carriesAttributes(const CellsFormat& format) {
+  constexpr std::array<std::string_view, 4> formats = {".csv", ".geojson", ".geojsonl", ".gpkg"};
+  return std::ranges::find(formats, format.extension) != formats.end();
+}
+
 /// The output files that were asked for, in the order in which they are created.
 std::vector<std::string> outputPaths(const CellsCommand& command) {
   std::vector<std::string> paths;
@@ -57,6 +64,14 @@ Detail neededDetail(const CellsCommand& command) {
   Detail detail = command.check ? Detail::everything : Detail::measures;
   for (const CellsFile& file : command.files) detail = std::max(detail, file.format->detail);
   return detail;
+}
+
+/// How the input is read: attributes only where an output carries them.
+InputOptions inputOptions(const CellsCommand& command) {
+  InputOptions options = command.input;
+  options.reading.attributes = std::ranges::any_of(
+      command.files, [](const CellsFile& file) { return carriesAttributes(*file.format); });
+  return options;
 }
 
 /// What a run takes; the density may not have been read yet.
@@ -119,7 +134,7 @@ Result<ExitCode> cells(const CellsCommand& command) {
   const auto fits = forecastGenerated(command.input, planOf(command, command.density.empty() ? 0 : 1),
                                       command.memory_limit);
   if (!fits) return tl::unexpected(fits.error());
-  const auto input = loadInput(command.input);
+  const auto input = loadInput(inputOptions(command));
   if (!input) return tl::unexpected(input.error());
   auto options = cellsOptions(command, *input);
   if (!options) return tl::unexpected(std::move(options.error()));
@@ -127,6 +142,7 @@ Result<ExitCode> cells(const CellsCommand& command) {
   if (const auto checked = checkInput(command.input, *input, *options, threads); !checked) {
     return tl::unexpected(checked.error());
   }
+  printNotes(command.talk, *input);
   auto files = openOutputs(paths);
   if (!files) return tl::unexpected(std::move(files.error()));
   auto session = Session::open(command.backend);

@@ -1,0 +1,5 @@
+find_package(SQLite3 QUIET)
+if(TARGET SQLite::SQLite3)
+  add_library(dep::sqlite INTERFACE IMPORTED)
+  target_link_libraries(dep::sqlite INTERFACE SQLite::SQLite3)
+endif()
