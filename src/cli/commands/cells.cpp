@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <numeric>
 
@@ -31,7 +32,6 @@ struct CellsCommand {
   SearchOptions search;
   bool check = false;
   CellsTargets targets;
-  FormatChoice format;
   std::string density, stats;
   std::optional<std::uint64_t> memory_limit;
 };
@@ -46,6 +46,13 @@ std::vector<std::string> outputPaths(const CellsCommand& command) {
 /// The parts of the cells that the outputs and the check need.
 Detail neededDetail(const CellsCommand& command) {
   return command.check ? Detail::everything : command.targets.detail();
+}
+
+/// How the input is read: attributes only where an output carries them.
+InputOptions inputOptions(const CellsCommand& command) {
+  InputOptions options = command.input;
+  options.reading.attributes = command.targets.carryAttributes();
+  return options;
 }
 
 /// What a run takes; the density may not have been read yet.
@@ -118,7 +125,7 @@ Result<CellsOptions> cellsOptions(const CellsCommand& command, const Input& inpu
 
 /// Refuses a --format that nothing takes.
 Result<void> checkFormat(const CellsCommand& command) {
-  const bool given = !command.format.output.empty();
+  const bool given = !command.input.format.output.empty();
   if (!given || command.input.sites == "-" || command.targets.useStandardOutput()) return {};
   return inputError("--format: neither --sites - nor -o - is there to take it");
 }
@@ -129,13 +136,13 @@ Result<ExitCode> cells(CellsCommand& command) {
   const std::vector<std::string> paths = outputPaths(command);
   if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("cells.csv"));
   if (auto used = checkFormat(command); !used) return tl::unexpected(std::move(used.error()));
-  if (auto taken = takeFormat(command.targets, command.format.output); !taken) {
+  if (auto taken = takeFormat(command.targets, command.input.format.output); !taken) {
     return tl::unexpected(std::move(taken.error()));
   }
   const auto fits = forecastGenerated(command.input, planOf(command, command.density.empty() ? 0 : 1),
                                       command.memory_limit);
   if (!fits) return tl::unexpected(fits.error());
-  const auto input = loadInput(command.input);
+  const auto input = loadInput(inputOptions(command));
   if (!input) return tl::unexpected(input.error());
   auto options = cellsOptions(command, *input);
   if (!options) return tl::unexpected(std::move(options.error()));
@@ -143,6 +150,7 @@ Result<ExitCode> cells(CellsCommand& command) {
   if (const auto checked = checkInput(command.input, *input, *options, threads); !checked) {
     return tl::unexpected(checked.error());
   }
+  printNotes(command.talk, *input);
   auto files = openOutputs(paths);
   if (!files) return tl::unexpected(std::move(files.error()));
   auto session = Session::open(command.backend);
@@ -183,9 +191,6 @@ void addCells(CommandLine& line) {
                          [command] { return cells(*command); });
   addInputOptions(options, command->input).required();
   addCellsTargets(options, command->targets);
-  addParsed(options, "--format", command->format, "KIND",
-            "the kind of what goes to standard output, by -o -, as an extension without its dot", parseFormat,
-            {cellsKinds(), {}});
   addAnyFile(
       options, "--density", command->density, {".png", ".npy"},
       "a density over the domain, .png (dark is dense) or .npy, pixels with row 0 at the top: the mass "

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "cli/options/command_line.h"
-#include "cli/options/format_choice.h"
 #include "io/cells/cells_file.h"
 #include "io/edges/edges_file.h"
 #include "vorpipe.h"
@@ -32,12 +31,11 @@ struct CellsTargets {
   /// The parts of a Diagram that they take.
   [[nodiscard]] Detail detail() const;
   [[nodiscard]] std::vector<const EdgesFormat*> edgesFormats() const;
+  /// Whether one of them has what the input says of its sites besides.
+  [[nodiscard]] bool carryAttributes() const;
   /// Whether one of them is standard output.
   [[nodiscard]] bool useStandardOutput() const;
 };
-
-/// The kinds of files of cells, as --format names them: extensions without their dot.
-std::vector<std::string> cellsKinds();
 
 /// -o, --edges, --only-cells
 void addCellsTargets(Options& options, CellsTargets& targets);

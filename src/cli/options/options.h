@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "cli/options/command_line.h"
+#include "cli/options/format_choice.h"
 #include "cli/options/parse.h"
+#include "io/sites/site_table.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {
@@ -57,13 +59,15 @@ struct InputOptions {
   std::string weights;  ///< a file
   std::optional<WeightRange> random_weights;
   Periodic periodic = Periodic::none;
+  ReadOptions reading{};  ///< but its format, which is that of standard input
+  FormatChoice format{};
 };
 
 struct TalkOptions {
   bool quiet = false, verbose = false;
 };
 
-/// --sites, --seed, --domain, --weights, --random-weights, --periodic
+/// --sites and how it is read, --seed, --domain, --weights, --random-weights, --periodic
 Option addInputOptions(Options& options, InputOptions& input);
 /// --device
 void addDeviceChoice(Options& options, BackendOptions& backend);
