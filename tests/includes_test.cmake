@@ -93,7 +93,7 @@ set(users
     "^io/pictures/png_file\\."
     "^io/arrays/zip_file\\.cpp$"
     "^geos\\.h$"
-    "^(core/outline/validity|io/cells/hole_triangles)\\."
+    "^(core/outline/(geos_outline|hull|mended|validity)|io/cells/hole_triangles)\\."
     "^core/outline/"
     "^cli/options/command_line\\.cpp$"
     "^base/parallel\\.cpp$")
