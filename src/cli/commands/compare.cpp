@@ -180,6 +180,7 @@ Result<ExitCode> compare(const CompareCommand& command) {
   if (!fits) return tl::unexpected(fits.error());
   const auto input = loadInput(command.input);
   if (!input) return tl::unexpected(input.error());
+  printNotes(command.talk, *input);
   const auto options = checkedOptions(command, *input);
   if (!options) return tl::unexpected(options.error());
   const auto forecast = forecastAll(command, *input, *options);

@@ -92,6 +92,7 @@ Result<ExitCode> render(const RenderCommand& command) {
   if (!fits) return tl::unexpected(fits.error());
   const auto input = loadInput(command.input);
   if (!input) return tl::unexpected(input.error());
+  printNotes(command.talk, *input);
   auto options = pictureOptions(command, *input);
   if (!options) return tl::unexpected(std::move(options.error()));
   const int threads = command.backend.threads;

@@ -10,6 +10,7 @@
 #include "cli/options/command_line.h"
 #include "cli/options/parse.h"
 #include "vorpipe.h"
+#include "vorpipe/maps.h"
 
 namespace vorpipe::cli {
 
@@ -50,10 +51,18 @@ Option addAnyFile(Options& options, const std::string& name, std::string& target
 /// What a --sites may be.
 Choices sitesChoices();
 
+/// --project: the center of the plane, in degrees; none: amid what is there.
+struct ProjectChoice {
+  std::optional<Point> center;
+};
+
 struct InputOptions {
   std::string sites;
   std::uint64_t seed = 1;
   DomainChoice domain;
+  std::optional<Margin> margin;
+  std::optional<ProjectChoice> project;
+  bool repair = false;
   std::string weights;  ///< a file
   std::optional<WeightRange> random_weights;
   Periodic periodic = Periodic::none;
@@ -63,7 +72,7 @@ struct TalkOptions {
   bool quiet = false, verbose = false;
 };
 
-/// --sites, --seed, --domain, --weights, --random-weights, --periodic
+/// --sites, --seed, those of addDomainOptions, --weights, --random-weights, --periodic
 Option addInputOptions(Options& options, InputOptions& input);
 /// --device
 void addDeviceChoice(Options& options, BackendOptions& backend);

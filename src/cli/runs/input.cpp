@@ -2,13 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/stopwatch.h"
+#include "cli/runs/domain.h"
 #include "cli/terminal/progress.h"
-#include "io/domain/outline_file.h"
 #include "io/files/error.h"
 #include "io/sites/site_source.h"
 #include "io/sites/weights_file.h"
@@ -34,32 +32,6 @@ Result<void> takeWeights(const InputOptions& options, Input& input) {
   auto weights = readWeights(options.weights, input.sites.size());
   if (!weights) return named(option, std::move(weights.error()));
   input.sites.weight = std::move(*weights);
-  return {};
-}
-
-Result<void> takeOutline(const InputOptions& options, Input& input) {
-  auto outline = readOutline(options.domain.file);
-  if (!outline) return named("--domain", std::move(outline.error()));
-  if (input.periodic != Periodic::none) {
-    return inputError("--periodic: a domain with an outline does not repeat itself");
-  }
-  input.outline = std::move(*outline);
-  input.domain = boxOf(input.outline.points);
-  if (input.seed) input.sites = spreadOver(input.domain, std::move(input.sites));
-  return {};
-}
-
-Result<void> takeDomain(const InputOptions& options, Input& input) {
-  if (!options.domain.file.empty()) return takeOutline(options, input);
-  if (options.domain.box) {
-    input.domain = *options.domain.box;
-  } else if (!input.seed) {
-    input.domain = domainOf(input.sites);
-    const Box& box = input.domain;
-    if (!std::isfinite(box.xmax - box.xmin) || !std::isfinite(box.ymax - box.ymin)) {
-      return inputError("--domain: the sites reach too far for a default, name what to draw");
-    }
-  }
   return {};
 }
 
