@@ -95,7 +95,7 @@ set(users
     "^io/(arrays/zip_file|files/inflater|pictures/deflate)\.cpp$"
     "^io/geopackage/"
     "^geos\\.h$"
-    "^(core/outline/validity|io/cells/hole_triangles)\\."
+    "^(core/outline/(geos_outline|hull|mended|validity)|io/cells/hole_triangles)\\."
     "^core/outline/"
     "^cli/options/command_line\\.cpp$"
     "^base/parallel\\.cpp$")

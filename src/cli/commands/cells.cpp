@@ -12,6 +12,7 @@
 #include "cli/options/options.h"
 #include "cli/reports/stats.h"
 #include "cli/runs/cells_notes.h"
+#include "cli/runs/domain.h"
 #include "cli/runs/forecast.h"
 #include "cli/runs/input.h"
 #include "cli/runs/run_end.h"
@@ -142,8 +143,8 @@ Result<ExitCode> cells(CellsCommand& command) {
   const auto fits = forecastGenerated(command.input, planOf(command, command.density.empty() ? 0 : 1),
                                       command.memory_limit);
   if (!fits) return tl::unexpected(fits.error());
-  const auto input = loadInput(inputOptions(command));
-  if (!input) return tl::unexpected(input.error());
+  auto input = loadInput(inputOptions(command));
+  if (!input) return tl::unexpected(std::move(input.error()));
   auto options = cellsOptions(command, *input);
   if (!options) return tl::unexpected(std::move(options.error()));
   const int threads = command.backend.threads;
@@ -161,7 +162,7 @@ Result<ExitCode> cells(CellsCommand& command) {
   if (!forecast) return tl::unexpected(forecast.error());
   ProgressBar bar(command.talk.quiet);
   options->progress = bar.callback();
-  const auto diagram = session->cells(input->sites, *options);
+  auto diagram = session->cells(input->sites, *options);
   bar.clear();
   if (!diagram) return asOption(diagram.error(), command.input);
   printNotes(command.talk, diagram->report);
@@ -171,6 +172,7 @@ Result<ExitCode> cells(CellsCommand& command) {
     if (!passed) return tl::unexpected(passed.error());
     if (!*passed) return exit_different;
   }
+  backToDegrees(*input, *diagram, threads);
   const auto written = writeFiles(command, *input, *diagram, *forecast, *files, total);
   if (!written) return tl::unexpected(written.error());
   printSummary(command.talk, paths,

@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 
+#include "cli/options/domain_options.h"
 #include "cli/options/reading_options.h"
 #include "io/sites/site_source.h"
 #include "io/sites/sites_file.h"
@@ -74,16 +75,8 @@ Option addInputOptions(Options& options, InputOptions& input) {
   addParsed(options, "--seed", input.seed, "S", "seed of the generator [1]", [](std::string_view text) {
     return parseWhole(text, 0, UINT64_MAX);
   }).needs(sites);
-  addParsed(
-      options, "--domain", input.domain, "BOX or FILE",
-      fmt::format(
-          "what is drawn and measured: the box XMIN,YMIN,XMAX,YMAX [0,0,1,1; for files the box of the "
-          "sites, grown by 5 % of its longer side], or a file with its outline, polygons with holes ({}); "
-          "generators fill the square around an outline",
-          anyOf(outlineExtensions())),
-      parseDomain, {{}, outlineExtensions()})
-      .needs(sites);
   addReadingOptions(options, input, sites);
+  addDomainOptions(options, input, sites);
   addWeightOptions(options, input, sites);
   addParsed(options, "--periodic", input.periodic, anyOf(periodicNames()),
             "axes along which the domain repeats itself: cells go on at the other side", parsePeriodic,

@@ -12,6 +12,7 @@
 #include "cli/options/parse.h"
 #include "io/sites/site_table.h"
 #include "vorpipe.h"
+#include "vorpipe/maps.h"
 
 namespace vorpipe::cli {
 
@@ -52,10 +53,18 @@ Option addAnyFile(Options& options, const std::string& name, std::string& target
 /// What a --sites may be.
 Choices sitesChoices();
 
+/// --project: the center of the plane, in degrees; none: amid what is there.
+struct ProjectChoice {
+  std::optional<Point> center;
+};
+
 struct InputOptions {
   std::string sites;
   std::uint64_t seed = 1;
   DomainChoice domain;
+  std::optional<Margin> margin;
+  std::optional<ProjectChoice> project;
+  bool repair = false;
   std::string weights;  ///< a file
   std::optional<WeightRange> random_weights;
   Periodic periodic = Periodic::none;
@@ -67,7 +76,7 @@ struct TalkOptions {
   bool quiet = false, verbose = false;
 };
 
-/// --sites and how it is read, --seed, --domain, --weights, --random-weights, --periodic
+/// --sites and how it is read, --seed, those of addDomainOptions, --weights, --random-weights, --periodic
 Option addInputOptions(Options& options, InputOptions& input);
 /// --device
 void addDeviceChoice(Options& options, BackendOptions& backend);

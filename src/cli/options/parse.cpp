@@ -64,7 +64,7 @@ Parsed<Box> parseBox(std::string_view text) {
   constexpr std::array<std::string_view, 4> names = {"xmin", "ymin", "xmax", "ymax"};
   const auto parts = split(text, ',');
   if (parts.size() != names.size()) {
-    return bad(fmt::format("{} is neither XMIN,YMIN,XMAX,YMAX nor a {} file", quoted(text),
+    return bad(fmt::format("{} is neither XMIN,YMIN,XMAX,YMAX nor hull nor a {} file", quoted(text),
                            anyOf(outlineExtensions())));
   }
   std::array<double, 4> values{};
@@ -104,11 +104,12 @@ Parsed<std::uint64_t> parseWhole(std::string_view text, std::uint64_t low, std::
 }
 
 Parsed<DomainChoice> parseDomain(std::string_view text) {
+  if (text == "hull") return DomainChoice{std::nullopt, {}, /*hull=*/true};
   const auto outlines = outlineExtensions();
   if (std::ranges::find(outlines, lowerExtension(std::string(text))) != outlines.end()) {
-    return DomainChoice{std::nullopt, std::string(text)};
+    return DomainChoice{std::nullopt, std::string(text), /*hull=*/false};
   }
-  return parseBox(text).map([](const Box& box) { return DomainChoice{box, {}}; });
+  return parseBox(text).map([](const Box& box) { return DomainChoice{box, {}, /*hull=*/false}; });
 }
 
 Parsed<Periodic> parsePeriodic(std::string_view text) { return valueIn(periods, text); }

@@ -31,17 +31,18 @@ std::vector<std::string> colorNames();
 /// The extensions of files with outlines, as parseDomain knows them.
 std::vector<std::string> outlineExtensions();
 
-/// A box, or the name of a file with an outline.
+/// A box, the name of a file with an outline, or the hull of the sites; nothing where it is left open.
 struct DomainChoice {
   std::optional<Box> box;
   std::string file;  ///< empty: there is none
+  bool hull = false;
 };
 
 /// A number of bytes above 0, with a unit or none: B; kB, MB, GB, TB, powers of 1000; KiB, MiB, GiB, TiB,
 /// powers of 1024.
 Parsed<std::uint64_t> parseBytes(std::string_view text);
 
-/// `XMIN,YMIN,XMAX,YMAX`, a valid box, or a file name that ends in .geojson, .json or .wkt.
+/// `XMIN,YMIN,XMAX,YMAX`, a valid box, `hull`, or a file name that ends in .geojson, .json or .wkt.
 Parsed<DomainChoice> parseDomain(std::string_view text);
 
 /// One of periodicNames().

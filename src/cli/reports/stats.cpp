@@ -55,6 +55,12 @@ void addShape(nlohmann::ordered_json& json, const Input& input) {
     json["outline"] = {{"polygons", input.outline.polygon_offsets.size() - 1}, {"rings", rings.size() - 1}};
   }
   json["periodic"] = input.periodic == Periodic::none ? Json(nullptr) : Json(axesOf(input.periodic));
+  json["projection"] = nullptr;
+  if (input.projection) {
+    const Point center = input.projection->center();
+    json["projection"] = {
+        {"name", "Lambert azimuthal equal-area"}, {"center", {center.x, center.y}}, {"unit", "km"}};
+  }
   json["weights"] = nullptr;
   if (!weight.empty()) {
     const auto [least, greatest] = std::ranges::minmax(weight);

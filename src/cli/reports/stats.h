@@ -21,8 +21,8 @@ struct Stats {
   std::optional<double> mass_sum{};  ///< none without a density
 };
 
-/// Adds what the domain is besides its box, and between which numbers the weights are: "outline", "periodic"
-/// and "weights", each null where there is none.
+/// Adds what the domain is besides its box, and between which numbers the weights are: "outline", "periodic",
+/// "projection" and "weights", each null where there is none.
 void addShape(nlohmann::ordered_json& json, const Input& input);
 
 /// The object that `--stats` writes, with a line's end; a figure that does not apply is null.

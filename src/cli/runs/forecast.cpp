@@ -83,7 +83,7 @@ Result<void> forecastGenerated(const InputOptions& options, const PlanRun& plan,
   Workload work;
   work.sites = *sites;
   work.weighted = hasWeights(options);
-  work.outlined = !options.domain.file.empty();
+  work.outlined = options.domain.hull || !options.domain.file.empty();
   work.periodic = options.periodic != Periodic::none;
   return forecast(options, work, plan, limit).map([](std::uint64_t) {});
 }

@@ -2,14 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/stopwatch.h"
-#include "cli/terminal/error_line.h"
+#include "cli/runs/domain.h"
 #include "cli/terminal/progress.h"
-#include "io/domain/outline_file.h"
 #include "io/files/error.h"
 #include "io/sites/degrees.h"
 #include "io/sites/site_source.h"
@@ -36,32 +33,6 @@ Result<void> takeWeights(const InputOptions& options, Input& input) {
   auto weights = readWeights(options.weights, input.sites.size());
   if (!weights) return named(option, std::move(weights.error()));
   input.sites.weight = std::move(*weights);
-  return {};
-}
-
-Result<void> takeOutline(const InputOptions& options, Input& input) {
-  auto outline = readOutline(options.domain.file);
-  if (!outline) return named("--domain", std::move(outline.error()));
-  if (input.periodic != Periodic::none) {
-    return inputError("--periodic: a domain with an outline does not repeat itself");
-  }
-  input.outline = std::move(*outline);
-  input.domain = boxOf(input.outline.points);
-  if (input.seed) input.sites = spreadOver(input.domain, std::move(input.sites));
-  return {};
-}
-
-Result<void> takeDomain(const InputOptions& options, Input& input) {
-  if (!options.domain.file.empty()) return takeOutline(options, input);
-  if (options.domain.box) {
-    input.domain = *options.domain.box;
-  } else if (!input.seed) {
-    input.domain = domainOf(input.sites);
-    const Box& box = input.domain;
-    if (!std::isfinite(box.xmax - box.xmin) || !std::isfinite(box.ymax - box.ymin)) {
-      return inputError("--domain: the sites reach too far for a default, name what to draw");
-    }
-  }
   return {};
 }
 
@@ -92,9 +63,9 @@ std::string_view optionOf(Subject subject, const InputOptions& options) {
   return {};
 }
 
-/// Says so where a plane is made of degrees. (The one place that knows whether a projection was asked for.)
+/// Says so where cells are to be those of a plane of degrees.
 void noteDegrees(const InputOptions& options, Input& input) {
-  if (input.seed || !looksLikeDegrees(input.sites, input.system)) return;
+  if (input.seed || options.project || !looksLikeDegrees(input.sites, input.system)) return;
   input.notes.push_back(fmt::format(
       "{}: coordinates look like degrees of longitude and latitude; cells are those of the plane of degrees; "
       "--project auto makes a local plane where areas and distances are right",
@@ -121,11 +92,6 @@ Result<Input> loadInput(const InputOptions& options) {
   if (auto taken = takeDomain(options, input); !taken) return tl::unexpected(std::move(taken.error()));
   input.read_ms = watch.milliseconds();
   return input;
-}
-
-void printNotes(const TalkOptions& talk, const Input& input) {
-  if (talk.quiet) return;
-  for (const std::string& note : input.notes) printError(fmt::format("note: {}", note));
 }
 
 tl::unexpected<Error> named(std::string_view option, Error error) {

@@ -20,18 +20,19 @@ struct Input {
   Periodic periodic = Periodic::none;
   std::optional<std::uint64_t> seed;    ///< of the generator; none for files
   std::vector<Attribute> attributes{};  ///< of a file's sites
-  CoordinateSystem system{};
-  std::vector<std::string> notes{};  ///< what was reinterpreted or left out of the input, a line each
+  CoordinateSystem system{};            ///< of the sites as they stand here
+  /// Of --project: then the sites and the domain are in its plane.
+  std::optional<Projection> projection{};
+  std::vector<double> longitudes{}, latitudes{};  ///< where the sites are in degrees
+  CoordinateSystem degrees{};                     ///< which degrees
+  std::vector<std::string> notes{};               ///< what was reinterpreted or changed, a line each
   double read_ms = 0;
 };
 
 /// Loads or generates the sites of --sites, their weights and the domain. Errors: those of loadSites,
-/// readWeights and readOutline, after the option's name; no default domain holds them, options contradict
-/// each other (input).
+/// readWeights, readOutline and takeDomain, after the option's name; no default domain holds them, options
+/// contradict each other (input).
 Result<Input> loadInput(const InputOptions& options);
-
-/// Prints the input's notes on standard error, unless quiet: once the input is known to have no errors.
-void printNotes(const TalkOptions& talk, const Input& input);
 
 /// The error of what an option names, with the option in front where the input is wrong.
 tl::unexpected<Error> named(std::string_view option, Error error);

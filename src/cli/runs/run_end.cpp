@@ -43,6 +43,11 @@ void printNotes(const TalkOptions& talk, const Report& report, std::string_view 
   }
 }
 
+void printNotes(const TalkOptions& talk, const Input& input) {
+  if (talk.quiet) return;
+  for (const std::string& note : input.notes) printError("note: " + note);
+}
+
 Result<bool> passesCheck(const Result<std::vector<std::string>>& broken) {
   if (!broken) return tl::unexpected(broken.error());
   if (!broken->empty()) printError(fmt::format("--check: {}", fmt::join(*broken, "; ")));

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/options/options.h"
+#include "cli/runs/input.h"
 #include "io/files/byte_sink.h"
 #include "io/files/output_file.h"
 #include "vorpipe.h"
@@ -23,6 +24,9 @@ bool validationIsSilent(const Report& report, std::string_view name = {});
 /// Prints what did not go as it began, in a line each on standard error, unless the run is quiet: another
 /// backend than the one that was taken first may have done it. `name` as above.
 void printNotes(const TalkOptions& talk, const Report& report, std::string_view name = {});
+
+/// The same for what was changed or reinterpreted of the input.
+void printNotes(const TalkOptions& talk, const Input& input);
 
 /// Prints what check() found, in one line; whether all promises hold. Error: check()'s.
 Result<bool> passesCheck(const Result<std::vector<std::string>>& broken);

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "base/refusal.h"
+#include "core/outline/geos_outline.h"
 #include "core/outline/rings.h"
-#include "geos.h"
 
 namespace vorpipe::core {
 namespace {
@@ -17,26 +18,6 @@ constexpr std::size_t most_points = std::numeric_limits<std::int32_t>::max();
 
 tl::unexpected<Error> refuse(const std::string& what) {
   return tl::unexpected(refusalOf(Subject::outline, what));
-}
-
-GeosGeometry polygonAs(const Geos& geos, const Outline& outline, std::size_t polygon) {
-  std::vector<GeosGeometry> rings;
-  for (auto r = outline.polygon_offsets[polygon]; r < outline.polygon_offsets[polygon + 1]; ++r) {
-    const auto begin = outline.ring_offsets[r], end = outline.ring_offsets[r + 1];
-    rings.push_back(geosRing(geos, std::span(outline.points).subspan(begin, end - begin)));
-  }
-  return geosPolygon(geos, std::move(rings));
-}
-
-GeosGeometry geometryOf(const Geos& geos, const Outline& outline) {
-  std::vector<GeosGeometry> polygons;
-  for (std::size_t p = 0; p + 1 < outline.polygon_offsets.size(); ++p) {
-    polygons.push_back(polygonAs(geos, outline, p));
-    if (!polygons.back()) return owned(geos, nullptr);
-  }
-  const auto count = static_cast<unsigned>(polygons.size());
-  auto taken = released(polygons);
-  return owned(geos, GEOSGeom_createCollection_r(geos.handle(), GEOS_MULTIPOLYGON, taken.data(), count));
 }
 
 /// A number with the digits that it needs, to find the place in a file.
@@ -51,18 +32,11 @@ std::string placeOf(const Geos& geos, const GEOSGeometry* location) {
 
 Result<void> checkPolygons(const Outline& outline) {
   const Geos geos;
-  const auto failed = [&] { return refuse(fmt::format("GEOS could not check it: {}", geos.message())); };
   const GeosGeometry geometry = geometryOf(geos, outline);
-  if (!geometry) return failed();
-  char* reason = nullptr;
-  GEOSGeometry* location = nullptr;
-  const char valid = GEOSisValidDetail_r(geos.handle(), geometry.get(), 0, &reason, &location);
-  const std::unique_ptr<char, GeosDestroy> reason_owner(reason, GeosDestroy{geos.handle()});
-  const GeosGeometry location_owner = owned(geos, location);
-  if (valid == 1) return {};
-  if (valid != 0) return failed();
-  return refuse(fmt::format("{}{}; rings and polygons must not cross, overlap or share a side",
-                            reason != nullptr ? reason : "not valid", placeOf(geos, location)));
+  const auto fault = faultOf(geos, geometry.get());
+  if (!fault) return tl::unexpected(fault.error());
+  if (!*fault) return {};
+  return refuse(fmt::format("{}; rings and polygons must not cross, overlap or share a side", **fault));
 }
 
 bool areOffsets(const std::vector<std::uint64_t>& offsets, std::size_t count) {
@@ -103,12 +77,20 @@ Result<void> checkSize(const Outline& outline) {
 
 }  // namespace
 
-Result<void> checkOutline(const Outline& outline, Periodic periodic) {
-  if (outline.empty()) return {};
-  if (periodic != Periodic::none) {
-    return refuse(
-        "a periodic domain has none, since its cells reach beyond the domain; leave one of them out");
-  }
+Result<std::optional<std::string>> faultOf(const Geos& geos, const GEOSGeometry* geometry) {
+  const auto failed = [&] { return refuse(fmt::format("GEOS could not check it: {}", geos.message())); };
+  if (geometry == nullptr) return failed();
+  char* reason = nullptr;
+  GEOSGeometry* location = nullptr;
+  const char valid = GEOSisValidDetail_r(geos.handle(), geometry, 0, &reason, &location);
+  const std::unique_ptr<char, GeosDestroy> reason_owner(reason, GeosDestroy{geos.handle()});
+  const GeosGeometry location_owner = owned(geos, location);
+  if (valid == 1) return std::nullopt;
+  if (valid != 0) return failed();
+  return (reason != nullptr ? reason : "not valid") + placeOf(geos, location);
+}
+
+Result<void> checkRings(const Outline& outline) {
   if (!areOffsets(outline.ring_offsets, outline.points.size()) ||
       !areOffsets(outline.polygon_offsets, outline.ring_offsets.size() - 1)) {
     return refuse("its offsets do not begin at 0, ascend, and end at the number of points and of rings");
@@ -124,7 +106,16 @@ Result<void> checkOutline(const Outline& outline, Periodic periodic) {
   for (std::size_t r = 0; r + 1 < outline.ring_offsets.size(); ++r) {
     if (auto checked = checkRing(outline, r); !checked) return checked;
   }
-  if (auto checked = checkSize(outline); !checked) return checked;
+  return checkSize(outline);
+}
+
+Result<void> checkOutline(const Outline& outline, Periodic periodic) {
+  if (outline.empty()) return {};
+  if (periodic != Periodic::none) {
+    return refuse(
+        "a periodic domain has none, since its cells reach beyond the domain; leave one of them out");
+  }
+  if (auto checked = checkRings(outline); !checked) return checked;
   return checkPolygons(outline);
 }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "vorpipe.h"
+#include "vorpipe/maps.h"
 
 namespace vorpipe {
 namespace {
@@ -22,15 +23,20 @@ Box boxOf(std::span<const Point> points) {
   return {left.x, low.y, right.x, high.y};
 }
 
-Box domainOf(const Sites& sites) {
+Box domainOf(const Sites& sites) { return domainOf(sites, Margin{}); }
+
+Box domainOf(const Sites& sites, const Margin& margin) {
   const auto [xmin, xmax] = std::ranges::minmax(sites.x);
   const auto [ymin, ymax] = std::ranges::minmax(sites.y);
   const double longer = std::max(xmax - xmin, ymax - ymin);
-  double grown = longer > 0 ? 0.05 * longer : 0.5;
-  // Far from the origin so little may be less than a coordinate can tell; a few thousand steps are not.
-  const double largest = std::max({std::abs(xmin), std::abs(xmax), std::abs(ymin), std::abs(ymax)});
-  const double step = largest - std::nextafter(largest, 0.0);
-  grown = std::max(grown, 4096 * step);
+  double grown = margin.value;
+  if (margin.relative) grown = longer > 0 ? margin.value * longer : 0.5;
+  if (margin.value > 0) {
+    // Far from the origin so little may be less than a coordinate can tell; a few thousand steps are not.
+    const double largest = std::max({std::abs(xmin), std::abs(xmax), std::abs(ymin), std::abs(ymax)});
+    const double step = largest - std::nextafter(largest, 0.0);
+    grown = std::max(grown, 4096 * step);
+  }
   return {xmin - grown, ymin - grown, xmax + grown, ymax + grown};
 }
 

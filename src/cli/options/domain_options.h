@@ -1,0 +1,17 @@
+/// The options of the domain, and of the plane that it is in.
+#pragma once
+
+#include "cli/options/options.h"
+
+namespace vorpipe::cli {
+
+/// A number of 0 or more, or one with % behind it.
+Parsed<Margin> parseMargin(std::string_view text);
+
+/// `auto`, or `LON,LAT`, a place on the Earth.
+Parsed<ProjectChoice> parseProject(std::string_view text);
+
+/// --domain, --margin, --repair, --project
+void addDomainOptions(Options& options, InputOptions& input, const Option& sites);
+
+}  // namespace vorpipe::cli

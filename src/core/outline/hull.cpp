@@ -1,0 +1,66 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include "base/refusal.h"
+#include "core/outline/geos_outline.h"
+
+namespace vorpipe {
+namespace {
+
+tl::unexpected<Error> refuse(const std::string& what) {
+  return tl::unexpected(refusalOf(Subject::outline, what));
+}
+
+/// None where all sites lie on a line, or GEOS refuses.
+GeosGeometry hullIn(const Geos& geos, const Sites& sites) {
+  GEOSCoordSequence* sequence = GEOSCoordSeq_copyFromArrays_r(
+      geos.handle(), sites.x.data(), sites.y.data(), nullptr, nullptr, static_cast<unsigned>(sites.size()));
+  if (sequence == nullptr) return owned(geos, nullptr);
+  const GeosGeometry line = owned(geos, GEOSGeom_createLineString_r(geos.handle(), sequence));
+  GeosGeometry hull = owned(geos, line ? GEOSConvexHull_r(geos.handle(), line.get()) : nullptr);
+  if (hull && GEOSGeomTypeId_r(geos.handle(), hull.get()) != GEOS_POLYGON) hull.reset();
+  return hull;
+}
+
+Result<Outline> makeHull(const Sites& sites, double margin) {
+  const Geos geos;
+  const auto failed = [&] { return refuse(fmt::format("GEOS could not make the hull: {}", geos.message())); };
+  GeosGeometry hull = hullIn(geos, sites);
+  if (!hull && !geos.message().empty()) return failed();
+  if (!hull) return refuse("the hull of the sites has no area: they all lie on a line");
+  if (margin > 0) {
+    constexpr int quadrant_segments = 8;
+    constexpr double mitre_limit = 5;
+    hull = owned(geos, GEOSBufferWithStyle_r(geos.handle(), hull.get(), margin, quadrant_segments,
+                                             GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, mitre_limit));
+  }
+  Outline outline;
+  if (!hull || !core::addPolygons(geos, hull.get(), outline)) return failed();
+  return outline;
+}
+
+}  // namespace
+
+Result<Outline> hullOf(const Sites& sites, double margin) {
+  if (!(margin >= 0) || !std::isfinite(margin)) {
+    return refuse(fmt::format("a margin of {} is none: it must be 0 or more", margin));
+  }
+  const auto isFinite = [](double value) { return std::isfinite(value); };
+  if (!std::ranges::all_of(sites.x, isFinite) || !std::ranges::all_of(sites.y, isFinite)) {
+    return tl::unexpected(refusalOf(Subject::sites, "one has a coordinate that is not finite"));
+  }
+  if (sites.size() < 3) {
+    return refuse(fmt::format("the hull of {} {} has no area: it takes 3 that do not lie on a line",
+                              sites.size(), sites.size() == 1 ? "site" : "sites"));
+  }
+  try {
+    return makeHull(sites, margin);
+  } catch (const std::bad_alloc&) {
+    return tl::unexpected(Error{ErrorCode::device, "there is not enough memory for the hull of the sites"});
+  }
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,155 @@
+// Outlines and boxes in degrees, and in the plane.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <vector>
+
+#include "base/refusal.h"
+#include "vorpipe.h"
+#include "vorpipe/maps.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double quarter = 90, turn = 360;           ///< degrees
+constexpr double authalic_radius = 6371.0071809185;  ///< km; of the sphere of the area of WGS 84
+constexpr double parallel_step = 5;                  ///< degrees, of a box's sides
+constexpr double longest_side = 1;                   ///< degrees, of an outline before it is looked at
+
+void addRing(std::span<const Point> points, Outline& outline) {
+  outline.points.insert(outline.points.end(), points.begin(), points.end());
+  outline.ring_offsets.push_back(outline.points.size());
+}
+
+/// Points from a place on a parallel to another, but for the last.
+void addParallel(double latitude, double from, double to, std::vector<Point>& ring) {
+  const auto steps = static_cast<int>(std::ceil(std::abs(to - from) / parallel_step));
+  for (int k = 0; k < steps; ++k) ring.push_back({from + (to - from) * k / steps, latitude});
+}
+
+/// The sides of a projected ring.
+class Sides {
+ public:
+  Sides(const Projection& projection, double allowed, std::vector<Point>& plane)
+      : projection_(projection), allowed_(allowed), plane_(plane) {}
+
+  /// Adds the places from a on, without b. Halving gives the same places from either end, so that what had a
+  /// side in common still has.
+  void add(Point a, Point b) { add(a, projection_.toPlane(a), b, projection_.toPlane(b)); }
+
+ private:
+  void add(Point a, Point from, Point b, Point to) {
+    const Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+    const bool halves = middle != a && middle != b;
+    const Point at = halves ? projection_.toPlane(middle) : from;
+    const double off = std::hypot(at.x - (from.x + to.x) / 2, at.y - (from.y + to.y) / 2);
+    const double longer = std::max(std::abs(a.x - b.x), std::abs(a.y - b.y));
+    if (halves && (longer > longest_side || off > allowed_)) {
+      add(a, from, middle, at);
+      add(middle, at, b, to);
+    } else if (plane_.empty() || plane_.back() != from) {
+      plane_.push_back(from);
+    }
+  }
+
+  const Projection& projection_;
+  double allowed_;
+  std::vector<Point>& plane_;
+};
+
+/// How far from the chord between two points more a side may lie.
+double allowedDeviation(const Projection& projection, const Outline& degrees) {
+  constexpr double part = 1e-6;
+  std::vector<Point> plane;
+  plane.reserve(degrees.points.size());
+  for (const Point place : degrees.points) plane.push_back(projection.toPlane(place));
+  const Box box = boxOf(plane);
+  return part * std::max(box.xmax - box.xmin, box.ymax - box.ymin);
+}
+
+Result<double> reachOf(std::span<const Point> kilometers) {
+  double farthest = 0;
+  for (const Point point : kilometers) farthest = std::max(farthest, std::hypot(point.x, point.y));
+  const double half = std::min(farthest / (2 * authalic_radius), 1.0);
+  const double reach = 2 * std::asin(half) / degree;
+  if (reach <= quarter) return reach;
+  return tl::unexpected(
+      refusal(Subject::domain, fmt::format("the domain reaches {:.0f} degrees from the center of the "
+                                           "projection; {} are the most",
+                                           reach, quarter)));
+}
+
+}  // namespace
+
+Result<Outline> outlineOf(const Box& degrees) {
+  const auto refuse = [](std::string_view what) {
+    return tl::unexpected(refusalOf(Subject::domain, std::string(what)));
+  };
+  const auto [xmin, ymin, xmax, ymax] = degrees;
+  if (!(xmin >= -turn) || !(xmax <= turn)) return refuse("its longitudes are not within 360 degrees of 0");
+  if (!(ymin >= -quarter) || !(ymax <= quarter))
+    return refuse("its latitudes are not within 90 degrees of 0");
+  if (!(xmin < xmax) || !(ymin < ymax)) return refuse("it is no box");
+  if (xmax - xmin > turn) return refuse("it is more than 360 degrees wide");
+  Outline outline;
+  outline.ring_offsets = outline.polygon_offsets = {0};
+  std::vector<Point> ring;
+  if (xmax - xmin < turn) {
+    addParallel(ymin, xmin, xmax, ring);
+    ring.push_back({xmax, ymin});
+    addParallel(ymax, xmax, xmin, ring);
+    ring.push_back({xmin, ymax});
+    addRing(ring, outline);
+  } else {
+    // Around a pole: the parallel away from it, and inside it the other, unless that is the pole itself.
+    if (ymin == -quarter && ymax == quarter) return refuse("it is the whole Earth");
+    const bool north = ymin + ymax > 0;
+    for (const double latitude : {north ? ymin : ymax, north ? ymax : ymin}) {
+      if (std::abs(latitude) == quarter) continue;
+      ring.clear();
+      addParallel(latitude, xmin, xmax, ring);
+      ring.push_back({xmax, latitude});
+      addRing(ring, outline);
+    }
+  }
+  outline.polygon_offsets.push_back(outline.ring_offsets.size() - 1);
+  return outline;
+}
+
+Result<Outline> toPlane(const Projection& projection, const Outline& degrees) {
+  if (auto amid = projectionAmid(degrees); !amid) return tl::unexpected(std::move(amid.error()));
+  const double allowed = allowedDeviation(projection, degrees);
+  Outline outline;
+  outline.ring_offsets = {0};
+  outline.polygon_offsets = degrees.polygon_offsets;
+  for (std::size_t r = 0; r + 1 < degrees.ring_offsets.size(); ++r) {
+    const auto begin = degrees.ring_offsets[r], end = degrees.ring_offsets[r + 1];
+    std::vector<Point> ring;
+    Sides sides(projection, allowed, ring);
+    for (auto p = begin; p < end; ++p) {
+      const Point next = degrees.points[p + 1 < end ? p + 1 : begin];
+      // A ring that ends a turn from where it began goes on from there.
+      if (p + 1 < end || std::abs(next.x - degrees.points[p].x) < turn) sides.add(degrees.points[p], next);
+    }
+    while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
+    addRing(ring, outline);
+  }
+  return outline;
+}
+
+Result<double> reachOf(const Outline& kilometers) { return reachOf(std::span(kilometers.points)); }
+
+Result<double> reachOf(const Box& kilometers) {
+  const auto [xmin, ymin, xmax, ymax] = kilometers;
+  const std::array<Point, 4> corners = {{{xmin, ymin}, {xmax, ymin}, {xmax, ymax}, {xmin, ymax}}};
+  return reachOf(std::span(corners));
+}
+
+double distortionAt(double degrees_from_center) { return 1 / std::cos(degrees_from_center / 2 * degree) - 1; }
+
+}  // namespace vorpipe

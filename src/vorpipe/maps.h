@@ -1,0 +1,60 @@
+/// Sites, domains and cells of the Earth, by way of a plane.
+#pragma once
+
+#include <span>
+
+#include "vorpipe/cells.h"
+#include "vorpipe/outline.h"
+#include "vorpipe/projection.h"
+#include "vorpipe/result.h"
+#include "vorpipe/sites.h"
+
+namespace vorpipe {
+
+/// A projection whose center is amid places in degrees, however they lie to the antimeridian and the poles,
+/// rounded to 0.01 degrees: in the direction of the middle of the box around them in space. Errors (input):
+/// a place has a latitude beyond 90 or a longitude beyond 360 degrees from 0; there is none.
+Result<Projection> projectionAmid(const Sites& degrees);
+Result<Projection> projectionAmid(const Outline& degrees);
+
+/// A box in degrees as an outline, its sides along parallels in steps of a few degrees. Its longitudes may be
+/// of any turn; a box of 360 degrees goes around the Earth. Errors (input): a latitude beyond 90 or a
+/// longitude beyond 360 degrees from 0, more than 360 degrees of longitude, both poles.
+Result<Outline> outlineOf(const Box& degrees);
+
+/// Sites from degrees to the plane; weights stay, which are square kilometers then. Errors: as
+/// projectionAmid's.
+Result<Sites> toPlane(const Projection& projection, const Sites& degrees, int threads = 0);
+
+/// An outline from degrees to the plane: its sides are straight in longitude and latitude, and get as many
+/// points more as keep them within a millionth of its extent. Parts that share a side still do. Errors: as
+/// projectionAmid's.
+Result<Outline> toPlane(const Projection& projection, const Outline& degrees);
+
+/// How far a domain in the plane reaches from the center, in degrees of the sphere of equal area. Error
+/// (input): farther than 90.
+Result<double> reachOf(const Outline& kilometers);
+Result<double> reachOf(const Box& kilometers);
+
+/// By which part distances are wrong, at most, so many degrees from the center: those around it are too long,
+/// those away from it too short.
+double distortionAt(double degrees_from_center);
+
+/// All positions of a diagram from the plane to degrees; longitudes are within 180 degrees of the center's,
+/// and may be beyond 180 themselves: nothing is cut at the antimeridian. Measures stay in kilometers, to
+/// their powers. A cell that lies at the pole, or around it, is no polygon in degrees.
+void toDegrees(const Projection& projection, Diagram& diagram, int threads = 0);
+
+/// Sites in degrees in the turn that toDegrees has positions in.
+Sites turned(const Projection& projection, Sites degrees);
+
+/// How much a domain is larger than what it is around, on every side.
+struct Margin {
+  double value = 0.05;
+  bool relative = true;  ///< to the longer side of the sites' box; else in the unit of coordinates
+};
+
+/// domainOf with another margin: 0 or more. A box without area, where sites lie on a line, is no domain.
+Box domainOf(const Sites& sites, const Margin& margin);
+
+}  // namespace vorpipe

@@ -1,0 +1,53 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/geometry/predicates.h"
+#include "unit/fixtures/checked_runs.h"
+#include "unit/fixtures/outlines.h"
+
+namespace vorpipe::test {
+namespace {
+
+TEST(Hull, noSiteLiesBeyondItAndItsCornersAreSites) {
+  const Sites sites = generate(Pattern::clusters, 5000, 4);
+  const auto hull = hullOf(sites, 0);
+  ASSERT_TRUE(hull) << hull.error().message;
+  const double side = ringArea(hull->points) > 0 ? 1 : -1;
+  for (std::size_t k = 0; k < hull->points.size(); ++k) {
+    const Point a = hull->points[k], b = hull->points[(k + 1) % hull->points.size()];
+    bool is_site = false;
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      const Point p{sites.x[i], sites.y[i]};
+      is_site = is_site || p == a;
+      ASSERT_GE(side * core::orientation(a, b, p), 0) << "site " << i << " beyond side " << k;
+    }
+    EXPECT_TRUE(is_site) << "corner " << k;
+  }
+  EXPECT_TRUE(checkInput(sites, inside(*hull)));
+}
+
+TEST(Hull, growsByItsMarginOnEverySide) {
+  const auto hull = hullOf(Sites{{0, 2, 2, 0, 1}, {0, 0, 1, 1, 0.5}, {}}, 0.5);
+  ASSERT_TRUE(hull) << hull.error().message;
+  EXPECT_NEAR(std::abs(ringArea(hull->points)), 3 * 2, 1e-12);
+  const Box box = boxOf(hull->points);
+  EXPECT_DOUBLE_EQ(box.xmin, -0.5);
+  EXPECT_DOUBLE_EQ(box.ymax, 1.5);
+}
+
+TEST(Hull, ofSitesOnALineThereIsNone) {
+  for (const Sites& sites : {Sites{{1}, {1}, {}}, Sites{{1, 2}, {1, 2}, {}}, Sites{{1, 2, 3}, {1, 2, 3}, {}},
+                             Sites{{5, 5, 5, 5}, {5, 5, 5, 5}, {}}}) {
+    const auto hull = hullOf(sites, 1);
+    ASSERT_FALSE(hull);
+    EXPECT_EQ(hull.error().subject, Subject::outline);
+    EXPECT_THAT(hull.error().message, testing::HasSubstr("no area"));
+  }
+  EXPECT_FALSE(hullOf(Sites{{0, 1, 0}, {0, 0, 1}, {}}, -1));
+  EXPECT_FALSE(hullOf(Sites{{0, 1, std::nan("")}, {0, 0, 1}, {}}, 0));
+}
+
+}  // namespace
+}  // namespace vorpipe::test

@@ -1,0 +1,189 @@
+#include <fmt/core.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <set>
+
+#include "unit/fixtures/checked_runs.h"
+#include "unit/fixtures/outlines.h"
+#include "vorpipe.h"
+#include "vorpipe/maps.h"
+
+namespace vorpipe::test {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+/// The area of the ellipsoid between two parallels and two meridians, in closed form; km2.
+double areaOnEllipsoid(const Box& degrees) {
+  constexpr double a = 6378.137, f = 1 / 298.257223563, e2 = f * (2 - f);
+  const double e = std::sqrt(e2);
+  const auto q = [&](double latitude) {
+    const double sine = std::sin(latitude * degree);
+    return (1 - e2) * (sine / (1 - e2 * sine * sine) + std::atanh(e * sine) / e);
+  };
+  return a * a / 2 * (degrees.xmax - degrees.xmin) * degree * (q(degrees.ymax) - q(degrees.ymin));
+}
+
+Sites randomSites(const Box& box, std::size_t count, std::uint64_t seed) {
+  Sites sites = generate(Pattern::random, count, seed);
+  for (double& x : sites.x) x = box.xmin + x * (box.xmax - box.xmin);
+  for (double& y : sites.y) y = box.ymin + y * (box.ymax - box.ymin);
+  return sites;
+}
+
+/// The cells of sites in degrees, in the plane around them, inside a box in degrees.
+Diagram cellsOnEarth(const Sites& sites, const Box& box) {
+  const Outline degrees = outlineOf(box).value();
+  const Projection projection = projectionAmid(degrees).value();
+  const Outline plane = toPlane(projection, degrees).value();
+  const Sites there = toPlane(projection, sites).value();
+  const CellsOptions options = inside(plane, boxOf(plane.points));
+  Diagram diagram = cellsOf(there, options);
+  EXPECT_THAT(promisesOf(check(there, options, diagram)), testing::IsEmpty());
+  toDegrees(projection, diagram);
+  return diagram;
+}
+
+std::set<std::int64_t> neighborsOf(const Diagram& diagram, std::size_t site) {
+  const auto neighbors = diagram.cell(site).neighbors();
+  std::set<std::int64_t> sites;
+  std::ranges::copy_if(neighbors, std::inserter(sites, sites.end()),
+                       [](std::int64_t n) { return !isWall(n); });
+  return sites;
+}
+
+TEST(Maps, centersLieAmidPlaces) {
+  const auto center = [](const std::vector<double>& x, const std::vector<double>& y) {
+    return projectionAmid(Sites{x, y, {}}).value().center();
+  };
+  EXPECT_EQ(center({10, 14}, {0, 0}), (Point{12, 0}));
+  EXPECT_EQ(center({178, -178}, {-5, 5}), (Point{180, 0}));
+  EXPECT_EQ(center({350, 10}, {20, 20}).x, 0);
+  EXPECT_EQ(center({0, 90, 180, -90}, {70, 70, 70, 70}).y, 90);
+  EXPECT_EQ(center({0, 90, 180, -90}, {-80, -80, -80, -80}).y, -90);
+}
+
+TEST(Maps, placesThatAreNoneAreRefused) {
+  for (const Point bad : {Point{0, 91}, Point{400, 0}, Point{std::nan(""), 0}, Point{0, std::nan("")}}) {
+    const auto amid = projectionAmid(Sites{{1, bad.x}, {2, bad.y}, {}});
+    ASSERT_FALSE(amid);
+    EXPECT_EQ(amid.error().subject, Subject::sites);
+    EXPECT_THAT(amid.error().message, testing::HasSubstr("site 1 at"));
+    EXPECT_FALSE(toPlane(Projection::around({0, 0}).value(), Sites{{1, bad.x}, {2, bad.y}, {}}));
+  }
+  for (const Box& bad :
+       {Box{0, 0, 1, 91}, Box{-400, 0, 0, 1}, Box{-180, -90, 180, 90}, Box{-200, 0, 200, 1}}) {
+    EXPECT_FALSE(outlineOf(bad));
+  }
+}
+
+TEST(Maps, boxesInDegreesHaveTheirAreaOnTheEllipsoid) {
+  for (const Box& box : {Box{5, 47, 15, 55},
+                         {170, -50, 190, -30},
+                         {-10, -10, 10, 10},
+                         {-180, 60, 180, 90},
+                         {-180, 60, 180, 80},
+                         {-180, -90, 180, -65},
+                         {30, 80, 60, 90},
+                         {12, 41, 12.01, 41.01}}) {
+    SCOPED_TRACE(fmt::format("{},{},{},{}", box.xmin, box.ymin, box.xmax, box.ymax));
+    const Outline degrees = outlineOf(box).value();
+    const Outline plane = toPlane(projectionAmid(degrees).value(), degrees).value();
+    const auto whole = mended(plane, true);
+    ASSERT_TRUE(whole) << whole.error().message;
+    EXPECT_NEAR(outlineArea(whole->outline), areaOnEllipsoid(box), 1e-5 * areaOnEllipsoid(box));
+  }
+}
+
+TEST(Maps, areasOfCellsAddUpToThatOnTheEllipsoid) {
+  const Box box{5, 47, 15, 55};
+  const Diagram diagram = cellsOnEarth(randomSites(box, 300, 3), box);
+  EXPECT_NEAR(areaSum(diagram), areaOnEllipsoid(box), 1e-5 * areaOnEllipsoid(box));
+  for (const Point vertex : diagram.vertices) {
+    EXPECT_TRUE(vertex.x > 5 - 1e-6 && vertex.x < 15 + 1e-6 && vertex.y > 47 - 1e-3 && vertex.y < 55 + 1e-3)
+        << vertex.x << ", " << vertex.y;
+  }
+}
+
+TEST(Maps, theAntimeridianAndThePolesAreNoBorders) {
+  const Box here{5, 47, 15, 55}, there{175, 47, 185, 55};
+  const Sites sites = randomSites(here, 300, 3);
+  Sites moved = sites;
+  for (double& x : moved.x) x = std::remainder(x + 170, 360);
+  const Diagram a = cellsOnEarth(sites, here), b = cellsOnEarth(moved, there);
+  std::size_t differ = 0;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    EXPECT_NEAR(a.area[i], b.area[i], 1e-6 * a.area[i]);
+    EXPECT_NEAR(b.centroid[i].x, a.centroid[i].x + 170, 1e-8);
+    EXPECT_NEAR(b.centroid[i].y, a.centroid[i].y, 1e-8);
+    differ += neighborsOf(a, i) == neighborsOf(b, i) ? 0 : 1;
+  }
+  EXPECT_EQ(differ, 0u);
+  const Sites same = turned(Projection::around({180, 51}).value(), moved);
+  for (std::size_t i = 0; i < sites.size(); ++i) EXPECT_NEAR(same.x[i], sites.x[i] + 170, 1e-12);
+  const Box cap{-180, 70, 180, 90};
+  EXPECT_NEAR(areaSum(cellsOnEarth(randomSites(cap, 100, 4), cap)), areaOnEllipsoid(cap),
+              1e-5 * areaOnEllipsoid(cap));
+}
+
+// In central Europe a degree of longitude is some 0.63 of one of latitude.
+TEST(Maps, degreesTakenForAPlaneGiveOneSiteInSixOtherNeighbors) {
+  const Box box{5, 47, 15, 55};
+  const Sites sites = randomSites(box, 2000, 1);
+  const Diagram projected = cellsOnEarth(sites, box);
+  const Diagram flat = cellsOf(sites, CellsOptions{box, {}, Periodic::none, {}, {}, Detail::measures, {}});
+  std::size_t pairs = 0, lost = 0;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const auto there = neighborsOf(projected, i);
+    for (const auto neighbor : neighborsOf(flat, i)) {
+      ++pairs;
+      lost += there.contains(neighbor) ? 0 : 1;
+    }
+  }
+  EXPECT_NEAR(static_cast<double>(lost) / static_cast<double>(pairs), 0.16, 0.02);
+}
+
+TEST(Maps, outlinesThatShareASideInDegreesShareItInThePlane) {
+  const Outline degrees = outlineOf({{rectangle(0, 40, 10, 60)}, {{{10, 40}, {20, 40}, {20, 60}, {10, 60}}}});
+  const Outline plane = toPlane(projectionAmid(degrees).value(), degrees).value();
+  const auto whole = mended(plane, false);
+  ASSERT_TRUE(whole) << whole.error().message;
+  EXPECT_EQ(whole->outline.polygon_offsets.size(), 2u);
+  EXPECT_EQ(whole->outline.ring_offsets.size(), 2u);
+  // As a file has a country that it cuts at the antimeridian.
+  const Outline halves = outlineOf({{rectangle(170, 60, 180, 70)}, {rectangle(-180, 60, -170, 70)}});
+  const auto country = mended(toPlane(projectionAmid(halves).value(), halves).value(), false);
+  ASSERT_TRUE(country) << country.error().message;
+  EXPECT_EQ(country->outline.ring_offsets.size(), 2u);
+  EXPECT_NEAR(outlineArea(country->outline), areaOnEllipsoid({170, 60, 190, 70}), 10);
+}
+
+TEST(Maps, domainsReachAQuarterOfTheEarthAtMost) {
+  EXPECT_NEAR(reachOf(Box{-1, -1, 1, 1}).value(), 0.0127, 1e-3);
+  const Outline degrees = outlineOf(Box{-30, -1, 30, 1}).value();
+  EXPECT_NEAR(reachOf(toPlane(projectionAmid(degrees).value(), degrees).value()).value(), 30, 0.1);
+  const auto far = reachOf(Box{-9000, -9000, 9000, 9000});
+  ASSERT_FALSE(far);
+  EXPECT_THAT(far.error().message, testing::HasSubstr("degrees from the center"));
+  EXPECT_NEAR(distortionAt(30), 0.035, 1e-3);
+}
+
+TEST(Maps, marginsGrowTheDomainOfSites) {
+  const Sites sites{{0, 10}, {0, 4}, {}};
+  const auto corners = [&](const Margin& margin) {
+    const Box box = domainOf(sites, margin);
+    return std::vector<double>{box.xmin, box.ymin, box.xmax, box.ymax};
+  };
+  EXPECT_THAT(corners({0.1, true}), testing::ElementsAre(-1, -1, 11, 5));
+  EXPECT_THAT(corners({3, false}), testing::ElementsAre(-3, -3, 13, 7));
+  EXPECT_THAT(corners({0, true}), testing::ElementsAre(0, 0, 10, 4));
+  EXPECT_THAT(corners({}), testing::ElementsAre(-0.5, -0.5, 10.5, 4.5));
+}
+
+}  // namespace
+}  // namespace vorpipe::test
