@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "io/files/error.h"
+#include "io/files/read_log.h"
 
 namespace vorpipe {
 
@@ -15,12 +16,16 @@ InputFile::InputFile(int descriptor, std::string name, std::optional<std::uint64
     : descriptor_(descriptor), name_(std::move(name)), size_(size) {}
 
 InputFile::InputFile(InputFile&& other) noexcept
-    : descriptor_(std::exchange(other.descriptor_, -1)), name_(std::move(other.name_)), size_(other.size_) {}
+    : descriptor_(std::exchange(other.descriptor_, -1)),
+      name_(std::move(other.name_)),
+      size_(other.size_),
+      hash_(std::move(other.hash_)) {}
 
 InputFile& InputFile::operator=(InputFile&& other) noexcept {
   std::swap(descriptor_, other.descriptor_);
   std::swap(name_, other.name_);
   std::swap(size_, other.size_);
+  std::swap(hash_, other.hash_);
   return *this;
 }
 
@@ -47,6 +52,13 @@ Result<InputFile> InputFile::open(const std::string& path) {
   if (S_ISREG(status.st_mode) && !standard) {
     file.size_ = static_cast<std::uint64_t>(status.st_size);
   }
+  if (ReadLog* log = ReadLog::current()) {
+    if (file.size_) {
+      log->note(path);
+    } else {
+      file.hash_ = log->noteStream(path);
+    }
+  }
   return file;
 }
 
@@ -58,6 +70,7 @@ Result<std::size_t> InputFile::read(std::span<char> bytes) {
       break;
     }
     if (got > 0) {
+      if (hash_) hash_->add({bytes.data() + count, static_cast<std::size_t>(got)});
       count += static_cast<std::size_t>(got);
     } else if (errno != EINTR) {
       return systemError(ErrorCode::device, name_, "reading failed", errno);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,6 +11,8 @@
 #include "vorpipe.h"
 
 namespace vorpipe {
+
+class ContentHash;
 
 class InputFile {
  public:
@@ -34,6 +37,7 @@ class InputFile {
   int descriptor_;
   std::string name_;
   std::optional<std::uint64_t> size_;
+  std::shared_ptr<ContentHash> hash_;  ///< of a stream that a ReadLog notes
 };
 
 }  // namespace vorpipe
