@@ -12,6 +12,7 @@
 #include "cli/runs/forecast.h"
 #include "cli/runs/input.h"
 #include "cli/runs/run_end.h"
+#include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
 #include "io/cells/cells_file.h"
 #include "io/domain/density_file.h"
@@ -77,7 +78,7 @@ std::optional<double> massSum(const Diagram& diagram) {
   return std::accumulate(diagram.mass.begin(), diagram.mass.end(), 0.0);
 }
 
-Result<void> writeFiles(const CellsCommand& command, const Input& input, const Diagram& diagram,
+Result<void> writeFiles(const CellsCommand& command, const Input& input, const Diagram& diagram, RunLog& log,
                         std::uint64_t forecast, std::span<OutputFile> files, const Stopwatch& total) {
   const Stopwatch watch;
   std::vector<Writer> writers;
@@ -86,13 +87,11 @@ Result<void> writeFiles(const CellsCommand& command, const Input& input, const D
       return writeCells(to, input.sites, diagram, *format);
     });
   }
-  if (!command.stats.empty()) {
-    writers.emplace_back([&](ByteSink& to) {
-      return to.write(statsJson({"cells", input, diagram.report, watch.milliseconds(), total.milliseconds(),
-                                 forecast, areaSum(diagram), massSum(diagram)}));
-    });
-  }
-  return writeOutputs(files, writers);
+  const auto stats = [&] {
+    return statsJson({"cells", input, diagram.report, log, watch.milliseconds(), total.milliseconds(),
+                      forecast, areaSum(diagram), massSum(diagram)});
+  };
+  return writeOutputs(files, writers, log, stats);
 }
 
 /// What is computed, but for the progress.
@@ -111,9 +110,12 @@ Result<CellsOptions> cellsOptions(const CellsCommand& command, const Input& inpu
   return options;
 }
 
-Result<ExitCode> cells(const CellsCommand& command) {
+Result<ExitCode> cells(const CellsCommand& command, const Invocation& how) {
   setDriverThreads(command.backend.threads);
   const Stopwatch total;
+  RunLog log(how, !command.stats.empty());
+  log.search = command.search;
+  log.threads = command.backend.threads;
   const std::vector<std::string> paths = outputPaths(command);
   if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("cells.csv"));
   const auto fits = forecastGenerated(command.input, planOf(command, command.density.empty() ? 0 : 1),
@@ -131,6 +133,7 @@ Result<ExitCode> cells(const CellsCommand& command) {
   if (!files) return tl::unexpected(std::move(files.error()));
   auto session = Session::open(command.backend);
   if (!session) return tl::unexpected(std::move(session.error()));
+  log.choice = session->choice();
   const auto forecast =
       forecastRun(command.input, *input, ImagesFor::cells, session->device(), command.backend,
                   planOf(command, options->density.values.size()), command.memory_limit);
@@ -141,18 +144,19 @@ Result<ExitCode> cells(const CellsCommand& command) {
   bar.clear();
   if (!diagram) return asOption(diagram.error(), command.input);
   printNotes(command.talk, diagram->report);
+  printMissingCells(command.talk, *input, diagram->status, diagram->report);
   if (!validationIsSilent(diagram->report)) return exit_device;
   if (command.check) {
     const auto passed = passesCheck(check(input->sites, *options, *diagram, threads));
     if (!passed) return tl::unexpected(passed.error());
     if (!*passed) return exit_different;
   }
-  const auto written = writeFiles(command, *input, *diagram, *forecast, *files, total);
+  const auto written = writeFiles(command, *input, *diagram, log, *forecast, *files, total);
   if (!written) return tl::unexpected(written.error());
   printSummary(command.talk, paths,
-               fmt::format("{}, {}\n", outcomeText(paths, diagram->report),
+               fmt::format("{}, {}\n", outcomeText(paths, input->sites, diagram->report),
                            runText(diagram->report, total.milliseconds(), command.check)));
-  if (command.talk.verbose && !session->choice().empty()) printNote(session->choice());
+  if (command.talk.verbose && !log.choice.empty()) printNote(log.choice);
   return exit_done;
 }
 
@@ -164,14 +168,16 @@ void addCells(CommandLine& line) {
       line.addSubcommand("cells",
                          "computes the cells of sites: areas, centroids, neighbors, polygons; with weights, "
                          "those of the power diagram",
-                         [command] { return cells(*command); });
+                         [command](const Invocation& how) { return cells(*command, how); });
   addInputOptions(options, command->input).required();
+  options.group("Output");
   const auto extensions = cellsExtensions();
   addRepeatable(
       options, "-o", "FILE",
       fmt::format("the cells in input order, by the extension: {}; repeatable", fmt::join(extensions, ", ")),
       parseCellsFile, [files = &command->files](CellsFile file) { files->push_back(std::move(file)); },
       {{}, {extensions.begin(), extensions.end()}});
+  options.group("Cells");
   addAnyFile(
       options, "--density", command->density, {".png", ".npy"},
       "a density over the domain, .png (dark is dense) or .npy, pixels with row 0 at the top: the mass "
@@ -179,10 +185,12 @@ void addCells(CommandLine& line) {
   addBackendChoice(options, command->backend);
   addSearchOptions(options, command->search);
   addRunOptions(options, command->backend, command->memory_limit);
+  options.group("Run");
   options.addFlag(
       "--check", command->check,
       "verifies areas, neighbors, polygons and nearest sites; exit code 1 if a promise is broken");
-  addAnyFile(options, "--stats", command->stats, {".json"}, "what was done, in JSON");
+  options.group("Output");
+  addStats(options, command->stats);
   addTalkOptions(options, command->talk);
 }
 

@@ -10,6 +10,7 @@
 #include "cli/runs/forecast.h"
 #include "cli/runs/input.h"
 #include "cli/runs/run_end.h"
+#include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
 #include "io/files/error.h"
 #include "io/pictures/npy_ids.h"
@@ -63,7 +64,8 @@ Result<RenderOptions> pictureOptions(const RenderCommand& command, const Input& 
 }
 
 Result<void> writeFiles(const RenderCommand& command, const Input& input, const Rendering& rendering,
-                        std::uint64_t forecast, std::span<OutputFile> files, const Stopwatch& total) {
+                        RunLog& log, std::uint64_t forecast, std::span<OutputFile> files,
+                        const Stopwatch& total) {
   const Stopwatch watch;
   const Image& image = rendering.image;
   std::vector<Writer> writers;
@@ -73,18 +75,19 @@ Result<void> writeFiles(const RenderCommand& command, const Input& input, const 
   if (!command.ids.empty()) {
     writers.emplace_back([&](ByteSink& to) { return writeNpyIds(to, image.width, image.height, image.ids); });
   }
-  if (!command.stats.empty()) {
-    writers.emplace_back([&](ByteSink& to) {
-      return to.write(statsJson(
-          {"render", input, rendering.report, watch.milliseconds(), total.milliseconds(), forecast}));
-    });
-  }
-  return writeOutputs(files, writers);
+  const auto stats = [&] {
+    return statsJson(
+        {"render", input, rendering.report, log, watch.milliseconds(), total.milliseconds(), forecast});
+  };
+  return writeOutputs(files, writers, log, stats);
 }
 
-Result<ExitCode> render(const RenderCommand& command) {
+Result<ExitCode> render(const RenderCommand& command, const Invocation& how) {
   setDriverThreads(command.backend.threads);
   const Stopwatch total;
+  RunLog log(how, !command.stats.empty());
+  log.search = command.picture.search;
+  log.threads = command.backend.threads;
   const std::vector<std::string> paths = outputPaths(command);
   if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("picture.png"));
   const auto fits = forecastGenerated(
@@ -102,6 +105,7 @@ Result<ExitCode> render(const RenderCommand& command) {
   if (!files) return tl::unexpected(std::move(files.error()));
   auto session = Session::open(command.backend);
   if (!session) return tl::unexpected(std::move(session.error()));
+  log.choice = session->choice();
   const auto forecast =
       forecastRun(command.input, *input, imagesFor(command.picture.color), session->device(), command.backend,
                   planOf(command, {options->width, options->height}), command.memory_limit);
@@ -112,26 +116,30 @@ Result<ExitCode> render(const RenderCommand& command) {
   bar.clear();
   if (!rendering) return asOption(rendering.error(), command.input);
   printNotes(command.talk, rendering->report);
+  printMissingCells(command.talk, *input, rendering->status, rendering->report);
   if (!validationIsSilent(rendering->report)) return exit_device;
   if (command.check) {
     const auto passed = passesCheck(check(input->sites, *options, *rendering, threads));
     if (!passed) return tl::unexpected(passed.error());
     if (!*passed) return exit_different;
   }
-  const auto written = writeFiles(command, *input, *rendering, *forecast, *files, total);
+  const auto written = writeFiles(command, *input, *rendering, log, *forecast, *files, total);
   if (!written) return tl::unexpected(written.error());
-  printSummary(command.talk, paths,
-               fmt::format("{}, {}x{}, {}\n", outcomeText(paths, rendering->report), options->width,
-                           options->height, runText(rendering->report, total.milliseconds(), command.check)));
-  if (command.talk.verbose && !session->choice().empty()) printNote(session->choice());
+  printSummary(
+      command.talk, paths,
+      fmt::format("{}, {}x{}, {}\n", outcomeText(paths, input->sites, rendering->report), options->width,
+                  options->height, runText(rendering->report, total.milliseconds(), command.check)));
+  if (command.talk.verbose && !log.choice.empty()) printNote(log.choice);
   return exit_done;
 }
 
 void addPictureOptions(Options& options, RenderCommand& command) {
+  options.group("Output");
   addFile(options, "-o", command.png, ".png", "the picture");
-  addSizeOption(options, command.size);
   addFile(options, "--ids", command.ids, ".npy",
           "the site of each pixel: uint32, row 0 at the top, 4294967295 where there is none");
+  options.group("Picture");
+  addSizeOption(options, command.size);
   addParsed(options, "--color", command.picture.color, "BY",
             fmt::format("what colors show: {} [site]", anyOf(colorNames())), parseColor, {colorNames(), {}});
   addParsed(options, "--colormap", command.picture.colormap, "NAME",
@@ -147,15 +155,17 @@ void addRender(CommandLine& line) {
   auto command = std::make_shared<RenderCommand>();
   Options options =
       line.addSubcommand("render", "draws the Voronoi diagram of sites; with weights, the power diagram",
-                         [command] { return render(*command); });
+                         [command](const Invocation& how) { return render(*command, how); });
   addInputOptions(options, command->input).required();
   addPictureOptions(options, *command);
   addBackendChoice(options, command->backend);
   addSearchOptions(options, command->picture.search);
   addRunOptions(options, command->backend, command->memory_limit);
+  options.group("Run");
   options.addFlag("--check", command->check,
                   "verifies statuses and the nearest site of each pixel; exit code 1 if a promise is broken");
-  addAnyFile(options, "--stats", command->stats, {".json"}, "what was done, in JSON");
+  options.group("Output");
+  addStats(options, command->stats);
   addTalkOptions(options, command->talk);
 }
 
