@@ -46,6 +46,8 @@ Result<std::vector<std::string>> argumentsAgain(const RerunCommand& command, con
       again.push_back(argument);
     }
   }
+  const auto given = [&](std::string_view flag) { return std::ranges::find(again, flag) != again.end(); };
+  if (command.talk.quiet && !given("--quiet") && !given("--verbose")) again.emplace_back("--quiet");
   return again;
 }
 
