@@ -66,7 +66,7 @@ vorpipe_read_rooms(backend/opengl "vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\
 vorpipe_read_rooms(io "vorpipe\\.h|geos\\.h|base/parallel\\.h")
 vorpipe_read_rooms(
   bench "vorpipe\\.h|base/.*|io/(text/json_text|sites/site_source)\\.h|core/(cells/cells_run|picture/picture)\\.h|backend/(backend|exact_tier|forwarding_backend|registry/registry)\\.h")
-vorpipe_read_rooms(cli "vorpipe\\.h|vorpipe/selftest\\.h|selftest/selftest_json\\.h|base/stopwatch\\.h|io/.*|bench/.*")
+vorpipe_read_rooms(cli "vorpipe\\.h|vorpipe/selftest\\.h|selftest/selftest_json\\.h|base/(parallel|stopwatch)\\.h|io/.*|bench/.*")
 
 # Headers, most of them a library's, and the only files that may include them.
 set(guarded_headers
@@ -79,6 +79,7 @@ set(guarded_headers
     "^png\\.h$"
     "^zlib\\.h$"
     "^sqlite3\\.h$"
+    "^xxhash\\.h$"
     "^geos_c\\.h$"
     "^geos\\.h$"
     "^boost/geometry/"
@@ -92,12 +93,13 @@ set(users
     "^core/search/flann_"
     "^io/text/csv_reader\\."
     "^io/pictures/png_file\\."
-    "^io/(arrays/zip_file|files/inflater|pictures/deflate)\.cpp$"
+    "^io/(arrays/zip_file|files/inflater|pictures/deflate)\\.cpp$"
     "^io/geopackage/"
+    "^io/files/content_hash\\.cpp$"
     "^geos\\.h$"
     "^(core/outline/(geos_outline|hull|mended|validity)|io/cells/hole_triangles)\\."
     "^core/outline/"
-    "^cli/options/command_line\\.cpp$"
+    "^cli/options/(command_line|help_format)\\.cpp$"
     "^base/parallel\\.cpp$")
 
 # Sets allowed to whether file (relative to src) may include header, quoted or in angle brackets.

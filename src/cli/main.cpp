@@ -1,11 +1,13 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
 
 #include "cli/commands/command.h"
 #include "cli/kept_memory.h"
+#include "cli/manual/examples.h"
 #include "cli/manual/manual.h"
 #include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
@@ -27,8 +29,8 @@ int exitCode(const Error& error) {
   return exit_device;
 }
 
-int runSubcommand(const Run& run) {
-  const auto done = run();
+int runSubcommand(const Run& run, const Invocation& how) {
+  const auto done = run(how);
   ignoreSignals();
   if (!done) {
     printError(done.error().code == ErrorCode::cancelled ? "interrupted" : done.error().message);
@@ -44,17 +46,21 @@ int runSubcommand(const Run& run) {
 int parseAndRun(int count, char** arguments) {
   CommandLine line("vorpipe", "Voronoi diagrams of sites in the plane, on any GPU or without one",
                    fmt::format("vorpipe {}", version()));
-  for (const auto add : {addRender, addCells, addDiff, addCompare, addDevices, addBench, addSelftest})
+  for (const auto add :
+       {addRender, addCells, addDiff, addCompare, addRerun, addDevices, addBench, addSelftest})
     add(line);
+  addExamples(line);
+  const Invocation how{{arguments + std::min(count, 1), arguments + count}};
   if (const auto manual = manualAsked(line, {arguments, static_cast<std::size_t>(count)})) {
-    return runSubcommand([&]() -> Result<ExitCode> {
+    const auto print = [&](const Invocation&) -> Result<ExitCode> {
       if (!*manual) return tl::unexpected(manual->error());
       fmt::print("{}", **manual);
       return exit_done;
-    });
+    };
+    return runSubcommand(print, how);
   }
   const auto run = line.parse(count, arguments);
-  return run ? runSubcommand(*run) : run.error();
+  return run ? runSubcommand(*run, how) : run.error();
 }
 
 }  // namespace

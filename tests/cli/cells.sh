@@ -6,7 +6,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 # -- Cells ----------------------------------------------------------------------------------------------
 for backend in $backends; do
   succeeds "cells on $backend" cells --backend $backend --sites random:2000 --check -o out/cells.csv -o out/cells.npz --stats out/cells.json
-  expect "out/cells.csv, out/cells.npz, out/cells.json: 2000 cells (0 empty, 0 duplicate), $backend on "
+  expect "out/cells.csv, out/cells.npz, out/cells.json: 2000 unweighted cells (0 empty, 0 duplicate), $backend on "
   expect ", checked"
   [ "$(wc -l <log/out)" -eq 1 ] || fail "not one line on standard output"
   grep -q '"command": "cells"' out/cells.json || fail "out/cells.json is of another command"
@@ -29,7 +29,7 @@ area_sum=$(grep '"area_sum"' out/cells.json)
 succeeds "cells, only stats, no polygons" cells --backend cpu --sites clusters:500 --stats out/cells.json
 grep -qF "$area_sum" out/cells.json || fail "area_sum depends on the files"
 succeeds "cells, nothing but the check" cells --backend cpu --sites clusters:500 --check
-expect "500 cells (0 empty, 0 duplicate), cpu on "
+expect "500 unweighted cells (0 empty, 0 duplicate), cpu on "
 [ "$(wc -l <log/out)" -eq 1 ] || fail "not one line on standard output"
 for search in grid flann flann:12; do
   succeeds "cells, search $search" cells --backend cpu --sites clusters:500 --search $search -o out/cells2.csv
@@ -37,8 +37,12 @@ for search in grid flann flann:12; do
   cmp -s <(cut -d, -f1-5,10 out/cells.csv) <(cut -d, -f1-5,10 out/cells2.csv) || fail "the cells depend on the search"
 done
 succeeds "cells, only stats" cells --backend cpu --sites hex:500 --search flann:8 --domain 0.2,0.2,0.4,0.5 --check --stats out/cells.json
-succeeds "verbose" cells --sites random:9 --verbose --stats out/cells.json
-expect "9 cells"
+name="verbose"
+cases=$((cases + 1))
+run 0 cells --sites random:9 --verbose --stats out/cells.json
+one_line
+grep -q '^vorpipe: note: auto took' log/err || fail "it does not say why a backend was taken"
+expect "9 unweighted cells"
 for sites in square:400 hex:400 circle:700 circle:300 random:1 random:2; do
   succeeds "cells of $sites" cells --backend cpu --sites $sites --check --stats out/cells.json
 done
@@ -67,7 +71,7 @@ fi
 
 printf 'x,y,weight\n1,0,5\n2,3,6\n1,0,7\n' >in/cells.csv
 succeeds "cells of a file with weights" cells --backend cpu --sites in/cells.csv --check -o out/cells.csv
-expect "2 cells (0 empty, 1 duplicate)"
+expect "2 weighted cells (0 empty, 1 duplicate)"
 grep -q '^2,1,0,7,ok,' out/cells.csv || fail "the heavier of two equal sites does not own the cell"
 grep -q '^0,1,0,5,duplicate,' out/cells.csv || fail "the lighter of two equal sites is no duplicate"
 

@@ -19,6 +19,8 @@ fails 1 "a changed id" "1 pixels wrong (0 ties, 5399 equal), first at row 7, col
 fails 1 "a changed id, sites unknown" "first at row 7, column 11" diff out/a.npy in/mutant.npy
 fails 1 "ids of other sites" "pixels wrong" diff out/a.npy out/c.npy --sites random:300
 fails 1 "pictures that differ" "pixels differ" diff out/a.png out/c.png --quiet
+grep -q 'to tell ties from faults, render both with --ids, as a.npy and b.npy, then vorpipe diff a.npy b.npy --sites' log/err ||
+  fail "it does not say how to tell ties from faults"
 fails 1 "sizes that differ" "the sizes differ" diff out/a.png out/d.png
 cp out/a.npy out/b.Npy
 succeeds "an extension in any case" diff out/a.npy out/b.Npy
@@ -30,6 +32,7 @@ succeeds "compare" compare --backends "${backends// /,}" --sites random:300 --si
 expect "cpu / vulkan-geometry"
 expect "vulkan-geometry / opengl"
 expect "worst area"
+expect "(on edges: a pixel whose center lies on an edge may go to either cell; so many did, and at most so many could)"
 grep -q '"wrong": 0' out/r.json || fail "out/r.json has no wrong"
 for key in different_statuses different_neighbors different_areas worst_area of_allowed cells_ms area_slack; do
   grep -q "\"$key\":" out/r.json || fail "out/r.json has no $key"

@@ -18,7 +18,7 @@ printf '0.25\n0\n0.01\n' >in/weights.txt
 printf 'radius\n0.5\n0\n0.1\n' >in/radii.csv
 box="--domain 0,0,1,1"
 succeeds "weights in a column" cells --backend cpu --sites in/weight.csv $box --check -o out/w.csv --stats out/w.json
-expect "2 cells (1 empty, 0 duplicate)"
+expect "2 weighted cells (1 empty, 0 duplicate)"
 grep -q '^1,0.35,0.5,0,empty,0,' out/w.csv || fail "the second site is not hidden"
 grep -A3 '"weights": \[' out/w.json | tr -d ' \n' | grep -q '\[0.0,0.25\]' || fail "the weights are not in out/w.json"
 for sites in "in/radius.csv" "in/weight.xyz" "in/plain.csv --weights in/weights.txt" "in/plain.csv --weights in/radii.csv"; do

@@ -1,7 +1,7 @@
 # What the program writes of its own command line, man pages and completions: bash manual.sh VORPIPE
 source "$(dirname "$0")/harness.sh" "$1"
 
-subcommands=$("$vorpipe" --help | sed -n '/^Subcommands:/,$ s/^  \([a-z]*\) .*/\1/p')
+subcommands=$("$vorpipe" --help | sed -n '/^Subcommands:/,/^$/ s/^  \([a-z]*\) .*/\1/p')
 pages="vorpipe"
 for subcommand in $subcommands; do pages+=" vorpipe-$subcommand"; done
 mkdir man files
@@ -29,7 +29,29 @@ case_of "the page of the program has all subcommands"
 for subcommand in $subcommands; do
   grep -qxF "\\fB$subcommand\\fP" man/vorpipe.1 || fail "not $subcommand"
 done
-[ "$(echo $pages | wc -w)" -eq 8 ] || fail "there are not seven subcommands: $subcommands"
+[ "$(echo $pages | wc -w)" -eq 9 ] || fail "there are not eight subcommands: $subcommands"
+
+# Options stand in groups, in one order everywhere, and each in one.
+for subcommand in $subcommands; do
+  case_of "groups of $subcommand"
+  "$vorpipe" "$subcommand" --help >files/help
+  groups=$(grep -oE '^[A-Z][a-z]+:$' files/help | tr -d : | grep -vx 'Positionals\|Examples\?')
+  ordered=$(for group in Input Domain Cells Picture Measurement Output Device Run Help; do
+    grep -x $group <<<"$groups"
+  done)
+  [ "$groups" = "$ordered" ] || fail "they are: $(xargs <<<"$groups")"
+  [ "$(sed -n 's/^\.SS //p' "man/vorpipe-$subcommand.1")" = "$groups" ] || fail "the page has others"
+  [ -z "$(grep -oE '^  (-[a-z],)?-[a-z-]+' files/help | sort | uniq -d)" ] || fail "an option stands twice"
+  grep -qE '^Examples?:$' files/help || fail "there is no example"
+  # The page's examples are run below.
+  sed -n '/^Example/,$ s/^    //p' files/help >files/examples
+  [ "$(wc -l <files/examples)" -eq "$(sed -n '/^\.EX$/,/^\.EE$/p' "man/vorpipe-$subcommand.1" | grep -vc '^\.E')" ] ||
+    fail "the page has other examples"
+done
+case_of "help is short and begins with an example"
+"$vorpipe" --help >log/out
+[ "$(wc -l <log/out)" -le 30 ] || fail "it has more than 30 lines"
+expect "    vorpipe render --sites random:10000 -o voronoi.png"
 
 # text PAGE: as it is read, without the marks of bold and underlined.
 text() { MANWIDTH=80 man --encoding=ascii --local-file "man/$1.1" 2>log/err | col -b; }
@@ -96,7 +118,7 @@ mkdir files/folder
 : >files/d.doc
 : >files/e.geojson
 : >files/f.json
-rm files/help files/text
+rm files/help files/text files/examples
 
 # offered_SHELL LINE: what a shell offers for the last word of a line, one to a line.
 offered_bash() {

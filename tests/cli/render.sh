@@ -4,7 +4,7 @@
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 # -- Help and version, everywhere -----------------------------------------------------------------------
-for sub in "" render cells diff compare devices; do
+for sub in "" render cells diff compare rerun devices; do
   succeeds "help of '$sub'" $sub --help
   expect "Usage: vorpipe"
   succeeds "version of '$sub'" $sub --version
@@ -13,7 +13,7 @@ done
 
 # -- What works -----------------------------------------------------------------------------------------
 succeeds "render" render --backend cpu --sites random:300 --size 90x60 -o out/a.png --ids out/a.npy --stats out/a.json
-expect "out/a.png, out/a.npy, out/a.json: 300 cells (0 empty, 0 duplicate), 90x60, cpu on "
+expect "out/a.png, out/a.npy, out/a.json: 300 unweighted cells (0 empty, 0 duplicate), 90x60, cpu on "
 [ "$(wc -l <log/out)" -eq 1 ] || fail "not one line on standard output"
 [ "$(head -c 8 out/a.png | tail -c 7 | head -c 3)" = PNG ] || fail "out/a.png is no PNG"
 head -c 128 out/a.npy | grep -q "(60, 90)" || fail "out/a.npy is not of shape (60, 90)"
@@ -40,7 +40,7 @@ done
 succeeds "check" render --backend cpu --sites clusters:500 --size 50x50 --check --stats out/g.json
 expect "checked"
 succeeds "nothing but the check" render --backend cpu --sites clusters:500 --size 50x50 --check
-expect "500 cells (0 empty, 0 duplicate), 50x50, cpu on "
+expect "500 unweighted cells (0 empty, 0 duplicate), 50x50, cpu on "
 for search in grid flann flann:12; do
   succeeds "search $search" render --backend cpu --sites random:300 --size 90x60 --search $search --ids out/s.npy
   cmp -s out/a.npy out/s.npy || fail "the ids depend on the search"
@@ -48,31 +48,40 @@ done
 
 printf 'y,x,weight\n1,0,5\n2,3,6\n1,0,7\n' >in/good.csv
 succeeds "file with weights" render --backend cpu --sites in/good.csv --color weight --size 30x30 -o out/h.png
-expect "2 cells (0 empty, 1 duplicate)"
+expect "2 weighted cells (0 empty, 1 duplicate)"
 printf 'x,y\n1e12,1e12\n1e12,1e12\n' >in/equal.csv
 succeeds "all sites equal, far away" render --backend cpu --sites in/equal.csv --size 20x20 -o out/i.png
-expect "1 cells (0 empty, 1 duplicate), 20x20"
+expect "1 unweighted cells (0 empty, 1 duplicate), 20x20"
 printf 'x,y\n0,3\n1,3\n7,3\n' >in/collinear.csv
 succeeds "collinear sites" render --backend cpu --sites in/collinear.csv --size 20x20 -o out/i.png
-expect "3 cells (0 empty, 0 duplicate), 20x20"
+expect "3 unweighted cells (0 empty, 0 duplicate), 20x20"
 
 name="ids on standard output"
 cases=$((cases + 1))
 "$vorpipe" render --backend cpu --sites random:300 --size 90x60 --ids /dev/stdout >out/piped.npy 2>log/err || fail "exit code $?"
 cmp -s out/a.npy out/piped.npy || fail "not the ids alone are on standard output"
-succeeds "a note is for terminals" render --sites random:9 --size 9x9 --verbose -o out/n.png
+name="a note is heard in a file"
+cases=$((cases + 1))
+run 0 render --sites random:9 --size 9x9 --verbose -o out/n.png
+one_line
+grep -q '^vorpipe: note: auto took' log/err || fail "it is not there"
 [ "$(wc -l <log/out)" -eq 1 ] || fail "not one line on standard output"
-if ! script --version 2>/dev/null | grep -q util-linux; then
-  skipped "a note on a terminal" "there is no script of util-linux"
-elif ! script -qec true /dev/null >log/out 2>log/err </dev/null; then
-  skipped "a note on a terminal" "there is no pseudo-terminal: $(head -n 1 log/err)"
-else
-  name="a note on a terminal"
-  cases=$((cases + 1))
-  script -qec "'$vorpipe' render --sites random:9 --size 9x9 --verbose -o out/n.png >log/out" log/terminal </dev/null >log/err || fail "exit code $?"
-  grep -q 'auto took' log/err || fail "it is not there"
-  [ "$(wc -l <log/out)" -eq 1 ] || fail "not one line on standard output"
-fi
+printf 'x,y,weight\n0.3,0.5,0.25\n0.35,0.5,0\n0.36,0.5,0\n0.8,0.5,0.01\n' >in/hidden.csv
+notes "sites that others hide" "2 of 4 sites have no cell: others of larger weight hide them" \
+  render --backend cpu --sites in/hidden.csv --domain 0,0,1,1 --size 9x9 -o out/n.png
+printf 'x,y\n0.3,0.5\n0.7,0.5\n3,0.5\n4,4\n1.1,0.5\n' >in/outside.csv
+notes "sites outside" "2 of 5 sites have no cell: they lie outside the domain" \
+  cells --backend cpu --sites in/outside.csv --domain 0,0,1,1 -o out/n.csv
+expect "3 unweighted cells (2 empty, 0 duplicate)"
+printf 'POLYGON ((0 0, 0.5 0, 0.5 1, 0 1, 0 0))' >in/half.wkt
+sed 1s/$/,weight/\;2,\$s/$/,0/ in/outside.csv | sed '2s/0$/0.05/; $ a 0.31,0.5,0' >in/both.csv
+name="sites that others hide, and sites outside"
+cases=$((cases + 1))
+run 0 cells --backend cpu --sites in/both.csv --domain in/half.wkt -o out/n.csv
+printf 'vorpipe: note: %s\n' "1 of 6 sites have no cell: others of larger weight hide them" \
+  "4 of 6 sites have no cell: they lie outside the domain" | cmp -s - log/err || fail "not these two notes"
+succeeds "quiet about sites outside" cells --quiet --backend cpu --sites in/outside.csv --domain 0,0,1,1 -o out/n.csv
+[ -s log/err ] && fail "not quiet"
 
 name="sites on standard input"
 cases=$((cases + 1))

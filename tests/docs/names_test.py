@@ -3,7 +3,7 @@
 
 Links lead to files and headings. Decisions are numbered once, and the table of them lists all; comments in the code
 name numbers that exist. What stands in backticks in NAMING pages, files and names of the code, is in the tree;
-architecture.md has all rooms, in the order of the build; hacking.md names functions with their files.
+architecture.md has all rooms, in the order of the build; hacking.md names functions with their files. CITATION.cff has the version that is built.
 """
 import pathlib
 import re
@@ -170,6 +170,21 @@ def check_places(fault):
                     fault(page, number, f'{named} is in none of {cells[3]}')
 
 
+def check_citation(fault):
+    """CITATION.cff has the version of CMakeLists.txt, and the fields that the format, 1.2.0, asks for."""
+    file = ROOT / 'CITATION.cff'
+    text = file.read_text()
+    version = re.search(r'project\(vorpipe VERSION (\S+)', (ROOT / 'CMakeLists.txt').read_text())[1]
+    wanted = {'cff-version': r'1\.2\.0', 'message': '.+', 'title': '.+', 'type': 'software', 'authors': '',
+              'version': re.escape(version), 'license': 'MIT'}
+    fields = re.findall(r'^([a-z-]+): ?(.*)$', text, re.M)
+    for name, value in wanted.items():
+        if [name for key, found in fields if key == name and re.fullmatch(value, found)] != [name]:
+            fault(file, 1, f'"{name}" does not stand there once, as {value or "a list"}')
+    if '\t' in text or any(': ' in value for _, value in fields):
+        fault(file, 1, 'a tab, or a colon in a value without quotes: that is no YAML')
+
+
 def main():
     faults = []
 
@@ -182,6 +197,7 @@ def main():
     check_names(fault, files)
     check_rooms(fault)
     check_places(fault)
+    check_citation(fault)
     for text in faults:
         print(f'FAILED: {text}', file=sys.stderr)
     print(f'{len(PAGES)} pages, {len(faults)} failures')

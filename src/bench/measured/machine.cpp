@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "bench/measured/build.h"
+#include "bench/measured/revision.h"
 #include "vorpipe.h"
 
 namespace vorpipe::bench {
@@ -38,6 +39,11 @@ double loadNow() {
 }
 
 }  // namespace
+
+std::string_view revision() {
+  const std::string_view revision = build::revision();
+  return revision == "unknown" ? std::string_view() : revision;
+}
 
 Machine thisMachine() {
   utsname names{};

@@ -15,6 +15,7 @@
 #include "cli/runs/forecast.h"
 #include "cli/runs/input.h"
 #include "cli/runs/run_end.h"
+#include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
 #include "io/files/error.h"
 #include "io/forecast/forecast_files.h"
@@ -235,7 +236,7 @@ std::string wrongTable(const std::string& text) {
 void addBench(CommandLine& line) {
   auto command = std::make_shared<BenchCommand>();
   Options options = line.addSubcommand("bench", "measures how fast it is, and prints tables in Markdown",
-                                       [command] { return bench(*command); });
+                                       [command](const Invocation&) { return bench(*command); });
   options.addList("TABLE",
                   {"",
                    wrongTable,
@@ -243,11 +244,13 @@ void addBench(CommandLine& line) {
                    {tableNames(), {}}},
                   fmt::format("what is measured: {} [all, up to {} sites: some minutes]", anyOf(tableNames()),
                               quick_sites));
+  options.group("Device");
   addParsed(
       options, "--backend", command->backends, "NAME[,NAME...]",
       fmt::format("what computes: one or more of {} [all that can be used]", fmt::join(backendNames(), ", ")),
       parseBackendList, {backendNames(), {}, true});
   addDeviceChoice(options, command->backend);
+  options.group("Measurement");
   const auto whole = [](std::uint64_t most) {
     return [most](std::string_view text) { return parseWhole(text, 1, most); };
   };
@@ -259,12 +262,14 @@ void addBench(CommandLine& line) {
             whole(all_sites));
   addParsed(options, "--max-side", command->max_side, "N", "leaves out pictures with longer sides",
             whole(bench::largest_picture));
+  options.group("Input");
   addRepeatable(
       options, "--sites", "FILE",
       "real data for the table inputs, as other subcommands take them; repeatable",
       [](std::string_view text) { return Parsed<std::string>(text); },
       [sites = &command->sites](std::string path) { sites->push_back(std::move(path)); }, sitesChoices());
   addRunOptions(options, command->backend, command->memory_limit);
+  options.group("Output");
   addAnyFile(options, "--json", command->json, {".json"}, "every figure with all its samples, in JSON");
   addAnyFile(options, "--markdown", command->markdown, {".md"}, "what is printed, in a file");
   addFile(options, "--plot", command->plot, ".svg", "the curves");

@@ -16,6 +16,7 @@
 #include "cli/runs/forecast.h"
 #include "cli/runs/input.h"
 #include "cli/runs/run_end.h"
+#include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
 #include "io/cells/cells_file.h"
 #include "io/domain/density_file.h"
@@ -81,7 +82,7 @@ Result<Topology> topologyFor(const CellsCommand& command, const Diagram& diagram
   return topologyOf(diagram, command.backend.threads);
 }
 
-Result<void> writeFiles(const CellsCommand& command, const Input& input, const Diagram& diagram,
+Result<void> writeFiles(const CellsCommand& command, const Input& input, const Diagram& diagram, RunLog& log,
                         std::uint64_t forecast, std::span<OutputFile> files, const Stopwatch& total) {
   const Stopwatch watch;
   const CellsOutput output{input.sites, diagram, input.attributes, input.system, command.targets.only_cells};
@@ -97,13 +98,11 @@ Result<void> writeFiles(const CellsCommand& command, const Input& input, const D
       return writeEdges(to, {diagram, *topology, input.system}, *format);
     });
   }
-  if (!command.stats.empty()) {
-    writers.emplace_back([&](ByteSink& to) {
-      return to.write(statsJson({"cells", input, diagram.report, watch.milliseconds(), total.milliseconds(),
-                                 forecast, areaSum(diagram), massSum(diagram)}));
-    });
-  }
-  auto written = writeOutputs(files, writers);
+  const auto stats = [&] {
+    return statsJson({"cells", input, diagram.report, log, watch.milliseconds(), total.milliseconds(),
+                      forecast, areaSum(diagram), massSum(diagram)});
+  };
+  auto written = writeOutputs(files, writers, log, stats);
   if (written) printCellsNotes(command.talk, command.targets, output);
   return written;
 }
@@ -131,9 +130,12 @@ Result<void> checkFormat(const CellsCommand& command) {
   return inputError("--format: neither --sites - nor -o - is there to take it");
 }
 
-Result<ExitCode> cells(CellsCommand& command) {
+Result<ExitCode> cells(CellsCommand& command, const Invocation& how) {
   setDriverThreads(command.backend.threads);
   const Stopwatch total;
+  RunLog log(how, !command.stats.empty());
+  log.search = command.search;
+  log.threads = command.backend.threads;
   const std::vector<std::string> paths = outputPaths(command);
   if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("cells.csv"));
   if (auto used = checkFormat(command); !used) return tl::unexpected(std::move(used.error()));
@@ -156,6 +158,7 @@ Result<ExitCode> cells(CellsCommand& command) {
   if (!files) return tl::unexpected(std::move(files.error()));
   auto session = Session::open(command.backend);
   if (!session) return tl::unexpected(std::move(session.error()));
+  log.choice = session->choice();
   const auto forecast =
       forecastRun(command.input, *input, ImagesFor::cells, session->device(), command.backend,
                   planOf(command, options->density.values.size()), command.memory_limit);
@@ -166,6 +169,7 @@ Result<ExitCode> cells(CellsCommand& command) {
   bar.clear();
   if (!diagram) return asOption(diagram.error(), command.input);
   printNotes(command.talk, diagram->report);
+  printMissingCells(command.talk, *input, diagram->status, diagram->report);
   if (!validationIsSilent(diagram->report)) return exit_device;
   if (command.check) {
     const auto passed = passesCheck(check(input->sites, *options, *diagram, threads));
@@ -173,12 +177,12 @@ Result<ExitCode> cells(CellsCommand& command) {
     if (!*passed) return exit_different;
   }
   backToDegrees(*input, *diagram, threads);
-  const auto written = writeFiles(command, *input, *diagram, *forecast, *files, total);
+  const auto written = writeFiles(command, *input, *diagram, log, *forecast, *files, total);
   if (!written) return tl::unexpected(written.error());
   printSummary(command.talk, paths,
-               fmt::format("{}, {}\n", outcomeText(paths, diagram->report),
+               fmt::format("{}, {}\n", outcomeText(paths, input->sites, diagram->report),
                            runText(diagram->report, total.milliseconds(), command.check)));
-  if (command.talk.verbose && !session->choice().empty()) printNote(session->choice());
+  if (command.talk.verbose && !log.choice.empty()) printNote(log.choice);
   return exit_done;
 }
 
@@ -190,9 +194,11 @@ void addCells(CommandLine& line) {
       line.addSubcommand("cells",
                          "computes the cells of sites: areas, centroids, neighbors, polygons; with weights, "
                          "those of the power diagram",
-                         [command] { return cells(*command); });
+                         [command](const Invocation& how) { return cells(*command, how); });
   addInputOptions(options, command->input).required();
+  options.group("Output");
   addCellsTargets(options, command->targets);
+  options.group("Cells");
   addAnyFile(
       options, "--density", command->density, {".png", ".npy"},
       "a density over the domain, .png (dark is dense) or .npy, pixels with row 0 at the top: the mass "
@@ -200,10 +206,12 @@ void addCells(CommandLine& line) {
   addBackendChoice(options, command->backend);
   addSearchOptions(options, command->search);
   addRunOptions(options, command->backend, command->memory_limit);
+  options.group("Run");
   options.addFlag(
       "--check", command->check,
       "verifies areas, neighbors, polygons and nearest sites; exit code 1 if a promise is broken");
-  addAnyFile(options, "--stats", command->stats, {".json"}, "what was done, in JSON");
+  options.group("Output");
+  addStats(options, command->stats);
   addTalkOptions(options, command->talk);
 }
 

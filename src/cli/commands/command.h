@@ -9,6 +9,8 @@ void addRender(CommandLine& line);
 void addCells(CommandLine& line);
 void addDiff(CommandLine& line);
 void addCompare(CommandLine& line);
+/// `line` must stay where it is: it parses again.
+void addRerun(CommandLine& line);
 void addDevices(CommandLine& line);
 void addBench(CommandLine& line);
 void addSelftest(CommandLine& line);

@@ -87,7 +87,9 @@ Result<BackendRun> runBackend(const CompareCommand& command, const std::string& 
   bar.clear();
   printNotes(command.talk, rendering->report, name);
   printNotes(command.talk, cells->report, name);
-  BackendRun run{name, std::move(*rendering), std::move(*cells), render_ms, cells_watch.milliseconds(), {}};
+  BackendRun run{name, std::move(*rendering), std::move(*cells), render_ms, cells_watch.milliseconds()};
+  run.choice = session->choice();
+  if (command.talk.verbose && !run.choice.empty()) printNote(run.choice);
   if (auto checked = checkRun(command, input, picture, run); !checked) {
     return tl::unexpected(std::move(checked.error()));
   }
@@ -110,11 +112,15 @@ Result<std::vector<BackendRun>> runBackends(const CompareCommand& command, const
 }
 
 Result<void> writeFiles(const CompareCommand& command, const Comparison& comparison, const Input& input,
-                        std::uint64_t forecast, std::span<OutputFile> files, const Stopwatch& total) {
+                        RunLog& log, std::uint64_t forecast, std::span<OutputFile> files,
+                        const Stopwatch& total) {
   const Stopwatch watch;
   std::vector<Writer> writers;
   if (!command.report.empty()) {
-    writers.emplace_back([&](ByteSink& to) { return to.write(comparisonJson(comparison, input)); });
+    writers.emplace_back([&](ByteSink& to) {
+      log.noteTimeless(comparisonJson(comparison, input, false));
+      return to.write(comparisonJson(comparison, input, true));
+    });
   }
   if (!command.png.empty()) {
     writers.emplace_back([&](ByteSink& to) {
@@ -122,13 +128,11 @@ Result<void> writeFiles(const CompareCommand& command, const Comparison& compari
       return writePng(to, montage.width, montage.height, montage.rgba);
     });
   }
-  if (!command.stats.empty()) {
-    writers.emplace_back([&](ByteSink& to) {
-      return to.write(statsJson({"compare", input, reportOf(comparison), watch.milliseconds(),
-                                 total.milliseconds(), forecast, areaSum(comparison.runs.front().cells)}));
-    });
-  }
-  return writeOutputs(files, writers);
+  const auto stats = [&] {
+    return statsJson({"compare", input, reportOf(comparison), log, watch.milliseconds(), total.milliseconds(),
+                      forecast, areaSum(comparison.runs.front().cells)});
+  };
+  return writeOutputs(files, writers, log, stats);
 }
 
 /// Pictures and cells of every backend are kept, while its session is not; then every pair is compared.
@@ -172,9 +176,12 @@ Result<std::uint64_t> forecastAll(const CompareCommand& command, const Input& in
                      planOf(command, {options.width, options.height}), command.memory_limit);
 }
 
-Result<ExitCode> compare(const CompareCommand& command) {
+Result<ExitCode> compare(const CompareCommand& command, const Invocation& how) {
   setDriverThreads(command.backend.threads);
   const Stopwatch total;
+  RunLog log(how, !command.stats.empty());
+  log.search = command.picture.search;
+  log.threads = command.backend.threads;
   const auto fits = forecastGenerated(
       command.input, planOf(command, command.size.value_or(PictureSize{1, 1})), command.memory_limit);
   if (!fits) return tl::unexpected(fits.error());
@@ -194,10 +201,13 @@ Result<ExitCode> compare(const CompareCommand& command) {
   std::vector<std::string> broken;
   for (const BackendRun& run : *runs) broken.insert(broken.end(), run.broken.begin(), run.broken.end());
   if (!*passesCheck(broken)) return exit_different;
+  const BackendRun& first = runs->front();
+  printMissingCells(command.talk, *input, first.cells.status, first.cells.report);
+  log.choice = choiceOf(*runs);
   auto pairs = comparePairs(*runs, *input);
   if (!pairs) return tl::unexpected(std::move(pairs.error()));
   const Comparison comparison{std::move(*runs), std::move(*pairs)};
-  const auto written = writeFiles(command, comparison, *input, *forecast, *files, total);
+  const auto written = writeFiles(command, comparison, *input, log, *forecast, *files, total);
   if (!written) return tl::unexpected(written.error());
   printSummary(command.talk, paths, comparisonTable(comparison));
   const std::string differences = disagreementText(comparison);
@@ -213,23 +223,27 @@ void addCompare(CommandLine& line) {
   Options options = line.addSubcommand(
       "compare",
       "draws and computes the same cells on several backends and compares every pair, pixels and cells",
-      [command] { return compare(*command); });
+      [command](const Invocation& how) { return compare(*command, how); });
+  options.group("Device");
   addParsed(options, "--backends", command->backends, "A,B,...",
             fmt::format("what computes: two or more of {}", fmt::join(backendNames(), ", ")), parseBackends,
             {backendNames(), {}, true})
       .required();
   addInputOptions(options, command->input).required();
+  options.group("Picture");
   addSizeOption(options, command->size);
   addDeviceChoice(options, command->backend);
   addSearchOptions(options, command->picture.search);
   addRunOptions(options, command->backend, command->memory_limit);
+  options.group("Output");
   addAnyFile(options, "--report", command->report, {".json"}, "what was found, in JSON");
   addFile(options, "-o", command->png, ".png",
           "the pictures side by side, and below each pair's differences");
+  addStats(options, command->stats);
+  options.group("Run");
   options.addFlag(
       "--check", command->check,
       "verifies what render and cells verify, of each backend; exit code 1 if a promise is broken");
-  addAnyFile(options, "--stats", command->stats, {".json"}, "what was done by all of them together, in JSON");
   addTalkOptions(options, command->talk);
 }
 

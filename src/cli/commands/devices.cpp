@@ -87,7 +87,8 @@ void addDevices(CommandLine& line) {
   auto command = std::make_shared<DevicesCommand>();
   Options options =
       line.addSubcommand("devices", "lists every backend with its devices, or why one cannot be used",
-                         [command] { return listDevices(*command); });
+                         [command](const Invocation&) { return listDevices(*command); });
+  options.group("Output");
   options.addFlag("--json", command->json, "prints JSON");
   addMaskOptions(options, command->mask);
 }

@@ -72,7 +72,9 @@ Outcome compareColors(const DiffCommand& command, const Image& a, const Image& b
   if (diff.different > 0) {
     outcome.difference = fmt::format(
         "{} pixels differ, by at most {} of 255, first at row {}, column {}, all in rows {} to {} and "
-        "columns {} to {}",
+        "columns {} to {}; to tell ties from faults, render both with --ids, as a.npy and b.npy, then "
+        "vorpipe "
+        "diff a.npy b.npy --sites and what else they were rendered with",
         diff.different, diff.largest, diff.first_row, diff.first_column, diff.top, diff.bottom, diff.left,
         diff.right);
   }
@@ -131,10 +133,11 @@ Result<ExitCode> diff(const DiffCommand& command) {
 void addDiff(CommandLine& line) {
   auto command = std::make_shared<DiffCommand>();
   Options options = line.addSubcommand("diff", "compares two id arrays (.npy) or two pictures (.png)",
-                                       [command] { return diff(*command); });
+                                       [command](const Invocation&) { return diff(*command); });
   const Choices compared{{}, {".npy", ".png"}};
   options.addText("A", command->a, "FILE", "one id array or picture", compared).required();
   options.addText("B", command->b, "FILE", "another of the same kind", compared).required();
+  options.group("Output");
   addFile(options, "-o", command->png, ".png", "a picture of where they differ: red is wrong, yellow a tie");
   addInputOptions(options, command->input);
   addTalkOptions(options, command->talk);

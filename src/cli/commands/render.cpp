@@ -12,6 +12,7 @@
 #include "cli/runs/forecast.h"
 #include "cli/runs/input.h"
 #include "cli/runs/run_end.h"
+#include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
 #include "io/files/error.h"
 #include "io/forecast/forecast_files.h"
@@ -77,8 +78,8 @@ Result<RenderOptions> pictureOptions(const RenderCommand& command, const Input& 
 }
 
 Result<void> writeFiles(const RenderCommand& command, const Input& input, const RenderOptions& options,
-                        const Drawing& drawing, std::uint64_t forecast, std::span<OutputFile> files,
-                        const Stopwatch& total) {
+                        const Drawing& drawing, RunLog& log, std::uint64_t forecast,
+                        std::span<OutputFile> files, const Stopwatch& total) {
   const Stopwatch watch;
   const PictureOutput output{input.sites,
                              options,
@@ -93,19 +94,20 @@ Result<void> writeFiles(const RenderCommand& command, const Input& input, const 
   if (const IdsFile& ids = command.files.ids; !ids.path.empty()) {
     writers.emplace_back([&output, format = ids.format](ByteSink& to) { return format->write(to, output); });
   }
-  if (!command.stats.empty()) {
-    writers.emplace_back([&](ByteSink& to) {
-      Stats stats{"render", input, drawing.report(), watch.milliseconds(), total.milliseconds(), forecast};
-      if (drawing.cells) stats.area_sum = areaSum(*drawing.cells);
-      return to.write(statsJson(stats));
-    });
-  }
-  return writeOutputs(files, writers);
+  const auto json = [&] {
+    Stats stats{"render", input, drawing.report(), log, watch.milliseconds(), total.milliseconds(), forecast};
+    if (drawing.cells) stats.area_sum = areaSum(*drawing.cells);
+    return statsJson(stats);
+  };
+  return writeOutputs(files, writers, log, json);
 }
 
-Result<ExitCode> render(const RenderCommand& command) {
+Result<ExitCode> render(const RenderCommand& command, const Invocation& how) {
   setDriverThreads(command.backend.threads);
   const Stopwatch total;
+  RunLog log(how, !command.stats.empty());
+  log.search = command.picture.search;
+  log.threads = command.backend.threads;
   const std::vector<std::string> paths = outputPaths(command);
   if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("picture.png"));
   RenderOptions options = command.picture;
@@ -130,6 +132,7 @@ Result<ExitCode> render(const RenderCommand& command) {
   if (!files) return tl::unexpected(std::move(files.error()));
   auto session = Session::open(command.backend);
   if (!session) return tl::unexpected(std::move(session.error()));
+  log.choice = session->choice();
   const auto forecast = forecastRun(command.input, *input, imagesOf(command), session->device(),
                                     command.backend, plan, command.memory_limit);
   if (!forecast) return tl::unexpected(forecast.error());
@@ -139,23 +142,27 @@ Result<ExitCode> render(const RenderCommand& command) {
   bar.clear();
   if (!drawing) return asOption(drawing.error(), command.input);
   printNotes(command.talk, drawing->report());
+  printMissingCells(command.talk, *input, drawing->status(), drawing->report());
   if (!validationIsSilent(drawing->report())) return exit_device;
   if (command.check) {
     const auto passed = passesCheck(checkDrawing(input->sites, options, *drawing, threads));
     if (!passed) return tl::unexpected(passed.error());
     if (!*passed) return exit_different;
   }
-  const auto written = writeFiles(command, *input, options, *drawing, *forecast, *files, total);
+  const auto written = writeFiles(command, *input, options, *drawing, log, *forecast, *files, total);
   if (!written) return tl::unexpected(written.error());
-  printSummary(command.talk, paths,
-               fmt::format("{}, {}x{}, {}\n", outcomeText(paths, drawing->report()), options.width,
-                           options.height, runText(drawing->report(), total.milliseconds(), command.check)));
-  if (command.talk.verbose && !session->choice().empty()) printNote(session->choice());
+  printSummary(
+      command.talk, paths,
+      fmt::format("{}, {}x{}, {}\n", outcomeText(paths, input->sites, drawing->report()), options.width,
+                  options.height, runText(drawing->report(), total.milliseconds(), command.check)));
+  if (command.talk.verbose && !log.choice.empty()) printNote(log.choice);
   return exit_done;
 }
 
 void addPictureOptions(Options& options, RenderCommand& command) {
+  options.group("Output");
   addPictureFiles(options, command.files);
+  options.group("Picture");
   addSizeOption(options, command.size);
   addParsed(options, "--color", command.picture.color, "BY",
             fmt::format("what colors show: {} [site]", anyOf(colorNames())), parseColor, {colorNames(), {}});
@@ -172,19 +179,21 @@ void addRender(CommandLine& line) {
   auto command = std::make_shared<RenderCommand>();
   Options options =
       line.addSubcommand("render", "draws the Voronoi diagram of sites; with weights, the power diagram",
-                         [command]() -> Result<ExitCode> {
+                         [command](const Invocation& how) -> Result<ExitCode> {
                            const auto named = nameStandardOutput(command->files);
-                           return named ? render(*command) : tl::unexpected(named.error());
+                           return named ? render(*command, how) : tl::unexpected(named.error());
                          });
   addInputOptions(options, command->input).required();
   addPictureOptions(options, *command);
   addBackendChoice(options, command->backend);
   addSearchOptions(options, command->picture.search);
   addRunOptions(options, command->backend, command->memory_limit);
+  options.group("Run");
   options.addFlag("--check", command->check,
                   "verifies statuses and the nearest site of each pixel, of shapes the cells; exit code 1 if "
                   "a promise is broken");
-  addAnyFile(options, "--stats", command->stats, {".json"}, "what was done, in JSON");
+  options.group("Output");
+  addStats(options, command->stats);
   addTalkOptions(options, command->talk);
 }
 

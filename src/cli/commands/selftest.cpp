@@ -84,18 +84,21 @@ void addSelftest(CommandLine& line) {
   auto command = std::make_shared<SelftestCommand>();
   Options options = line.addSubcommand(
       "selftest", "tests every backend and device here, judged by cpu, and measures how devices round",
-      [command] { return runSelftest(*command); });
+      [command](const Invocation&) { return runSelftest(*command); });
   SelftestOptions& wanted = command->options;
+  options.group("Device");
   addParsed(options, "--backend", wanted.backend, "NAME",
             fmt::format("what is tested: {} [all]", anyOf(backendNames())), parseBackend,
             {backendNames(), {}});
   options.addText("--device", wanted.device, "DEVICE",
                   "the device: its index or a part of its name, as `vorpipe devices` lists them [all]");
+  options.group("Run");
   options.addFlag("--quick", wanted.quick, "fewer and smaller scenes: seconds instead of minutes");
   addParsed(options, "--seed", wanted.seed, "S", "seed of the scenes [1]",
             [](std::string_view text) { return parseWhole(text, 0, UINT64_MAX); });
   addThreads(options, wanted.threads);
   addMaskOptions(options, wanted.mask);
+  options.group("Output");
   addAnyFile(options, "--json", command->json, {".json"},
              "everything that was found, with each scene: what a bug report wants");
   addTalkOptions(options, command->talk);

@@ -70,18 +70,44 @@ Prose ofDiff() {
           {{"Compare what two backends draw:",
             {"vorpipe render --backend cpu --sites square:100 --ids a.npy",
              "vorpipe render --backend opengl --sites square:100 --ids b.npy",
-             "vorpipe diff a.npy b.npy --sites square:100 -o where.png"}}}};
+             "vorpipe diff a.npy b.npy --sites square:100 -o where.png"}},
+           {"See whether two runs draw the same to the bit:",
+            {"vorpipe render --backend cpu --sites random:100 -o a.png",
+             "vorpipe render --backend cpu --sites random:100 --threads 1 -o b.png",
+             "vorpipe diff a.png b.png"}}}};
 }
 
 Prose ofCompare() {
-  return {"compare",
-          {"The same sites are drawn and computed on each backend, and every pair is compared, pixel by "
-           "pixel and "
-           "cell by cell. It is a difference where pixels differ by more than ties, or cells by status, "
-           "neighbors "
-           "or area."},
-          {{"Compare a device with the CPU, and write every figure:",
-            {"vorpipe compare --backends vulkan-compute,cpu --sites hex:1000 --report report.json"}}}};
+  return {
+      "compare",
+      {"The same sites are drawn and computed on each backend, and every pair is compared, pixel by "
+       "pixel and "
+       "cell by cell. It is a difference where pixels differ by more than ties, or cells by status, "
+       "neighbors "
+       "or area. A pixel whose center lies on an edge may go to either cell: the table says how many did, "
+       "and how many could at most."},
+      {{"Compare a device with the CPU, and write every figure:",
+        {"vorpipe compare --backends vulkan-compute,cpu --sites hex:1000 --report report.json"}},
+       {"See where the pictures of two backends differ:",
+        {"vorpipe compare --backends opengl,cpu --sites square:100 --size 200x200 -o side-by-side.png"}},
+       {"Verify each of them besides:",
+        {"vorpipe compare --backends vulkan-compute,cpu --sites clusters:500 --size 100x100 --check"}}}};
+}
+
+Prose ofRerun() {
+  return {
+      "rerun",
+      {"`--stats` of `render`, `cells` and `compare` writes the arguments of a run, and for each file that "
+       "it read and wrote how many bytes it has and their hash, as `xxh128sum` prints it. Where an input "
+       "has changed since, that is refused. Else the run is done again, files are written where they "
+       "were written then, and their hashes are compared. Paths are relative to the current folder. The "
+       "file of `--stats` stays as it is.",
+       "Another version, revision, backend or device is told of on standard error; it may have another "
+       "result."},
+      {{"Run again, and see whether it comes to the same bytes:",
+        {"vorpipe cells --backend cpu --sites sites.csv -o cells.npz --stats run.json",
+         "vorpipe rerun run.json"}},
+       {"Get the command line:", {"vorpipe rerun --dry-run run.json"}}}};
 }
 
 Prose ofDevices() {
@@ -89,7 +115,9 @@ Prose ofDevices() {
           {"For each device it says what `--device` takes, and for a backend that cannot be used, what would "
            "help."},
           {{"List devices as a table, or as JSON with their limits:",
-            {"vorpipe devices", "vorpipe devices --json"}}}};
+            {"vorpipe devices", "vorpipe devices --json"}},
+           {"See what another machine would lack:",
+            {"vorpipe devices --disable geometryShader --limit maxTexelBufferElements=65536"}}}};
 }
 
 Prose ofBench() {
@@ -101,6 +129,8 @@ Prose ofBench() {
            "all are measured, up to a size that takes some minutes."},
           {{"See how kinds of input differ on the CPU:",
             {"vorpipe bench inputs --backend cpu --max-sites 10000 --json inputs.json"}},
+           {"Measure how much memory a run takes:",
+            {"vorpipe bench memory --backend cpu --max-sites 1000 --max-side 500 --repetitions 1"}},
            {"Draw how time grows with sites and with pixels:",
             {"vorpipe bench scaling --backend cpu --max-sites 1000 --max-side 500 --plot scaling.svg"}}}};
 }
@@ -116,7 +146,7 @@ Prose ofSelftest() {
 
 constexpr std::array<Row, 5> exit_statuses = {
     {{"0", "Done, and everything is certified."},
-     {"1", "A comparison found a difference, or a promise is broken."},
+     {"1", "A comparison found a difference, or a promise is broken; `rerun` came to other bytes."},
      {"2",
       "The command line or an input file is wrong; the message names the option, or file, line and column."},
      {"3", "There is no such device or backend here, or it failed; the message says what would help."},
@@ -133,7 +163,8 @@ constexpr std::array<Row, 5> variables = {
 }  // namespace
 
 Prose proseOf(std::string_view subcommand) {
-  for (const auto of : {ofProgram, ofRender, ofCells, ofDiff, ofCompare, ofDevices, ofBench, ofSelftest}) {
+  for (const auto of :
+       {ofProgram, ofRender, ofCells, ofDiff, ofCompare, ofRerun, ofDevices, ofBench, ofSelftest}) {
     if (Prose prose = of(); prose.subcommand == subcommand) return prose;
   }
   return {subcommand, {}, {}};

@@ -120,7 +120,14 @@ std::string optionsSection(std::string_view title, const std::vector<DeclaredOpt
                            bool operands) {
   if (options.empty()) return {};
   std::string roff = fmt::format(".SH {}\n", title);
-  for (const DeclaredOption& option : options) roff += entry(term(option, operands), sentence(option));
+  std::vector<std::string> groups;
+  for (const DeclaredOption& option : options)
+    if (std::ranges::find(groups, option.group) == groups.end()) groups.push_back(option.group);
+  for (const std::string& group : inOrder(groups)) {
+    if (groups.size() > 1) roff += fmt::format(".SS {}\n", literal(group));
+    for (const DeclaredOption& option : options)
+      if (option.group == group) roff += entry(term(option, operands), sentence(option));
+  }
   return roff;
 }
 

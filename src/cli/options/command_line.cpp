@@ -3,9 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <set>
+#include <span>
 #include <string_view>
 #include <utility>
 
+#include "cli/options/help_format.h"
+#include "cli/options/suggestion.h"
+#include "cli/options/unknown_option.h"
 #include "cli/terminal/error_line.h"
 #include "io/files/error.h"
 
@@ -24,8 +28,10 @@ CLI::Option* addTexts(CLI::App& app, const std::string& name, Value value, const
 
 /// The flags of the program and of each subcommand.
 void addCommonFlags(CLI::App& app, const std::string& version_line) {
-  app.set_help_flag("-h,--help", "prints the options");
-  app.set_version_flag("--version", version_line, "prints the version");
+  const std::string group(help_group);
+  app.set_help_flag("-h,--help", "prints the options")->group(group);
+  app.set_version_flag("--version", version_line, "prints the version")->group(group);
+  app.formatter(helpFormat());
 }
 
 std::vector<std::string> namesOf(const std::set<CLI::Option*>& options) {
@@ -44,6 +50,7 @@ DeclaredOption declaredOption(const CLI::Option& option, const ChoicesOf& choice
     for (const std::string& name : option.get_lnames()) declared.names.push_back("--" + name);
   }
   declared.description = option.get_description();
+  declared.group = option.get_group();
   declared.takes_value = option.get_items_expected_max() > 0;
   if (declared.takes_value) declared.value = option.get_type_name();
   if (const auto known = choices.find(&option); known != choices.end()) declared.choices = known->second;
@@ -52,6 +59,20 @@ DeclaredOption declaredOption(const CLI::Option& option, const ChoicesOf& choice
   declared.needs = namesOf(option.get_needs());
   declared.excludes = namesOf(option.get_excludes());
   return declared;
+}
+
+/// What is wrong with the first argument that names neither a subcommand nor an option: CLI11 does not name
+/// them in their order.
+std::string firstUnknown(const DeclaredProgram& program, std::span<char* const> arguments) {
+  if (arguments.size() < 2) return {};
+  const std::string_view first = arguments[1];
+  if (first.starts_with('-')) return unknownOption(program, first);
+  const auto chosen = std::ranges::find(program.subcommands, first, &DeclaredSubcommand::name);
+  if (chosen != program.subcommands.end()) return unknownOption(*chosen, arguments.subspan(2));
+  std::vector<std::string> names;
+  for (const DeclaredSubcommand& subcommand : program.subcommands) names.push_back(subcommand.name);
+  const std::string hint = didYouMean(first, names);
+  return quoted(first) + " is no subcommand" + (hint.empty() ? "; see vorpipe --help" : hint);
 }
 
 }  // namespace
@@ -74,31 +95,32 @@ Option& Option::excludes(const Option& other) {
 Option Options::add(const std::string& name, Value value, const std::string& description) {
   auto* option = app_->add_option_function<std::string>(name, std::move(value.keep), description);
   option->type_name(value.name)->check(std::move(value.fault));
-  return keepChoices(option, std::move(value.choices));
+  return place(option, std::move(value.choices));
 }
 
 Option Options::addRepeatable(const std::string& name, Value value, const std::string& description) {
   Choices choices = value.choices;
   auto* option = addTexts(*app_, name, std::move(value), description);
   option->allow_extra_args(false)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  return keepChoices(option, std::move(choices));
+  return place(option, std::move(choices));
 }
 
 Option Options::addList(const std::string& name, Value value, const std::string& description) {
   Choices choices = value.choices;
-  return keepChoices(addTexts(*app_, name, std::move(value), description), std::move(choices));
+  return place(addTexts(*app_, name, std::move(value), description), std::move(choices));
 }
 
 Option Options::addText(const std::string& name, std::string& target, const std::string& value,
                         const std::string& description, Choices choices) {
-  return keepChoices(app_->add_option(name, target, description)->type_name(value), std::move(choices));
+  return place(app_->add_option(name, target, description)->type_name(value), std::move(choices));
 }
 
 Option Options::addFlag(const std::string& name, bool& target, const std::string& description) {
-  return Option(app_->add_flag(name, target, description));
+  return place(app_->add_flag(name, target, description), {});
 }
 
-Option Options::keepChoices(CLI::Option* option, Choices choices) {
+Option Options::place(CLI::Option* option, Choices choices) {
+  option->group(group_);
   if (!choices.empty()) choices_->emplace(option, std::move(choices));
   return Option(option);
 }
@@ -113,13 +135,6 @@ struct CommandLine::Parser {
   std::string version_line;
   std::vector<Subcommand> subcommands;
   ChoicesOf choices;
-
-  /// What CLI11 would only call a missing subcommand.
-  [[nodiscard]] bool knowsNot(std::string_view argument) const {
-    return !argument.starts_with('-') && std::ranges::none_of(subcommands, [&](const Subcommand& sub) {
-      return sub.app->get_name() == argument;
-    });
-  }
 };
 
 CommandLine::CommandLine(const std::string& program, const std::string& description,
@@ -136,6 +151,11 @@ Options CommandLine::addSubcommand(const std::string& name, const std::string& d
   addCommonFlags(*app, parser_->version_line);
   parser_->subcommands.push_back({app, std::move(run)});
   return Options(app, &parser_->choices);
+}
+
+void CommandLine::setFooter(const std::string& subcommand, const std::string& text) {
+  CLI::App& app = parser_->app;
+  (subcommand.empty() ? &app : app.get_subcommand(subcommand))->footer(text);
 }
 
 DeclaredProgram CommandLine::declared() const {
@@ -156,8 +176,9 @@ DeclaredProgram CommandLine::declared() const {
 
 tl::expected<Run, int> CommandLine::parse(int count, char** arguments) {
   CLI::App& app = parser_->app;
-  if (count > 1 && parser_->knowsNot(arguments[1])) {
-    printError(quoted(arguments[1]) + " is no subcommand; see vorpipe --help");
+  const std::span<char* const> given(arguments, static_cast<std::size_t>(count));
+  if (const std::string unknown = firstUnknown(declared(), given); !unknown.empty()) {
+    printError(unknown);
     return tl::unexpected<int>(exit_input);
   }
   try {

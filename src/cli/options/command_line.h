@@ -6,6 +6,8 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/options/declared.h"
 #include "vorpipe.h"
@@ -59,17 +61,27 @@ class Options {
   Option addText(const std::string& name, std::string& target, const std::string& value,
                  const std::string& description, Choices choices = {});
   Option addFlag(const std::string& name, bool& target, const std::string& description);
+  /// The heading of what is added from now on, in help and man pages; inOrder() has their order.
+  void group(std::string heading) { group_ = std::move(heading); }
 
  private:
-  Option keepChoices(CLI::Option* option, Choices choices);
+  Option place(CLI::Option* option, Choices choices);
 
   CLI::App* app_;
   ChoicesOf* choices_;
+  std::string group_ = "Run";
+};
+
+/// How a subcommand was called, and who wants to know what it did.
+struct Invocation {
+  std::vector<std::string> arguments;  ///< as they were given, without the program's name
+  /// Gets what --stats writes, where that is not asked for; none: nobody wants it.
+  std::string* stats = nullptr;
 };
 
 /// What runs a subcommand once its options are parsed: the exit code, or an error that main prints and turns
 /// into one.
-using Run = std::function<Result<ExitCode>()>;
+using Run = std::function<Result<ExitCode>(const Invocation&)>;
 
 class CommandLine {
  public:
@@ -82,11 +94,15 @@ class CommandLine {
   /// Options refer to what `run` reads.
   Options addSubcommand(const std::string& name, const std::string& description, Run run);
 
-  /// All that was declared, in the order in which help has it.
+  /// What stands below the options in a subcommand's help; of "" below that of the program.
+  void setFooter(const std::string& subcommand, const std::string& text);
+
+  /// All that was declared, in the order in which it was.
   [[nodiscard]] DeclaredProgram declared() const;
 
   /// The run of the subcommand that is named. Else the exit code: help or the version were asked for, and
-  /// printed; or the command line is wrong, and a line on standard error said how.
+  /// printed; or the command line is wrong, and a line on standard error said how. May be called again from
+  /// a run, for another subcommand.
   tl::expected<Run, int> parse(int count, char** arguments);
 
  private:

@@ -3,9 +3,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vorpipe::cli {
+
+/// Of --help and --version.
+inline constexpr std::string_view help_group = "Help";
+
+/// Groups of options, in the order in which help and man pages have them: from the input to the run.
+std::vector<std::string> inOrder(std::vector<std::string> groups);
 
 /// What is known of the values that an option takes.
 struct Choices {
@@ -21,6 +28,7 @@ struct DeclaredOption {
       names;          ///< -h and --help; of an operand, which stands without one, what help calls it
   std::string value;  ///< what help calls its value; empty for a flag
   std::string description;
+  std::string group;  ///< under which heading help has it
   Choices choices;
   bool required = false;
   bool repeatable = false;

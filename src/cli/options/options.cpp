@@ -71,13 +71,15 @@ Choices sitesChoices() {
 }
 
 Option addInputOptions(Options& options, InputOptions& input) {
+  options.group("Input");
   const Option sites = options.addText("--sites", input.sites, "SPEC", sitesDescription(), sitesChoices());
   addParsed(options, "--seed", input.seed, "S", "seed of the generator [1]", [](std::string_view text) {
     return parseWhole(text, 0, UINT64_MAX);
   }).needs(sites);
   addReadingOptions(options, input, sites);
-  addDomainOptions(options, input, sites);
   addWeightOptions(options, input, sites);
+  options.group("Domain");
+  addDomainOptions(options, input, sites);
   addParsed(options, "--periodic", input.periodic, anyOf(periodicNames()),
             "axes along which the domain repeats itself: cells go on at the other side", parsePeriodic,
             {periodicNames(), {}})
@@ -86,11 +88,13 @@ Option addInputOptions(Options& options, InputOptions& input) {
 }
 
 void addDeviceChoice(Options& options, BackendOptions& backend) {
+  options.group("Device");
   options.addText("--device", backend.device, "DEVICE",
                   "the device: its index or a part of its name, as `vorpipe devices` lists them [the best]");
 }
 
 void addBackendChoice(Options& options, BackendOptions& backend) {
+  options.group("Device");
   addParsed(options, "--backend", backend.name, "NAME",
             fmt::format("what computes: {} [{}]", anyOf(backendNames()), backend.name), parseBackend,
             {backendNames(), {}});
@@ -98,12 +102,14 @@ void addBackendChoice(Options& options, BackendOptions& backend) {
 }
 
 void addThreads(Options& options, int& threads) {
+  options.group("Run");
   addParsed(options, "--threads", threads, "N", "CPU threads [all]", [](std::string_view text) {
     return parseWhole(text, 1, most_threads).map([](std::uint64_t n) { return static_cast<int>(n); });
   });
 }
 
 void addMaskOptions(Options& options, Mask& mask) {
+  options.group("Device");
   Choices limits;
   for (const std::string& name : limitNames()) limits.words.push_back(name + "=");
   addRepeatable(
@@ -121,22 +127,28 @@ void addMaskOptions(Options& options, Mask& mask) {
 
 void addRunOptions(Options& options, BackendOptions& backend, std::optional<std::uint64_t>& memory_limit) {
   addThreads(options, backend.threads);
-  backend.validation = validationAskedByEnvironment();
-  options.addFlag("--validate", backend.validation,
-                  "turns on Vulkan's validation layers; a message of theirs fails the run [on where "
-                  "VORPIPE_VALIDATION is 1]");
   addParsed(options, "--memory-limit", memory_limit, "SIZE",
             "the most memory to take, as in 8GiB or 500MB: a run that needs more is refused before it begins "
             "[what this machine, and the groups and limits that it runs in, have left]",
             parseBytes);
   addMaskOptions(options, backend.mask);
+  backend.validation = validationAskedByEnvironment();
+  options.addFlag("--validate", backend.validation,
+                  "turns on Vulkan's validation layers; a message of theirs fails the run [on where "
+                  "VORPIPE_VALIDATION is 1]");
 }
 
 void addSearchOptions(Options& options, SearchOptions& search) {
+  options.group("Run");
   addParsed(options, "--search", search, fmt::format("{}[:K]", anyOf(searchNames())),
             "how neighbors are found: on a uniform grid, or among the K nearest by FLANN, K from 3 to 1024 "
             "[grid; K 30]",
             parseSearch, {searchNames(), {}});
+}
+
+void addStats(Options& options, std::string& path) {
+  addAnyFile(options, "--stats", path, {".json"},
+             "what was done, in JSON, with hashes of all files: `vorpipe rerun` does it again");
 }
 
 void addSizeOption(Options& options, std::optional<PictureSize>& size) {
@@ -145,9 +157,9 @@ void addSizeOption(Options& options, std::optional<PictureSize>& size) {
 }
 
 void addTalkOptions(Options& options, TalkOptions& talk) {
+  options.group("Run");
   const Option quiet = options.addFlag("--quiet", talk.quiet, "prints nothing but errors");
-  options.addFlag("--verbose", talk.verbose, "also says, on a terminal, why a backend was taken")
-      .excludes(quiet);
+  options.addFlag("--verbose", talk.verbose, "also says why a backend was taken").excludes(quiet);
 }
 
 }  // namespace vorpipe::cli

@@ -90,6 +90,8 @@ void addMaskOptions(Options& options, Mask& mask);
 void addRunOptions(Options& options, BackendOptions& backend, std::optional<std::uint64_t>& memory_limit);
 /// --search
 void addSearchOptions(Options& options, SearchOptions& search);
+/// --stats
+void addStats(Options& options, std::string& path);
 /// --size
 void addSizeOption(Options& options, std::optional<PictureSize>& size);
 /// --quiet, --verbose

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "cli/options/suggestion.h"
 #include "io/files/error.h"
 #include "io/files/extension.h"
 #include "io/text/number.h"
@@ -49,7 +50,8 @@ tl::unexpected<std::string> bad(std::string message) { return tl::unexpected(std
 
 Parsed<std::string> oneOf(const std::vector<std::string>& names, std::string_view text) {
   if (std::ranges::find(names, text) != names.end()) return std::string(text);
-  return bad(fmt::format("{} is not one of {}", quoted(text), fmt::join(names, ", ")));
+  return bad(
+      fmt::format("{} is not one of {}{}", quoted(text), fmt::join(names, ", "), didYouMean(text, names)));
 }
 
 /// The value that `text` names.

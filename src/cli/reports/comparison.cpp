@@ -34,17 +34,17 @@ Json resolvedJson(const Report& report) {
           {"pixels", report.pixels}};
 }
 
-Json runJson(const BackendRun& run) {
+Json runJson(const BackendRun& run, bool times) {
   const Report &picture = run.rendering.report, &cells = run.cells.report;
-  return {{"name", run.name},
-          {"backend", picture.backend},
-          {"device", picture.device},
-          {"driver", picture.driver},
-          {"status", {{"ok", cells.ok}, {"empty", cells.empty}, {"duplicate", cells.duplicate}}},
-          {"resolved", resolvedJson(picture)},
-          {"cells_resolved", resolvedJson(cells)},
-          {"render_ms", run.render_ms},
-          {"cells_ms", run.cells_ms}};
+  Json json = {{"name", run.name},
+               {"backend", picture.backend},
+               {"device", picture.device},
+               {"driver", picture.driver},
+               {"status", {{"ok", cells.ok}, {"empty", cells.empty}, {"duplicate", cells.duplicate}}},
+               {"resolved", resolvedJson(picture)},
+               {"cells_resolved", resolvedJson(cells)}};
+  if (times) json.update({{"render_ms", run.render_ms}, {"cells_ms", run.cells_ms}});
+  return json;
 }
 
 Json siteJson(const CellDifference& site) {
@@ -128,6 +128,13 @@ Report reportOf(const Comparison& comparison) {
   return sum;
 }
 
+std::string choiceOf(std::span<const BackendRun> runs) {
+  std::vector<std::string> choices;
+  for (const BackendRun& run : runs)
+    if (!run.choice.empty()) choices.push_back(run.choice);
+  return fmt::to_string(fmt::join(choices, "; "));
+}
+
 Result<std::vector<PairDiff>> comparePairs(const std::vector<BackendRun>& runs, const Input& input) {
   std::vector<PairDiff> pairs;
   for (std::size_t a = 0; a < runs.size(); ++a) {
@@ -155,12 +162,16 @@ std::string comparisonTable(const Comparison& comparison) {
                         run.cells_ms / 1000, run.rendering.report.device);
   }
   constexpr auto row = "{:<{}}  {:>10}  {:>10}  {:>10}  {:>10}  {:>10}\n";
-  text += fmt::format(fmt::runtime(row), "pixels", column, "equal", "ties", "allowed", "wrong", "statuses");
+  text +=
+      fmt::format(fmt::runtime(row), "pixels", column, "equal", "on edges", "at most", "wrong", "statuses");
   for (const PairDiff& pair : comparison.pairs) {
     const IdDiff& diff = pair.pixels;
     text += fmt::format(fmt::runtime(row), pairName(comparison, pair), column, diff.equal, diff.ties,
                         diff.ties_allowed, diff.wrong, pair.statuses);
   }
+  text +=
+      "(on edges: a pixel whose center lies on an edge may go to either cell; so many did, and at most so "
+      "many could)\n";
   text += fmt::format(fmt::runtime(row), "cells", column, "equal", "statuses", "neighbors", "areas",
                       "worst area");
   for (const PairDiff& pair : comparison.pairs) {
@@ -181,7 +192,7 @@ std::string disagreementText(const Comparison& comparison) {
                      pairText(*bad), more);
 }
 
-std::string comparisonJson(const Comparison& comparison, const Input& input) {
+std::string comparisonJson(const Comparison& comparison, const Input& input, bool times) {
   const Image& image = comparison.runs.front().rendering.image;
   const Box& domain = input.domain;
   Json json;
@@ -195,7 +206,7 @@ std::string comparisonJson(const Comparison& comparison, const Input& input) {
   json["tie_distance_px"] = tie_distance;
   json["area_slack"] = {{"of_cell", area_slack_of_cell}, {"of_mean_cell", area_slack_of_mean}};
   json["backends"] = Json::array();
-  for (const BackendRun& run : comparison.runs) json["backends"].push_back(runJson(run));
+  for (const BackendRun& run : comparison.runs) json["backends"].push_back(runJson(run, times));
   json["pairs"] = Json::array();
   for (const PairDiff& pair : comparison.pairs) {
     Json entry = {

@@ -1,6 +1,7 @@
 /// What `vorpipe compare` found: backends side by side, and every pair of them.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct BackendRun {
   Diagram cells;
   double render_ms = 0, cells_ms = 0;
   std::vector<std::string> broken{};  ///< promises that a check found broken
+  std::string choice{};               ///< why this device was taken, where the name leaves a choice
 };
 
 struct PairDiff {
@@ -44,8 +46,11 @@ std::string disagreementText(const Comparison& comparison);
 /// first run's cells.
 Report reportOf(const Comparison& comparison);
 
-/// The object that `--report` writes, with a line's end.
-std::string comparisonJson(const Comparison& comparison, const Input& input);
+/// Why devices were taken, of all runs that had a choice.
+std::string choiceOf(std::span<const BackendRun> runs);
+
+/// The object that `--report` writes, with a line's end; without what no run has again, if `times` is false.
+std::string comparisonJson(const Comparison& comparison, const Input& input, bool times);
 
 /// Above, the pictures side by side; below, a gray picture for each pair with its differences marked.
 Picture comparisonMontage(const Comparison& comparison);

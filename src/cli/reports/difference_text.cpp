@@ -31,7 +31,9 @@ std::string placeText(const IdDifference& place) {
 
 std::string disagreementText(const IdDiff& diff) {
   if (diff.wrong == 0) {
-    return fmt::format("{} ties, more than the cell boundaries allow ({})", diff.ties, diff.ties_allowed);
+    return fmt::format(
+        "{} pixels whose centers lie on edges went to the other cell, where at most {} lie on any", diff.ties,
+        diff.ties_allowed);
   }
   return fmt::format("{} pixels wrong ({} ties, {} equal), first at {}", diff.wrong, diff.ties, diff.equal,
                      placeText(diff.first.front()));

@@ -2,10 +2,14 @@
 
 #include <sys/resource.h>
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "base/parallel.h"
+#include "bench/measured/revision.h"
 #include "io/text/json_text.h"
 
 namespace vorpipe::cli {
@@ -45,6 +49,27 @@ std::string_view axesOf(Periodic periodic) {
   }
 }
 
+Json fileJson(const LoggedFile& file) {
+  return {{"path", file.path}, {"bytes", file.contents.bytes}, {"xxh128", file.contents.xxh128}};
+}
+
+std::string searchText(const SearchOptions& search) {
+  return search.method == Search::grid ? "grid" : fmt::format("flann:{}", search.neighbors);
+}
+
+/// What reproduces the run.
+void addLog(Json& json, const RunLog& log) {
+  json["arguments"] = log.invocation().arguments;
+  json["inputs"] = Json::array();
+  for (const LoggedFile& file : log.inputs()) json["inputs"].push_back(fileJson(file));
+  json["outputs"] = Json::array();
+  for (const WrittenFile& written : log.outputs()) {
+    Json file = fileJson(written.file);
+    if (!written.timeless.empty()) file["xxh128_without_times"] = written.timeless;
+    json["outputs"].push_back(std::move(file));
+  }
+}
+
 }  // namespace
 
 void addShape(nlohmann::ordered_json& json, const Input& input) {
@@ -74,11 +99,17 @@ std::string statsJson(const Stats& stats) {
   const Times& times = report.time_ms;
   Json json;
   json["version"] = version();
+  const std::string_view revision = bench::revision();
+  json["revision"] = revision.empty() ? Json(nullptr) : Json(revision);
   json["command"] = stats.command;
+  addLog(json, stats.log);
   json["backend"] = report.backend;
   json["device"] = report.device;
   json["driver"] = report.driver;
+  json["choice"] = stats.log.choice.empty() ? Json(nullptr) : Json(stats.log.choice);
   json["notes"] = report.notes;
+  json["search"] = searchText(stats.log.search);
+  json["threads"] = threadCount(stats.log.threads);
   json["sites"] = stats.input.sites.size();
   json["seed"] = stats.input.seed ? Json(*stats.input.seed) : Json(nullptr);
   json["domain"] = {domain.xmin, domain.ymin, domain.xmax, domain.ymax};

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cli/runs/input.h"
+#include "cli/runs/run_log.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {
@@ -15,6 +16,7 @@ struct Stats {
   std::string command;
   const Input& input;
   const Report& report;
+  const RunLog& log;
   double write_ms, total_ms;
   std::uint64_t forecast;            ///< bytes at the peak, told before
   std::optional<double> area_sum{};  ///< none where cells were only drawn

@@ -15,6 +15,8 @@ struct Drawing {
 
   /// Of the picture in pixels, if there is one.
   [[nodiscard]] const Report& report() const { return pixels ? pixels->report : cells->report; }
+  /// By site, in input order.
+  [[nodiscard]] const std::vector<Status>& status() const { return pixels ? pixels->status : cells->status; }
 };
 
 /// What is to be made, at least one of them.

@@ -39,7 +39,7 @@ bool validationIsSilent(const Report& report, std::string_view name) {
 void printNotes(const TalkOptions& talk, const Report& report, std::string_view name) {
   if (talk.quiet) return;
   for (const std::string& note : report.notes) {
-    printError(fmt::format("note: {}{}{}", name, name.empty() ? "" : ": ", note));
+    printNote(fmt::format("{}{}{}", name, name.empty() ? "" : ": ", note));
   }
 }
 
@@ -71,13 +71,46 @@ Result<void> writeOutputs(std::span<OutputFile> files, std::span<const Writer> w
   return commitAll(files);
 }
 
+Result<void> writeOutputs(std::span<OutputFile> files, std::span<const Writer> writers, RunLog& log,
+                          const std::function<std::string()>& stats) {
+  std::vector<Writer> noted;
+  for (const Writer& writer : writers)
+    noted.emplace_back([&](ByteSink& to) { return log.noteOutput(to, writer); });
+  if (files.size() > writers.size()) noted.emplace_back([&](ByteSink& to) { return to.write(stats()); });
+  auto written = writeOutputs(files, noted);
+  if (written && log.invocation().stats != nullptr) *log.invocation().stats = stats();
+  return written;
+}
+
+void printMissingCells(const TalkOptions& talk, const Input& input, std::span<const Status> status,
+                       const Report& report) {
+  if (talk.quiet || report.empty == 0) return;
+  const Box& box = input.domain;
+  // Sites of a periodic domain are moved into it.
+  const bool has_outside = input.periodic == Periodic::none;
+  std::uint64_t outside = 0;
+  for (std::size_t i = 0; has_outside && i < status.size(); ++i) {
+    const double x = input.sites.x[i], y = input.sites.y[i];
+    const bool inside = x >= box.xmin && x <= box.xmax && y >= box.ymin && y <= box.ymax;
+    if (status[i] == Status::empty && !inside) ++outside;
+  }
+  // An outline leaves nothing of those that others do not hide in its box.
+  const std::uint64_t hidden = report.hidden - std::min(report.hidden, outside);
+  const auto say = [&](std::uint64_t count, std::string_view why) {
+    if (count > 0) printNote(fmt::format("{} of {} sites have no cell: {}", count, input.sites.size(), why));
+  };
+  say(hidden, "others of larger weight hide them");
+  say(report.empty - hidden, "they lie outside the domain");
+}
+
 void printSummary(const TalkOptions& talk, std::span<const std::string> paths, std::string_view lines) {
   if (!talk.quiet && std::ranges::none_of(paths, isStandardOutput)) fmt::print("{}", lines);
 }
 
-std::string outcomeText(std::span<const std::string> paths, const Report& report) {
-  return fmt::format("{}{}{} cells ({} empty, {} duplicate)", fmt::join(paths, ", "),
-                     paths.empty() ? "" : ": ", report.ok, report.empty, report.duplicate);
+std::string outcomeText(std::span<const std::string> paths, const Sites& sites, const Report& report) {
+  return fmt::format("{}{}{} {} cells ({} empty, {} duplicate)", fmt::join(paths, ", "),
+                     paths.empty() ? "" : ": ", report.ok, sites.weight.empty() ? "unweighted" : "weighted",
+                     report.empty, report.duplicate);
 }
 
 std::string runText(const Report& report, double milliseconds, bool checked) {

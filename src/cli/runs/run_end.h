@@ -9,6 +9,7 @@
 
 #include "cli/options/options.h"
 #include "cli/runs/input.h"
+#include "cli/runs/run_log.h"
 #include "io/files/byte_sink.h"
 #include "io/files/output_file.h"
 #include "vorpipe.h"
@@ -42,11 +43,22 @@ using Writer = std::function<Result<void>(ByteSink&)>;
 /// the writers; a signal has asked to stop. One that comes after that is too late.
 Result<void> writeOutputs(std::span<OutputFile> files, std::span<const Writer> writers);
 
+/// The same for a run with --stats, which `stats` makes when all else is written: into the last file, where
+/// there is one more than writers, and for whoever called the run.
+Result<void> writeOutputs(std::span<OutputFile> files, std::span<const Writer> writers, RunLog& log,
+                          const std::function<std::string()>& stats);
+
+/// Prints how many sites have no cell, and why, in a line each on standard error, unless the run is quiet.
+/// `status` is that of each site.
+void printMissingCells(const TalkOptions& talk, const Input& input, std::span<const Status> status,
+                       const Report& report);
+
 /// Prints the lines that sum up a run on standard output, unless it is quiet or one of its files goes there.
 void printSummary(const TalkOptions& talk, std::span<const std::string> paths, std::string_view lines);
 
-/// "a.png, b.npy: 10 cells (0 empty, 0 duplicate)", as summaries begin.
-std::string outcomeText(std::span<const std::string> paths, const Report& report);
+/// "a.png, b.npy: 10 weighted cells (0 empty, 0 duplicate)", as summaries begin; without weights they are
+/// "unweighted".
+std::string outcomeText(std::span<const std::string> paths, const Sites& sites, const Report& report);
 
 /// "cpu on NAME, 0.100 s, checked", as summaries end.
 std::string runText(const Report& report, double milliseconds, bool checked);

@@ -15,4 +15,6 @@ void printError(std::string_view message) {
   fmt::print(stderr, "vorpipe: {}\n", line);
 }
 
+void printNote(std::string_view text) { printError(fmt::format("note: {}", text)); }
+
 }  // namespace vorpipe::cli

@@ -1,4 +1,4 @@
-/// How errors are told.
+/// How errors and notes are told.
 #pragma once
 
 #include <string_view>
@@ -7,5 +7,8 @@ namespace vorpipe::cli {
 
 /// Prints one line `vorpipe: MESSAGE` on standard error; what is not fit for one line is replaced.
 void printError(std::string_view message);
+
+/// Prints `vorpipe: note: TEXT` likewise.
+void printNote(std::string_view text);
 
 }  // namespace vorpipe::cli

@@ -96,10 +96,6 @@ Result<void> stopIfAsked() {
   return {};
 }
 
-void printNote(std::string_view text) {
-  if (isatty(STDERR_FILENO) == 1) fmt::print(stderr, "{}\n", text);
-}
-
 ProgressBar::ProgressBar(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) == 1) {}
 
 ProgressBar::~ProgressBar() { clear(); }

@@ -58,7 +58,4 @@ class ProgressBar {
   std::chrono::steady_clock::time_point last_;
 };
 
-/// Prints a line on standard error, if that is a terminal.
-void printNote(std::string_view text);
-
 }  // namespace vorpipe::cli

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "io/files/error.h"
+#include "io/files/read_log.h"
 
 namespace vorpipe {
 
@@ -24,7 +25,8 @@ InputFile::InputFile(InputFile&& other) noexcept
       head_(other.head_),
       head_begin_(other.head_begin_),
       head_end_(other.head_end_),
-      inflater_(std::move(other.inflater_)) {}
+      inflater_(std::move(other.inflater_)),
+      hash_(std::move(other.hash_)) {}
 
 InputFile& InputFile::operator=(InputFile&& other) noexcept {
   std::swap(descriptor_, other.descriptor_);
@@ -35,6 +37,7 @@ InputFile& InputFile::operator=(InputFile&& other) noexcept {
   std::swap(head_begin_, other.head_begin_);
   std::swap(head_end_, other.head_end_);
   std::swap(inflater_, other.inflater_);
+  std::swap(hash_, other.hash_);
   return *this;
 }
 
@@ -60,6 +63,13 @@ Result<InputFile> InputFile::open(const std::string& path) {
   }
   if (S_ISREG(status.st_mode) && !standard) {
     file.size_ = static_cast<std::uint64_t>(status.st_size);
+  }
+  if (ReadLog* log = ReadLog::current()) {
+    if (file.size_) {
+      log->note(path);
+    } else {
+      file.hash_ = log->noteStream(path);
+    }
   }
   return file;
 }
@@ -102,6 +112,7 @@ Result<std::size_t> InputFile::readBytes(std::span<char> bytes) {
       break;
     }
     if (got > 0) {
+      if (hash_) hash_->add({bytes.data() + count, static_cast<std::size_t>(got)});
       count += static_cast<std::size_t>(got);
     } else if (errno != EINTR) {
       return systemError(ErrorCode::device, name_, "reading failed", errno);

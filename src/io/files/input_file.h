@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,8 @@
 #include "vorpipe.h"
 
 namespace vorpipe {
+
+class ContentHash;
 
 class InputFile {
  public:
@@ -45,6 +48,7 @@ class InputFile {
   std::array<char, 2> head_{};  ///< the first bytes, which tell gzip
   std::size_t head_begin_ = 0, head_end_ = 0;
   std::optional<Inflater> inflater_;
+  std::shared_ptr<ContentHash> hash_;  ///< of a stream that a ReadLog notes
 };
 
 /// All that is left of a file. Errors: those of reading.

@@ -1,0 +1,18 @@
+/// Options that there are not, found in the order in which they were typed.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "cli/options/declared.h"
+
+namespace vorpipe::cli {
+
+/// What is wrong with the first of the arguments behind a subcommand that is none of its options; empty where
+/// all are, or help or the version is asked for before.
+std::string unknownOption(const DeclaredSubcommand& subcommand, std::span<char* const> arguments);
+
+/// The same for what stands in the subcommand's place.
+std::string unknownOption(const DeclaredProgram& program, std::string_view argument);
+
+}  // namespace vorpipe::cli

@@ -1,0 +1,48 @@
+#include "cli/runs/run_log.h"
+
+#include <utility>
+
+namespace vorpipe::cli {
+namespace {
+
+/// Hashes what goes through it.
+class HashingSink final : public ByteSink {
+ public:
+  explicit HashingSink(ByteSink& to) : ByteSink(to.name()), to_(to) {}
+  Result<void> write(std::string_view bytes) override {
+    hash_.add(bytes);
+    return to_.write(bytes);
+  }
+  [[nodiscard]] Contents contents() const { return hash_.contents(); }
+
+ private:
+  ByteSink& to_;
+  ContentHash hash_;
+};
+
+}  // namespace
+
+RunLog::RunLog(const Invocation& invocation, bool stats_wanted) : invocation_(invocation) {
+  if (stats_wanted || invocation.stats != nullptr) reads_.emplace();
+}
+
+void RunLog::noteTimeless(std::string_view text) {
+  if (!reads_) return;
+  ContentHash hash;
+  hash.add(text);
+  timeless_ = hash.contents().xxh128;
+}
+
+Result<void> RunLog::noteOutput(ByteSink& to, const std::function<Result<void>(ByteSink&)>& write) {
+  if (!reads_) return write(to);
+  HashingSink hashing(to);
+  auto written = write(hashing);
+  if (written) outputs_.push_back({{to.name(), hashing.contents()}, std::exchange(timeless_, {})});
+  return written;
+}
+
+std::vector<LoggedFile> RunLog::inputs() const {
+  return reads_ ? reads_->files() : std::vector<LoggedFile>();
+}
+
+}  // namespace vorpipe::cli

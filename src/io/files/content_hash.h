@@ -1,0 +1,41 @@
+/// What is in a file, in a few letters.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "vorpipe.h"
+
+struct XXH3_state_s;
+
+namespace vorpipe {
+
+/// How many bytes, and their XXH3 hash of 128 bits, as `xxh128sum` prints it.
+struct Contents {
+  std::uint64_t bytes = 0;
+  std::string xxh128;
+  friend bool operator==(const Contents&, const Contents&) = default;
+};
+
+/// Hashes bytes that come in pieces.
+class ContentHash {
+ public:
+  ContentHash();
+  void add(std::string_view bytes);
+  /// Of all that were added so far.
+  [[nodiscard]] Contents contents() const;
+
+ private:
+  struct Free {
+    void operator()(XXH3_state_s* state) const;
+  };
+  std::unique_ptr<XXH3_state_s, Free> state_;
+  std::uint64_t bytes_ = 0;
+};
+
+/// Reads a whole file. Errors: those of InputFile.
+Result<Contents> contentsOf(const std::string& path);
+
+}  // namespace vorpipe

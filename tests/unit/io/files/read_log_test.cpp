@@ -1,0 +1,79 @@
+#include "io/files/read_log.h"
+
+#include <sys/stat.h>
+
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "io/files/input_file.h"
+#include "unit/fixtures/temporary_directory.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr auto hash_of_nothing = "99aa06d3014798d86001c324468d497f";  // by xxh128sum
+constexpr auto hash_of_abc = "06b05ab6733a618578af5f94892f3950";
+
+void readAll(const std::string& path) {
+  auto file = InputFile::open(path);
+  ASSERT_TRUE(file);
+  std::vector<char> bytes(2);
+  for (;;) {
+    const auto count = file->read(bytes);
+    ASSERT_TRUE(count);
+    if (*count < bytes.size()) return;
+  }
+}
+
+class ReadLogs : public test::InTemporaryDirectory {};
+
+TEST_F(ReadLogs, NoteWhatIsOpenedWhileTheyLiveAndNothingElse) {
+  const std::string before = write("before", "x"), abc = write("abc", "abc"), empty = write("empty", "");
+  readAll(before);
+  std::vector<LoggedFile> files;
+  {
+    const ReadLog log;
+    readAll(abc);
+    readAll(empty);
+    readAll(abc);
+    { const auto absent = InputFile::open(path("absent")); }
+    {
+      const ReadLog::Pause pause;
+      readAll(before);
+    }
+    std::thread([&] { readAll(before); }).join();
+    files = log.files();
+  }
+  EXPECT_EQ(ReadLog::current(), nullptr);
+  ASSERT_EQ(files.size(), 2U);
+  EXPECT_EQ(files[0].path, abc);
+  EXPECT_EQ(files[0].contents, (Contents{3, hash_of_abc}));
+  EXPECT_EQ(files[1].contents, (Contents{0, hash_of_nothing}));
+}
+
+TEST_F(ReadLogs, HashPipesWhileTheyAreRead) {
+  const std::string pipe = path("pipe");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const ReadLog log;
+  std::thread writer([&] { write("pipe", "abc"); });
+  readAll(pipe);
+  writer.join();
+  ASSERT_EQ(log.files().size(), 1U);
+  EXPECT_EQ(log.files()[0].contents, (Contents{3, hash_of_abc}));
+}
+
+TEST_F(ReadLogs, LeaveTheFilesOfAnInnerRunToItsLog) {
+  const ReadLog outer;
+  {
+    const ReadLog inner;
+    readAll(write("inner", "abc"));
+    EXPECT_EQ(inner.files().size(), 1U);
+  }
+  readAll(write("outer", ""));
+  ASSERT_EQ(outer.files().size(), 1U);
+  EXPECT_EQ(outer.files()[0].path, path("outer"));
+}
+
+}  // namespace
+}  // namespace vorpipe

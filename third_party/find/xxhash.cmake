@@ -1,0 +1,7 @@
+find_path(XXHASH_INCLUDE_DIR xxhash.h)
+find_library(XXHASH_LIBRARY xxhash)
+if(XXHASH_INCLUDE_DIR AND XXHASH_LIBRARY)
+  add_library(dep::xxhash INTERFACE IMPORTED)
+  target_include_directories(dep::xxhash INTERFACE ${XXHASH_INCLUDE_DIR})
+  target_link_libraries(dep::xxhash INTERFACE ${XXHASH_LIBRARY})
+endif()
