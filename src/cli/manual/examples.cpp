@@ -11,6 +11,7 @@ namespace vorpipe::cli {
 namespace {
 
 std::string examplesText(std::span<const Example> examples) {
+  if (examples.empty()) return {};
   std::string text = examples.size() > 1 ? "\nExamples:" : "\nExample:";
   for (const Example& example : examples) {
     text += fmt::format("\n  {}\n", example.what);
@@ -20,16 +21,15 @@ std::string examplesText(std::span<const Example> examples) {
   return text;
 }
 
+std::string footer(std::string_view subcommand) {
+  const Prose prose = proseOf(subcommand);
+  if (!subcommand.empty()) return examplesText(prose.examples);
+  return examplesText(std::span(prose.examples).first(1)) +
+         "\n\n`vorpipe SUBCOMMAND --help` has the options of each, and more examples.";
+}
+
 }  // namespace
 
-void addExamples(CommandLine& line) {
-  const Prose program = proseOf("");
-  line.setFooter("", examplesText(std::span(program.examples).first(1)) +
-                         "\n\n`vorpipe SUBCOMMAND --help` has the options of each, and more examples.");
-  for (const DeclaredSubcommand& subcommand : line.declared().subcommands) {
-    const Prose prose = proseOf(subcommand.name);
-    if (!prose.examples.empty()) line.setFooter(subcommand.name, examplesText(prose.examples));
-  }
-}
+void addExamples(CommandLine& line) { line.setFooters(footer); }
 
 }  // namespace vorpipe::cli

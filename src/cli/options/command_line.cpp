@@ -61,18 +61,13 @@ DeclaredOption declaredOption(const CLI::Option& option, const ChoicesOf& choice
   return declared;
 }
 
-/// What is wrong with the first argument that names neither a subcommand nor an option: CLI11 does not name
-/// them in their order.
-std::string firstUnknown(const DeclaredProgram& program, std::span<char* const> arguments) {
-  if (arguments.size() < 2) return {};
-  const std::string_view first = arguments[1];
-  if (first.starts_with('-')) return unknownOption(program, first);
-  const auto chosen = std::ranges::find(program.subcommands, first, &DeclaredSubcommand::name);
-  if (chosen != program.subcommands.end()) return unknownOption(*chosen, arguments.subspan(2));
-  std::vector<std::string> names;
-  for (const DeclaredSubcommand& subcommand : program.subcommands) names.push_back(subcommand.name);
-  const std::string hint = didYouMean(first, names);
-  return quoted(first) + " is no subcommand" + (hint.empty() ? "; see vorpipe --help" : hint);
+DeclaredSubcommand declaredSubcommand(const CLI::App& app, const ChoicesOf& choices) {
+  DeclaredSubcommand declared{app.get_name(), app.get_description(), {}, {}};
+  for (const CLI::Option* option : app.get_options()) {
+    auto& place = option->get_positional() ? declared.operands : declared.options;
+    place.push_back(declaredOption(*option, choices));
+  }
+  return declared;
 }
 
 }  // namespace
@@ -135,6 +130,23 @@ struct CommandLine::Parser {
   std::string version_line;
   std::vector<Subcommand> subcommands;
   ChoicesOf choices;
+
+  /// What is wrong with the first argument that names neither a subcommand nor an option: CLI11 does not name
+  /// them in their order.
+  [[nodiscard]] std::string firstUnknown(std::span<char* const> arguments) const {
+    if (arguments.size() < 2) return {};
+    const std::string_view first = arguments[1];
+    if (first.starts_with('-'))
+      return unknownOption(declaredSubcommand(app, choices), arguments.subspan(1, 1));
+    std::vector<std::string> names;
+    for (const Subcommand& sub : subcommands) {
+      names.push_back(sub.app->get_name());
+      if (names.back() == first)
+        return unknownOption(declaredSubcommand(*sub.app, choices), arguments.subspan(2));
+    }
+    const std::string hint = didYouMean(first, names);
+    return quoted(first) + " is no subcommand" + (hint.empty() ? "; see vorpipe --help" : hint);
+  }
 };
 
 CommandLine::CommandLine(const std::string& program, const std::string& description,
@@ -153,9 +165,10 @@ Options CommandLine::addSubcommand(const std::string& name, const std::string& d
   return Options(app, &parser_->choices);
 }
 
-void CommandLine::setFooter(const std::string& subcommand, const std::string& text) {
-  CLI::App& app = parser_->app;
-  (subcommand.empty() ? &app : app.get_subcommand(subcommand))->footer(text);
+void CommandLine::setFooters(std::string (*footer)(std::string_view subcommand)) {
+  parser_->app.footer([footer] { return footer(""); });
+  for (const auto& [sub, run] : parser_->subcommands)
+    sub->footer([footer, name = sub->get_name()] { return footer(name); });
 }
 
 DeclaredProgram CommandLine::declared() const {
@@ -163,21 +176,15 @@ DeclaredProgram CommandLine::declared() const {
   DeclaredProgram program{app.get_name(), app.get_description(), {}, {}};
   for (const CLI::Option* option : app.get_options())
     program.options.push_back(declaredOption(*option, parser_->choices));
-  for (const auto& [sub, run] : parser_->subcommands) {
-    DeclaredSubcommand declared{sub->get_name(), sub->get_description(), {}, {}};
-    for (const CLI::Option* option : std::as_const(*sub).get_options()) {
-      auto& place = option->get_positional() ? declared.operands : declared.options;
-      place.push_back(declaredOption(*option, parser_->choices));
-    }
-    program.subcommands.push_back(std::move(declared));
-  }
+  for (const auto& [sub, run] : parser_->subcommands)
+    program.subcommands.push_back(declaredSubcommand(*sub, parser_->choices));
   return program;
 }
 
 tl::expected<Run, int> CommandLine::parse(int count, char** arguments) {
   CLI::App& app = parser_->app;
   const std::span<char* const> given(arguments, static_cast<std::size_t>(count));
-  if (const std::string unknown = firstUnknown(declared(), given); !unknown.empty()) {
+  if (const std::string unknown = parser_->firstUnknown(given); !unknown.empty()) {
     printError(unknown);
     return tl::unexpected<int>(exit_input);
   }

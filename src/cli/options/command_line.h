@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -94,8 +95,9 @@ class CommandLine {
   /// Options refer to what `run` reads.
   Options addSubcommand(const std::string& name, const std::string& description, Run run);
 
-  /// What stands below the options in a subcommand's help; of "" below that of the program.
-  void setFooter(const std::string& subcommand, const std::string& text);
+  /// Tells what stands below the options in the help of each subcommand that was added; of "" below that of
+  /// the program. It is asked when help is.
+  void setFooters(std::string (*footer)(std::string_view subcommand));
 
   /// All that was declared, in the order in which it was.
   [[nodiscard]] DeclaredProgram declared() const;

@@ -30,15 +30,17 @@ const DeclaredOption* find(const std::vector<DeclaredOption>& options, std::stri
   return found == options.end() ? nullptr : &*found;
 }
 
-std::string isNone(std::string_view name, const std::vector<DeclaredOption>& options, std::string_view help) {
+std::string isNone(std::string_view name, const DeclaredSubcommand& subcommand) {
   std::vector<std::string> names;
-  for (const DeclaredOption& option : options)
+  for (const DeclaredOption& option : subcommand.options)
     names.insert(names.end(), option.names.begin(), option.names.end());
   // In one line, whatever was typed.
   const std::string typed = quoted(name);
   const std::string hint = didYouMean(name, names);
+  // The program's own options are declared as those of a subcommand of its name.
+  const std::string page = subcommand.name == "vorpipe" ? subcommand.name : "vorpipe " + subcommand.name;
   return fmt::format("{}: is no option{}", std::string_view(typed).substr(1, typed.size() - 2),
-                     hint.empty() ? fmt::format("; see {} --help", help) : hint);
+                     hint.empty() ? fmt::format("; see {} --help", page) : hint);
 }
 
 }  // namespace
@@ -50,16 +52,11 @@ std::string unknownOption(const DeclaredSubcommand& subcommand, std::span<char* 
     if (!isOption(argument)) continue;
     const std::string_view name = nameIn(argument);
     const DeclaredOption* const option = find(subcommand.options, name);
-    if (option == nullptr) return isNone(name, subcommand.options, "vorpipe " + subcommand.name);
+    if (option == nullptr) return isNone(name, subcommand);
     if (option->group == help_group) return {};
     if (option->takes_value && argument == name) ++at;
   }
   return {};
-}
-
-std::string unknownOption(const DeclaredProgram& program, std::string_view argument) {
-  if (!isOption(argument) || find(program.options, nameIn(argument)) != nullptr) return {};
-  return isNone(nameIn(argument), program.options, program.name);
 }
 
 }  // namespace vorpipe::cli

@@ -12,7 +12,4 @@ namespace vorpipe::cli {
 /// all are, or help or the version is asked for before.
 std::string unknownOption(const DeclaredSubcommand& subcommand, std::span<char* const> arguments);
 
-/// The same for what stands in the subcommand's place.
-std::string unknownOption(const DeclaredProgram& program, std::string_view argument);
-
 }  // namespace vorpipe::cli
