@@ -31,10 +31,11 @@ CREATE TABLE gpkg_contents (table_name TEXT, data_type TEXT);
 CREATE TABLE gpkg_geometry_columns (table_name TEXT, column_name TEXT, geometry_type_name TEXT, srs_id INTEGER, z INT, m INT);
 ''')
 def layer(name, kind, srs, columns, rows):
-    db.execute('CREATE TABLE "%s" (fid INTEGER PRIMARY KEY, geom BLOB%s)' % (name, columns))
+    table = '"%s"' % name.replace('"', '""')
+    db.execute('CREATE TABLE %s (fid INTEGER PRIMARY KEY, geom BLOB%s)' % (table, columns))
     db.execute('INSERT INTO gpkg_contents VALUES (?, "features")', (name,))
     db.execute('INSERT INTO gpkg_geometry_columns VALUES (?, "geom", ?, ?, 0, 0)', (name, kind, srs))
-    for row in rows: db.execute('INSERT INTO "%s" VALUES (%s)' % (name, ','.join('?' * len(row))), row)
+    for row in rows: db.execute('INSERT INTO %s VALUES (%s)' % (table, ','.join('?' * len(row))), row)
 )" + layers +
          "\ndb.commit()\ndb.close()\n";
 }
