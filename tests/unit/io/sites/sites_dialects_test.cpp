@@ -33,7 +33,7 @@ TEST_F(SiteTables, areSeparatedByWhatTheFirstLineHas) {
     EXPECT_THAT(table.notes, IsEmpty());
   }
   EXPECT_THAT(good("a.tsv", "x\ty\n1\t2,5\n").sites.y, ElementsAre(2.5));
-  EXPECT_EQ(bad("a.tsv", "x,y\n1,2\n").substr(0, 31), "1:1: the header \"x,y\" names no c");
+  EXPECT_THAT(bad("a.tsv", "x,y\n1,2\n"), HasSubstr("1:1: the header \"x,y\" names no column \"x\""));
 }
 
 TEST_F(SiteTables, withDecimalCommasAreNotGuessedAt) {
