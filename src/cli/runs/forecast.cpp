@@ -2,6 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <functional>
+#include <numeric>
 
 #include "io/files/error.h"
 #include "io/forecast/forecast_files.h"
