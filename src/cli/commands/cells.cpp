@@ -31,7 +31,6 @@ struct CellsCommand {
   SearchOptions search;
   bool check = false;
   CellsTargets targets;
-  FormatChoice format;
   std::string density, stats;
   std::optional<std::uint64_t> memory_limit;
 };
@@ -118,7 +117,7 @@ Result<CellsOptions> cellsOptions(const CellsCommand& command, const Input& inpu
 
 /// Refuses a --format that nothing takes.
 Result<void> checkFormat(const CellsCommand& command) {
-  const bool given = !command.format.output.empty();
+  const bool given = !command.input.format.output.empty();
   if (!given || command.input.sites == "-" || command.targets.useStandardOutput()) return {};
   return inputError("--format: neither --sites - nor -o - is there to take it");
 }
@@ -129,7 +128,7 @@ Result<ExitCode> cells(CellsCommand& command) {
   const std::vector<std::string> paths = outputPaths(command);
   if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("cells.csv"));
   if (auto used = checkFormat(command); !used) return tl::unexpected(std::move(used.error()));
-  if (auto taken = takeFormat(command.targets, command.format.output); !taken) {
+  if (auto taken = takeFormat(command.targets, command.input.format.output); !taken) {
     return tl::unexpected(std::move(taken.error()));
   }
   const auto fits = forecastGenerated(command.input, planOf(command, command.density.empty() ? 0 : 1),
@@ -183,7 +182,7 @@ void addCells(CommandLine& line) {
                          [command] { return cells(*command); });
   addInputOptions(options, command->input).required();
   addCellsTargets(options, command->targets);
-  addParsed(options, "--format", command->format, "KIND",
+  addParsed(options, "--format", command->input.format, "KIND",
             "the kind of what goes to standard output, by -o -, as an extension without its dot", parseFormat,
             {cellsKinds(), {}});
   addAnyFile(

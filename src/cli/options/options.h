@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/options/command_line.h"
+#include "cli/options/format_choice.h"
 #include "cli/options/parse.h"
 #include "vorpipe.h"
 
@@ -57,6 +58,7 @@ struct InputOptions {
   std::string weights;  ///< a file
   std::optional<WeightRange> random_weights;
   Periodic periodic = Periodic::none;
+  FormatChoice format{};
 };
 
 struct TalkOptions {
