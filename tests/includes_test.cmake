@@ -93,7 +93,7 @@ set(users
     "^io/text/csv_reader\\."
     "^io/pictures/png_file\\."
     "^io/arrays/zip_file\\.cpp$"
-    "^io/geopackage/geopackage\\.cpp$"
+    "^io/geopackage/"
     "^geos\\.h$"
     "^(core/outline/validity|io/cells/hole_triangles)\\."
     "^core/outline/"
