@@ -244,7 +244,10 @@ class Diagram:
         return _vorpipe.check_cells(self._cells, _arguments.threads_of(threads))
 
     def save(self, path: PathLike) -> None:
-        """Writes the cells, by the extension: .csv, .npz, .geojson, .geojsonl, .svg, .obj, .ply, .vtk or .wkt."""
+        """Writes the cells, by the extension.
+
+        .csv, .npz, .geojson, .geojsonl, .gpkg, .svg, .obj, .ply, .vtk, .vtp, .vtu or .wkt.
+        """
         self._cells.save(os.fspath(path))
 
     def to_bytes(self, extension: str) -> bytes:

@@ -17,12 +17,19 @@ for backend in $backends; do
   [ "$(wc -l <out/cells.csv)" -eq 2001 ] || fail "out/cells.csv has not one row for each site"
 done
 
-succeeds "cells in every format" cells --backend cpu --sites clusters:500 --check --quiet -o out/cells.csv -o out/cells.npz \
-  -o out/cells.geojson -o out/cells.svg -o out/cells.obj -o out/cells.ply -o out/cells.vtk -o out/cells.WKT
+formats="csv npz geojson gpkg svg obj ply vtk vtp vtu WKT"
+edges_formats="csv geojson geojsonl gpkg wkt vtp"
+# Options for a file of each kind, named out/$1.KIND; and out/$1-edges.KIND.
+files() {
+  local kind
+  for kind in $formats; do echo "-o out/$1.$kind"; done
+  for kind in $edges_formats; do echo "--edges out/$1-edges.$kind"; done
+}
+succeeds "cells in every format" cells --backend cpu --sites clusters:500 --check --quiet $(files cells)
 [ -s log/out ] && fail "not quiet"
-for file in out/cells.{csv,npz,geojson,svg,obj,ply,vtk,WKT}; do [ -s "$file" ] || fail "$file is not there"; done
-succeeds "cells on one thread" cells --backend cpu --sites clusters:500 --threads 1 -o out/cells1.npz -o out/cells1.csv
-cmp -s out/cells.npz out/cells1.npz && cmp -s out/cells.csv out/cells1.csv || fail "two runs differ"
+succeeds "cells on one thread" cells --backend cpu --sites clusters:500 --threads 1 $(files cells1)
+for kind in $formats; do cmp "out/cells.$kind" "out/cells1.$kind" || fail "two runs differ in .$kind"; done
+for kind in $edges_formats; do cmp "out/cells-edges.$kind" "out/cells1-edges.$kind" || fail "edges differ in .$kind"; done
 succeeds "cells, another choice of files" cells --backend cpu --sites clusters:500 -o out/cells2.csv --stats out/cells.json
 cmp -s out/cells.csv out/cells2.csv || fail "what is in a file depends on the other files"
 area_sum=$(grep '"area_sum"' out/cells.json)
@@ -74,6 +81,29 @@ succeeds "cells of a file with weights" cells --backend cpu --sites in/cells.csv
 expect "2 weighted cells (0 empty, 1 duplicate)"
 grep -q '^2,1,0,7,ok,' out/cells.csv || fail "the heavier of two equal sites does not own the cell"
 grep -q '^0,1,0,5,duplicate,' out/cells.csv || fail "the lighter of two equal sites is no duplicate"
+
+# -- Standard output, and records with a cell -------------------------------------------------------------
+succeeds "cells to standard output" cells --backend cpu --sites clusters:500 -o -
+cmp -s log/out out/cells1.csv || fail "not CSV, or not that alone"
+for kind in geojson gpkg npz; do
+  succeeds "cells to standard output as $kind" cells --backend cpu --sites clusters:500 -o - --format $kind
+  cmp -s log/out out/cells.$kind || fail "not the file"
+done
+succeeds "cells to /dev/stdout" cells --backend cpu --sites clusters:500 -o /dev/stdout --format WKT
+cmp -s log/out out/cells.WKT || fail "not the file"
+name="cells with a place alone"
+cases=$((cases + 1))
+run 0 cells --backend cpu --sites clusters:500 --domain 0,0,.5,1 --only-cells -o out/cells4.geojson -o out/cells4.csv
+one_line
+left_out=$(grep -c ',empty,' out/cells4.csv)
+grep -qF "note: --only-cells: $left_out of 500 sites have no cell, and are left out" log/err || fail "what is left out"
+[ "$(grep -c '"Feature"' out/cells4.geojson)" -eq $((500 - left_out)) ] || fail "not only cells"
+grep -q '"geometry":null' out/cells4.geojson && fail "a record without a cell"
+fails 2 "standard output twice" "-o: standard output" cells --backend cpu --sites random:9 -o - -o /dev/stdout
+fails 2 "standard output of an unknown kind" "--format" cells --backend cpu --sites random:9 -o - --format png
+fails 2 "a kind for nothing" "--format" cells --backend cpu --sites random:9 -o out/old.csv --format csv
+fails 2 "only cells of no features" "--only-cells" cells --backend cpu --sites random:9 --only-cells -o out/old.csv
+fails 2 "edges of an unknown kind" "--edges: out/old.npz" cells --backend cpu --sites random:9 --edges out/old.npz
 
 fails 2 "cells without an output" "-o" cells --backend cpu --sites random:9
 fails 2 "cells without sites" "--sites" cells --backend cpu -o out/old.csv

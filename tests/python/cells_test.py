@@ -188,7 +188,7 @@ def test_the_forecast_is_told_before():
     assert vorpipe.forecast([[0, 0]], picture=True, size=(4000, 4000)).bytes > 4000 * 4000 * 8
 
 
-@pytest.mark.parametrize('extension', ['csv', 'npz', 'geojson', 'geojsonl', 'svg', 'obj', 'ply', 'vtk', 'wkt'])
+@pytest.mark.parametrize('extension', 'csv npz geojson geojsonl gpkg svg obj ply vtk vtp vtu wkt'.split())
 def test_cells_are_saved_as_every_kind_of_file(extension, tmp_path):
     path = tmp_path / f'cells.{extension}'
     vorpipe.cells([[0.2, 0.2], [0.7, 0.7]], domain=UNIT).save(path)

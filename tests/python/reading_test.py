@@ -46,7 +46,7 @@ def test_places_of_a_torus_wrap_around():
     assert torus.locate([(0.98, 0.98), (1.1, 0.1), (-0.4, 0.6)]).tolist() == [0, 0, 1]
 
 
-@pytest.mark.parametrize('extension', ['.csv', '.npz', '.geojson', '.geojsonl', '.svg', '.obj', '.ply', '.vtk', '.wkt'])
+@pytest.mark.parametrize('extension', '.csv .npz .geojson .geojsonl .gpkg .svg .obj .ply .vtk .vtp .vtu .wkt'.split())
 def test_bytes_are_those_of_the_file(diagram, extension, tmp_path):
     path = pathlib.Path(tmp_path / f'cells{extension}')
     diagram.save(path)
