@@ -20,7 +20,7 @@ Result<Projection> projectionAmid(const Outline& degrees);
 /// A box in degrees as an outline, its sides along parallels in steps of a few degrees. Its longitudes may be
 /// of any turn; a box of 360 degrees goes around the Earth. Errors (input): a latitude beyond 90 or a
 /// longitude beyond 360 degrees from 0, more than 360 degrees of longitude, both poles.
-Result<Outline> outlineOf(const Box& degrees);
+Result<Outline> outlineOfDegrees(const Box& degrees);
 
 /// Sites from degrees to the plane; weights stay, which are square kilometers then. Errors: as
 /// projectionAmid's.
@@ -40,13 +40,14 @@ Result<double> reachOf(const Box& kilometers);
 /// those away from it too short.
 double distortionAt(double degrees_from_center);
 
-/// All positions of a diagram from the plane to degrees; longitudes are within 180 degrees of the center's,
-/// and may be beyond 180 themselves: nothing is cut at the antimeridian. Measures stay in kilometers, to
-/// their powers. A cell that lies at the pole, or around it, is no polygon in degrees.
-void toDegrees(const Projection& projection, Diagram& diagram, int threads = 0);
-
-/// Sites in degrees in the turn that toDegrees has positions in.
+/// Sites in degrees, each in the turn that is within 180 degrees of the center's longitude, as toDegrees has
+/// positions.
 Sites turned(const Projection& projection, Sites degrees);
+
+/// All positions of a diagram from the plane to degrees; `degrees` are its sites as turned() has them.
+/// Longitudes may be beyond 180: nothing is cut at the antimeridian. Measures stay in kilometers, to their
+/// powers. Edges are straight in the plane; a cell around a pole is no polygon in degrees.
+void toDegrees(const Projection& projection, const Sites& degrees, Diagram& diagram, int threads = 0);
 
 /// How much a domain is larger than what it is around, on every side.
 struct Margin {

@@ -129,7 +129,7 @@ Result<void> checkReach(const InputOptions& options, Input& input) {
 /// The outline in degrees that --domain names; empty where it names none.
 Result<Outline> domainInDegrees(const InputOptions& options, Input& input) {
   if (!options.domain.box) return readDomainFile(options, input);
-  auto outline = outlineOf(*options.domain.box);
+  auto outline = outlineOfDegrees(*options.domain.box);
   if (!outline) return unprefixed("--domain", std::move(outline.error()));
   return outline;
 }
@@ -186,9 +186,9 @@ Result<void> takeDomain(const InputOptions& options, Input& input) {
 
 void backToDegrees(Input& input, Diagram& diagram, int threads) {
   if (!input.projection) return;
-  toDegrees(*input.projection, diagram, threads);
   input.sites.x = std::move(input.longitudes);
   input.sites.y = std::move(input.latitudes);
+  toDegrees(*input.projection, input.sites, diagram, threads);
   input.system = input.degrees;
 }
 

@@ -86,7 +86,7 @@ Result<double> reachOf(std::span<const Point> kilometers) {
 
 }  // namespace
 
-Result<Outline> outlineOf(const Box& degrees) {
+Result<Outline> outlineOfDegrees(const Box& degrees) {
   const auto refuse = [](std::string_view what) {
     return tl::unexpected(refusalOf(Subject::domain, std::string(what)));
   };
