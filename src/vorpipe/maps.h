@@ -27,9 +27,14 @@ Result<Outline> outlineOfDegrees(const Box& degrees);
 Result<Sites> toPlane(const Projection& projection, const Sites& degrees, int threads = 0);
 
 /// An outline from degrees to the plane: its sides are straight in longitude and latitude, and get as many
-/// points more as keep them within a millionth of its extent. Parts that share a side still do. Errors: as
+/// points more as keep them within a millionth of its extent. One of more than 180 and less than 360 degrees
+/// goes the other way round, across the antimeridian. Parts that share a side still do. Errors: as
 /// projectionAmid's.
 Result<Outline> toPlane(const Projection& projection, const Outline& degrees);
+
+/// The same, mended in degrees and in the plane: halves of a country that a file cuts at the antimeridian
+/// touch, and so does a ring itself that goes along it to a pole. Errors: those of mended() and toPlane().
+Result<MendedOutline> mendedToPlane(const Projection& projection, const Outline& degrees, bool repair);
 
 /// How far a domain in the plane reaches from the center, in degrees of the sphere of equal area. Error
 /// (input): farther than 90.

@@ -32,6 +32,7 @@ std::uint64_t peakOf(const InputOptions& options, const Workload& work, const Pl
   MemoryPlan whole;
   planSites(whole, options.sites, work.sites, work.weighted && !hasWeights(options));
   if (hasWeights(options)) planWeights(whole, options.weights, work.sites);
+  if (options.project) whole.take("the sites in degrees", work.sites * sizeof(double[2]));
   plan(whole, work);
   return whole.peak();
 }

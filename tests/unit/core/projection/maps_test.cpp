@@ -177,6 +177,29 @@ TEST(Maps, outlinesThatShareASideInDegreesShareItInThePlane) {
   EXPECT_NEAR(outlineArea(country->outline), areaOnEllipsoid({170, 60, 190, 70}), 10);
 }
 
+TEST(Maps, ringsMayCrossTheAntimeridianEndAtItOrGoAlongItToAPole) {
+  const auto areaOf = [](const Outline& degrees) {
+    const auto plane = mendedToPlane(projectionAmid(degrees).value(), degrees, false);
+    EXPECT_TRUE(plane) << plane.error().message;
+    return plane ? outlineArea(plane->outline) : 0;
+  };
+  const double wide = areaOnEllipsoid({170, 60, 190, 70}), cap = areaOnEllipsoid({-180, 70, 180, 90});
+  EXPECT_NEAR(areaOf(outlineOf({{rectangle(170, 60, 190, 70)}})), wide, 1e-5 * wide);
+  EXPECT_NEAR(areaOf(outlineOf({{{{170, 60}, {-170, 60}, {-170, 70}, {170, 70}}}})), wide, 1e-5 * wide);
+  EXPECT_NEAR(areaOf(outlineOf({{rectangle(170, 60, 180, 70)}, {rectangle(-180, 60, -170, 70)}})), wide,
+              1e-5 * wide);
+  EXPECT_NEAR(areaOf(outlineOf({{rectangle(-180, 70, 180, 90)}})), cap, 1e-5 * cap);
+  RingPoints around;
+  for (int x = -170; x < 180; x += 10) around.push_back({static_cast<double>(x), 70});
+  EXPECT_NEAR(areaOf(outlineOf({{around}})), cap, 1e-5 * cap);
+  // A ring that crosses itself in degrees is named by its place there.
+  const Outline bow = outlineOf({{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}}});
+  const auto refused = mendedToPlane(projectionAmid(bow).value(), bow, false);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, testing::HasSubstr("at (0.5, 0.5)"));
+  EXPECT_TRUE(mendedToPlane(projectionAmid(bow).value(), bow, true));
+}
+
 TEST(Maps, domainsReachAQuarterOfTheEarthAtMost) {
   EXPECT_NEAR(reachOf(Box{-1, -1, 1, 1}).value(), 0.0127, 1e-3);
   const Outline degrees = outlineOfDegrees(Box{-30, -1, 30, 1}).value();
