@@ -10,7 +10,6 @@
 #include "cli/options/command_line.h"
 #include "cli/options/parse.h"
 #include "vorpipe.h"
-#include "vorpipe/maps.h"
 
 namespace vorpipe::cli {
 

@@ -10,7 +10,6 @@
 
 #include "base/refusal.h"
 #include "vorpipe.h"
-#include "vorpipe/maps.h"
 
 namespace vorpipe {
 namespace {

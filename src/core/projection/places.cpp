@@ -13,7 +13,6 @@
 #include "base/parallel.h"
 #include "base/refusal.h"
 #include "vorpipe.h"
-#include "vorpipe/maps.h"
 
 namespace vorpipe {
 namespace {

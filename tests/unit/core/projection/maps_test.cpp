@@ -11,7 +11,6 @@
 #include "unit/fixtures/checked_runs.h"
 #include "unit/fixtures/outlines.h"
 #include "vorpipe.h"
-#include "vorpipe/maps.h"
 
 namespace vorpipe::test {
 namespace {
