@@ -13,6 +13,7 @@
 #include "vorpipe/forecast.h"
 #include "vorpipe/legend.h"
 #include "vorpipe/locate.h"
+#include "vorpipe/maps.h"
 #include "vorpipe/outline.h"
 #include "vorpipe/picture.h"
 #include "vorpipe/projection.h"

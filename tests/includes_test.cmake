@@ -93,14 +93,9 @@ set(users
     "^core/search/flann_"
     "^io/text/csv_reader\\."
     "^io/pictures/png_file\\."
-<<<<<<< HEAD
     "^io/(arrays/zip_file|files/inflater|pictures/deflate)\\.cpp$"
     "^io/geopackage/"
     "^io/files/content_hash\\.cpp$"
-=======
-    "^io/arrays/zip_file\\.cpp$"
-    "^io/geopackage/"
->>>>>>> outputs
     "^geos\\.h$"
     "^(core/outline/(geos_outline|hull|mended|validity)|io/cells/hole_triangles)\\."
     "^core/outline/"

@@ -20,16 +20,21 @@ Result<Projection> projectionAmid(const Outline& degrees);
 /// A box in degrees as an outline, its sides along parallels in steps of a few degrees. Its longitudes may be
 /// of any turn; a box of 360 degrees goes around the Earth. Errors (input): a latitude beyond 90 or a
 /// longitude beyond 360 degrees from 0, more than 360 degrees of longitude, both poles.
-Result<Outline> outlineOf(const Box& degrees);
+Result<Outline> outlineOfDegrees(const Box& degrees);
 
 /// Sites from degrees to the plane; weights stay, which are square kilometers then. Errors: as
 /// projectionAmid's.
 Result<Sites> toPlane(const Projection& projection, const Sites& degrees, int threads = 0);
 
 /// An outline from degrees to the plane: its sides are straight in longitude and latitude, and get as many
-/// points more as keep them within a millionth of its extent. Parts that share a side still do. Errors: as
+/// points more as keep them within a millionth of its extent. One of more than 180 and less than 360 degrees
+/// goes the other way round, across the antimeridian. Parts that share a side still do. Errors: as
 /// projectionAmid's.
 Result<Outline> toPlane(const Projection& projection, const Outline& degrees);
+
+/// The same, mended in degrees and in the plane: halves of a country that a file cuts at the antimeridian
+/// touch, and so does a ring itself that goes along it to a pole. Errors: those of mended() and toPlane().
+Result<MendedOutline> mendedToPlane(const Projection& projection, const Outline& degrees, bool repair);
 
 /// How far a domain in the plane reaches from the center, in degrees of the sphere of equal area. Error
 /// (input): farther than 90.
@@ -40,13 +45,14 @@ Result<double> reachOf(const Box& kilometers);
 /// those away from it too short.
 double distortionAt(double degrees_from_center);
 
-/// All positions of a diagram from the plane to degrees; longitudes are within 180 degrees of the center's,
-/// and may be beyond 180 themselves: nothing is cut at the antimeridian. Measures stay in kilometers, to
-/// their powers. A cell that lies at the pole, or around it, is no polygon in degrees.
-void toDegrees(const Projection& projection, Diagram& diagram, int threads = 0);
-
-/// Sites in degrees in the turn that toDegrees has positions in.
+/// Sites in degrees, each in the turn that is within 180 degrees of the center's longitude, as toDegrees has
+/// positions.
 Sites turned(const Projection& projection, Sites degrees);
+
+/// All positions of a diagram from the plane to degrees; `degrees` are its sites as turned() has them.
+/// Longitudes may be beyond 180: nothing is cut at the antimeridian. Measures stay in kilometers, to their
+/// powers. Edges are straight in the plane; a cell around a pole is no polygon in degrees.
+void toDegrees(const Projection& projection, const Sites& degrees, Diagram& diagram, int threads = 0);
 
 /// How much a domain is larger than what it is around, on every side.
 struct Margin {

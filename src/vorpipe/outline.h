@@ -13,14 +13,15 @@ struct MendedOutline {
   std::string changes;  ///< what was changed, in words; empty: nothing
 };
 
-/// Dissolves polygons that touch or overlap, as those of neighboring districts do, into what they cover
-/// together. A ring that crosses itself is refused, unless `repair` is set: then what it winds around is
-/// kept. An outline that is valid stays as it is. Errors (input): as checkInput's for an outline; nothing of
-/// an area is left.
+/// Dissolves polygons that touch along sides or overlap, as those of neighboring districts do, into what they
+/// cover together. A ring that crosses itself is refused, unless `repair` is set: then what it winds around
+/// an odd number of times is kept, without what holes do. What rounding leaves between polygons is left out.
+/// An outline that is valid stays as it is. Errors (input): as checkInput's for an outline; nothing of it has
+/// an area.
 Result<MendedOutline> mended(const Outline& outline, bool repair);
 
-/// The convex hull of sites, grown on every side by `margin`, which is 0 or more. Error (input): it has no
-/// area.
+/// The convex hull of sites, grown on every side by `margin`, which is 0 or more. Errors (input): the sites
+/// lie on a line, or one is not finite.
 Result<Outline> hullOf(const Sites& sites, double margin);
 
 }  // namespace vorpipe

@@ -176,7 +176,7 @@ for shell in bash fish; do
   offers "vorpipe cells --sites=random:9 --quie" --quiet
   # Files of other kinds are offered only where there is none that is right.
   offers "vorpipe diff " b.NPY c.png folder
-  offers "vorpipe cells --domain " e.geojson f.json folder
+  offers "vorpipe cells --domain " e.geojson f.json folder hull
   offers "vorpipe cells --weights=" a.csv b.NPY folder
   offers "vorpipe cells --sites a" a.csv
   offers "vorpipe cells -o d" d.doc

@@ -198,13 +198,7 @@ void addCells(CommandLine& line) {
   addInputOptions(options, command->input).required();
   options.group("Output");
   addCellsTargets(options, command->targets);
-<<<<<<< HEAD
   options.group("Cells");
-=======
-  addParsed(options, "--format", command->input.format, "KIND",
-            "the kind of what goes to standard output, by -o -, as an extension without its dot", parseFormat,
-            {cellsKinds(), {}});
->>>>>>> outputs
   addAnyFile(
       options, "--density", command->density, {".png", ".npy"},
       "a density over the domain, .png (dark is dense) or .npy, pixels with row 0 at the top: the mass "

@@ -12,7 +12,6 @@
 #include "cli/options/parse.h"
 #include "io/sites/site_table.h"
 #include "vorpipe.h"
-#include "vorpipe/maps.h"
 
 namespace vorpipe::cli {
 

@@ -54,11 +54,14 @@ tl::unexpected<Error> unprefixed(std::string_view option, Error error) {
   return named(option, std::move(error));
 }
 
-/// Dissolves and repairs, and notes what was done.
-Result<Outline> mend(const Outline& outline, const InputOptions& options, bool repair, Input& input) {
-  auto result = mended(outline, repair);
+/// An outline of --domain that `mend(repair)` dissolves and repairs, which is noted.
+template <class Mend>
+Result<Outline> mendedBy(const Mend& mend, const InputOptions& options, Input& input) {
+  auto result = mend(options.repair);
   if (!result) {
-    if (!repair && mended(outline, true)) result.error().message += "; --repair mends it";
+    if (!options.repair && !options.domain.file.empty() && mend(true)) {
+      result.error().message += "; --repair mends it";
+    }
     return unprefixed("--domain", std::move(result.error()));
   }
   if (!result->changes.empty() && !options.domain.file.empty()) {
@@ -67,12 +70,11 @@ Result<Outline> mend(const Outline& outline, const InputOptions& options, bool r
   return std::move(result->outline);
 }
 
-/// The outline of --domain FILE, in the unit of the file; empty where it names none.
-Result<Outline> readDomainFile(const InputOptions& options, Input& input) {
+/// The outline of --domain FILE, as it stands there; empty where it names none.
+Result<Outline> readDomainFile(const InputOptions& options) {
   if (options.domain.file.empty()) return Outline{};
   auto outline = readOutline(options.domain.file);
-  if (!outline) return named("--domain", std::move(outline.error()));
-  return mend(*outline, options, options.repair, input);
+  return outline ? outline : named("--domain", std::move(outline.error()));
 }
 
 /// The domain that the sites themselves have.
@@ -127,16 +129,16 @@ Result<void> checkReach(const InputOptions& options, Input& input) {
 }
 
 /// The outline in degrees that --domain names; empty where it names none.
-Result<Outline> domainInDegrees(const InputOptions& options, Input& input) {
-  if (!options.domain.box) return readDomainFile(options, input);
-  auto outline = outlineOf(*options.domain.box);
+Result<Outline> domainInDegrees(const InputOptions& options) {
+  if (!options.domain.box) return readDomainFile(options);
+  auto outline = outlineOfDegrees(*options.domain.box);
   if (!outline) return unprefixed("--domain", std::move(outline.error()));
   return outline;
 }
 
 /// Takes sites and domain to the plane.
 Result<void> project(const InputOptions& options, Input& input) {
-  const auto degrees = domainInDegrees(options, input);
+  const auto degrees = domainInDegrees(options);
   if (!degrees) return tl::unexpected(degrees.error());
   const auto projection = projectionFor(options, *degrees, input.sites);
   if (!projection) return unprefixed("--project", projection.error());
@@ -150,10 +152,8 @@ Result<void> project(const InputOptions& options, Input& input) {
   input.degrees = std::exchange(input.system, {CoordinateKind::plane, {}, 0, {}, projection->center()});
   if (!input.sites.weight.empty()) input.notes.emplace_back("--project: weights are square kilometers");
   if (degrees->empty()) return takeDomainOfSites(options, input);
-  const auto outline = toPlane(*projection, *degrees);
-  if (!outline) return unprefixed("--domain", outline.error());
-  // Halves of a country that a file cuts at the antimeridian touch, and rings that go along it to a pole.
-  auto whole = mend(*outline, options, /*repair=*/true, input);
+  auto whole =
+      mendedBy([&](bool repair) { return mendedToPlane(*projection, *degrees, repair); }, options, input);
   if (!whole) return tl::unexpected(std::move(whole.error()));
   input.outline = std::move(*whole);
   input.domain = boxOf(input.outline.points);
@@ -168,10 +168,12 @@ Result<void> takeDomain(const InputOptions& options, Input& input) {
     if (auto taken = project(options, input); !taken) return taken;
     return checkReach(options, input);
   }
-  auto outline = readDomainFile(options, input);
-  if (!outline) return tl::unexpected(std::move(outline.error()));
+  const auto outline = readDomainFile(options);
+  if (!outline) return tl::unexpected(outline.error());
   if (!outline->empty()) {
-    input.outline = std::move(*outline);
+    auto whole = mendedBy([&](bool repair) { return mended(*outline, repair); }, options, input);
+    if (!whole) return tl::unexpected(std::move(whole.error()));
+    input.outline = std::move(*whole);
     input.domain = boxOf(input.outline.points);
     if (input.seed) input.sites = spreadOver(input.domain, std::move(input.sites));
     return {};
@@ -186,9 +188,9 @@ Result<void> takeDomain(const InputOptions& options, Input& input) {
 
 void backToDegrees(Input& input, Diagram& diagram, int threads) {
   if (!input.projection) return;
-  toDegrees(*input.projection, diagram, threads);
   input.sites.x = std::move(input.longitudes);
   input.sites.y = std::move(input.latitudes);
+  toDegrees(*input.projection, input.sites, diagram, threads);
   input.system = input.degrees;
 }
 

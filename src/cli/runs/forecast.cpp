@@ -41,6 +41,7 @@ std::uint64_t peakOf(const InputOptions& options, const Workload& work, const Pl
   planSites(whole, options.sites, work.sites, work.weighted && !hasWeights(options));
   planAttributes(whole, attributes);
   if (hasWeights(options)) planWeights(whole, options.weights, work.sites);
+  if (options.project) whole.take("the sites in degrees", work.sites * sizeof(double[2]));
   plan(whole, work);
   return whole.peak();
 }

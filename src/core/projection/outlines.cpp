@@ -10,7 +10,6 @@
 
 #include "base/refusal.h"
 #include "vorpipe.h"
-#include "vorpipe/maps.h"
 
 namespace vorpipe {
 namespace {
@@ -32,6 +31,22 @@ void addParallel(double latitude, double from, double to, std::vector<Point>& ri
   for (int k = 0; k < steps; ++k) ring.push_back({from + (to - from) * k / steps, latitude});
 }
 
+/// A side that is shorter the other way round goes there; one of a whole turn is meant.
+bool crossesAntimeridian(Point a, Point b) {
+  const double apart = std::abs(a.x - b.x);
+  return apart > turn / 2 && apart < turn;
+}
+
+bool crossesAntimeridian(const Outline& outline) {
+  for (std::size_t r = 0; r + 1 < outline.ring_offsets.size(); ++r) {
+    const auto begin = outline.ring_offsets[r], end = outline.ring_offsets[r + 1];
+    for (auto p = begin; p < end; ++p) {
+      if (crossesAntimeridian(outline.points[p], outline.points[p + 1 < end ? p + 1 : begin])) return true;
+    }
+  }
+  return false;
+}
+
 /// The sides of a projected ring.
 class Sides {
  public:
@@ -40,7 +55,10 @@ class Sides {
 
   /// Adds the places from a on, without b. Halving gives the same places from either end, so that what had a
   /// side in common still has.
-  void add(Point a, Point b) { add(a, projection_.toPlane(a), b, projection_.toPlane(b)); }
+  void add(Point a, Point b) {
+    if (crossesAntimeridian(a, b)) b.x += b.x < a.x ? turn : -turn;
+    add(a, projection_.toPlane(a), b, projection_.toPlane(b));
+  }
 
  private:
   void add(Point a, Point from, Point b, Point to) {
@@ -86,7 +104,7 @@ Result<double> reachOf(std::span<const Point> kilometers) {
 
 }  // namespace
 
-Result<Outline> outlineOf(const Box& degrees) {
+Result<Outline> outlineOfDegrees(const Box& degrees) {
   const auto refuse = [](std::string_view what) {
     return tl::unexpected(refusalOf(Subject::domain, std::string(what)));
   };
@@ -133,13 +151,29 @@ Result<Outline> toPlane(const Projection& projection, const Outline& degrees) {
     Sides sides(projection, allowed, ring);
     for (auto p = begin; p < end; ++p) {
       const Point next = degrees.points[p + 1 < end ? p + 1 : begin];
-      // A ring that ends a turn from where it began goes on from there.
-      if (p + 1 < end || std::abs(next.x - degrees.points[p].x) < turn) sides.add(degrees.points[p], next);
+      // A ring that ends a turn from where it began is closed.
+      if (p + 1 == end && std::abs(next.x - degrees.points[p].x) == turn && next.y == degrees.points[p].y)
+        break;
+      sides.add(degrees.points[p], next);
     }
     while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
     addRing(ring, outline);
   }
   return outline;
+}
+
+Result<MendedOutline> mendedToPlane(const Projection& projection, const Outline& degrees, bool repair) {
+  // In degrees parts fit each other best; a side that goes the other way round is crossed there by others.
+  const bool crosses = crossesAntimeridian(degrees);
+  auto first = crosses ? Result<MendedOutline>(MendedOutline{degrees, {}}) : mended(degrees, repair);
+  if (!first) return first;
+  const auto plane = toPlane(projection, first->outline);
+  if (!plane) return tl::unexpected(plane.error());
+  auto second = mended(*plane, repair || !crosses);
+  if (!second) return second;
+  if (!first->changes.empty() && !second->changes.empty()) first->changes += "; ";
+  second->changes = first->changes + second->changes;
+  return second;
 }
 
 Result<double> reachOf(const Outline& kilometers) { return reachOf(std::span(kilometers.points)); }

@@ -2,7 +2,6 @@
 #include <cmath>
 
 #include "vorpipe.h"
-#include "vorpipe/maps.h"
 
 namespace vorpipe {
 namespace {

@@ -11,7 +11,6 @@
 #include "unit/fixtures/checked_runs.h"
 #include "unit/fixtures/outlines.h"
 #include "vorpipe.h"
-#include "vorpipe/maps.h"
 
 namespace vorpipe::test {
 namespace {
@@ -36,17 +35,20 @@ Sites randomSites(const Box& box, std::size_t count, std::uint64_t seed) {
   return sites;
 }
 
-/// The cells of sites in degrees, in the plane around them, inside a box in degrees.
-Diagram cellsOnEarth(const Sites& sites, const Box& box) {
-  const Outline degrees = outlineOf(box).value();
-  const Projection projection = projectionAmid(degrees).value();
+/// The cells of sites in degrees, in the plane around a center, inside a box in degrees.
+Diagram cellsOnEarth(const Sites& sites, const Box& box, const Projection& projection) {
+  const Outline degrees = outlineOfDegrees(box).value();
   const Outline plane = toPlane(projection, degrees).value();
   const Sites there = toPlane(projection, sites).value();
   const CellsOptions options = inside(plane, boxOf(plane.points));
   Diagram diagram = cellsOf(there, options);
   EXPECT_THAT(promisesOf(check(there, options, diagram)), testing::IsEmpty());
-  toDegrees(projection, diagram);
+  toDegrees(projection, turned(projection, sites), diagram);
   return diagram;
+}
+
+Diagram cellsOnEarth(const Sites& sites, const Box& box) {
+  return cellsOnEarth(sites, box, projectionAmid(outlineOfDegrees(box).value()).value());
 }
 
 std::set<std::int64_t> neighborsOf(const Diagram& diagram, std::size_t site) {
@@ -78,7 +80,7 @@ TEST(Maps, placesThatAreNoneAreRefused) {
   }
   for (const Box& bad :
        {Box{0, 0, 1, 91}, Box{-400, 0, 0, 1}, Box{-180, -90, 180, 90}, Box{-200, 0, 200, 1}}) {
-    EXPECT_FALSE(outlineOf(bad));
+    EXPECT_FALSE(outlineOfDegrees(bad));
   }
 }
 
@@ -92,7 +94,7 @@ TEST(Maps, boxesInDegreesHaveTheirAreaOnTheEllipsoid) {
                          {30, 80, 60, 90},
                          {12, 41, 12.01, 41.01}}) {
     SCOPED_TRACE(fmt::format("{},{},{},{}", box.xmin, box.ymin, box.xmax, box.ymax));
-    const Outline degrees = outlineOf(box).value();
+    const Outline degrees = outlineOfDegrees(box).value();
     const Outline plane = toPlane(projectionAmid(degrees).value(), degrees).value();
     const auto whole = mended(plane, true);
     ASSERT_TRUE(whole) << whole.error().message;
@@ -110,18 +112,29 @@ TEST(Maps, areasOfCellsAddUpToThatOnTheEllipsoid) {
   }
 }
 
+TEST(Maps, sitesWithoutACellAreWhereTheyWere) {
+  Sites sites = randomSites({5, 47, 15, 55}, 50, 3);
+  sites.x.insert(sites.x.end(), {-70.123, 170, sites.x[0]});
+  sites.y.insert(sites.y.end(), {-33.321, -80, sites.y[0]});
+  const Diagram diagram = cellsOnEarth(sites, {5, 47, 15, 55});
+  EXPECT_EQ(diagram.centroid[50], (Point{-70.123, -33.321}));
+  EXPECT_EQ(diagram.centroid[51], (Point{170, -80}));
+  EXPECT_EQ(diagram.centroid[52], (Point{sites.x[0], sites.y[0]}));
+}
+
 TEST(Maps, theAntimeridianAndThePolesAreNoBorders) {
   const Box here{5, 47, 15, 55}, there{175, 47, 185, 55};
   const Sites sites = randomSites(here, 300, 3);
   Sites moved = sites;
   for (double& x : moved.x) x = std::remainder(x + 170, 360);
-  const Diagram a = cellsOnEarth(sites, here), b = cellsOnEarth(moved, there);
+  const Diagram a = cellsOnEarth(sites, here, Projection::around({10, 51}).value());
+  const Diagram b = cellsOnEarth(moved, there, Projection::around({180, 51}).value());
   std::size_t differ = 0;
   for (std::size_t i = 0; i < sites.size(); ++i) {
     EXPECT_NEAR(a.area[i], b.area[i], 1e-6 * a.area[i]);
     EXPECT_NEAR(b.centroid[i].x, a.centroid[i].x + 170, 1e-8);
     EXPECT_NEAR(b.centroid[i].y, a.centroid[i].y, 1e-8);
-    differ += neighborsOf(a, i) == neighborsOf(b, i) ? 0 : 1;
+    differ += neighborsOf(a, i) == neighborsOf(b, i) ? 0U : 1U;
   }
   EXPECT_EQ(differ, 0u);
   const Sites same = turned(Projection::around({180, 51}).value(), moved);
@@ -142,7 +155,7 @@ TEST(Maps, degreesTakenForAPlaneGiveOneSiteInSixOtherNeighbors) {
     const auto there = neighborsOf(projected, i);
     for (const auto neighbor : neighborsOf(flat, i)) {
       ++pairs;
-      lost += there.contains(neighbor) ? 0 : 1;
+      lost += there.contains(neighbor) ? 0U : 1U;
     }
   }
   EXPECT_NEAR(static_cast<double>(lost) / static_cast<double>(pairs), 0.16, 0.02);
@@ -163,9 +176,32 @@ TEST(Maps, outlinesThatShareASideInDegreesShareItInThePlane) {
   EXPECT_NEAR(outlineArea(country->outline), areaOnEllipsoid({170, 60, 190, 70}), 10);
 }
 
+TEST(Maps, ringsMayCrossTheAntimeridianEndAtItOrGoAlongItToAPole) {
+  const auto areaOf = [](const Outline& degrees) {
+    const auto plane = mendedToPlane(projectionAmid(degrees).value(), degrees, false);
+    EXPECT_TRUE(plane) << plane.error().message;
+    return plane ? outlineArea(plane->outline) : 0;
+  };
+  const double wide = areaOnEllipsoid({170, 60, 190, 70}), cap = areaOnEllipsoid({-180, 70, 180, 90});
+  EXPECT_NEAR(areaOf(outlineOf({{rectangle(170, 60, 190, 70)}})), wide, 1e-5 * wide);
+  EXPECT_NEAR(areaOf(outlineOf({{{{170, 60}, {-170, 60}, {-170, 70}, {170, 70}}}})), wide, 1e-5 * wide);
+  EXPECT_NEAR(areaOf(outlineOf({{rectangle(170, 60, 180, 70)}, {rectangle(-180, 60, -170, 70)}})), wide,
+              1e-5 * wide);
+  EXPECT_NEAR(areaOf(outlineOf({{rectangle(-180, 70, 180, 90)}})), cap, 1e-5 * cap);
+  RingPoints around;
+  for (int x = -170; x < 180; x += 10) around.push_back({static_cast<double>(x), 70});
+  EXPECT_NEAR(areaOf(outlineOf({{around}})), cap, 1e-5 * cap);
+  // A ring that crosses itself in degrees is named by its place there.
+  const Outline bow = outlineOf({{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}}});
+  const auto refused = mendedToPlane(projectionAmid(bow).value(), bow, false);
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, testing::HasSubstr("at (0.5, 0.5)"));
+  EXPECT_TRUE(mendedToPlane(projectionAmid(bow).value(), bow, true));
+}
+
 TEST(Maps, domainsReachAQuarterOfTheEarthAtMost) {
   EXPECT_NEAR(reachOf(Box{-1, -1, 1, 1}).value(), 0.0127, 1e-3);
-  const Outline degrees = outlineOf(Box{-30, -1, 30, 1}).value();
+  const Outline degrees = outlineOfDegrees(Box{-30, -1, 30, 1}).value();
   EXPECT_NEAR(reachOf(toPlane(projectionAmid(degrees).value(), degrees).value()).value(), 30, 0.1);
   const auto far = reachOf(Box{-9000, -9000, 9000, 9000});
   ASSERT_FALSE(far);
