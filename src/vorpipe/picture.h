@@ -48,7 +48,7 @@ struct ColorRange {
 /// What becomes of a domain in a picture of another aspect.
 enum class Fit : std::uint8_t {
   stretch,    ///< it fills the picture
-  letterbox,  ///< it keeps its aspect, in the middle; pixels beside it have no site. To a pixel it is stretched
+  letterbox,  ///< it keeps its aspect, in the middle; pixels beside it have no site
 };
 
 struct RenderOptions {
@@ -66,8 +66,8 @@ struct RenderOptions {
   std::optional<ColorRange> color_range{};  ///< none: the least and the greatest value of a cell
   /// What colors stand for, drawn in a corner of a picture of at least least_with_legend pixels.
   bool legend = false;
-  double edge_width = 1;                    ///< pixels, 1 to 100
-  double dot_size = 0;  ///< of a site, across, in pixels, up to 100; 0: by the spacing of those that show
+  double edge_width = 1;  ///< pixels, 1 to 100
+  double dot_size = 0;    ///< of a site, across, in pixels, up to 100; 0: by the spacing of those that show
   Fit fit = Fit::stretch;
 };
 
@@ -97,8 +97,8 @@ struct PictureFrame {
   int left = 0, top = 0, width = 0, height = 0;
 };
 
-/// Where a picture of width x height pixels shows the domain: everywhere if it is stretched, or if that changes
-/// no side by more than a pixel.
+/// Where a picture of width x height pixels shows the domain: everywhere if it is stretched, or if its own
+/// aspect leaves no more than a pixel.
 PictureFrame frameOf(const Box& domain, int width, int height, Fit fit);
 
 /// The options of the same cells as data, with Detail::measures.
@@ -107,7 +107,8 @@ CellsOptions cellsOptions(const RenderOptions& picture);
 std::vector<std::string> colormaps();
 
 /// Row 0 is the top (largest y). The center of pixel (row, column) is
-/// x = xmin + (column + 0.5) / width (xmax - xmin), y = ymax - (row + 0.5) / height (ymax - ymin).
+/// x = xmin + (column + 0.5) / width (xmax - xmin), y = ymax - (row + 0.5) / height (ymax - ymin), counted in
+/// the frame if the domain does not fill the picture.
 struct Image {
   int width = 0, height = 0;
   std::vector<std::uint32_t> rgba;  ///< R in the lowest byte
@@ -162,11 +163,13 @@ IdDiff diffIds(std::span<const std::uint32_t> a, std::span<const std::uint32_t> 
 /// in the image that has less of it: a row of pixel centers that lies on a boundary (as a lattice
 /// may have it everywhere) is one tie for each pixel side of that boundary, and nothing legal is more.
 ///
-/// In a periodic domain the bisector is that of the images nearest to the center.
+/// In a periodic domain the bisector is that of the images nearest to the center. Where the domain does not
+/// fill the pictures, as `fit` says, a difference beside it is wrong.
 ///
 /// Errors (input): no valid domain; those of wrapped().
 Result<IdDiff> diffIds(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, int width,
-                       int height, const Sites& sites, const Box& domain, Periodic periodic = Periodic::none);
+                       int height, const Sites& sites, const Box& domain, Periodic periodic = Periodic::none,
+                       Fit fit = Fit::stretch);
 
 /// Where and how much two pictures differ; rows and columns are inclusive and only set when different > 0.
 struct ImageDiff {
