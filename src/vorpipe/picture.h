@@ -92,6 +92,9 @@ struct SiteColors {
 /// colors by site.
 Result<SiteColors> siteColors(const Sites& sites, const Diagram& cells, const RenderOptions& options);
 
+/// Refuses (input) a size, an edge width or a dot size out of range, and a legend without room.
+Result<void> checkPicture(const RenderOptions& options);
+
 /// The part of a picture that shows the domain.
 struct PictureFrame {
   int left = 0, top = 0, width = 0, height = 0;
@@ -100,6 +103,17 @@ struct PictureFrame {
 /// Where a picture of width x height pixels shows the domain: everywhere if it is stretched, or if its own
 /// aspect leaves no more than a pixel.
 PictureFrame frameOf(const Box& domain, int width, int height, Fit fit);
+
+/// A dot of a site, in pixels.
+struct DotSize {
+  double radius = 0;
+  double rim = 0;  ///< the width of a dark one inside; 0: there is none
+};
+
+/// The dots of a picture whose frame is so wide and high. `size` is RenderOptions::dot_size;
+/// if that is 0, they are about a quarter of `spacing` across: the square root of the median of how many
+/// pixels the cells of sites that show have.
+DotSize dotSizeOf(double size, double spacing, PictureSize picture);
 
 /// The options of the same cells as data, with Detail::measures.
 CellsOptions cellsOptions(const RenderOptions& picture);

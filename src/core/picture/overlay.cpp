@@ -76,18 +76,7 @@ void widenRows(Image& image, const std::vector<std::uint8_t>& disk, int begin, i
   }
 }
 
-/// A dot of a site, in pixels.
-struct Dot {
-  double radius, rim;  ///< rim: the width of a dark one; 0: there is none
-};
-
-Dot dotOf(double radius) {
-  // A rim around less would leave little of the dot.
-  constexpr double least_with_rim = 2.5, part = 0.2;
-  return {radius, radius >= least_with_rim ? std::max(1.0, part * radius) : 0};
-}
-
-void drawDot(Image& image, double x, double y, const Dot& dot) {
+void drawDot(Image& image, double x, double y, const DotSize& dot) {
   const int reach = static_cast<int>(std::ceil(dot.radius));
   const int center_column = static_cast<int>(x), center_row = static_cast<int>(y);
   const int left = std::max(0, center_column - reach);
@@ -161,14 +150,8 @@ void drawEdges(Image& image, double width, int threads) {
 
 void drawSites(Image& image, const Sites& sites, const Box& domain, double size) {
   const SitePixels places(image, sites, domain);
-  double radius = size / 2;
-  if (size == 0) {
-    // Large pictures are looked at from farther away.
-    constexpr double part = 0.12, least = 1, usual = 5, sides = 200;
-    const double most = std::max(usual, std::max(image.width, image.height) / sides);
-    radius = std::clamp(part * spacingOf(image, places, sites.size()), least, most);
-  }
-  const Dot dot = dotOf(radius);
+  const double spacing = size == 0 ? spacingOf(image, places, sites.size()) : 0;
+  const DotSize dot = dotSizeOf(size, spacing, {image.width, image.height});
   for (std::size_t i = 0; i < sites.size(); ++i) {
     if (places.shows(i)) drawDot(image, places.x(i), places.y(i), dot);
   }

@@ -118,7 +118,7 @@ Result<void> VectorPicture::placeDots(const Sites& sites, int threads) {
   if (!options_->outline.empty()) {
     if (auto kept = keepInOutline(at, shown, threads); !kept) return kept;
   }
-  dot_ = dotSizeOf(options_->dot_size, spacingOf(shown), frame_);
+  dot_ = dotSizeOf(options_->dot_size, spacingOf(shown), {frame_.width, frame_.height});
   dots_.reserve(shown.size());
   for (const std::uint32_t i : shown) dots_.push_back(pixelOf({at.x[i], at.y[i]}));
   return {};
