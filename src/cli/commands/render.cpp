@@ -6,10 +6,13 @@
 #include "bench/measured/driver_threads.h"
 #include "cli/commands/command.h"
 #include "cli/options/options.h"
+#include "cli/options/picture_options.h"
 #include "cli/reports/stats.h"
 #include "cli/runs/forecast.h"
 #include "cli/runs/input.h"
+#include "cli/runs/picture.h"
 #include "cli/runs/run_end.h"
+#include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
 #include "io/files/error.h"
 #include "io/pictures/npy_ids.h"
@@ -22,8 +25,7 @@ struct RenderCommand {
   InputOptions input;
   BackendOptions backend;
   TalkOptions talk;
-  RenderOptions picture{};
-  std::optional<PictureSize> size;
+  PictureOptions picture;
   bool check = false;
   std::string png, ids, stats;
   std::optional<std::uint64_t> memory_limit;
@@ -41,25 +43,9 @@ std::vector<std::string> outputPaths(const RenderCommand& command) {
 PlanRun planOf(const RenderCommand& command, const PictureSize& size) {
   return [&command, size](MemoryPlan& plan, const Workload& work) {
     planSession(plan, work);
-    planPicture(plan, work, size.width, size.height, command.picture.color);
+    planPicture(plan, work, size.width, size.height, command.picture.render.color);
     if (command.check) planPictureCheck(plan, work, size.width, size.height);
   };
-}
-
-/// What is drawn, once the sites are known.
-Result<RenderOptions> pictureOptions(const RenderCommand& command, const Input& input) {
-  if (command.picture.color == ColorBy::weight && input.sites.weight.empty()) {
-    return inputError(fmt::format("--color: weight needs weights; {} has none, and there is no --weights",
-                                  command.input.sites));
-  }
-  RenderOptions options = command.picture;
-  options.domain = input.domain;
-  options.outline = input.outline;
-  options.periodic = input.periodic;
-  const PictureSize size = command.size.value_or(defaultSize(input.domain));
-  options.width = size.width;
-  options.height = size.height;
-  return options;
 }
 
 Result<void> writeFiles(const RenderCommand& command, const Input& input, const Rendering& rendering,
@@ -75,8 +61,15 @@ Result<void> writeFiles(const RenderCommand& command, const Input& input, const 
   }
   if (!command.stats.empty()) {
     writers.emplace_back([&](ByteSink& to) {
-      return to.write(statsJson(
-          {"render", input, rendering.report, watch.milliseconds(), total.milliseconds(), forecast}));
+      return to.write(statsJson({"render",
+                                 input,
+                                 rendering.report,
+                                 watch.milliseconds(),
+                                 total.milliseconds(),
+                                 forecast,
+                                 {},
+                                 {},
+                                 rendering.key}));
     });
   }
   return writeOutputs(files, writers);
@@ -87,12 +80,12 @@ Result<ExitCode> render(const RenderCommand& command) {
   const Stopwatch total;
   const std::vector<std::string> paths = outputPaths(command);
   if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("picture.png"));
-  const auto fits = forecastGenerated(
-      command.input, planOf(command, command.size.value_or(PictureSize{1, 1})), command.memory_limit);
+  const auto fits = forecastGenerated(command.input, planOf(command, sizeBefore(command.picture.size)),
+                                      command.memory_limit);
   if (!fits) return tl::unexpected(fits.error());
   const auto input = loadInput(command.input);
   if (!input) return tl::unexpected(input.error());
-  auto options = pictureOptions(command, *input);
+  auto options = pictureOf(command.picture, command.input, *input);
   if (!options) return tl::unexpected(std::move(options.error()));
   const int threads = command.backend.threads;
   if (const auto checked = checkInput(command.input, *input, cellsOptions(*options), threads); !checked) {
@@ -103,8 +96,8 @@ Result<ExitCode> render(const RenderCommand& command) {
   auto session = Session::open(command.backend);
   if (!session) return tl::unexpected(std::move(session.error()));
   const auto forecast =
-      forecastRun(command.input, *input, imagesFor(command.picture.color), session->device(), command.backend,
-                  planOf(command, {options->width, options->height}), command.memory_limit);
+      forecastRun(command.input, *input, imagesFor(command.picture.render.color), session->device(),
+                  command.backend, planOf(command, {options->width, options->height}), command.memory_limit);
   if (!forecast) return tl::unexpected(forecast.error());
   ProgressBar bar(command.talk.quiet);
   options->progress = bar.callback();
@@ -112,6 +105,9 @@ Result<ExitCode> render(const RenderCommand& command) {
   bar.clear();
   if (!rendering) return asOption(rendering.error(), command.input);
   printNotes(command.talk, rendering->report);
+  if (const auto note = stretchNote(command.picture, *options); !note.empty() && !command.talk.quiet) {
+    printError("note: " + note);
+  }
   if (!validationIsSilent(rendering->report)) return exit_device;
   if (command.check) {
     const auto passed = passesCheck(check(input->sites, *options, *rendering, threads));
@@ -129,16 +125,11 @@ Result<ExitCode> render(const RenderCommand& command) {
 
 void addPictureOptions(Options& options, RenderCommand& command) {
   addFile(options, "-o", command.png, ".png", "the picture");
-  addSizeOption(options, command.size);
+  addSizeOptions(options, command.picture);
   addFile(options, "--ids", command.ids, ".npy",
           "the site of each pixel: uint32, row 0 at the top, 4294967295 where there is none");
-  addParsed(options, "--color", command.picture.color, "BY",
-            fmt::format("what colors show: {} [site]", anyOf(colorNames())), parseColor, {colorNames(), {}});
-  addParsed(options, "--colormap", command.picture.colormap, "NAME",
-            fmt::format("the colors: {} [{}]", anyOf(colormaps()), command.picture.colormap), parseColormap,
-            {colormaps(), {}});
-  options.addFlag("--edges", command.picture.edges, "darkens the edges of the cells");
-  options.addFlag("--show-sites", command.picture.show_sites, "draws a dot at each site");
+  addColorOptions(options, command.picture.render);
+  addMarkOptions(options, command.picture.render);
 }
 
 }  // namespace
@@ -151,7 +142,7 @@ void addRender(CommandLine& line) {
   addInputOptions(options, command->input).required();
   addPictureOptions(options, *command);
   addBackendChoice(options, command->backend);
-  addSearchOptions(options, command->picture.search);
+  addSearchOptions(options, command->picture.render.search);
   addRunOptions(options, command->backend, command->memory_limit);
   options.addFlag("--check", command->check,
                   "verifies statuses and the nearest site of each pixel; exit code 1 if a promise is broken");
