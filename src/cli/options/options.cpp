@@ -144,11 +144,6 @@ void addSearchOptions(Options& options, SearchOptions& search) {
             parseSearch, {searchNames(), {}});
 }
 
-void addSizeOption(Options& options, std::optional<PictureSize>& size) {
-  addParsed(options, "--size", size, "WxH",
-            "width and height in pixels [the longer side 1000, the domain's aspect]", parseSize);
-}
-
 void addTalkOptions(Options& options, TalkOptions& talk) {
   const Option quiet = options.addFlag("--quiet", talk.quiet, "prints nothing but errors");
   options.addFlag("--verbose", talk.verbose, "also says, on a terminal, why a backend was taken")

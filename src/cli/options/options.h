@@ -77,8 +77,6 @@ void addMaskOptions(Options& options, Mask& mask);
 void addRunOptions(Options& options, BackendOptions& backend, std::optional<std::uint64_t>& memory_limit);
 /// --search
 void addSearchOptions(Options& options, SearchOptions& search);
-/// --size
-void addSizeOption(Options& options, std::optional<PictureSize>& size);
 /// --quiet, --verbose
 void addTalkOptions(Options& options, TalkOptions& talk);
 
