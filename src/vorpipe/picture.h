@@ -48,7 +48,7 @@ struct ColorRange {
 /// What becomes of a domain in a picture of another aspect.
 enum class Fit : std::uint8_t {
   stretch,    ///< it fills the picture
-  letterbox,  ///< it keeps its aspect, in the middle; pixels beside it have no site. To a pixel it is stretched
+  letterbox,  ///< it keeps its aspect, in the middle; pixels beside it have no site
 };
 
 struct RenderOptions {
@@ -66,8 +66,8 @@ struct RenderOptions {
   std::optional<ColorRange> color_range{};  ///< none: the least and the greatest value of a cell
   /// What colors stand for, drawn in a corner of a picture of at least least_with_legend pixels.
   bool legend = false;
-  double edge_width = 1;                    ///< pixels, 1 to 100
-  double dot_size = 0;  ///< of a site, across, in pixels, up to 100; 0: by the spacing of those that show
+  double edge_width = 1;  ///< pixels, 1 to 100
+  double dot_size = 0;    ///< of a site, across, in pixels, up to 100; 0: by the spacing of those that show
   Fit fit = Fit::stretch;
 };
 
@@ -92,14 +92,28 @@ struct SiteColors {
 /// colors by site.
 Result<SiteColors> siteColors(const Sites& sites, const Diagram& cells, const RenderOptions& options);
 
+/// Refuses (input) a size, an edge width or a dot size out of range, and a legend without room.
+Result<void> checkPicture(const RenderOptions& options);
+
 /// The part of a picture that shows the domain.
 struct PictureFrame {
   int left = 0, top = 0, width = 0, height = 0;
 };
 
-/// Where a picture of width x height pixels shows the domain: everywhere if it is stretched, or if that changes
-/// no side by more than a pixel.
+/// Where a picture of width x height pixels shows the domain: everywhere if it is stretched, or if its own
+/// aspect leaves no more than a pixel.
 PictureFrame frameOf(const Box& domain, int width, int height, Fit fit);
+
+/// A dot of a site, in pixels.
+struct DotSize {
+  double radius = 0;
+  double rim = 0;  ///< the width of a dark one inside; 0: there is none
+};
+
+/// The dots of a picture whose frame is so wide and high. `size` is RenderOptions::dot_size;
+/// if that is 0, they are about a quarter of `spacing` across: the square root of the median of how many
+/// pixels the cells of sites that show have.
+DotSize dotSizeOf(double size, double spacing, PictureSize picture);
 
 /// The options of the same cells as data, with Detail::measures.
 CellsOptions cellsOptions(const RenderOptions& picture);
@@ -107,7 +121,8 @@ CellsOptions cellsOptions(const RenderOptions& picture);
 std::vector<std::string> colormaps();
 
 /// Row 0 is the top (largest y). The center of pixel (row, column) is
-/// x = xmin + (column + 0.5) / width (xmax - xmin), y = ymax - (row + 0.5) / height (ymax - ymin).
+/// x = xmin + (column + 0.5) / width (xmax - xmin), y = ymax - (row + 0.5) / height (ymax - ymin), counted in
+/// the frame if the domain does not fill the picture.
 struct Image {
   int width = 0, height = 0;
   std::vector<std::uint32_t> rgba;  ///< R in the lowest byte
@@ -162,11 +177,13 @@ IdDiff diffIds(std::span<const std::uint32_t> a, std::span<const std::uint32_t> 
 /// in the image that has less of it: a row of pixel centers that lies on a boundary (as a lattice
 /// may have it everywhere) is one tie for each pixel side of that boundary, and nothing legal is more.
 ///
-/// In a periodic domain the bisector is that of the images nearest to the center.
+/// In a periodic domain the bisector is that of the images nearest to the center. Where the domain does not
+/// fill the pictures, as `fit` says, a difference beside it is wrong.
 ///
 /// Errors (input): no valid domain; those of wrapped().
 Result<IdDiff> diffIds(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, int width,
-                       int height, const Sites& sites, const Box& domain, Periodic periodic = Periodic::none);
+                       int height, const Sites& sites, const Box& domain, Periodic periodic = Periodic::none,
+                       Fit fit = Fit::stretch);
 
 /// Where and how much two pictures differ; rows and columns are inclusive and only set when different > 0.
 struct ImageDiff {

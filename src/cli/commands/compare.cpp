@@ -7,10 +7,12 @@
 #include "bench/measured/driver_threads.h"
 #include "cli/commands/command.h"
 #include "cli/options/options.h"
+#include "cli/options/picture_options.h"
 #include "cli/reports/comparison.h"
 #include "cli/reports/stats.h"
 #include "cli/runs/forecast.h"
 #include "cli/runs/input.h"
+#include "cli/runs/picture.h"
 #include "cli/runs/run_end.h"
 #include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
@@ -24,8 +26,7 @@ struct CompareCommand {
   InputOptions input;
   BackendOptions backend;
   TalkOptions talk;
-  RenderOptions picture{};
-  std::optional<PictureSize> size;
+  PictureOptions picture;
   bool check = false;
   std::string report, png, stats;
   std::optional<std::uint64_t> memory_limit;
@@ -37,17 +38,6 @@ std::vector<std::string> outputPaths(const CompareCommand& command) {
     if (!path.empty()) paths.push_back(path);
   }
   return paths;
-}
-
-Result<RenderOptions> pictureOptions(const CompareCommand& command, const Input& input) {
-  RenderOptions options = command.picture;
-  options.domain = input.domain;
-  options.outline = input.outline;
-  options.periodic = input.periodic;
-  const PictureSize size = command.size.value_or(defaultSize(input.domain));
-  options.width = size.width;
-  options.height = size.height;
-  return options;
 }
 
 /// Adds the promises that are broken, after the backend's name and what broke them.
@@ -142,7 +132,7 @@ PlanRun planOf(const CompareCommand& command, const PictureSize& size) {
       work.backend = name;
       planSession(plan, work);
       const auto since = plan.next();
-      auto kept = planPicture(plan, work, size.width, size.height, command.picture.color);
+      auto kept = planPicture(plan, work, size.width, size.height, command.picture.render.color);
       for (const auto array : planCells(plan, work, Detail::measures)) kept.push_back(array);
       if (command.check) planPictureCheck(plan, work, size.width, size.height);
       if (command.check) planCellsCheck(plan, work, Detail::measures);
@@ -158,7 +148,7 @@ PlanRun planOf(const CompareCommand& command, const PictureSize& size) {
 /// The input and what is drawn of it, or why that cannot be.
 Result<RenderOptions> checkedOptions(const CompareCommand& command, const Input& input) {
   const int threads = command.backend.threads;
-  auto options = pictureOptions(command, input);
+  auto options = pictureOf(command.picture, command.input, input);
   if (!options) return options;
   if (auto checked = checkInput(command.input, input, cellsOptions(*options), threads); !checked) {
     return tl::unexpected(std::move(checked.error()));
@@ -180,10 +170,10 @@ Result<ExitCode> compare(const CompareCommand& command, const Invocation& how) {
   setDriverThreads(command.backend.threads);
   const Stopwatch total;
   RunLog log(how, !command.stats.empty());
-  log.search = command.picture.search;
+  log.search = command.picture.render.search;
   log.threads = command.backend.threads;
-  const auto fits = forecastGenerated(
-      command.input, planOf(command, command.size.value_or(PictureSize{1, 1})), command.memory_limit);
+  const auto fits = forecastGenerated(command.input, planOf(command, sizeBefore(command.picture.size)),
+                                      command.memory_limit);
   if (!fits) return tl::unexpected(fits.error());
   const auto input = loadInput(command.input);
   if (!input) return tl::unexpected(input.error());
@@ -204,7 +194,7 @@ Result<ExitCode> compare(const CompareCommand& command, const Invocation& how) {
   const BackendRun& first = runs->front();
   printMissingCells(command.talk, *input, first.cells.status, first.cells.report);
   log.choice = choiceOf(*runs);
-  auto pairs = comparePairs(*runs, *input);
+  auto pairs = comparePairs(*runs, *input, options->fit);
   if (!pairs) return tl::unexpected(std::move(pairs.error()));
   const Comparison comparison{std::move(*runs), std::move(*pairs)};
   const auto written = writeFiles(command, comparison, *input, log, *forecast, *files, total);
@@ -231,9 +221,9 @@ void addCompare(CommandLine& line) {
       .required();
   addInputOptions(options, command->input).required();
   options.group("Picture");
-  addSizeOption(options, command->size);
+  addSizeOptions(options, command->picture);
   addDeviceChoice(options, command->backend);
-  addSearchOptions(options, command->picture.search);
+  addSearchOptions(options, command->picture.render.search);
   addRunOptions(options, command->backend, command->memory_limit);
   options.group("Output");
   addAnyFile(options, "--report", command->report, {".json"}, "what was found, in JSON");

@@ -6,10 +6,12 @@
 
 #include "cli/commands/command.h"
 #include "cli/options/options.h"
+#include "cli/options/picture_options.h"
 #include "cli/reports/difference_picture.h"
 #include "cli/reports/difference_text.h"
 #include "cli/runs/forecast.h"
 #include "cli/runs/input.h"
+#include "cli/runs/picture.h"
 #include "cli/runs/run_end.h"
 #include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
@@ -24,6 +26,7 @@ namespace {
 struct DiffCommand {
   std::string a, b, png;
   InputOptions input;
+  std::optional<Fit> fit;
   TalkOptions talk;
 };
 
@@ -44,7 +47,8 @@ Result<IdDiff> idDiff(const DiffCommand& command, const Image& a, const Image& b
   const auto input = loadInput(command.input);
   if (!input) return tl::unexpected(input.error());
   printNotes(command.talk, *input);
-  auto diff = diffIds(a.ids, b.ids, a.width, a.height, input->sites, input->domain, input->periodic);
+  auto diff = diffIds(a.ids, b.ids, a.width, a.height, input->sites, input->domain, input->periodic,
+                      fitOf(command.fit, *input));
   return diff ? diff : asOption(std::move(diff.error()), command.input);
 }
 
@@ -139,7 +143,8 @@ void addDiff(CommandLine& line) {
   options.addText("B", command->b, "FILE", "another of the same kind", compared).required();
   options.group("Output");
   addFile(options, "-o", command->png, ".png", "a picture of where they differ: red is wrong, yellow a tie");
-  addInputOptions(options, command->input);
+  const Option sites = addInputOptions(options, command->input);
+  addFitOption(options, command->fit).needs(sites);
   addTalkOptions(options, command->talk);
 }
 

@@ -7,10 +7,12 @@
 #include "cli/commands/command.h"
 #include "cli/options/options.h"
 #include "cli/options/picture_files.h"
+#include "cli/options/picture_options.h"
 #include "cli/reports/stats.h"
 #include "cli/runs/drawing.h"
 #include "cli/runs/forecast.h"
 #include "cli/runs/input.h"
+#include "cli/runs/picture.h"
 #include "cli/runs/run_end.h"
 #include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
@@ -25,8 +27,7 @@ struct RenderCommand {
   InputOptions input;
   BackendOptions backend;
   TalkOptions talk;
-  RenderOptions picture{};
-  std::optional<PictureSize> size;
+  PictureOptions picture;
   bool check = false;
   PictureFiles files;
   std::string stats;
@@ -47,7 +48,7 @@ DrawingNeeds needsOf(const PictureFiles& files) { return {files.needPixels(), fi
 
 /// What images of sites in a periodic domain are for.
 ImagesFor imagesOf(const RenderCommand& command) {
-  return command.files.needCells() ? ImagesFor::cells : imagesFor(command.picture.color);
+  return command.files.needCells() ? ImagesFor::cells : imagesFor(command.picture.render.color);
 }
 
 /// What a run takes; `options` are those of the picture, as far as they are known.
@@ -59,22 +60,6 @@ PlanRun planOf(const RenderCommand& command, const RenderOptions& options) {
       planIdsFile(plan, work, *command.files.ids.format, {options.width, options.height});
     }
   };
-}
-
-/// What is drawn, once the sites are known.
-Result<RenderOptions> pictureOptions(const RenderCommand& command, const Input& input) {
-  if (command.picture.color == ColorBy::weight && input.sites.weight.empty()) {
-    return inputError(fmt::format("--color: weight needs weights; {} has none, and there is no --weights",
-                                  command.input.sites));
-  }
-  RenderOptions options = command.picture;
-  options.domain = input.domain;
-  options.outline = input.outline;
-  options.periodic = input.periodic;
-  const PictureSize size = command.size.value_or(defaultSize(input.domain));
-  options.width = size.width;
-  options.height = size.height;
-  return options;
 }
 
 Result<void> writeFiles(const RenderCommand& command, const Input& input, const RenderOptions& options,
@@ -97,6 +82,7 @@ Result<void> writeFiles(const RenderCommand& command, const Input& input, const 
   const auto json = [&] {
     Stats stats{"render", input, drawing.report(), log, watch.milliseconds(), total.milliseconds(), forecast};
     if (drawing.cells) stats.area_sum = areaSum(*drawing.cells);
+    stats.color = drawing.key;
     return statsJson(stats);
   };
   return writeOutputs(files, writers, log, json);
@@ -106,12 +92,12 @@ Result<ExitCode> render(const RenderCommand& command, const Invocation& how) {
   setDriverThreads(command.backend.threads);
   const Stopwatch total;
   RunLog log(how, !command.stats.empty());
-  log.search = command.picture.search;
+  log.search = command.picture.render.search;
   log.threads = command.backend.threads;
   const std::vector<std::string> paths = outputPaths(command);
   if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("picture.png"));
-  RenderOptions options = command.picture;
-  const PictureSize known = command.size.value_or(PictureSize{1, 1});
+  RenderOptions options = command.picture.render;
+  const PictureSize known = sizeBefore(command.picture.size);
   options.width = known.width;
   options.height = known.height;
   const PlanRun plan = planOf(command, options);
@@ -120,7 +106,7 @@ Result<ExitCode> render(const RenderCommand& command, const Invocation& how) {
   }
   const auto input = loadInput(command.input);
   if (!input) return tl::unexpected(input.error());
-  auto complete = pictureOptions(command, *input);
+  auto complete = pictureOf(command.picture, command.input, *input);
   if (!complete) return tl::unexpected(std::move(complete.error()));
   options = std::move(*complete);
   const int threads = command.backend.threads;
@@ -143,6 +129,9 @@ Result<ExitCode> render(const RenderCommand& command, const Invocation& how) {
   if (!drawing) return asOption(drawing.error(), command.input);
   printNotes(command.talk, drawing->report());
   printMissingCells(command.talk, *input, drawing->status(), drawing->report());
+  if (const auto note = stretchNote(command.picture, options); !note.empty() && !command.talk.quiet) {
+    printError("note: " + note);
+  }
   if (!validationIsSilent(drawing->report())) return exit_device;
   if (command.check) {
     const auto passed = passesCheck(checkDrawing(input->sites, options, *drawing, threads));
@@ -163,14 +152,9 @@ void addPictureOptions(Options& options, RenderCommand& command) {
   options.group("Output");
   addPictureFiles(options, command.files);
   options.group("Picture");
-  addSizeOption(options, command.size);
-  addParsed(options, "--color", command.picture.color, "BY",
-            fmt::format("what colors show: {} [site]", anyOf(colorNames())), parseColor, {colorNames(), {}});
-  addParsed(options, "--colormap", command.picture.colormap, "NAME",
-            fmt::format("the colors: {} [{}]", anyOf(colormaps()), command.picture.colormap), parseColormap,
-            {colormaps(), {}});
-  options.addFlag("--edges", command.picture.edges, "darkens the edges of the cells");
-  options.addFlag("--show-sites", command.picture.show_sites, "draws a dot at each site");
+  addSizeOptions(options, command.picture);
+  addColorOptions(options, command.picture.render);
+  addMarkOptions(options, command.picture.render);
 }
 
 }  // namespace
@@ -180,13 +164,13 @@ void addRender(CommandLine& line) {
   Options options =
       line.addSubcommand("render", "draws the Voronoi diagram of sites; with weights, the power diagram",
                          [command](const Invocation& how) -> Result<ExitCode> {
-                           const auto named = nameStandardOutput(command->files);
+                           const auto named = nameStandardOutput(command->files, command->input.format.output);
                            return named ? render(*command, how) : tl::unexpected(named.error());
                          });
   addInputOptions(options, command->input).required();
   addPictureOptions(options, *command);
   addBackendChoice(options, command->backend);
-  addSearchOptions(options, command->picture.search);
+  addSearchOptions(options, command->picture.render.search);
   addRunOptions(options, command->backend, command->memory_limit);
   options.group("Run");
   options.addFlag("--check", command->check,

@@ -151,11 +151,6 @@ void addStats(Options& options, std::string& path) {
              "what was done, in JSON, with hashes of all files: `vorpipe rerun` does it again");
 }
 
-void addSizeOption(Options& options, std::optional<PictureSize>& size) {
-  addParsed(options, "--size", size, "WxH",
-            "width and height in pixels [the longer side 1000, the domain's aspect]", parseSize);
-}
-
 void addTalkOptions(Options& options, TalkOptions& talk) {
   options.group("Run");
   const Option quiet = options.addFlag("--quiet", talk.quiet, "prints nothing but errors");

@@ -91,8 +91,6 @@ void addRunOptions(Options& options, BackendOptions& backend, std::optional<std:
 void addSearchOptions(Options& options, SearchOptions& search);
 /// --stats
 void addStats(Options& options, std::string& path);
-/// --size
-void addSizeOption(Options& options, std::optional<PictureSize>& size);
 /// --quiet, --verbose
 void addTalkOptions(Options& options, TalkOptions& talk);
 

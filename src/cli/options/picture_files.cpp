@@ -59,12 +59,9 @@ void addPictureFiles(Options& options, PictureFiles& files) {
       "the site of each pixel: uint32, row 0 at the top, 4294967295 where there is none; .npy, or .tif, "
       "a GeoTIFF",
       parseIds, {{}, {ids.begin(), ids.end()}});
-  addParsed(options, "--format", files.format, "KIND", "the kind of what goes to standard output [png]",
-            parseFormat);
 }
 
-Result<void> nameStandardOutput(PictureFiles& files) {
-  const std::string& kind = files.format.output;
+Result<void> nameStandardOutput(PictureFiles& files, const std::string& kind) {
   for (PictureFile& file : files.pictures) {
     if (file.format != nullptr) continue;
     const auto format = pictureFormatOf(fmt::format("x.{}", kind.empty() ? "png" : kind));

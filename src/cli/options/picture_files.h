@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "cli/options/command_line.h"
-#include "cli/options/format_choice.h"
 #include "cli/options/parse.h"
 #include "io/pictures/picture_file.h"
 
@@ -26,17 +25,16 @@ struct IdsFile {
 struct PictureFiles {
   std::vector<PictureFile> pictures;
   IdsFile ids;
-  FormatChoice format;
 
   [[nodiscard]] bool needPixels() const;
   [[nodiscard]] bool needCells() const;
 };
 
-/// -o, --ids, --format
+/// -o, --ids
 void addPictureFiles(Options& options, PictureFiles& files);
 
-/// Has `-o -` go to standard output, as the kind that --format names, or as PNG. Error (input): --format
-/// names no kind of picture.
-Result<void> nameStandardOutput(PictureFiles& files);
+/// Has `-o -` go to standard output, as `kind`, an extension without its dot, which --format names, or as PNG.
+/// Error (input): it is no kind of picture.
+Result<void> nameStandardOutput(PictureFiles& files, const std::string& kind);
 
 }  // namespace vorpipe::cli

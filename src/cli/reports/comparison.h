@@ -34,7 +34,7 @@ struct Comparison {
 };
 
 /// Compares every pair of runs; all are pictures of the same size and cells of the input's domain.
-Result<std::vector<PairDiff>> comparePairs(const std::vector<BackendRun>& runs, const Input& input);
+Result<std::vector<PairDiff>> comparePairs(const std::vector<BackendRun>& runs, const Input& input, Fit fit);
 
 /// The tables for people.
 std::string comparisonTable(const Comparison& comparison);

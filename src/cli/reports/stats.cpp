@@ -70,6 +70,17 @@ void addLog(Json& json, const RunLog& log) {
   }
 }
 
+/// By what, how and from which value to which.
+Json colorJson(const ColorKey& key) {
+  const std::string_view by = key.color == ColorBy::area        ? "area"
+                              : key.color == ColorBy::neighbors ? "neighbors"
+                                                                : "weight";
+  const std::string_view scale = key.scale == ColorScale::log        ? "log"
+                                 : key.scale == ColorScale::quantile ? "quantile"
+                                                                     : "linear";
+  return {{"by", by}, {"scale", scale}, {"range", {key.range.low, key.range.high}}};
+}
+
 }  // namespace
 
 void addShape(nlohmann::ordered_json& json, const Input& input) {
@@ -122,6 +133,7 @@ std::string statsJson(const Stats& stats) {
                       {"pixels", report.pixels}};
   json["area_sum"] = stats.area_sum ? Json(*stats.area_sum) : Json(nullptr);
   json["mass_sum"] = stats.mass_sum ? Json(*stats.mass_sum) : Json(nullptr);
+  json["color"] = stats.color ? colorJson(*stats.color) : Json(nullptr);
   json["time_ms"] = {
       {"read", time(stats.input.read_ms)}, {"order", time(times.order)},    {"upload", time(times.upload)},
       {"search", time(times.search)},      {"cells", time(times.cells)},    {"draw", time(times.draw)},

@@ -21,6 +21,7 @@ struct Stats {
   std::uint64_t forecast;            ///< bytes at the peak, told before
   std::optional<double> area_sum{};  ///< none where cells were only drawn
   std::optional<double> mass_sum{};  ///< none without a density
+  std::optional<ColorKey> color{};   ///< of a picture; none by site
 };
 
 /// Adds what the domain is besides its box, and between which numbers the weights are: "outline", "periodic",

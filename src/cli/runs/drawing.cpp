@@ -19,11 +19,17 @@ Result<Drawing> draw(Session& session, const Sites& sites, const RenderOptions& 
     auto pixels = session.render(sites, options);
     if (!pixels) return tl::unexpected(std::move(pixels.error()));
     drawing.pixels = std::move(*pixels);
+    drawing.key = drawing.pixels->key;
   }
   if (needs.cells) {
     auto cells = session.cells(sites, shapesOptions(options));
     if (!cells) return tl::unexpected(std::move(cells.error()));
     drawing.cells = std::move(*cells);
+  }
+  if (!needs.pixels) {
+    auto colors = siteColors(sites, *drawing.cells, options);
+    if (!colors) return tl::unexpected(std::move(colors.error()));
+    drawing.key = std::move(colors->key);
   }
   return drawing;
 }

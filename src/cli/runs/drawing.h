@@ -11,7 +11,8 @@ namespace vorpipe::cli {
 
 struct Drawing {
   std::optional<Rendering> pixels;
-  std::optional<Diagram> cells;  ///< with Detail::polygons
+  std::optional<Diagram> cells;   ///< with Detail::polygons
+  std::optional<ColorKey> key{};  ///< what colors stand for; none by site
 
   /// Of the picture in pixels, if there is one.
   [[nodiscard]] const Report& report() const { return pixels ? pixels->report : cells->report; }
@@ -27,7 +28,7 @@ struct DrawingNeeds {
 /// The options of the cells that a picture's shapes are made of.
 CellsOptions shapesOptions(const RenderOptions& picture);
 
-/// Makes what is needed. Errors: those of Session::render and Session::cells.
+/// Makes what is needed. Errors: those of Session::render, Session::cells and siteColors.
 Result<Drawing> draw(Session& session, const Sites& sites, const RenderOptions& options,
                      const DrawingNeeds& needs);
 

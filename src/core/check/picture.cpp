@@ -10,15 +10,31 @@ namespace {
 
 constexpr std::uint64_t sampled_pixels = std::uint64_t{1} << 22;
 
-/// As run.site counts places.
-Point centerOf(const CheckedSites& run, const Image& image, std::size_t pixel) {
-  const auto columns = static_cast<std::size_t>(image.width);
-  const std::size_t row = pixel / columns, column = pixel % columns;
-  const double right = (static_cast<double>(column) + 0.5) / image.width;
-  const double down = (static_cast<double>(row) + 0.5) / image.height;
-  const Box& box = run.domain;
-  return {box.xmin + right * (box.xmax - box.xmin), box.ymax - down * (box.ymax - box.ymin)};
-}
+/// The pixels of a picture, and those of them that show the domain.
+struct Pixels {
+  Pixels(const RenderOptions& options, const Image& of)
+      : image(of), frame(frameOf(options.domain, options.width, options.height, options.fit)) {}
+  [[nodiscard]] int row(std::size_t pixel) const {
+    return static_cast<int>(pixel / static_cast<std::size_t>(image.width));
+  }
+  [[nodiscard]] int column(std::size_t pixel) const {
+    return static_cast<int>(pixel % static_cast<std::size_t>(image.width));
+  }
+  [[nodiscard]] bool showsDomain(std::size_t pixel) const {
+    const int down = row(pixel) - frame.top, right = column(pixel) - frame.left;
+    return down >= 0 && down < frame.height && right >= 0 && right < frame.width;
+  }
+  /// As run.site counts places.
+  [[nodiscard]] Point centerOf(const CheckedSites& run, std::size_t pixel) const {
+    const double right = (column(pixel) - frame.left + 0.5) / frame.width;
+    const double down = (row(pixel) - frame.top + 0.5) / frame.height;
+    const Box& box = run.domain;
+    return {box.xmin + right * (box.xmax - box.xmin), box.ymax - down * (box.ymax - box.ymin)};
+  }
+
+  const Image& image;
+  PictureFrame frame;
+};
 
 /// Of coordinates in the domain.
 double extentOf(const CheckedSites& run) {
@@ -33,10 +49,10 @@ bool isSampled(std::size_t pixel, std::size_t pixels) {
 }
 
 /// The pixel's own id if no site is nearer, else the nearest site's.
-std::uint32_t trueId(const CheckedSites& run, const Rendering& rendering, const NearestSite& nearest,
-                     std::size_t pixel) {
+std::uint32_t trueId(const CheckedSites& run, const Pixels& pixels, const Rendering& rendering,
+                     const NearestSite& nearest, std::size_t pixel) {
   const std::uint32_t id = rendering.image.ids[pixel];
-  const Point p = centerOf(run, rendering.image, pixel);
+  const Point p = pixels.centerOf(run, pixel);
   const NearImage near = nearestImage(run, nearest, p);
   const NearImage own = imageNear(run, id, p);
   const Point way = wayTo(run, own, near);
@@ -58,50 +74,55 @@ bool mayBeOutside(const CheckedSites& run, const CheckedOutline& outline, Point 
 }
 
 /// Pixels outside an outline have no site; of larger pictures those that are sampled.
-void checkOutside(const CheckedSites& run, const Image& image, Broken& broken) {
+void checkOutside(const CheckedSites& run, const Pixels& pixels, Broken& broken) {
   const CheckedOutline outline(run);
-  const auto columns = static_cast<std::size_t>(image.width);
+  const Image& image = pixels.image;
   broken.expect("pixels", image.ids.size(), run.threads, [&](std::size_t pixel) -> std::string {
     const bool outside = image.ids[pixel] == no_site;
-    if (!isSampled(pixel, image.ids.size())) return {};
-    if (mayBeOutside(run, outline, centerOf(run, image, pixel), outside)) return {};
-    return fmt::format("row {}, column {} has {} site, but lies {} the outline", pixel / columns,
-                       pixel % columns, outside ? "no" : "a", outside ? "inside" : "outside");
+    if (!isSampled(pixel, image.ids.size()) || !pixels.showsDomain(pixel)) return {};
+    if (mayBeOutside(run, outline, pixels.centerOf(run, pixel), outside)) return {};
+    return fmt::format("row {}, column {} has {} site, but lies {} the outline", pixels.row(pixel),
+                       pixels.column(pixel), outside ? "no" : "a", outside ? "inside" : "outside");
   });
 }
 
-bool checkCovered(const CheckedSites& run, const Rendering& rendering, Broken& broken) {
+bool checkCovered(const CheckedSites& run, const Pixels& pixels, const Rendering& rendering, Broken& broken) {
   const Image& image = rendering.image;
-  if (run.outline != nullptr) checkOutside(run, image, broken);
-  const auto columns = static_cast<std::size_t>(image.width);
+  if (run.outline != nullptr) checkOutside(run, pixels, broken);
   return broken.expect("pixels", image.ids.size(), run.threads, [&](std::size_t pixel) -> std::string {
     const std::uint32_t id = image.ids[pixel];
-    if (id < run.size() && rendering.status[id] == Status::ok) return {};
-    if (id == no_site && run.outline != nullptr) return {};
-    return fmt::format("row {}, column {} belongs to {}", pixel / columns, pixel % columns,
+    const bool inside = pixels.showsDomain(pixel);
+    if (inside && id < run.size() && rendering.status[id] == Status::ok) return {};
+    if (id == no_site && (run.outline != nullptr || !inside)) return {};
+    if (!inside) {
+      return fmt::format("row {}, column {} lies beside the domain, and belongs to site {}",
+                         pixels.row(pixel), pixels.column(pixel), id);
+    }
+    return fmt::format("row {}, column {} belongs to {}", pixels.row(pixel), pixels.column(pixel),
                        id == no_site ? "no site" : fmt::format("site {}, which has no cell", id));
   });
 }
 
 /// The ids as they should be, where they are sampled.
-std::vector<std::uint32_t> trueIds(const CheckedSites& run, const Rendering& rendering) {
+std::vector<std::uint32_t> trueIds(const CheckedSites& run, const Pixels& pixels,
+                                   const Rendering& rendering) {
   const NearestSite nearest(run);
   std::vector<std::uint32_t> ids = rendering.image.ids;
   constexpr std::size_t grain = 4096;
   parallelFor(ids.size(), grain, run.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t pixel = begin; pixel < end; ++pixel) {
       if (!isSampled(pixel, ids.size()) || ids[pixel] == no_site) continue;
-      ids[pixel] = trueId(run, rendering, nearest, pixel);
+      ids[pixel] = trueId(run, pixels, rendering, nearest, pixel);
     }
   });
   return ids;
 }
 
-void checkPixels(const CheckedSites& run, const RenderOptions& options, const Rendering& rendering,
-                 Broken& broken) {
+void checkPixels(const CheckedSites& run, const Pixels& pixels, const RenderOptions& options,
+                 const Rendering& rendering, Broken& broken) {
   const Image& image = rendering.image;
-  const auto diff = diffIds(image.ids, trueIds(run, rendering), image.width, image.height, run.sites,
-                            options.domain, options.periodic);
+  const auto diff = diffIds(image.ids, trueIds(run, pixels, rendering), image.width, image.height, run.sites,
+                            options.domain, options.periodic, options.fit);
   if (!diff) {
     broken.add("pixels", diff.error().message);
   } else if (diff->wrong > 0) {
@@ -127,8 +148,8 @@ std::vector<std::string> brokenBy(const CheckedSites& run, const RenderOptions& 
       image.rgba.size() != pixels) {
     broken.add("pixels", fmt::format("there are {} ids and {} colors for {}x{}", image.ids.size(),
                                      image.rgba.size(), options.width, options.height));
-  } else if (owned && checkCovered(run, rendering, broken)) {
-    checkPixels(run, options, rendering, broken);
+  } else if (const Pixels shown(options, image); owned && checkCovered(run, shown, rendering, broken)) {
+    checkPixels(run, shown, options, rendering, broken);
   }
   return broken.take();
 }

@@ -14,12 +14,21 @@ constexpr std::size_t places_kept = 10;
 
 using Ids = std::span<const std::uint32_t>;
 
+/// The pixels of a frame in pictures of so many columns.
 struct Grid {
   int width, height;
+  int columns = width;
+  int top = 0, left = 0;
   [[nodiscard]] std::size_t at(int row, int column) const {
-    return static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(column);
+    return static_cast<std::size_t>(top + row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(left + column);
   }
-  [[nodiscard]] std::size_t size() const { return at(height, 0); }
+  [[nodiscard]] std::size_t size() const {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  }
+  [[nodiscard]] bool holds(int row, int column) const {
+    return row >= 0 && row < height && column >= 0 && column < width;
+  }
 };
 
 /// Some images of a site.
@@ -135,19 +144,23 @@ void addWrong(IdDiff& diff, const IdDifference& place) {
   ++diff.wrong;
 }
 
-/// `distance` answers for a differing pixel, as BisectorDistance does.
+/// `pictures` is the grid of all pixels, `frame` that of those that show the domain. `distance` answers for a
+/// differing pixel of the frame, as BisectorDistance does.
 template <class Distance>
-IdDiff compare(Ids a, Ids b, Grid grid, const Distance& distance) {
-  assert(grid.width > 0 && grid.height > 0 && a.size() == grid.size() && b.size() == grid.size());
+IdDiff compare(Ids a, Ids b, Grid pictures, Grid frame, const Distance& distance) {
+  assert(frame.width > 0 && frame.height > 0 && a.size() == pictures.size() && b.size() == pictures.size());
   IdDiff diff;
-  diff.pixels.assign(grid.size(), PixelMatch::equal);
-  for (int row = 0; row < grid.height; ++row) {
-    for (int column = 0; column < grid.width; ++column) {
-      const std::size_t pixel = grid.at(row, column);
+  diff.pixels.assign(pictures.size(), PixelMatch::equal);
+  for (int row = 0; row < pictures.height; ++row) {
+    for (int column = 0; column < pictures.width; ++column) {
+      const std::size_t pixel = pictures.at(row, column);
       if (a[pixel] == b[pixel]) continue;
-      const IdDifference place{row, column, a[pixel], b[pixel], distance(row, column, a[pixel], b[pixel])};
-      const bool tie = place.distance <= tie_distance &&
-                       (besideBoundary(a, grid, row, column) || besideBoundary(b, grid, row, column));
+      IdDifference place{row, column, a[pixel], b[pixel], std::numeric_limits<double>::infinity()};
+      const int down = row - frame.top, right = column - frame.left;
+      const bool inside = frame.holds(down, right);
+      if (inside) place.distance = distance(down, right, place.a, place.b);
+      const bool tie = inside && place.distance <= tie_distance &&
+                       (besideBoundary(a, frame, down, right) || besideBoundary(b, frame, down, right));
       diff.pixels[pixel] = tie ? PixelMatch::tie : PixelMatch::wrong;
       if (tie) {
         ++diff.ties;
@@ -157,8 +170,8 @@ IdDiff compare(Ids a, Ids b, Grid grid, const Distance& distance) {
       }
     }
   }
-  diff.equal = grid.size() - diff.ties - diff.wrong;
-  diff.ties_allowed = std::min(boundaryLength(a, grid), boundaryLength(b, grid));
+  diff.equal = pictures.size() - diff.ties - diff.wrong;
+  diff.ties_allowed = std::min(boundaryLength(a, frame), boundaryLength(b, frame));
   return diff;
 }
 
@@ -183,23 +196,28 @@ Result<std::array<double, 2>> periodsOf(const Box& domain, Periodic periodic) {
 }  // namespace
 
 IdDiff diffIds(Ids a, Ids b, int width, int height) {
-  return compare(a, b, Grid{width, height}, [](auto...) { return std::numeric_limits<double>::infinity(); });
+  const Grid grid{width, height};
+  return compare(a, b, grid, grid, [](auto...) { return std::numeric_limits<double>::infinity(); });
 }
 
 Result<IdDiff> diffIds(Ids a, Ids b, int width, int height, const Sites& sites, const Box& domain,
-                       Periodic periodic) {
+                       Periodic periodic, Fit fit) {
   const bool valid = std::isfinite(domain.xmax - domain.xmin) && domain.xmin < domain.xmax &&
                      std::isfinite(domain.ymax - domain.ymin) && domain.ymin < domain.ymax;
   if (!valid) {
     return tl::unexpected(refusalOf(Subject::domain, "needs finite xmin < xmax and ymin < ymax"));
   }
-  const Grid grid{width, height};
-  if (periodic == Periodic::none) return compare(a, b, grid, BisectorDistance(sites, domain, grid));
+  const Grid pictures{width, height};
+  const PictureFrame frame = frameOf(domain, width, height, fit);
+  const Grid grid{frame.width, frame.height, width, frame.top, frame.left};
+  if (periodic == Periodic::none) {
+    return compare(a, b, pictures, grid, BisectorDistance(sites, domain, grid));
+  }
   const auto inside = wrapped(sites, domain, periodic);
   if (!inside) return tl::unexpected(inside.error());
   const auto periods = periodsOf(domain, periodic);
   if (!periods) return tl::unexpected(periods.error());
-  return compare(a, b, grid, BisectorDistance(*inside, domain, grid, *periods));
+  return compare(a, b, pictures, grid, BisectorDistance(*inside, domain, grid, *periods));
 }
 
 ImageDiff diffImages(Ids a, Ids b, int width, int height) {

@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "core/picture/colormap.h"
+#include "core/picture/font.h"
 #include "core/picture/number_text.h"
 #include "vorpipe.h"
 
@@ -11,15 +12,12 @@ namespace {
 
 constexpr std::uint32_t panel_color = 0xE0FFFFFFu, line_color = 0xFF303030u;
 
-// Lengths in units: a capital letter is seven of them high, and a character takes six along the line.
-constexpr int letter_height = 7, letter_advance = 6, line_height = 11;
+// Lengths in the units of the font.
+constexpr int line_height = 11;
 constexpr int margin = 3, padding = 5, title_gap = 9, bottom_gap = 3;
 constexpr int bar_width = 10, bar_height = 84, tick_length = 2, label_gap = 5;
 constexpr int label_distance = 11;  ///< of two baselines
 constexpr std::size_t longest_label = 10;
-
-/// A text has one unit less than its characters take: the gap after the last.
-int widthOf(const std::string& text) { return static_cast<int>(text.size()) * letter_advance - 1; }
 
 struct Label {
   double place;  ///< along the colors
@@ -33,14 +31,14 @@ struct Contents {
 
   [[nodiscard]] int width() const {
     int widest = 0;
-    for (const std::string& line : title) widest = std::max(widest, widthOf(line));
-    for (const Label& label : labels) widest = std::max(widest, bar_width + label_gap + widthOf(label.text));
+    for (const std::string& line : title) widest = std::max(widest, unitsOf(line));
+    for (const Label& label : labels) widest = std::max(widest, bar_width + label_gap + unitsOf(label.text));
     return widest + 2 * padding;
   }
   /// Without the bar.
   [[nodiscard]] int height() const {
     const int lines = static_cast<int>(title.size());
-    return padding + (lines - 1) * line_height + letter_height + title_gap + bottom_gap + padding;
+    return padding + (lines - 1) * line_height + letter_units + title_gap + bottom_gap + padding;
   }
 };
 
@@ -138,7 +136,7 @@ Legend legendOf(const ColorKey& key, const std::string& colormap, int width, int
   const double panel_width = contents.width() * unit, panel_height = contents.height() * unit + bar_pixels;
   const double left = margin * unit, top = height - margin * unit - panel_height;
   legend.boxes.push_back({left, top, panel_width, panel_height, panel_color});
-  const double text_height = letter_height * unit, line = std::max(1, unit / 2);
+  const double text_height = letter_units * unit, line = std::max(1, unit / 2);
   const double inside = left + padding * unit;
   double baseline = top + padding * unit + text_height;
   for (std::size_t i = 0; i < contents.title.size(); ++i) {

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "base/parallel.h"
+#include "core/picture/blend.h"
 
 namespace vorpipe::core {
 namespace {
@@ -10,54 +14,146 @@ constexpr std::uint32_t edge_color = 0xFF181818u;
 constexpr std::uint32_t dot_color = 0xFFFFFFFFu;
 constexpr std::uint32_t rim_color = 0xFF000000u;
 
-std::size_t pixelAt(const Image& image, int row, int column) {
-  return static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
-         static_cast<std::size_t>(column);
+/// Where the cell ends at the outline on its left or upper side, its own pixel is of the edge.
+bool isEdge(const Image& image, int row, int column) {
+  const auto& ids = image.ids;
+  const auto here = pixelAt(image, row, column);
+  const auto width = static_cast<std::size_t>(image.width);
+  const std::uint32_t id = ids[here];
+  if (id == no_site) return false;
+  return (column + 1 < image.width && ids[here + 1] != id) ||
+         (row + 1 < image.height && ids[here + width] != id) || (column > 0 && ids[here - 1] == no_site) ||
+         (row > 0 && ids[here - width] == no_site);
 }
 
-void drawDot(Image& image, double x, double y, double radius) {
-  const int reach = static_cast<int>(std::ceil(radius));
-  const int center_column = static_cast<int>(std::floor(x));
-  const int center_row = static_cast<int>(std::floor(y));
-  for (int row = std::max(0, center_row - reach); row <= std::min(image.height - 1, center_row + reach);
-       ++row) {
-    for (int column = std::max(0, center_column - reach);
-         column <= std::min(image.width - 1, center_column + reach); ++column) {
-      const double distance = std::hypot(column + 0.5 - x, row + 0.5 - y);
-      const auto pixel = pixelAt(image, row, column);
-      if (distance > radius || image.ids[pixel] == no_site) continue;
-      image.rgba[pixel] = distance > radius - 1 ? rim_color : dot_color;
+/// How far each pixel of a row is from the nearest edge pixel of that row, along it, as far as a byte holds.
+void measureRow(const Image& image, int row, std::uint8_t* distance) {
+  constexpr int far = std::numeric_limits<std::uint8_t>::max();
+  int reached = far;
+  for (int column = 0; column < image.width; ++column) {
+    reached = isEdge(image, row, column) ? 0 : std::min(far, reached + 1);
+    distance[column] = static_cast<std::uint8_t>(reached);
+  }
+  reached = far;
+  for (int column = image.width - 1; column >= 0; --column) {
+    reached = std::min<int>(distance[column], reached + 1);
+    distance[column] = static_cast<std::uint8_t>(std::min(far, reached));
+  }
+}
+
+/// A disk of pixels: how far it reaches to either side, by the distance of a row from its center.
+std::vector<std::uint8_t> diskOf(double radius) {
+  std::vector<std::uint8_t> reach;
+  for (int away = 0; away <= radius; ++away) {
+    reach.push_back(static_cast<std::uint8_t>(std::sqrt(radius * radius - away * away)));
+  }
+  return reach;
+}
+
+/// Darkens rows begin to end. Rows of distances are kept while the disk reaches them.
+void widenRows(Image& image, const std::vector<std::uint8_t>& disk, int begin, int end) {
+  const int reach = static_cast<int>(disk.size()) - 1, kept = 2 * reach + 1;
+  const auto width = static_cast<std::size_t>(image.width);
+  std::vector<std::uint8_t> distances(static_cast<std::size_t>(kept) * width);
+  std::vector<std::uint8_t> dark(width);
+  const auto rowOf = [&](int row) { return distances.data() + static_cast<std::size_t>(row % kept) * width; };
+  int next = std::max(0, begin - reach);
+  for (int row = begin; row < end; ++row) {
+    const int last = std::min(image.height - 1, row + reach);
+    for (; next <= last; ++next) measureRow(image, next, rowOf(next));
+    std::ranges::fill(dark, std::uint8_t{0});
+    for (int other = std::max(0, row - reach); other <= last; ++other) {
+      const std::uint8_t most = disk[static_cast<std::size_t>(std::abs(other - row))];
+      const std::uint8_t* distance = rowOf(other);
+      for (std::size_t column = 0; column < width; ++column) {
+        dark[column] = static_cast<std::uint8_t>(dark[column] | (distance[column] <= most ? 1 : 0));
+      }
+    }
+    const auto first = pixelAt(image, row, 0);
+    for (std::size_t column = 0; column < width; ++column) {
+      if (dark[column] != 0 && image.ids[first + column] != no_site) image.rgba[first + column] = edge_color;
     }
   }
+}
+
+void drawDot(Image& image, double x, double y, const DotSize& dot) {
+  const int reach = static_cast<int>(std::ceil(dot.radius));
+  const int center_column = static_cast<int>(x), center_row = static_cast<int>(y);
+  const int left = std::max(0, center_column - reach);
+  const int right = std::min(image.width - 1, center_column + reach);
+  const int bottom = std::min(image.height - 1, center_row + reach);
+  for (int row = std::max(0, center_row - reach); row <= bottom; ++row) {
+    for (int column = left; column <= right; ++column) {
+      const double distance = std::hypot(column + 0.5 - x, row + 0.5 - y);
+      const auto pixel = pixelAt(image, row, column);
+      // The smallest dot may reach no center.
+      const bool inside = distance <= dot.radius || (row == center_row && column == center_column);
+      if (!inside || image.ids[pixel] == no_site) continue;
+      image.rgba[pixel] = distance > dot.radius - dot.rim && dot.rim > 0 ? rim_color : dot_color;
+    }
+  }
+}
+
+/// Where sites stand in a picture of a domain, y downward.
+class SitePixels {
+ public:
+  SitePixels(const Image& image, const Sites& sites, const Box& domain)
+      : image_(image), sites_(sites), domain_(domain) {}
+  [[nodiscard]] double x(std::size_t i) const {
+    return (sites_.x[i] - domain_.xmin) / (domain_.xmax - domain_.xmin) * image_.width;
+  }
+  [[nodiscard]] double y(std::size_t i) const {
+    return (domain_.ymax - sites_.y[i]) / (domain_.ymax - domain_.ymin) * image_.height;
+  }
+  [[nodiscard]] bool shows(std::size_t i) const {
+    const double column = x(i), row = y(i);
+    if (!(column >= 0 && column < image_.width && row >= 0 && row < image_.height)) return false;
+    return image_.ids[pixelAt(image_, static_cast<int>(row), static_cast<int>(column))] != no_site;
+  }
+
+ private:
+  const Image& image_;
+  const Sites& sites_;
+  Box domain_;
+};
+
+/// The square root of the median of how many pixels cells have, of sites that show; 0 if none does. Of many
+/// sites some are looked at, since a median needs no more.
+double spacingOf(const Image& image, const SitePixels& places, std::size_t sites) {
+  constexpr std::size_t enough = std::size_t{1} << 20;
+  const std::size_t every = (sites + enough - 1) / enough;
+  std::vector<std::uint32_t> pixels((sites + every - 1) / every);
+  for (const std::uint32_t id : image.ids) {
+    if (id != no_site && id % every == 0) ++pixels[id / every];
+  }
+  std::vector<std::uint32_t> shown;
+  for (std::size_t k = 0; k < pixels.size(); ++k) {
+    if (pixels[k] > 0 && places.shows(k * every)) shown.push_back(pixels[k]);
+  }
+  if (shown.empty()) return 0;
+  const auto middle = shown.begin() + static_cast<std::ptrdiff_t>(shown.size() / 2);
+  std::ranges::nth_element(shown, middle);
+  return std::sqrt(static_cast<double>(*middle));
 }
 
 }  // namespace
 
-void drawEdges(Image& image) {
-  // Where the cell ends at the outline on its left or upper side, its own pixel is darkened.
-  const auto compare = [&](std::size_t here, std::size_t next) {
-    if (image.ids[here] == image.ids[next]) return;
-    image.rgba[image.ids[here] != no_site ? here : next] = edge_color;
-  };
-  for (int row = 0; row < image.height; ++row) {
-    for (int column = 0; column < image.width; ++column) {
-      const auto here = pixelAt(image, row, column);
-      if (column + 1 < image.width) compare(here, pixelAt(image, row, column + 1));
-      if (row + 1 < image.height) compare(here, pixelAt(image, row + 1, column));
-    }
-  }
+void drawEdges(Image& image, double width, int threads) {
+  constexpr std::size_t rows_at_once = 256;
+  const auto disk = diskOf((width - 1) / 2);
+  const auto rows = static_cast<std::size_t>(image.height);
+  parallelFor(rows, rows_at_once, threadsForSteps(image.ids.size(), threads),
+              [&](std::size_t begin, std::size_t end) {
+                widenRows(image, disk, static_cast<int>(begin), static_cast<int>(end));
+              });
 }
 
-void drawSites(Image& image, const Sites& sites, std::size_t count, const Box& domain) {
-  const double pixels = static_cast<double>(image.width) * image.height;
-  const double spacing = std::sqrt(pixels / static_cast<double>(count));
-  const double radius = std::clamp(0.12 * spacing, 1.0, 5.0);
+void drawSites(Image& image, const Sites& sites, const Box& domain, double size) {
+  const SitePixels places(image, sites, domain);
+  const double spacing = size == 0 ? spacingOf(image, places, sites.size()) : 0;
+  const DotSize dot = dotSizeOf(size, spacing, {image.width, image.height});
   for (std::size_t i = 0; i < sites.size(); ++i) {
-    const double x = (sites.x[i] - domain.xmin) / (domain.xmax - domain.xmin) * image.width;
-    const double y = (domain.ymax - sites.y[i]) / (domain.ymax - domain.ymin) * image.height;
-    if (!(x >= 0 && x < image.width && y >= 0 && y < image.height)) continue;
-    const auto pixel = pixelAt(image, static_cast<int>(y), static_cast<int>(x));
-    if (image.ids[pixel] != no_site) drawDot(image, x, y, radius);
+    if (places.shows(i)) drawDot(image, places.x(i), places.y(i), dot);
   }
 }
 

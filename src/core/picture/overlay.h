@@ -7,10 +7,12 @@
 namespace vorpipe::core {
 
 /// Darkens each pixel whose right or lower neighbor belongs to another cell, and each beside one without a
-/// site.
-void drawEdges(Image& image);
+/// site: these are edge pixels. With a width of more than 1, all pixels whose centers are within
+/// (width - 1) / 2 of that of an edge pixel.
+void drawEdges(Image& image, double width, int threads);
 
-/// Draws a dot at each site in a pixel that has a site; its size follows the mean spacing of `count` sites.
-void drawSites(Image& image, const Sites& sites, std::size_t count, const Box& domain);
+/// Draws a dot at each site in a pixel that has a site. `size` is its diameter in pixels; 0: about a quarter
+/// of the spacing of those sites that show, and whose cells do. Ids of the image are indices of `sites`.
+void drawSites(Image& image, const Sites& sites, const Box& domain, double size);
 
 }  // namespace vorpipe::core

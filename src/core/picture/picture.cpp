@@ -14,6 +14,8 @@
 #include "core/outline/pixel_mask.h"
 #include "core/periodic/scene.h"
 #include "core/picture/colormap.h"
+#include "core/picture/draw_legend.h"
+#include "core/picture/frame.h"
 #include "core/picture/overlay.h"
 #include "core/picture/palette_index.h"
 #include "core/picture/uncovered.h"
@@ -24,17 +26,6 @@ namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 1 << 12;
-
-Result<void> checkSize(const RenderOptions& options) {
-  const auto refuse = [](std::string message) {
-    return tl::unexpected(Error{ErrorCode::input, std::move(message)});
-  };
-  if (std::min(options.width, options.height) < 1 || std::max(options.width, options.height) > largest_side) {
-    return refuse(fmt::format("a picture of {}x{} pixels: each side must be 1 to {}", options.width,
-                              options.height, largest_side));
-  }
-  return {};
-}
 
 /// One view of a picture that is drawn in parts: its place in the image, rows from the bottom.
 struct Part {
@@ -126,22 +117,21 @@ struct Drawn {
   std::uint64_t uncovered = 0;  ///< pixels that the device left
 };
 
-/// `box` is what the picture shows, in the units of the set.
+/// `box` is what the picture shows, in the units of the set; `room` is how many pixels it will have.
 Result<Drawn> drawParts(Backend& backend, CellDrawing& drawing, const NearestSites& nearest, const Box& box,
-                        const Palette& palette, const RenderOptions& options) {
-  Drawn drawn{{options.width, options.height, {}, {}}};
+                        const Palette& palette, PictureSize size, std::size_t room) {
+  const auto [width, height] = size;
+  Drawn drawn{{width, height, {}, {}}};
   Image& image = drawn.image;
-  const auto pixels = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
+  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  image.rgba.reserve(room);
+  image.ids.reserve(room);
   image.rgba.resize(pixels);
   image.ids.resize(pixels);
   std::vector<std::uint32_t> rgba;
   std::vector<std::uint32_t> ids;
-  for (const auto& part : partsOf(options.width, options.height, backend.info().max_view)) {
-    const View view{boxOf(part, box, options.width, options.height),
-                    part.width,
-                    part.height,
-                    palette,
-                    {box.xmin, box.ymin}};
+  for (const auto& part : partsOf(width, height, backend.info().max_view)) {
+    const View view{boxOf(part, box, width, height), part.width, part.height, palette, {box.xmin, box.ymin}};
     if (auto done = drawing.draw(view); !done) return tl::unexpected(done.error());
     rgba.resize(static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height));
     ids.resize(rgba.size());
@@ -228,7 +218,7 @@ CellsOptions cellsOptions(const RenderOptions& picture) {
 namespace vorpipe::core {
 
 Result<Rendering> renderOn(const Machine& machine, const Sites& sites, const RenderOptions& options) {
-  if (auto checked = checkSize(options); !checked) return tl::unexpected(checked.error());
+  if (auto checked = checkPicture(options); !checked) return tl::unexpected(checked.error());
   const auto palette = paletteByName(options.colormap);
   if (!palette) return tl::unexpected(palette.error());
   const auto rings = ringsOf(options.outline, scaleExponent(options.domain));
@@ -255,16 +245,21 @@ Result<Rendering> renderOn(const Machine& machine, const Sites& sites, const Ren
   const Sites& drawn = scene.sitesOr(sites);
   const NearestSites nearest{run->judge, set, palette_indices, drawn.size(), machine.threads};
   const int exponent = run->prepared.exponent;
-  auto picture =
-      drawParts(machine.backend, drawing, nearest, scaled(scene.picture, exponent), *palette, options);
+  const PictureFrame frame = frameOf(options.domain, options.width, options.height, options.fit);
+  const auto room = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
+  auto picture = drawParts(machine.backend, drawing, nearest, scaled(scene.picture, exponent), *palette,
+                           {frame.width, frame.height}, room);
   if (!picture) return tl::unexpected(picture.error());
   rendering.image = std::move(picture->image);
-  if (!options.outline.empty()) {
-    maskOutside(*rings, options.domain, exponent, machine.threads, rendering.image);
+  Image& image = rendering.image;
+  if (!options.outline.empty()) maskOutside(*rings, options.domain, exponent, machine.threads, image);
+  if (options.edges) drawEdges(image, options.edge_width, machine.threads);
+  if (options.show_sites) drawSites(image, drawn, scene.picture, options.dot_size);
+  nameSites(scene, image.ids);
+  putIntoFrame(frame, options.width, options.height, image);
+  if (options.legend) {
+    drawLegend(legendOf(*rendering.key, options.colormap, options.width, options.height), image);
   }
-  if (options.edges) drawEdges(rendering.image);
-  if (options.show_sites) drawSites(rendering.image, drawn, scene.imaged.count, scene.picture);
-  nameSites(scene, rendering.image.ids);
 
   times.download = 1e3 * picture->download_seconds;
   report.pixels = picture->uncovered;

@@ -33,4 +33,18 @@ PictureFrame frameOf(const Box& domain, int width, int height, Fit fit) {
   return {(width - frame_width) / 2, (height - frame_height) / 2, frame_width, frame_height};
 }
 
+DotSize dotSizeOf(double size, double spacing, PictureSize picture) {
+  double radius = size / 2;
+  if (size == 0) {
+    // Large pictures are looked at from farther away.
+    constexpr double part_of_spacing = 0.12, least = 1, usual = 5;
+    constexpr int sides = 200;
+    const double most = std::max<double>(usual, std::max(picture.width, picture.height) / sides);
+    radius = std::clamp(part_of_spacing * spacing, least, most);
+  }
+  // A rim around less would leave little of the dot.
+  constexpr double least_with_rim = 2.5, part_of_radius = 0.2;
+  return {radius, radius >= least_with_rim ? std::max(1.0, part_of_radius * radius) : 0};
+}
+
 }  // namespace vorpipe

@@ -120,9 +120,9 @@ Result<void> writeEdges(ByteSink& page, Bytes& text, const VectorPicture& pictur
     put(text, "S\n");
     return writeIfFull(page, text);
   });
-  if (const Lines border = picture.border(); !border.empty()) {
-    printLength(text, picture.borderWidth(), "w");
-    printLines(text, border, /*closed=*/true);
+  if (const Lines outline = picture.outline(); !outline.empty()) {
+    printLength(text, picture.outlineWidth(), "w");
+    printLines(text, outline, /*closed=*/true);
     put(text, "S\n");
   }
   return written;
@@ -205,7 +205,7 @@ void printCircle(Bytes& text, double radius) {
 /// A dot about the origin, as an object of its own.
 std::string dotObject(const VectorPicture& picture) {
   Bytes text;
-  const double radius = picture.dotRadius(), rim = picture.rimWidth();
+  const auto [radius, rim] = picture.dot();
   printColor(text, VectorPicture::dot_color, "rg");
   if (rim > 0) {
     printColor(text, VectorPicture::rim_color, "RG");

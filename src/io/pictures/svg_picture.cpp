@@ -94,11 +94,11 @@ Result<void> writeEdges(ByteSink& sink, Bytes& text, const VectorPicture& pictur
     return writeIfFull(sink, text);
   });
   if (lines_here > 0) put(text, "\"/>\n");
-  if (const Lines border = picture.border(); !border.empty()) {
+  if (const Lines outline = picture.outline(); !outline.empty()) {
     put(text, "<path");
-    printLength(text, "stroke-width", picture.borderWidth());
+    printLength(text, "stroke-width", picture.outlineWidth());
     put(text, " d=\"");
-    printLines(text, border, "Z");
+    printLines(text, outline, "Z");
     put(text, "\"/>\n");
   }
   put(text, "</g>\n");
@@ -108,7 +108,7 @@ Result<void> writeEdges(ByteSink& sink, Bytes& text, const VectorPicture& pictur
 Result<void> writeDots(ByteSink& sink, Bytes& text, const VectorPicture& picture) {
   put(text, "<g");
   printColor(text, "fill", VectorPicture::dot_color);
-  const double rim = picture.rimWidth();
+  const auto [radius, rim] = picture.dot();
   if (rim > 0) {
     printColor(text, "stroke", VectorPicture::rim_color);
     printLength(text, "stroke-width", rim);
@@ -119,7 +119,7 @@ Result<void> writeDots(ByteSink& sink, Bytes& text, const VectorPicture& picture
     printLength(text, "cx", dot.x);
     printLength(text, "cy", dot.y);
     // The line is half inside and half outside.
-    printLength(text, "r", picture.dotRadius() - rim / 2);
+    printLength(text, "r", radius - rim / 2);
     put(text, "/>\n");
     if (auto written = writeIfFull(sink, text); !written) return written;
   }

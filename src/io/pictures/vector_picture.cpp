@@ -86,6 +86,7 @@ Point VectorPicture::pixelOf(Point place) const {
 
 Result<VectorPicture> VectorPicture::make(const Sites& sites, const Diagram& diagram,
                                           const RenderOptions& options, int threads) {
+  if (auto checked = checkPicture(options); !checked) return tl::unexpected(std::move(checked.error()));
   VectorPicture picture(diagram, options);
   auto colors = siteColors(sites, diagram, options);
   if (!colors) return tl::unexpected(std::move(colors.error()));
@@ -94,42 +95,67 @@ Result<VectorPicture> VectorPicture::make(const Sites& sites, const Diagram& dia
     picture.legend_ = legendOf(*picture.colors_.key, options.colormap, options.width, options.height);
   }
   if (options.show_sites) {
-    auto dots = picture.placesOfDots(sites, threads);
-    if (!dots) return tl::unexpected(std::move(dots.error()));
-    for (Point& dot : *dots) dot = picture.pixelOf(dot);
-    picture.dots_ = std::move(*dots);
-    picture.dot_size_ = 2 * std::clamp(0.12 * std::sqrt(static_cast<double>(options.width) * options.height /
-                                                        static_cast<double>(sites.size())),
-                                       1.0, 5.0);
+    if (auto placed = picture.placeDots(sites, threads); !placed) {
+      return tl::unexpected(std::move(placed.error()));
+    }
   }
   return picture;
 }
 
-Result<std::vector<Point>> VectorPicture::placesOfDots(const Sites& sites, int threads) const {
+/// Sites in places that have a cell have a dot, each position one.
+Result<void> VectorPicture::placeDots(const Sites& sites, int threads) {
   const Box& domain = options_->domain;
   const bool periodic = options_->periodic != Periodic::none;
   Result<Sites> placed = periodic ? wrapped(sites, domain, options_->periodic, threads) : Sites{};
   if (!placed) return tl::unexpected(std::move(placed.error()));
   const Sites& at = periodic ? *placed : sites;
-  std::vector<Point> inside;
-  for (std::size_t i = 0; i < at.size(); ++i) {
+  std::vector<std::uint32_t> shown;
+  for (std::uint32_t i = 0; i < at.size(); ++i) {
     const double x = at.x[i], y = at.y[i];
     if (!(x >= domain.xmin && x <= domain.xmax && y >= domain.ymin && y <= domain.ymax)) continue;
-    if (diagram_->status[i] != Status::duplicate) inside.push_back({x, y});
+    if (diagram_->status[i] != Status::duplicate) shown.push_back(i);
   }
-  if (options_->outline.empty()) return inside;
-  auto locator = Locator::make(sites, cellsOptions(*options_), threads);
-  if (!locator) return tl::unexpected(std::move(locator.error()));
-  std::vector<std::uint32_t> cells(inside.size());
-  locator->at(inside, cells);
-  std::vector<Point> shown;
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (cells[i] != no_site) shown.push_back(inside[i]);
+  if (!options_->outline.empty()) {
+    if (auto kept = keepInOutline(at, shown, threads); !kept) return kept;
   }
-  return shown;
+  dot_ = dotSizeOf(options_->dot_size, spacingOf(shown), {frame_.width, frame_.height});
+  dots_.reserve(shown.size());
+  for (const std::uint32_t i : shown) dots_.push_back(pixelOf({at.x[i], at.y[i]}));
+  return {};
 }
 
-double VectorPicture::rimWidth() const { return 1; }
+Result<void> VectorPicture::keepInOutline(const Sites& at, std::vector<std::uint32_t>& sites,
+                                          int threads) const {
+  auto locator = Locator::make(at, cellsOptions(*options_), threads);
+  if (!locator) return tl::unexpected(std::move(locator.error()));
+  std::vector<Point> places(sites.size());
+  std::ranges::transform(sites, places.begin(), [&](std::uint32_t i) { return Point{at.x[i], at.y[i]}; });
+  std::vector<std::uint32_t> cells(sites.size());
+  locator->at(places, cells);
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    if (cells[k] != no_site) sites[kept++] = sites[k];
+  }
+  sites.resize(kept);
+  return {};
+}
+
+/// The square root of the median of how many pixels the cells of sites have, without cells that have hardly
+/// any; 0 if all are such.
+double VectorPicture::spacingOf(std::span<const std::uint32_t> sites) const {
+  constexpr double least_pixels = 0.5;
+  const Box& domain = options_->domain;
+  const double pixels = frame_.width / (domain.xmax - domain.xmin) * frame_.height;
+  std::vector<double> areas;
+  for (const std::uint32_t i : sites) {
+    const double area = diagram_->area[i] / (domain.ymax - domain.ymin) * pixels;
+    if (area >= least_pixels) areas.push_back(area);
+  }
+  if (areas.empty()) return 0;
+  const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
+  std::ranges::nth_element(areas, middle);
+  return std::sqrt(*middle);
+}
 
 Lines VectorPicture::outline() const {
   const Outline& outline = options_->outline;
@@ -140,23 +166,6 @@ Lines VectorPicture::outline() const {
       lines.add(pixelOf(outline.points[k]));
     }
   }
-  return lines;
-}
-
-Lines VectorPicture::border() const {
-  if (!options_->outline.empty()) return outline();
-  Lines lines;
-  const double left = frame_.left, top = frame_.top;
-  const double right = left + frame_.width, bottom = top + frame_.height;
-  const auto add = [&](double x0, double y0, double x1, double y1) {
-    lines.begin();
-    lines.add({x0, y0});
-    lines.add({x1, y1});
-  };
-  if (frame_.left > 0) add(left, top, left, bottom);
-  if (right < options_->width) add(right, top, right, bottom);
-  if (frame_.top > 0) add(left, top, right, top);
-  if (bottom < options_->height) add(left, bottom, right, bottom);
   return lines;
 }
 

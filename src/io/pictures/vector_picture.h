@@ -56,14 +56,15 @@ class VectorPicture {
   [[nodiscard]] const PictureFrame& frame() const { return frame_; }
   [[nodiscard]] bool hasEdges() const { return options_->edges; }
   [[nodiscard]] std::uint32_t color(std::size_t site) const { return colors_.rgba[site]; }
-  /// Rings that edges and dots are clipped to besides, by the rule of even and odd; none without an outline.
+  /// The rings that cells end at, and that edges and dots are clipped to, by the rule of even and odd; none
+  /// without an outline.
   [[nodiscard]] Lines outline() const;
-  /// Of a dot, from its center; the rim, if any, is inside.
-  [[nodiscard]] double dotRadius() const { return dot_size_ / 2; }
-  [[nodiscard]] double rimWidth() const;
-  /// Of edges between cells, and of the border, the outer half of which is clipped away.
+  [[nodiscard]] const DotSize& dot() const { return dot_; }
+  /// Of edges between cells.
   [[nodiscard]] double edgeWidth() const { return options_->edge_width; }
-  [[nodiscard]] double borderWidth() const { return 2 * options_->edge_width; }
+  /// Of edges along the outline, the outer half of which is clipped away. In pixels they are those of the
+  /// cells that it bounds, and as many beside them as beside other edges.
+  [[nodiscard]] double outlineWidth() const { return options_->edge_width + 1; }
   [[nodiscard]] const std::optional<Legend>& legend() const { return legend_; }
 
   /// Calls `use` with the rings of each cell, to be filled by the rule of even and odd: in a periodic domain
@@ -75,17 +76,16 @@ class VectorPicture {
   using UseLines = std::function<Result<void>(const Lines& lines)>;
   Result<void> eachEdge(const UseLines& use) const;
 
-  /// The lines at which cells end without another cell on the other side.
-  [[nodiscard]] Lines border() const;
-
   /// Centers.
   [[nodiscard]] std::span<const Point> dots() const { return dots_; }
 
  private:
   VectorPicture(const Diagram& diagram, const RenderOptions& options);
   [[nodiscard]] Point pixelOf(Point place) const;
-  /// Where dots stand: sites in places that have a cell, each position once.
-  [[nodiscard]] Result<std::vector<Point>> placesOfDots(const Sites& sites, int threads) const;
+  Result<void> placeDots(const Sites& sites, int threads);
+  /// Keeps the sites, by index, whose places `at` have a cell.
+  Result<void> keepInOutline(const Sites& at, std::vector<std::uint32_t>& sites, int threads) const;
+  [[nodiscard]] double spacingOf(std::span<const std::uint32_t> sites) const;
 
   const Diagram* diagram_;
   const RenderOptions* options_;
@@ -93,7 +93,7 @@ class VectorPicture {
   SiteColors colors_;
   std::optional<Legend> legend_;
   std::vector<Point> dots_;
-  double dot_size_ = 0;
+  DotSize dot_{};
 };
 
 }  // namespace vorpipe

@@ -1,0 +1,119 @@
+#include "cli/options/picture_options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "io/files/error.h"
+#include "io/text/number.h"
+
+namespace vorpipe::cli {
+namespace {
+
+constexpr double widest_mark = 100;
+
+std::vector<std::string> scaleNames() { return {"linear", "log", "quantile"}; }
+std::vector<std::string> fitNames() { return {"stretch", "letterbox"}; }
+
+/// The place of `text` among some names.
+Parsed<std::size_t> placeIn(const std::vector<std::string>& names, std::string_view text) {
+  const auto found = std::ranges::find(names, text);
+  if (found == names.end()) return tl::unexpected(fmt::format("{} is not {}", quoted(text), anyOf(names)));
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+Parsed<ColorScale> parseScale(std::string_view text) {
+  constexpr std::array scales{ColorScale::linear, ColorScale::log, ColorScale::quantile};
+  return placeIn(scaleNames(), text).map([&](std::size_t place) { return scales[place]; });
+}
+
+Parsed<Fit> parseFit(std::string_view text) {
+  constexpr std::array fits{Fit::stretch, Fit::letterbox};
+  return placeIn(fitNames(), text).map([&](std::size_t place) { return fits[place]; });
+}
+
+Parsed<ColorRange> parseColorRange(std::string_view text) {
+  const auto range = parseWeightRange(text);
+  if (!range) return tl::unexpected(range.error());
+  if (range->low == range->high) return tl::unexpected(fmt::format("LO {} is not below HI", range->low));
+  return ColorRange{range->low, range->high};
+}
+
+/// A width in pixels.
+Parsed<double> parsePixels(std::string_view text, double least) {
+  const auto number = parseNumber(text);
+  if (!number) return tl::unexpected(number.error());
+  if (*number >= least && *number <= widest_mark) return *number;
+  return tl::unexpected(
+      fmt::format("{} is not a number of pixels from {} to {}", *number, least, widest_mark));
+}
+
+}  // namespace
+
+Parsed<SizeChoice> parseSizeChoice(std::string_view text) {
+  if (text.find('x') != std::string_view::npos) {
+    return parseSize(text).map([](PictureSize size) { return SizeChoice{size, 0}; });
+  }
+  const auto side = parseWhole(text, 1, largest_side);
+  if (!side) {
+    return tl::unexpected(
+        fmt::format("{} is neither WxH, as in 800x600, nor the longer side, a whole number "
+                    "from 1 to {}",
+                    quoted(text), largest_side));
+  }
+  return SizeChoice{std::nullopt, static_cast<int>(*side)};
+}
+
+Option addFitOption(Options& options, std::optional<Fit>& fit) {
+  return addParsed(
+      options, "--fit", fit, anyOf(fitNames()),
+      "what a domain does in a picture of another aspect: it is stretched to it, or keeps its own in the "
+      "middle, with no site beside it [letterbox for files of sites and outlines, else stretch]",
+      parseFit, {fitNames(), {}});
+}
+
+void addSizeOptions(Options& options, PictureOptions& picture) {
+  addParsed(options, "--size", picture.size, "N or WxH",
+            "pixels of the longer side, the other by the domain's aspect, or width and height [1000]",
+            parseSizeChoice);
+  addFitOption(options, picture.fit);
+}
+
+void addColorOptions(Options& options, RenderOptions& picture) {
+  addParsed(options, "--color", picture.color, "BY",
+            fmt::format("what colors show: {} [site]", anyOf(colorNames())), parseColor, {colorNames(), {}});
+  addParsed(options, "--colormap", picture.colormap, "NAME",
+            fmt::format("the colors: {} [{}]", anyOf(colormaps()), picture.colormap), parseColormap,
+            {colormaps(), {}});
+  addParsed(options, "--color-scale", picture.color_scale, "KIND",
+            "how values become colors: linear or log from the least to the greatest, or quantile, by rank "
+            "[quantile by area and weight, linear by neighbors]",
+            parseScale, {scaleNames(), {}});
+  addParsed(
+      options, "--color-range", picture.color_range, "LO,HI",
+      "the values of the first and the last color; those beyond have the same, and quantiles are those of "
+      "the values inside [all cells' values]",
+      parseColorRange);
+  options.addFlag("--legend", picture.legend, "draws what the colors stand for into the lower left corner");
+}
+
+void addMarkOptions(Options& options, RenderOptions& picture) {
+  const Option edges = options.addFlag("--edges", picture.edges, "darkens the edges of the cells");
+  addParsed(options, "--edge-width", picture.edge_width, "PX",
+            fmt::format("how wide edges are, 1 to {} pixels [1]", widest_mark),
+            [](std::string_view text) { return parsePixels(text, 1); })
+      .needs(edges);
+  const Option sites = options.addFlag("--show-sites", picture.show_sites, "draws a dot at each site");
+  addParsed(
+      options, "--dot-size", picture.dot_size, "PX",
+      fmt::format("how wide dots are, 1 to {} pixels [by the spacing of the sites that show]", widest_mark),
+      [](std::string_view text) { return parsePixels(text, 1); })
+      .needs(sites);
+}
+
+PictureSize sizeBefore(const SizeChoice& size) {
+  return size.sides.value_or(PictureSize{std::max(1, size.longer_side), 1});
+}
+
+}  // namespace vorpipe::cli

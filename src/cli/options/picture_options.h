@@ -1,0 +1,39 @@
+/// The options of pictures: their size, and what colors, edges and dots are.
+#pragma once
+
+#include <optional>
+
+#include "cli/options/options.h"
+#include "vorpipe.h"
+
+namespace vorpipe::cli {
+
+/// What a --size names: a picture's sides, or the longer of them.
+struct SizeChoice {
+  std::optional<PictureSize> sides;
+  int longer_side = 0;  ///< 0: there is none
+};
+
+/// `WxH` or `N`, 1 to largest_side each.
+Parsed<SizeChoice> parseSizeChoice(std::string_view text);
+
+/// What pictures that several subcommands draw have in common.
+struct PictureOptions {
+  RenderOptions render{};
+  SizeChoice size;
+  std::optional<Fit> fit;
+};
+
+/// --size, --fit
+void addSizeOptions(Options& options, PictureOptions& picture);
+/// --fit alone, for pictures that there are.
+Option addFitOption(Options& options, std::optional<Fit>& fit);
+/// --color, --colormap, --color-scale, --color-range, --legend
+void addColorOptions(Options& options, RenderOptions& picture);
+/// --edges, --edge-width, --show-sites, --dot-size
+void addMarkOptions(Options& options, RenderOptions& picture);
+
+/// The size that is known before the sites are; 1 x 1 where it is not.
+PictureSize sizeBefore(const SizeChoice& size);
+
+}  // namespace vorpipe::cli

@@ -1,0 +1,77 @@
+#include "cli/runs/picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/files/error.h"
+
+namespace vorpipe::cli {
+namespace {
+
+/// The first option that says how values become colors.
+std::string_view scaleOption(const RenderOptions& picture) {
+  if (picture.color_scale != ColorScale::automatic) return "--color-scale";
+  if (picture.color_range) return "--color-range";
+  return picture.legend ? "--legend" : "";
+}
+
+/// What can be refused of a picture before its cells are known.
+Result<void> checkPicture(const RenderOptions& picture, const InputOptions& sites, const Input& input) {
+  if (picture.color == ColorBy::weight && input.sites.weight.empty()) {
+    return inputError(
+        fmt::format("--color: weight needs weights; {} has none, and there is no --weights", sites.sites));
+  }
+  const std::string_view scaled = scaleOption(picture);
+  if (picture.color == ColorBy::site && !scaled.empty()) {
+    return inputError(
+        fmt::format("{}: colors by site stand for no values; name --color area, neighbors or "
+                    "weight",
+                    scaled));
+  }
+  if (picture.color_scale == ColorScale::log && picture.color_range && picture.color_range->low <= 0) {
+    return inputError(fmt::format("--color-range: LO {} is not above 0, as --color-scale log needs it",
+                                  picture.color_range->low));
+  }
+  const auto [width, height] = least_with_legend;
+  if (picture.legend && (picture.width < width || picture.height < height)) {
+    return inputError(fmt::format("--legend: has no room in {}x{} pixels, it takes {}x{}", picture.width,
+                                  picture.height, width, height));
+  }
+  return {};
+}
+
+}  // namespace
+
+Fit fitOf(const std::optional<Fit>& fit, const Input& input) {
+  const bool has_shape = !input.seed || !input.outline.empty();
+  return fit.value_or(has_shape ? Fit::letterbox : Fit::stretch);
+}
+
+Result<RenderOptions> pictureOf(const PictureOptions& picture, const InputOptions& sites,
+                                const Input& input) {
+  RenderOptions options = picture.render;
+  options.domain = input.domain;
+  options.outline = input.outline;
+  options.periodic = input.periodic;
+  const int longer_side = picture.size.longer_side;
+  const PictureSize size = picture.size.sides.value_or(longer_side > 0 ? sizeFor(input.domain, longer_side)
+                                                                       : defaultSize(input.domain));
+  options.width = size.width;
+  options.height = size.height;
+  options.fit = fitOf(picture.fit, input);
+  if (auto checked = checkPicture(options, sites, input); !checked) return tl::unexpected(checked.error());
+  return options;
+}
+
+std::string stretchNote(const PictureOptions& picture, const RenderOptions& options) {
+  if (picture.fit || options.fit != Fit::stretch || !picture.size.sides) return {};
+  const auto [width, height] = *picture.size.sides;
+  const PictureFrame kept = frameOf(options.domain, width, height, Fit::letterbox);
+  if (kept.width == width && kept.height == height) return {};
+  return fmt::format("--size {}x{} stretches the domain of {:.6g} x {:.6g}; --size {} keeps its aspect",
+                     width, height, options.domain.xmax - options.domain.xmin,
+                     options.domain.ymax - options.domain.ymin, std::max(width, height));
+}
+
+}  // namespace vorpipe::cli

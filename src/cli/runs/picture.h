@@ -1,0 +1,24 @@
+/// Pictures of an input, as the options ask for them.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/options/picture_options.h"
+#include "cli/runs/input.h"
+#include "vorpipe.h"
+
+namespace vorpipe::cli {
+
+/// The fit of a picture of this input where --fit names none: sites of a file and outlines keep their aspect.
+Fit fitOf(const std::optional<Fit>& fit, const Input& input);
+
+/// What is drawn of an input. Errors (input): options that contradict each other, or the input; they name the
+/// option.
+Result<RenderOptions> pictureOf(const PictureOptions& picture, const InputOptions& sites, const Input& input);
+
+/// The line that says that a picture stretches its domain, and how not to; empty where it does not, or where
+/// --fit asked for it.
+std::string stretchNote(const PictureOptions& picture, const RenderOptions& options);
+
+}  // namespace vorpipe::cli

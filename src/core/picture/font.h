@@ -1,0 +1,21 @@
+/// The letters that are drawn into pictures.
+#pragma once
+
+#include <string_view>
+
+#include "vorpipe.h"
+
+namespace vorpipe::core {
+
+/// A capital letter and a digit are so many units high; the pen is one unit wide.
+inline constexpr int letter_units = 7;
+
+/// How many units wide a text is. Characters are those of ASCII that legends need, digits, small letters and
+/// .,-+%() among them; others are as wide as a space.
+int unitsOf(std::string_view text);
+
+/// Draws a text in opaque black, smoothed. Its height is rounded to whole pixels a unit, at least one: then
+/// upright and level strokes have sharp edges.
+void drawText(const LegendText& text, Image& image);
+
+}  // namespace vorpipe::core

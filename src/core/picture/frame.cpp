@@ -1,0 +1,38 @@
+#include "core/picture/frame.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace vorpipe::core {
+namespace {
+
+/// `rest` is what pixels beside the frame get.
+void spread(std::vector<std::uint32_t>& pixels, const PictureFrame& frame, int width, int height,
+            std::uint32_t rest) {
+  const auto at = [&](std::ptrdiff_t index) { return pixels.begin() + index; };
+  const auto placeOf = [&](std::ptrdiff_t row) { return (frame.top + row) * width + frame.left; };
+  pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  // From the last row on: none comes to stand before it stood.
+  for (std::ptrdiff_t row = frame.height - 1; row >= 0; --row) {
+    const std::ptrdiff_t from = row * frame.width, to = placeOf(row);
+    std::copy_backward(at(from), at(from + frame.width), at(to + frame.width));
+  }
+  std::ptrdiff_t rest_from = 0;
+  for (std::ptrdiff_t row = 0; row < frame.height; ++row) {
+    std::fill(at(rest_from), at(placeOf(row)), rest);
+    rest_from = placeOf(row) + frame.width;
+  }
+  std::fill(at(rest_from), pixels.end(), rest);
+}
+
+}  // namespace
+
+void putIntoFrame(const PictureFrame& frame, int width, int height, Image& image) {
+  if (image.width == width && image.height == height) return;
+  spread(image.rgba, frame, width, height, 0);
+  spread(image.ids, frame, width, height, no_site);
+  image.width = width;
+  image.height = height;
+}
+
+}  // namespace vorpipe::core

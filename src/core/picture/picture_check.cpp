@@ -1,0 +1,35 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+Result<void> checkPicture(const RenderOptions& options) {
+  const auto refuse = [](std::string message) {
+    return tl::unexpected(Error{ErrorCode::input, std::move(message)});
+  };
+  if (std::min(options.width, options.height) < 1 || std::max(options.width, options.height) > largest_side) {
+    return refuse(fmt::format("a picture of {}x{} pixels: each side must be 1 to {}", options.width,
+                              options.height, largest_side));
+  }
+  if (options.legend &&
+      (options.width < least_with_legend.width || options.height < least_with_legend.height)) {
+    return refuse(fmt::format("legend: a picture of {}x{} pixels has no room for it, {}x{} has",
+                              options.width, options.height, least_with_legend.width,
+                              least_with_legend.height));
+  }
+  constexpr double widest = 100;
+  if (!(options.edge_width >= 1 && options.edge_width <= widest)) {
+    return refuse(fmt::format("edge width {}: must be 1 to {} pixels", options.edge_width, widest));
+  }
+  if (!(options.dot_size >= 0 && options.dot_size <= widest)) {
+    return refuse(fmt::format("dot size {}: must be 0 to {} pixels", options.dot_size, widest));
+  }
+  return {};
+}
+
+}  // namespace vorpipe

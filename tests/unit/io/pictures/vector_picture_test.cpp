@@ -1,0 +1,153 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "io/pictures/pdf_picture.h"
+#include "io/pictures/svg_picture.h"
+#include "unit/fixtures/checked_runs.h"
+
+namespace vorpipe::test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+RenderOptions optionsOf(int width, int height) {
+  RenderOptions options{};
+  options.domain = {0, 0, 1, 1};
+  options.width = width;
+  options.height = height;
+  return options;
+}
+
+struct Scene {
+  Sites sites;
+  RenderOptions options;
+
+  [[nodiscard]] Diagram cells() const {
+    CellsOptions cells = cellsOptions(options);
+    cells.detail = Detail::polygons;
+    return cellsOf(sites, cells);
+  }
+  [[nodiscard]] std::string svg() const {
+    MemorySink sink("a.svg");
+    const auto written = writeSvgPicture(sink, sites, cells(), options);
+    EXPECT_TRUE(written) << written.error().message;
+    return sink.take();
+  }
+  [[nodiscard]] std::string pdf() const {
+    MemorySink sink("a.pdf");
+    const auto written = writePdfPicture(sink, sites, cells(), options);
+    EXPECT_TRUE(written) << written.error().message;
+    return sink.take();
+  }
+};
+
+Scene twoHalves() { return {{{0.25, 0.75}, {0.5, 0.5}, {}}, optionsOf(200, 100)}; }
+
+std::size_t countOf(const std::string& text, std::string_view part) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+TEST(VectorPicture, DrawsEachCellInItsColor) {
+  const std::string svg = twoHalves().svg();
+  EXPECT_THAT(svg, HasSubstr("width=\"200\" height=\"100\""));
+  EXPECT_THAT(svg, HasSubstr("<title>site 0, area 0.5</title>"));
+  EXPECT_EQ(countOf(svg, "<path fill=\"#"), 2u);
+  EXPECT_THAT(svg, Not(HasSubstr("<circle")));
+}
+
+TEST(VectorPicture, DrawsAnEdgeOnceAndNoneAtTheFrame) {
+  Scene scene = twoHalves();
+  scene.options.edges = true;
+  scene.options.edge_width = 3;
+  const std::string svg = scene.svg();
+  const auto edges = svg.find("stroke=\"#181818\" stroke-width=\"3\"");
+  ASSERT_NE(edges, std::string::npos);
+  EXPECT_EQ(countOf(svg.substr(edges), "M"), 1u);
+  EXPECT_THAT(svg.substr(edges), HasSubstr("M100 "));
+}
+
+TEST(VectorPicture, DrawsACellOfAPeriodicDomainWhereverItShows) {
+  Scene scene = twoHalves();
+  scene.options.periodic = Periodic::x;
+  scene.sites.x = {0.0, 0.5};
+  EXPECT_EQ(countOf(scene.svg(), "<title>site 0, "), 2u);
+}
+
+TEST(VectorPicture, IsClippedToItsFrame) {
+  Scene scene = twoHalves();
+  scene.options.fit = Fit::letterbox;
+  EXPECT_THAT(scene.svg(), HasSubstr("<rect x=\"50\" y=\"0\" width=\"100\" height=\"100\"/></clipPath>"));
+}
+
+TEST(VectorPicture, ADotStandsAtEachPositionThatShows) {
+  Scene scene = twoHalves();
+  scene.options.show_sites = true;
+  scene.sites = {{0.25, 0.25, 0.75, 1.5}, {0.5, 0.5, 0.5, 0.5}, {}};
+  scene.options.dot_size = 10;
+  const std::string svg = scene.svg();
+  EXPECT_EQ(countOf(svg, "<circle"), 2u);
+  EXPECT_THAT(svg, HasSubstr("<circle cx=\"50\" cy=\"50\""));
+}
+
+TEST(VectorPicture, WhatAPictureInPixelsRefusesIsRefused) {
+  Scene scene = twoHalves();
+  scene.options.width = 0;
+  MemorySink sink("a.svg");
+  const auto written = writeSvgPicture(sink, scene.sites, twoHalves().cells(), scene.options);
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().code, ErrorCode::input);
+  EXPECT_TRUE(sink.bytes().empty());
+}
+
+TEST(Pdf, TheTableNamesWhereObjectsBegin) {
+  Scene scene = twoHalves();
+  scene.options.show_sites = true;
+  const std::string pdf = scene.pdf();
+  EXPECT_THAT(pdf, StartsWith("%PDF-1.4\n"));
+  EXPECT_THAT(pdf, HasSubstr("/MediaBox [0 0 150 75]"));
+  const auto start = pdf.rfind("startxref\n");
+  const auto table = std::stoul(pdf.substr(start + 10));
+  ASSERT_EQ(pdf.substr(table, 5), "xref\n");
+  std::size_t line = pdf.find("0000000000 65535 f \n", table) + 20;
+  for (int object = 1; pdf[line] != 't'; ++object, line += 20) {
+    const auto place = std::stoul(pdf.substr(line, 10));
+    EXPECT_EQ(pdf.substr(place, 6), std::to_string(object) + " 0 ob");
+  }
+}
+
+TEST(Pdf, ALargePictureFitsOntoAPage) {
+  Scene scene = twoHalves();
+  scene.options.width = 32000;
+  EXPECT_THAT(scene.pdf(), HasSubstr("/MediaBox [0 0 14400 45]"));
+}
+
+TEST(VectorPicture, TheSameCellsGiveTheSameBytes) {
+  const Scene scene{mixedSites(), optionsOf(300, 200)};
+  EXPECT_EQ(scene.svg(), scene.svg());
+  EXPECT_EQ(scene.pdf(), scene.pdf());
+}
+
+TEST(VectorPicture, WritingStopsWhereBytesAreRefused) {
+  const Scene scene{mixedSites(), optionsOf(300, 200)};
+  const Diagram cells = scene.cells();
+  for (const auto write : {writeSvgPicture, writePdfPicture}) {
+    for (const std::size_t room : {0, 100, 3000}) {
+      std::size_t taken = 0;
+      CallbackSink sink("full", [&](std::string_view bytes) { return (taken += bytes.size()) <= room; });
+      const auto written = write(sink, scene.sites, cells, scene.options, 1);
+      ASSERT_FALSE(written);
+      EXPECT_EQ(written.error().code, ErrorCode::device);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace vorpipe::test
