@@ -164,7 +164,7 @@ void drawSites(Image& image, const Sites& sites, const Box& domain, double size)
   double radius = size / 2;
   if (size == 0) {
     // Large pictures are looked at from farther away.
-    constexpr double part = 0.12, least = 1, usual = 5, sides = 200;
+    constexpr double part = 0.12, least = 0.5, usual = 5, sides = 200;
     const double most = std::max(usual, std::max(image.width, image.height) / sides);
     radius = std::clamp(part * spacingOf(image, places, sites.size()), least, most);
   }
