@@ -37,7 +37,7 @@ DotSize dotSizeOf(double size, double spacing, PictureSize picture) {
   double radius = size / 2;
   if (size == 0) {
     // Large pictures are looked at from farther away.
-    constexpr double part_of_spacing = 0.12, least = 1, usual = 5;
+    constexpr double part_of_spacing = 0.12, least = 0.5, usual = 5;
     constexpr int sides = 200;
     const double most = std::max<double>(usual, std::max(picture.width, picture.height) / sides);
     radius = std::clamp(part_of_spacing * spacing, least, most);
