@@ -92,7 +92,7 @@ set(users
     "^core/search/flann_"
     "^io/text/csv_reader\\."
     "^io/pictures/png_file\\."
-    "^io/arrays/zip_file\\.cpp$"
+    "^io/(arrays/zip_file|files/inflater)\\.cpp$"
     "^io/geopackage/"
     "^geos\\.h$"
     "^(core/outline/validity|io/cells/hole_triangles)\\."

@@ -34,7 +34,7 @@ auto readBy(Read read) {
 
 /// The points, and their weights where the file has them.
 std::pair<py::array, std::optional<py::array>> sitesFrom(const std::string& path) {
-  Sites sites = readBy([&] { return readSites(path); });
+  Sites sites = readBy([&] { return readSites(path, {.attributes = false}); }).sites;
   py::array points = pointsOf(sites);
   if (sites.weight.empty()) return {std::move(points), std::nullopt};
   return {std::move(points), arrayOf<double>(std::move(sites.weight))};
@@ -44,7 +44,7 @@ py::array generated(const std::string& pattern, const std::string& count, std::u
   // As the command line has it: one owner of the names.
   const SiteSource source = readBy([&] { return loadSites(pattern + ":" + count, seed); });
   if (!source.seed) raiseInput("pattern", "'" + pattern + "' is no generator");
-  return pointsOf(source.sites);
+  return pointsOf(source.table.sites);
 }
 
 py::tuple outlineFrom(const std::string& path) {

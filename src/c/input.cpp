@@ -131,9 +131,9 @@ vorpipe_code vorpipe_input_read(const char* sites, uint64_t seed, vorpipe_input*
   if (sites == nullptr) return missing("sites");
   if (input == nullptr) return missing("input");
   return guarded([&] {
-    auto source = loadSites(sites, seed);
+    auto source = loadSites(sites, seed, {.attributes = false});
     if (!source) return fail(source.error());
-    return give(inputOf(std::move(source->sites), source->seed.has_value()), input);
+    return give(inputOf(std::move(source->table.sites), source->seed.has_value()), input);
   });
 }
 

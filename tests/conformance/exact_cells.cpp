@@ -74,10 +74,10 @@ Result<DataSet> load(const std::string& input, const Wanted& wanted) {
     const auto count = colon == std::string::npos ? wanted.count : std::stoull(input.substr(colon + 1));
     set = makeDataSet(name, count, wanted.seed);
   } else {
-    auto sites = readSites(input);
-    if (!sites) return tl::unexpected(sites.error());
-    for (auto& weight : sites->weight) weight *= wanted.weight_scale;
-    set = {input, std::move(*sites), {}};
+    auto table = readSites(input);
+    if (!table) return tl::unexpected(table.error());
+    for (auto& weight : table->sites.weight) weight *= wanted.weight_scale;
+    set = {input, std::move(table->sites), {}};
     set.domain = boxAround(set.sites);
   }
   const auto& d = wanted.domain;

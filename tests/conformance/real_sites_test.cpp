@@ -27,9 +27,9 @@ class RealSites : public testing::TestWithParam<std::tuple<const char*, RealSet>
  protected:
   void SetUp() override {
     SKIP_UNUSABLE(backend());
-    const auto sites = readSites(std::get<1>(GetParam()).path);
-    ASSERT_TRUE(sites) << sites.error().message;
-    cases_ = casesOf(*sites);
+    const auto table = readSites(std::get<1>(GetParam()).path);
+    ASSERT_TRUE(table) << table.error().message;
+    cases_ = casesOf(table->sites);
   }
   static const char* backend() { return std::get<0>(GetParam()); }
   static Session& session() { return OnBackend::session(backend()); }

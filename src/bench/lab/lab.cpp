@@ -167,7 +167,7 @@ Result<DataSet*> Lab::sitesNamed(const std::string& name) {
   if (!known) {
     auto source = loadSites(name, seed);
     if (!source) return tl::unexpected(std::move(source.error()));
-    known = std::make_unique<DataSet>(DataSet{name, std::move(source->sites), {0, 0, 1, 1}});
+    known = std::make_unique<DataSet>(DataSet{name, std::move(source->table.sites), {0, 0, 1, 1}});
   }
   return known.get();
 }

@@ -47,6 +47,13 @@ Detail neededDetail(const CellsCommand& command) {
   return command.check ? Detail::everything : command.targets.detail();
 }
 
+/// How the input is read: attributes only where an output carries them.
+InputOptions inputOptions(const CellsCommand& command) {
+  InputOptions options = command.input;
+  options.reading.attributes = command.targets.carryAttributes();
+  return options;
+}
+
 /// What a run takes; the density may not have been read yet.
 PlanRun planOf(const CellsCommand& command, std::uint64_t density_pixels) {
   return [&command, density_pixels](MemoryPlan& plan, Workload work) {
@@ -134,7 +141,7 @@ Result<ExitCode> cells(CellsCommand& command) {
   const auto fits = forecastGenerated(command.input, planOf(command, command.density.empty() ? 0 : 1),
                                       command.memory_limit);
   if (!fits) return tl::unexpected(fits.error());
-  const auto input = loadInput(command.input);
+  const auto input = loadInput(inputOptions(command));
   if (!input) return tl::unexpected(input.error());
   auto options = cellsOptions(command, *input);
   if (!options) return tl::unexpected(std::move(options.error()));
@@ -142,6 +149,7 @@ Result<ExitCode> cells(CellsCommand& command) {
   if (const auto checked = checkInput(command.input, *input, *options, threads); !checked) {
     return tl::unexpected(checked.error());
   }
+  printNotes(command.talk, *input);
   auto files = openOutputs(paths);
   if (!files) return tl::unexpected(std::move(files.error()));
   auto session = Session::open(command.backend);
@@ -182,9 +190,6 @@ void addCells(CommandLine& line) {
                          [command] { return cells(*command); });
   addInputOptions(options, command->input).required();
   addCellsTargets(options, command->targets);
-  addParsed(options, "--format", command->input.format, "KIND",
-            "the kind of what goes to standard output, by -o -, as an extension without its dot", parseFormat,
-            {cellsKinds(), {}});
   addAnyFile(
       options, "--density", command->density, {".png", ".npy"},
       "a density over the domain, .png (dark is dense) or .npy, pixels with row 0 at the top: the mass "

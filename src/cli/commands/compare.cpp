@@ -182,6 +182,7 @@ Result<ExitCode> compare(const CompareCommand& command) {
   if (!input) return tl::unexpected(input.error());
   const auto options = checkedOptions(command, *input);
   if (!options) return tl::unexpected(options.error());
+  printNotes(command.talk, *input);
   const auto forecast = forecastAll(command, *input, *options);
   if (!forecast) return tl::unexpected(forecast.error());
   const std::vector<std::string> paths = outputPaths(command);

@@ -43,6 +43,7 @@ Result<IdDiff> idDiff(const DiffCommand& command, const Image& a, const Image& b
   if (auto fits = forecastGenerated(command.input, planDiff, {}); !fits) return tl::unexpected(fits.error());
   const auto input = loadInput(command.input);
   if (!input) return tl::unexpected(input.error());
+  printNotes(command.talk, *input);
   auto diff = diffIds(a.ids, b.ids, a.width, a.height, input->sites, input->domain, input->periodic);
   return diff ? diff : asOption(std::move(diff.error()), command.input);
 }

@@ -98,6 +98,7 @@ Result<ExitCode> render(const RenderCommand& command) {
   if (const auto checked = checkInput(command.input, *input, cellsOptions(*options), threads); !checked) {
     return tl::unexpected(checked.error());
   }
+  printNotes(command.talk, *input);
   auto files = openOutputs(paths);
   if (!files) return tl::unexpected(std::move(files.error()));
   auto session = Session::open(command.backend);

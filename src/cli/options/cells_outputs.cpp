@@ -31,6 +31,13 @@ Parsed<EdgesTarget> parseEdges(std::string_view text) {
   return EdgesTarget{std::move(*path), *format};
 }
 
+/// As --format names them.
+std::vector<std::string> cellsKinds() {
+  std::vector<std::string> kinds;
+  for (const std::string_view extension : cellsExtensions()) kinds.emplace_back(extension.substr(1));
+  return kinds;
+}
+
 std::string extensionsOfFeatures() {
   std::vector<std::string_view> extensions;
   for (const std::string_view extension : cellsExtensions()) {
@@ -60,14 +67,12 @@ std::vector<const EdgesFormat*> CellsTargets::edgesFormats() const {
   return formats;
 }
 
-bool CellsTargets::useStandardOutput() const {
-  return std::ranges::any_of(cells, [](const CellsTarget& target) { return target.path == standard_output; });
+bool CellsTargets::carryAttributes() const {
+  return std::ranges::any_of(cells, [](const CellsTarget& target) { return target.format->attributes; });
 }
 
-std::vector<std::string> cellsKinds() {
-  std::vector<std::string> kinds;
-  for (const std::string_view extension : cellsExtensions()) kinds.emplace_back(extension.substr(1));
-  return kinds;
+bool CellsTargets::useStandardOutput() const {
+  return std::ranges::any_of(cells, [](const CellsTarget& target) { return target.path == standard_output; });
 }
 
 void addCellsTargets(Options& options, CellsTargets& targets) {

@@ -32,12 +32,11 @@ struct CellsTargets {
   /// The parts of a Diagram that they take.
   [[nodiscard]] Detail detail() const;
   [[nodiscard]] std::vector<const EdgesFormat*> edgesFormats() const;
+  /// Whether one of them has the input's attributes.
+  [[nodiscard]] bool carryAttributes() const;
   /// Whether one of them is standard output.
   [[nodiscard]] bool useStandardOutput() const;
 };
-
-/// The kinds of files of cells, as --format names them: extensions without their dot.
-std::vector<std::string> cellsKinds();
 
 /// -o, --edges, --only-cells
 void addCellsTargets(Options& options, CellsTargets& targets);

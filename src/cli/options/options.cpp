@@ -5,6 +5,7 @@
 
 #include <cstdlib>
 
+#include "cli/options/reading_options.h"
 #include "io/sites/site_source.h"
 #include "io/sites/sites_file.h"
 
@@ -26,9 +27,9 @@ std::vector<std::string> strings(const std::vector<std::string_view>& names) {
 
 std::string sitesDescription() {
   return fmt::format(
-      "the sites: a file ({}), - for CSV on standard input, or a generator ({}:N). The header of CSV names "
-      "x, y "
-      "and optionally weight or radius",
+      "the sites: a file ({}; also with .gz after it), - for standard input, or a generator ({}:N). The "
+      "header of "
+      "CSV names x and y, or lon and lat, and perhaps weight or radius; other columns are attributes",
       anyOf(strings(sitesExtensions())), fmt::join(patternNames(), ":N, "));
 }
 
@@ -82,6 +83,7 @@ Option addInputOptions(Options& options, InputOptions& input) {
           anyOf(outlineExtensions())),
       parseDomain, {{}, outlineExtensions()})
       .needs(sites);
+  addReadingOptions(options, input, sites);
   addWeightOptions(options, input, sites);
   addParsed(options, "--periodic", input.periodic, anyOf(periodicNames()),
             "axes along which the domain repeats itself: cells go on at the other side", parsePeriodic,

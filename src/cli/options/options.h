@@ -10,6 +10,7 @@
 #include "cli/options/command_line.h"
 #include "cli/options/format_choice.h"
 #include "cli/options/parse.h"
+#include "io/sites/site_table.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {
@@ -58,6 +59,7 @@ struct InputOptions {
   std::string weights;  ///< a file
   std::optional<WeightRange> random_weights;
   Periodic periodic = Periodic::none;
+  ReadOptions reading{};  ///< but its format, which is that of standard input
   FormatChoice format{};
 };
 
@@ -65,7 +67,7 @@ struct TalkOptions {
   bool quiet = false, verbose = false;
 };
 
-/// --sites, --seed, --domain, --weights, --random-weights, --periodic
+/// --sites and how it is read, --seed, --domain, --weights, --random-weights, --periodic
 Option addInputOptions(Options& options, InputOptions& input);
 /// --device
 void addDeviceChoice(Options& options, BackendOptions& backend);

@@ -7,9 +7,11 @@
 #include <utility>
 
 #include "base/stopwatch.h"
+#include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
 #include "io/domain/outline_file.h"
 #include "io/files/error.h"
+#include "io/sites/degrees.h"
 #include "io/sites/site_source.h"
 #include "io/sites/weights_file.h"
 
@@ -90,20 +92,40 @@ std::string_view optionOf(Subject subject, const InputOptions& options) {
   return {};
 }
 
+/// Says so where a plane is made of degrees. (The one place that knows whether a projection was asked for.)
+void noteDegrees(const InputOptions& options, Input& input) {
+  if (input.seed || !looksLikeDegrees(input.sites, input.system)) return;
+  input.notes.push_back(fmt::format(
+      "{}: coordinates look like degrees of longitude and latitude; cells are those of the plane of degrees; "
+      "--project auto makes a local plane where areas and distances are right",
+      options.sites == "-" ? "<stdin>" : options.sites));
+}
+
 }  // namespace
 
 Result<Input> loadInput(const InputOptions& options) {
   const Stopwatch watch;
-  auto source = loadSites(options.sites, options.seed);
+  ReadOptions reading = options.reading;
+  if (options.sites == "-") reading.format = options.format.input;
+  auto source = loadSites(options.sites, options.seed, reading);
   if (!source) return named("--sites", std::move(source.error()));
   Input input;
-  input.sites = std::move(source->sites);
+  input.sites = std::move(source->table.sites);
+  input.attributes = std::move(source->table.attributes);
+  input.system = std::move(source->table.system);
+  input.notes = std::move(source->table.notes);
   input.seed = source->seed;
+  noteDegrees(options, input);
   input.periodic = options.periodic;
   if (auto taken = takeWeights(options, input); !taken) return tl::unexpected(std::move(taken.error()));
   if (auto taken = takeDomain(options, input); !taken) return tl::unexpected(std::move(taken.error()));
   input.read_ms = watch.milliseconds();
   return input;
+}
+
+void printNotes(const TalkOptions& talk, const Input& input) {
+  if (talk.quiet) return;
+  for (const std::string& note : input.notes) printError(fmt::format("note: {}", note));
 }
 
 tl::unexpected<Error> named(std::string_view option, Error error) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "cli/options/options.h"
@@ -20,6 +21,7 @@ struct Input {
   std::optional<std::uint64_t> seed;    ///< of the generator; none for files
   std::vector<Attribute> attributes{};  ///< of a file's sites
   CoordinateSystem system{};
+  std::vector<std::string> notes{};  ///< what was reinterpreted or left out of the input, a line each
   double read_ms = 0;
 };
 
@@ -27,6 +29,9 @@ struct Input {
 /// readWeights and readOutline, after the option's name; no default domain holds them, options contradict
 /// each other (input).
 Result<Input> loadInput(const InputOptions& options);
+
+/// Prints the input's notes on standard error, unless quiet: once the input is known to have no errors.
+void printNotes(const TalkOptions& talk, const Input& input);
 
 /// The error of what an option names, with the option in front where the input is wrong.
 tl::unexpected<Error> named(std::string_view option, Error error);

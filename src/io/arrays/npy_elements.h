@@ -52,6 +52,11 @@ Result<void> eachElement(InputFile& file, const NpyHeader& header, std::uint64_t
       }
     }
   }
+  // What has no size beforehand, gzip among it, is read to its end, where its checksum is.
+  char more = 0;
+  const auto rest = file.read(std::span(&more, 1));
+  if (!rest) return tl::unexpected(rest.error());
+  if (*rest > 0) return inputError(file.name() + ": is too long: bytes follow the last element of its array");
   return {};
 }
 

@@ -33,6 +33,11 @@ class Attribute {
   /// The value of a site; none where it is missing. Of integers, reals, booleans and JSON, JSON's own text.
   [[nodiscard]] std::optional<std::string_view> at(std::size_t site) const;
 
+  /// Bytes of memory that its values take.
+  [[nodiscard]] std::uint64_t bytes() const {
+    return text_.capacity() + ends_.capacity() * sizeof(std::uint64_t);
+  }
+
   /// The value of the next site.
   void add(std::optional<std::string_view> value);
 

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <new>
-#include <span>
 #include <utility>
 
 #include "io/domain/outline_reader.h"
@@ -15,25 +14,8 @@
 namespace vorpipe {
 namespace {
 
-Result<std::string> readText(InputFile& file) {
-  constexpr std::size_t chunk = std::size_t{1} << 20;
-  std::string text;
-  while (true) {
-    const std::size_t size = text.size();
-    text.resize(size + chunk);
-    const auto got = file.read(std::span(text).subspan(size));
-    if (!got) {
-      return tl::unexpected(got.error());
-    }
-    text.resize(size + *got);
-    if (*got < chunk) {
-      return text;
-    }
-  }
-}
-
 Result<Outline> readByExtension(const std::string& path) {
-  const std::string extension = lowerExtension(path);
+  const std::string extension = inputExtension(path);
   const bool json = extension == ".geojson" || extension == ".json";
   if (!json && extension != ".wkt") {
     return inputError(path + ": unknown kind of file; known are .geojson, .json and .wkt");

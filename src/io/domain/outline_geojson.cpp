@@ -1,12 +1,11 @@
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
 #include "io/domain/outline_reader.h"
 #include "io/files/error.h"
+#include "io/text/json_bytes.h"
 
 namespace vorpipe {
 namespace {
@@ -101,60 +100,14 @@ class GeoJson {
   Outline& outline_;
 };
 
-/// Line and column of a byte, from 1.
-std::string placeOf(std::string_view text, std::size_t byte) {
-  const std::string_view before = text.substr(0, byte);
-  const auto line = 1 + std::ranges::count(before, '\n');
-  const std::size_t last_end = before.rfind('\n');
-  const std::size_t column = 1 + (last_end == std::string_view::npos ? byte : byte - last_end - 1);
-  return fmt::format("{}:{}", line, column);
-}
-
-/// What a text is that the parser refuses, and from which byte on. It takes no notice of what is right.
-class Refusal {
- public:
-  explicit Refusal(std::string_view text) { json::sax_parse(text, this); }
-
-  [[nodiscard]] std::size_t byte() const { return byte_; }
-  [[nodiscard]] std::string_view what() const { return what_; }
-
-  // What the parser calls; false stops it.
-  using Text = json::string_t;
-  static bool null() { return true; }
-  static bool boolean(bool) { return true; }
-  static bool number_integer(json::number_integer_t) { return true; }
-  static bool number_unsigned(json::number_unsigned_t) { return true; }
-  static bool number_float(json::number_float_t, const Text&) { return true; }
-  static bool string(const Text&) { return true; }
-  static bool binary(const json::binary_t&) { return true; }
-  static bool start_object(std::size_t) { return true; }
-  static bool key(const Text&) { return true; }
-  static bool end_object() { return true; }
-  static bool start_array(std::size_t) { return true; }
-  static bool end_array() { return true; }
-  /// `end` is the number of bytes that were read, `last` the token at their end.
-  bool parse_error(std::size_t end, const std::string& last, const json::exception& error) {
-    const bool number = dynamic_cast<const json::out_of_range*>(&error) != nullptr;
-    what_ = number ? "the number is too large for a double" : "is no JSON from here on";
-    byte_ = end - std::min(end, number ? last.size() : 1);
-    return false;
-  }
-
- private:
-  std::size_t byte_ = 0;
-  std::string_view what_;
-};
-
 }  // namespace
 
 Result<Outline> readGeoJsonOutline(const std::string& name, std::string_view text) {
-  const json value = json::parse(text, nullptr, /*allow_exceptions=*/false);
-  if (value.is_discarded()) {
-    const Refusal refusal(text);
-    return inputError(fmt::format("{}:{}: {}", name, placeOf(text, refusal.byte()), refusal.what()));
-  }
+  JsonBytes bytes(name, text);
+  const auto value = parseJson<json>(bytes);
+  if (!value) return tl::unexpected(value.error());
   Outline outline;
-  if (const auto problem = GeoJson(outline).object(value, {})) {
+  if (const auto problem = GeoJson(outline).object(*value, {})) {
     return inputError(fmt::format("{}: {}", name, *problem));
   }
   return outline;

@@ -13,4 +13,9 @@ std::string lowerExtension(const std::string& path) {
   return extension;
 }
 
+std::string inputExtension(const std::string& path) {
+  const std::string extension = lowerExtension(path);
+  return extension == ".gz" ? lowerExtension(std::filesystem::path(path).stem().string()) : extension;
+}
+
 }  // namespace vorpipe

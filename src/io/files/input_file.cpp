@@ -1,9 +1,11 @@
 #include "io/files/input_file.h"
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <utility>
 
@@ -15,12 +17,24 @@ InputFile::InputFile(int descriptor, std::string name, std::optional<std::uint64
     : descriptor_(descriptor), name_(std::move(name)), size_(size) {}
 
 InputFile::InputFile(InputFile&& other) noexcept
-    : descriptor_(std::exchange(other.descriptor_, -1)), name_(std::move(other.name_)), size_(other.size_) {}
+    : descriptor_(std::exchange(other.descriptor_, -1)),
+      name_(std::move(other.name_)),
+      size_(other.size_),
+      begun_(other.begun_),
+      head_(other.head_),
+      head_begin_(other.head_begin_),
+      head_end_(other.head_end_),
+      inflater_(std::move(other.inflater_)) {}
 
 InputFile& InputFile::operator=(InputFile&& other) noexcept {
   std::swap(descriptor_, other.descriptor_);
   std::swap(name_, other.name_);
   std::swap(size_, other.size_);
+  std::swap(begun_, other.begun_);
+  std::swap(head_, other.head_);
+  std::swap(head_begin_, other.head_begin_);
+  std::swap(head_end_, other.head_end_);
+  std::swap(inflater_, other.inflater_);
   return *this;
 }
 
@@ -50,7 +64,37 @@ Result<InputFile> InputFile::open(const std::string& path) {
   return file;
 }
 
+Result<void> InputFile::begin() {
+  begun_ = true;
+  const auto got = readBytes(head_);
+  if (!got) return tl::unexpected(got.error());
+  head_end_ = *got;
+  if (!Inflater::isGzip(std::span(head_).first(head_end_))) return {};
+  auto inflater = Inflater::create();
+  if (!inflater) return deviceError(fmt::format("{}: {}", name_, inflater.error().message));
+  inflater_ = std::move(*inflater);
+  size_ = std::nullopt;
+  return {};
+}
+
 Result<std::size_t> InputFile::read(std::span<char> bytes) {
+  if (!begun_) {
+    if (auto begun = begin(); !begun) return tl::unexpected(std::move(begun.error()));
+  }
+  if (!inflater_) return readAsIs(bytes);
+  return inflater_->read(
+      bytes, [this](std::span<char> packed) { return readAsIs(packed); }, name_);
+}
+
+/// The head first, which was read already.
+Result<std::size_t> InputFile::readAsIs(std::span<char> bytes) {
+  const std::size_t known = std::min(head_end_ - head_begin_, bytes.size());
+  std::copy_n(head_.begin() + static_cast<std::ptrdiff_t>(head_begin_), known, bytes.begin());
+  head_begin_ += known;
+  return readBytes(bytes.subspan(known)).map([known](std::size_t count) { return known + count; });
+}
+
+Result<std::size_t> InputFile::readBytes(std::span<char> bytes) {
   std::size_t count = 0;
   while (count < bytes.size()) {
     const ssize_t got = ::read(descriptor_, bytes.data() + count, bytes.size() - count);
@@ -64,6 +108,19 @@ Result<std::size_t> InputFile::read(std::span<char> bytes) {
     }
   }
   return count;
+}
+
+Result<std::string> readText(InputFile& file) {
+  constexpr std::size_t chunk = std::size_t{1} << 20;
+  std::string text;
+  while (true) {
+    const std::size_t size = text.size();
+    text.resize(size + chunk);
+    const auto got = file.read(std::span(text).subspan(size));
+    if (!got) return tl::unexpected(got.error());
+    text.resize(size + *got);
+    if (*got < chunk) return text;
+  }
 }
 
 }  // namespace vorpipe

@@ -1,12 +1,14 @@
-/// A file, or standard input, that is read once from its beginning to its end.
+/// A file, or standard input, that is read once from its beginning to its end; gzip is inflated on the way.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 
+#include "io/files/inflater.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -21,19 +23,31 @@ class InputFile {
   ~InputFile();
 
   /// Fills `bytes` unless the file ends first; returns how many bytes it has read. Error (device): the
-  /// system could not read.
+  /// system could not read. Of a file that begins as gzip does, the bytes are those that were packed; error
+  /// (input): they are damaged or end too early.
   Result<std::size_t> read(std::span<char> bytes);
 
-  /// Size in bytes; none where it is not known beforehand (a pipe, a terminal).
+  /// Size in bytes; none where it is not known beforehand (a pipe, a terminal, and gzip once it is read).
   [[nodiscard]] std::optional<std::uint64_t> size() const { return size_; }
   /// The path as it was given, for messages; "<stdin>" for standard input.
   [[nodiscard]] const std::string& name() const { return name_; }
 
  private:
   InputFile(int descriptor, std::string name, std::optional<std::uint64_t> size);
+  Result<void> begin();
+  Result<std::size_t> readBytes(std::span<char> bytes);
+  Result<std::size_t> readAsIs(std::span<char> bytes);
+
   int descriptor_;
   std::string name_;
   std::optional<std::uint64_t> size_;
+  bool begun_ = false;
+  std::array<char, 2> head_{};  ///< the first bytes, which tell gzip
+  std::size_t head_begin_ = 0, head_end_ = 0;
+  std::optional<Inflater> inflater_;
 };
+
+/// All that is left of a file. Errors: those of reading.
+Result<std::string> readText(InputFile& file);
 
 }  // namespace vorpipe

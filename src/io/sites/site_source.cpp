@@ -54,7 +54,7 @@ Result<SiteSource> generateSites(Pattern pattern, std::string_view spec, std::st
                                   spec, quoted(count), max_sites));
   }
   try {
-    return SiteSource{generate(pattern, *n, seed), seed};
+    return SiteSource{SiteTable{generate(pattern, *n, seed)}, seed};
   } catch (const std::bad_alloc&) {
     return deviceError(fmt::format("{}: there is not enough memory for so many sites", spec));
   }
@@ -76,25 +76,25 @@ std::optional<std::uint64_t> generatedCount(std::string_view spec) {
   return countOf(spec.substr(colon + 1));
 }
 
-Result<SiteSource> loadSites(const std::string& spec, std::uint64_t seed) {
+Result<SiteSource> loadSites(const std::string& spec, std::uint64_t seed, const ReadOptions& options) {
   const std::string_view text = spec;
   const std::size_t colon = text.find(':');
   const auto pattern = patternNamed(text.substr(0, colon));
   if (pattern && colon != std::string_view::npos) {
     return generateSites(*pattern, text, text.substr(colon + 1), seed);
   }
-  auto sites = readSites(spec);
-  if (!sites && pattern) {
+  auto table = readSites(spec, options);
+  if (!table && pattern) {
     return inputError(fmt::format("{0}: a generator needs a number of sites, as in {0}:1000", spec));
   }
-  if (!sites) {
+  if (!table) {
     if (colon != std::string_view::npos && !std::filesystem::exists(spec)) {
       return inputError(
           fmt::format("{}: is neither a file nor a generator ({})", spec, fmt::join(patternNames(), ", ")));
     }
-    return tl::unexpected(std::move(sites.error()));
+    return tl::unexpected(std::move(table.error()));
   }
-  return SiteSource{std::move(*sites), std::nullopt};
+  return SiteSource{std::move(*table), std::nullopt};
 }
 
 }  // namespace vorpipe

@@ -7,12 +7,13 @@
 #include <string_view>
 #include <vector>
 
+#include "io/sites/site_table.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
 
 struct SiteSource {
-  Sites sites;
+  SiteTable table;
   std::optional<std::uint64_t> seed;  ///< of the generator; none when the sites come from a file
 };
 
@@ -23,8 +24,8 @@ std::vector<std::string_view> patternNames();
 std::optional<std::uint64_t> generatedCount(std::string_view spec);
 
 /// Reads or generates the sites of `spec`: PATTERN:N (random, square, hex, jitter, clusters, circle; N
-/// sites) or what readSites takes. A file of such a name is meant by ./PATTERN:N. Errors: those of
-/// readSites, N is not a number from 1 to max_sites (input), memory ran out (device).
-Result<SiteSource> loadSites(const std::string& spec, std::uint64_t seed);
+/// sites) or what readSites takes, with its options. A file of such a name is meant by ./PATTERN:N. Errors:
+/// those of readSites, N is not a number from 1 to max_sites (input), memory ran out (device).
+Result<SiteSource> loadSites(const std::string& spec, std::uint64_t seed, const ReadOptions& options = {});
 
 }  // namespace vorpipe

@@ -9,142 +9,203 @@
 #include <utility>
 
 #include "io/files/error.h"
-#include "io/sites/sites_file.h"
+#include "io/sites/csv_attributes.h"
+#include "io/sites/csv_columns.h"
 #include "io/sites/sites_reader.h"
+#include "io/sites/table_builder.h"
+#include "io/sites/wkt_points.h"
 #include "io/text/csv_reader.h"
 #include "io/text/number.h"
 
 namespace vorpipe {
 namespace {
 
-/// Where the columns stand that are used.
-struct Columns {
-  std::size_t x, y;
-  std::optional<std::size_t> weight, radius;
-  std::size_t count;  ///< of all columns
+class CsvSites {
+ public:
+  CsvSites(CsvReader csv, const ReadOptions& options)
+      : csv_(std::move(csv)), options_(options), table_(csv_.name(), options) {}
+
+  Result<SiteTable> read() {
+    const auto first = csv_.next();
+    if (!first) return tl::unexpected(first.error());
+    if (!*first) {
+      return inputError(csv_.name() + ": is empty; its first line must name the columns, as in \"x,y\"");
+    }
+    auto row = readFirst();
+    while (row) {
+      const auto more = csv_.next();
+      if (!more) return tl::unexpected(more.error());
+      if (!*more) return finish();
+      row = readRow();
+    }
+    return tl::unexpected(row.error());
+  }
+
+ private:
+  /// The header, or the first row where there is none.
+  Result<void> readFirst() {
+    const auto places = placesWithoutHeader(options_.columns);
+    const bool header = !places || !isNumber(places->first) || !isNumber(places->second);
+    names_.resize(csv_.fields());
+    for (std::size_t k = 0; k < names_.size() && header; ++k) names_[k] = text_.of(csv_, k);
+    auto columns = header ? namedColumns(names_, options_.columns)
+                          : unnamedColumns(names_.size(), isNumber(2), options_.columns);
+    if (!columns) return csv_.errorAt(columns.error().column, columns.error().what);
+    columns_ = std::move(*columns);
+    table_.system().kind = columns_.kind;
+    if (!columns_.note.empty()) table_.note(columns_.note);
+    for (std::size_t k = 0; k < names_.size(); ++k) {
+      if (names_[k].empty()) names_[k] = fmt::format("column_{}", k + 1);
+      if (columns_.has(k)) continue;
+      attributes_.push_back({k, table_.attributes().newColumn(names_[k])});
+    }
+    return header ? Result<void>() : readRow();
+  }
+
+  [[nodiscard]] bool isNumber(std::size_t column) const {
+    return column < csv_.fields() && numberIn(csv_.field(column)).has_value();
+  }
+
+  /// A comma may be a decimal comma where it does not separate fields.
+  [[nodiscard]] tl::expected<Decimal, std::string> numberIn(std::string_view text) const {
+    if (csv_.separator() != ',') return parseDecimal(text);
+    return parseNumber(text).map([](double value) { return Decimal{value, DecimalMark::none}; });
+  }
+
+  [[nodiscard]] tl::unexpected<Error> wrong(std::size_t column, std::string_view what) const {
+    return csv_.errorAt(column, fmt::format("{} (column {})", what, names_[column]));
+  }
+
+  Result<double> number(std::size_t column) {
+    const auto number = numberIn(csv_.field(column));
+    if (!number) return wrong(column, number.error());
+    if (number->mark != DecimalMark::none && number->mark != mark_) {
+      if (mark_ != DecimalMark::none) {
+        return wrong(column,
+                     fmt::format("{} has a decimal {}, and line {} a decimal {}", quoted(csv_.field(column)),
+                                 number->mark == DecimalMark::comma ? "comma" : "point", mark_line_,
+                                 mark_ == DecimalMark::comma ? "comma" : "point"));
+      }
+      mark_ = number->mark;
+      mark_line_ = csv_.line();
+    }
+    return number->value;
+  }
+
+  /// The first of the columns that a site needs whose field is empty, if there is one.
+  [[nodiscard]] std::optional<std::size_t> emptyColumn() const {
+    for (const auto& column : {columns_.x, columns_.y, columns_.geometry, columns_.weight}) {
+      if (column && trimmed(csv_.field(*column)).empty()) return column;
+    }
+    return std::nullopt;
+  }
+
+  Result<void> readRow() {
+    if (csv_.fields() != names_.size()) {
+      return csv_.errorAt(std::min(csv_.fields(), names_.size()),
+                          fmt::format("the row has {} field{}, the header {}", csv_.fields(),
+                                      csv_.fields() == 1 ? "" : "s", names_.size()));
+    }
+    if (const auto empty = emptyColumn()) {
+      if (table_.addMissing("empty field")) return wrong(*empty, "empty field");
+      return {};
+    }
+    std::optional<double> weight;
+    if (columns_.weight) {
+      const auto given = number(*columns_.weight);
+      if (!given) return tl::unexpected(given.error());
+      const auto valid = weightOf(columns_.weight_kind, *given, csv_.field(*columns_.weight));
+      if (!valid) return wrong(*columns_.weight, valid.error());
+      weight = *valid;
+    }
+    return columns_.geometry ? addGeometry(weight) : addPoint(weight);
+  }
+
+  Result<void> addPoint(std::optional<double> weight) {
+    const auto x = number(*columns_.x);
+    if (!x) return tl::unexpected(x.error());
+    const auto y = number(*columns_.y);
+    if (!y) return tl::unexpected(y.error());
+    return add(std::array{Point{*x, *y}}, weight, *columns_.x);
+  }
+
+  Result<void> addGeometry(std::optional<double> weight) {
+    const std::size_t column = *columns_.geometry;
+    WktTokens tokens(csv_.field(column));
+    WktPoints taken;
+    auto problem = takePoints(tokens, taken);
+    if (!problem && !tokens.atEnd()) problem = tokens.expected("the end of the field");
+    if (problem) return wrong(column, fmt::format("its WKT at {}", *problem));
+    if (taken.others) table_.noteHeights();
+    if (taken.system && *taken.system > 0) {
+      if (table_.system().code != 0 && table_.system().code != *taken.system) {
+        return wrong(column, fmt::format("is of SRID {}, and rows before it of {}", *taken.system,
+                                         table_.system().code));
+      }
+      table_.system() = systemOfCode(*taken.system);
+    }
+    if (!taken.points.empty()) return add(taken.points, weight, column);
+    if (const auto missing = table_.addMissing("has no place: it is EMPTY")) return wrong(column, *missing);
+    return {};
+  }
+
+  Result<void> add(std::span<const Point> points, std::optional<double> weight, std::size_t column) {
+    if (table_.attributes().kept()) {
+      for (const auto& [from, to] : attributes_) {
+        if (csv_.field(from).empty()) continue;
+        table_.attributes().set(to, AttributeType::text, text_.of(csv_, from));
+      }
+    }
+    if (const auto problem = table_.addRow(points, weight)) return csv_.errorAt(column, *problem);
+    return {};
+  }
+
+  SiteTable finish() {
+    if (csv_.comments() > 0) {
+      table_.note(fmt::format("{} line{} begin{} with # and {} left out", csv_.comments(),
+                              csv_.comments() == 1 ? "" : "s", csv_.comments() == 1 ? "s" : "",
+                              csv_.comments() == 1 ? "is" : "are"));
+    }
+    if (text_.otherLine() > 0) {
+      table_.note(fmt::format("line {} is not UTF-8: such text is taken as Windows-1252", text_.otherLine()));
+    }
+    SiteTable table = table_.finish();
+    for (Attribute& attribute : table.attributes) {
+      if (csv_.separator() != ',') attribute = withDecimalPoints(std::move(attribute), mark_);
+      attribute.inferType();
+    }
+    return table;
+  }
+
+  struct AttributeOf {
+    std::size_t from, to;  ///< columns of the file and of the attributes
+  };
+
+  CsvReader csv_;
+  const ReadOptions& options_;
+  TableBuilder table_;
+  CsvColumns columns_{};
+  std::vector<std::string> names_;
+  std::vector<AttributeOf> attributes_;
+  CsvText text_;
+  DecimalMark mark_ = DecimalMark::none;  ///< of the numbers so far
+  std::uint64_t mark_line_ = 0;
 };
 
-std::string headerText(const CsvReader& csv) {
-  std::string names;
-  for (std::size_t i = 0; i < csv.fields(); ++i) {
-    if (i > 0) names += ',';
-    names += csv.field(i);
-  }
-  return quoted(names);
-}
-
-Result<Columns> readHeader(CsvReader& csv) {
-  const auto header = csv.next();
-  if (!header) {
-    return tl::unexpected(header.error());
-  }
-  if (!*header) {
-    return inputError(csv.name() + ": is empty; its first line must name the columns, as in \"x,y\"");
-  }
-  constexpr std::array<std::string_view, 4> names = {"x", "y", "weight", "radius"};
-  std::array<std::optional<std::size_t>, 4> found;
-  for (std::size_t i = 0; i < csv.fields(); ++i) {
-    for (std::size_t k = 0; k < names.size(); ++k) {
-      if (csv.field(i) != names[k]) {
-        continue;
-      }
-      if (found[k]) {
-        return csv.errorAt(i, fmt::format("the header names column \"{}\" twice", names[k]));
-      }
-      found[k] = i;
-    }
-  }
-  const auto [x, y, weight, radius] = found;
-  if (!x || !y) {
-    return csv.errorAt(0, fmt::format("the header {} names no column \"{}\"; the first line must name the "
-                                      "columns, as in \"x,y\"",
-                                      headerText(csv), !x ? "x" : "y"));
-  }
-  if (weight && radius) {
-    return csv.errorAt(std::max(*weight, *radius),
-                       "the header names both \"weight\" and \"radius\"; keep one");
-  }
-  return Columns{*x, *y, weight, radius, csv.fields()};
-}
-
-Result<double> readField(const CsvReader& csv, std::size_t column, std::string_view name) {
-  const auto number = parseNumber(csv.field(column));
-  if (!number) {
-    return csv.errorAt(column, fmt::format("{} (column {})", number.error(), name));
-  }
-  return *number;
-}
-
-Result<double> readRadius(const CsvReader& csv, std::size_t column) {
-  const auto radius = readField(csv, column, "radius");
-  if (!radius) {
-    return radius;
-  }
-  if (*radius < 0) {
-    return csv.errorAt(column, quoted(csv.field(column)) + " is negative (column radius)");
-  }
-  const double weight = *radius * *radius;
-  if (!std::isfinite(weight)) {
-    return csv.errorAt(column, "the square of " + quoted(csv.field(column)) +
-                                   " is out of the range of a double (column radius)");
-  }
-  return weight;
-}
-
-Result<void> readRow(const CsvReader& csv, const Columns& columns, Sites& sites) {
-  if (csv.fields() != columns.count) {
-    return csv.errorAt(std::min(csv.fields(), columns.count),
-                       fmt::format("the row has {} field{}, the header {}", csv.fields(),
-                                   csv.fields() == 1 ? "" : "s", columns.count));
-  }
-  if (sites.size() == max_sites) {
-    return csv.errorAt(0, fmt::format("the file holds more than {} sites", max_sites));
-  }
-  const auto x = readField(csv, columns.x, "x");
-  if (!x) {
-    return tl::unexpected(x.error());
-  }
-  const auto y = readField(csv, columns.y, "y");
-  if (!y) {
-    return tl::unexpected(y.error());
-  }
-  if (columns.weight || columns.radius) {
-    const auto weight =
-        columns.weight ? readField(csv, *columns.weight, "weight") : readRadius(csv, *columns.radius);
-    if (!weight) {
-      return tl::unexpected(weight.error());
-    }
-    sites.weight.push_back(*weight);
-  }
-  sites.x.push_back(*x);
-  sites.y.push_back(*y);
-  return {};
+Result<SiteTable> readTable(InputFile file, const ReadOptions& options, std::optional<char> separator) {
+  auto csv = CsvReader::create(LineReader(std::move(file)), separator);
+  if (!csv) return tl::unexpected(csv.error());
+  return CsvSites(std::move(*csv), options).read();
 }
 
 }  // namespace
 
-Result<Sites> readCsvSites(InputFile file) {
-  auto csv = CsvReader::create(LineReader(std::move(file)));
-  if (!csv) {
-    return tl::unexpected(csv.error());
-  }
-  const auto columns = readHeader(*csv);
-  if (!columns) {
-    return tl::unexpected(columns.error());
-  }
-  Sites sites;
-  while (true) {
-    const auto more = csv->next();
-    if (!more) {
-      return tl::unexpected(more.error());
-    }
-    if (!*more) {
-      return sites;
-    }
-    if (const auto row = readRow(*csv, *columns, sites); !row) {
-      return tl::unexpected(row.error());
-    }
-  }
+Result<SiteTable> readCsvSites(InputFile file, const ReadOptions& options) {
+  return readTable(std::move(file), options, std::nullopt);
+}
+
+Result<SiteTable> readTsvSites(InputFile file, const ReadOptions& options) {
+  return readTable(std::move(file), options, '\t');
 }
 
 }  // namespace vorpipe

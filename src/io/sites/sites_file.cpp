@@ -18,18 +18,55 @@ namespace {
 
 struct Kind {
   std::string_view extension;
-  Result<Sites> (*read)(InputFile file);
+  Result<SiteTable> (*read)(InputFile file, const ReadOptions& options);
+  bool table = false;  ///< whether its columns can be chosen
 };
 
-constexpr std::array<Kind, 4> kinds = {
-    {{".csv", readCsvSites}, {".xyz", readTextSites}, {".txt", readTextSites}, {".npy", readNpySites}}};
+/// The kind that is no stream of bytes.
+constexpr std::string_view geopackage = ".gpkg";
 
-Result<Sites> readByExtension(const std::string& path, InputFile file) {
-  const std::string extension = path == "-" ? ".csv" : lowerExtension(path);
+constexpr std::array<Kind, 12> kinds = {{{".csv", readCsvSites, true},
+                                         {".tsv", readTsvSites, true},
+                                         {".xyz", readTextSites, true},
+                                         {".txt", readTextSites, true},
+                                         {".npy", readNpySites, true},
+                                         {".geojson", readGeoJsonSites},
+                                         {".json", readGeoJsonSites},
+                                         {".geojsonl", readGeoJsonLines},
+                                         {".geojsons", readGeoJsonLines},
+                                         {".ndjson", readGeoJsonLines},
+                                         {".wkt", readWktSites},
+                                         {geopackage, nullptr}}};
+
+std::string extensionOf(const std::string& path, const ReadOptions& options) {
+  if (!options.format.empty()) return "." + options.format;
+  return path == "-" ? ".csv" : inputExtension(path);
+}
+
+Result<SiteTable> readKind(const Kind& kind, const std::string& path, InputFile file,
+                           const ReadOptions& options) {
+  const std::string name = file.name();
+  if (!options.columns.empty() && !kind.table) {
+    return inputError(
+        fmt::format("{}: its columns cannot be chosen: a {} has none for --columns", name, kind.extension));
+  }
+  if (!options.layer.empty() && kind.extension != geopackage) {
+    return inputError(fmt::format("{}: has no layers for --layer; a {} has", name, geopackage));
+  }
+  if (kind.extension != geopackage) return kind.read(std::move(file), options);
+  if (path == "-") {
+    return inputError(
+        fmt::format("{}: a GeoPackage cannot be read from standard input; name its file", name));
+  }
+  return readGeoPackageSites(path, options);
+}
+
+Result<SiteTable> readByExtension(const std::string& path, InputFile file, const ReadOptions& options) {
+  const std::string extension = extensionOf(path, options);
   const auto* const kind = std::ranges::find(kinds, extension, &Kind::extension);
-  if (kind != kinds.end()) return kind->read(std::move(file));
+  if (kind != kinds.end()) return readKind(*kind, path, std::move(file), options);
   return inputError(
-      fmt::format("{}: unknown kind of file; known are {}", path, fmt::join(sitesExtensions(), ", ")));
+      fmt::format("{}: unknown kind of file; known are {}", file.name(), fmt::join(sitesExtensions(), ", ")));
 }
 
 }  // namespace
@@ -40,18 +77,19 @@ std::vector<std::string_view> sitesExtensions() {
   return extensions;
 }
 
-Result<Sites> readSites(const std::string& path) {
+Result<SiteTable> readSites(const std::string& path, const ReadOptions& options) {
   auto file = InputFile::open(path);
   if (!file) {
     return tl::unexpected(file.error());
   }
   const std::string name = file->name();
   try {
-    auto sites = readByExtension(path, std::move(*file));
-    if (sites && sites->size() == 0) {
-      return inputError(name + ": holds no sites");
+    auto table = readByExtension(path, std::move(*file), options);
+    if (table && table->sites.size() == 0) {
+      return inputError(fmt::format("{}: holds no sites{}", name,
+                                    table->skipped > 0 ? ": what a site needs is missing in every row" : ""));
     }
-    return sites;
+    return table;
   } catch (const std::bad_alloc&) {
     return deviceError(name + ": there is not enough memory for its sites");
   }

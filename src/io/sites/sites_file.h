@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "io/sites/site_table.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -17,9 +18,10 @@ inline constexpr std::uint64_t max_sites = std::numeric_limits<std::int32_t>::ma
 /// The extensions of all kinds, in the order in which messages name them.
 std::vector<std::string_view> sitesExtensions();
 
-/// Reads at least one site by the path's extension: .csv, .xyz, .txt or .npy; "-" is CSV on standard
-/// input. Sites::weight is empty where the file has none. Errors: a path or data that is wrong, with
-/// file, line and column (input); reading failed or memory ran out (device).
-Result<Sites> readSites(const std::string& path);
+/// Reads at least one site. The path's extension tells the kind of file, and that before .gz; "-" is standard
+/// input. Sites::weight is empty where the file has none. docs/formats.md has the kinds. Errors: a path, data
+/// or an option that is wrong for them, with file, line and column (input); reading failed or memory ran out
+/// (device).
+Result<SiteTable> readSites(const std::string& path, const ReadOptions& options = {});
 
 }  // namespace vorpipe

@@ -4,65 +4,90 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/arrays/npy_elements.h"
 #include "io/arrays/npy_header.h"
 #include "io/files/error.h"
+#include "io/sites/column_choice.h"
 #include "io/sites/sites_file.h"
 #include "io/sites/sites_reader.h"
 
 namespace vorpipe {
 namespace {
 
+constexpr std::uint64_t most_columns = 1 << 20;
+constexpr std::array<std::string_view, 3> names = {"x", "y", "weight"};
+
+/// `columns` are those of x, y and perhaps weight.
 template <class Real>
-Result<void> readElements(InputFile& file, const NpyHeader& header, Sites& sites) {
-  constexpr std::array<std::string_view, 3> names = {"x", "y", "weight"};
+Result<void> readElements(InputFile& file, const NpyHeader& header, const std::vector<std::size_t>& columns,
+                          Sites& sites) {
   const std::array<std::vector<double>*, 3> into = {&sites.x, &sites.y, &sites.weight};
-  const std::uint64_t rows = header.shape[0];
-  const std::uint64_t columns = header.shape[1];
+  const std::uint64_t row_count = header.shape[0], column_count = header.shape[1];
+  // By column of the file: which of the names it is; their number where it is none.
+  std::vector<std::size_t> use(column_count, names.size());
+  for (std::size_t k = 0; k < columns.size(); ++k) use[columns[k]] = k;
   // Row and column by counting: a division for each element costs more than reading it.
   std::uint64_t row = 0, column = 0;
-  return eachElement<Real>(file, header, rows * columns, [&](std::uint64_t, Real value) -> Result<void> {
-    if (!std::isfinite(value)) {
+  const auto take = [&](std::uint64_t, Real value) -> Result<void> {
+    const std::size_t used = use[column];
+    if (used < names.size() && !std::isfinite(value)) {
       return inputError(
           fmt::format("{}: element [{}, {}] (counted from 0; column {}) is {}, not a finite number",
-                      file.name(), row, column, names[column], value));
+                      file.name(), row, column, names[used], value));
     }
-    into[column]->push_back(static_cast<double>(value));
+    if (used < names.size()) into[used]->push_back(static_cast<double>(value));
     std::uint64_t& inner = header.fortran_order ? row : column;
     std::uint64_t& outer = header.fortran_order ? column : row;
-    if (++inner == (header.fortran_order ? rows : columns)) {
+    if (++inner == (header.fortran_order ? row_count : column_count)) {
       inner = 0;
       ++outer;
     }
     return {};
-  });
+  };
+  return eachElement<Real>(file, header, row_count * column_count, take);
+}
+
+/// The columns of x, y and perhaps weight. Without a choice the shape tells.
+Result<std::vector<std::size_t>> columnsOf(const NpyHeader& header, const ReadOptions& options,
+                                           const std::string& name) {
+  const bool real = header.kind == 'f' && (header.size == sizeof(float) || header.size == sizeof(double));
+  const auto& shape = header.shape;
+  const bool table = real && shape.size() == 2 && shape[1] <= most_columns;
+  if (!options.columns.empty() && table) return numberedColumns(options.columns, shape[1], name);
+  if (!table || (shape[1] != 2 && shape[1] != 3)) {
+    return inputError(fmt::format("{}: holds {}; float32 or float64 (N, 2) or (N, 3) is needed{}", name,
+                                  header.description, table ? ", or --columns" : ""));
+  }
+  return shape[1] == 2 ? std::vector<std::size_t>{0, 1} : std::vector<std::size_t>{0, 1, 2};
 }
 
 }  // namespace
 
-Result<Sites> readNpySites(InputFile file) {
+Result<SiteTable> readNpySites(InputFile file, const ReadOptions& options) {
   const auto header = readNpyHeader(file);
   if (!header) {
     return tl::unexpected(header.error());
   }
-  const bool real = header->kind == 'f' && (header->size == sizeof(float) || header->size == sizeof(double));
-  const auto& shape = header->shape;
-  if (!real || shape.size() != 2 || (shape[1] != 2 && shape[1] != 3)) {
-    return inputError(fmt::format("{}: holds {}; float32 or float64 (N, 2) or (N, 3) is needed", file.name(),
-                                  header->description));
-  }
-  if (shape[0] > max_sites) {
+  const auto columns = columnsOf(*header, options, file.name());
+  if (!columns) return tl::unexpected(columns.error());
+  if (header->shape[0] > max_sites) {
     return inputError(fmt::format("{}: holds more than {} sites", file.name(), max_sites));
   }
-  Sites sites;
-  const Result<void> read = header->size == sizeof(float) ? readElements<float>(file, *header, sites)
-                                                          : readElements<double>(file, *header, sites);
+  SiteTable table;
+  const Result<void> read = header->size == sizeof(float)
+                                ? readElements<float>(file, *header, *columns, table.sites)
+                                : readElements<double>(file, *header, *columns, table.sites);
   if (!read) {
     return tl::unexpected(read.error());
   }
-  return sites;
+  if (options.columns.empty() && columns->size() == names.size()) {
+    table.notes.push_back(fmt::format("{}: {}", file.name(), third_is_weight));
+  }
+  return table;
 }
 
 }  // namespace vorpipe

@@ -3,18 +3,35 @@
 #pragma once
 
 #include "io/files/input_file.h"
+#include "io/sites/site_table.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
 
-/// CSV with a header that names x, y and optionally weight or radius (the weight is its square), in any
-/// order; other columns are ignored.
-Result<Sites> readCsvSites(InputFile file);
+/// A table with a header that names its columns, or of numbers alone. The first line tells what separates
+/// fields.
+Result<SiteTable> readCsvSites(InputFile file, const ReadOptions& options);
+
+/// The same, separated by tabs.
+Result<SiteTable> readTsvSites(InputFile file, const ReadOptions& options);
 
 /// Lines of x y or x y weight, separated by blanks or commas; # begins a comment.
-Result<Sites> readTextSites(InputFile file);
+Result<SiteTable> readTextSites(InputFile file, const ReadOptions& options);
 
 /// NumPy array of shape (N, 2) or (N, 3), the third column being the weight, float32 or float64.
-Result<Sites> readNpySites(InputFile file);
+Result<SiteTable> readNpySites(InputFile file, const ReadOptions& options);
+
+/// GeoJSON (RFC 7946) of points: features in a collection or one, or geometries. It is not kept as a whole.
+Result<SiteTable> readGeoJsonSites(InputFile file, const ReadOptions& options);
+
+/// GeoJSON's features, or geometries, one on a line (RFC 8142, which puts a byte 0x1E before each; or
+/// NDJSON).
+Result<SiteTable> readGeoJsonLines(InputFile file, const ReadOptions& options);
+
+/// POINT and MULTIPOINT in well-known text, one after the other.
+Result<SiteTable> readWktSites(InputFile file, const ReadOptions& options);
+
+/// A layer with points of a GeoPackage, which is a database and no stream.
+Result<SiteTable> readGeoPackageSites(const std::string& path, const ReadOptions& options);
 
 }  // namespace vorpipe

@@ -3,42 +3,36 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "io/files/error.h"
-#include "io/sites/sites_file.h"
+#include "io/sites/column_choice.h"
 #include "io/sites/sites_reader.h"
+#include "io/sites/table_builder.h"
 #include "io/text/line_reader.h"
 #include "io/text/number.h"
 
 namespace vorpipe {
 namespace {
 
-constexpr std::size_t max_fields = 3;
-constexpr std::array<std::string_view, max_fields> names = {"x", "y", "weight"};
-
-struct Row {
-  std::size_t count = 0;  ///< of fields, those beyond max_fields included
-  std::array<std::string_view, max_fields> field{};
-};
+constexpr std::array<std::string_view, 3> names = {"x", "y", "weight"};
 
 /// Fields are separated by blanks or by one comma with blanks around it: "1, ,2" has an empty field.
-Row split(std::string_view line) {
-  Row row;
+void split(std::string_view line, std::vector<std::string_view>& fields) {
+  fields.clear();
   line = trimmed(line.substr(0, line.find('#')));
   if (line.empty()) {
-    return row;
+    return;
   }
   while (true) {
     const std::size_t end = std::min(line.find_first_of(" \t,"), line.size());
-    if (row.count < max_fields) {
-      row.field[row.count] = line.substr(0, end);
-    }
-    ++row.count;
+    fields.push_back(line.substr(0, end));
     line.remove_prefix(end);
     if (line.empty()) {
-      return row;
+      return;
     }
     line = trimmed(line);
     if (line.starts_with(',')) {
@@ -47,58 +41,92 @@ Row split(std::string_view line) {
   }
 }
 
-/// `columns` is 0 before the first row and then the number of fields that every row has.
-Result<void> readRow(const LineReader& lines, std::string_view line, std::size_t& columns, Sites& sites) {
-  const Row row = split(line);
-  if (row.count == 0) {
+class TextSites {
+ public:
+  TextSites(LineReader lines, const ReadOptions& options)
+      : lines_(std::move(lines)), options_(options), table_(lines_.name(), options) {}
+
+  Result<SiteTable> read() {
+    while (true) {
+      const auto line = lines_.next();
+      if (!line) return tl::unexpected(line.error());
+      if (!*line) return table_.finish();
+      split(**line, fields_);
+      if (fields_.empty()) continue;
+      if (auto row = readRow(**line); !row) return tl::unexpected(std::move(row.error()));
+    }
+  }
+
+ private:
+  /// What the first row tells of all.
+  Result<void> readFirst() {
+    count_ = fields_.size();
+    if (options_.columns.empty()) {
+      if (count_ < 2 || count_ > names.size()) {
+        return lines_.errorAt(
+            1, fmt::format("the row has {} field{}; x y or x y weight is needed, or --columns", count_,
+                           count_ == 1 ? "" : "s"));
+      }
+      if (count_ == names.size()) table_.note(third_is_weight);
+      for (std::size_t k = 0; k < count_; ++k) columns_.push_back(k);
+      return {};
+    }
+    auto columns = numberedColumns(options_.columns, count_, lines_.name());
+    if (!columns) return tl::unexpected(std::move(columns.error()));
+    columns_ = std::move(*columns);
+    for (std::size_t k = 0; k < count_; ++k) {
+      if (std::ranges::find(columns_, k) != columns_.end()) continue;
+      attributes_.emplace_back(k, table_.attributes().newColumn(fmt::format("column_{}", k + 1)));
+    }
     return {};
   }
-  if (row.count < 2 || row.count > max_fields) {
-    return lines.errorAt(1, fmt::format("the row has {} field{}; x y or x y weight is needed", row.count,
-                                        row.count == 1 ? "" : "s"));
-  }
-  if (columns != 0 && row.count != columns) {
-    return lines.errorAt(1, fmt::format("the row has {} fields, the rows before it {}", row.count, columns));
-  }
-  if (sites.size() == max_sites) {
-    return lines.errorAt(1, fmt::format("the file holds more than {} sites", max_sites));
-  }
-  columns = row.count;
-  std::array<double, max_fields> value{};
-  for (std::size_t i = 0; i < columns; ++i) {
-    const auto number = parseNumber(row.field[i]);
-    if (!number) {
-      const auto column = static_cast<std::size_t>(row.field[i].data() - line.data()) + 1;
-      return lines.errorAt(column, fmt::format("{} (column {})", number.error(), names[i]));
+
+  Result<void> readRow(std::string_view line) {
+    if (count_ == 0) {
+      if (auto first = readFirst(); !first) return first;
     }
-    value[i] = *number;
+    if (fields_.size() != count_) {
+      return lines_.errorAt(
+          1, fmt::format("the row has {} fields, the rows before it {}", fields_.size(), count_));
+    }
+    std::array<double, names.size()> value{};
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      const std::string_view field = fields_[columns_[i]];
+      const auto number = parseNumber(field);
+      if (!number) {
+        if (field.empty() && !table_.addMissing(number.error())) return {};
+        const auto column = static_cast<std::size_t>(field.data() - line.data()) + 1;
+        return lines_.errorAt(column, fmt::format("{} (column {})", number.error(), names[i]));
+      }
+      value[i] = *number;
+    }
+    for (const auto& [from, to] : attributes_) {
+      if (!fields_[from].empty()) table_.attributes().set(to, AttributeType::text, fields_[from]);
+    }
+    const auto weight = columns_.size() == names.size() ? std::optional(value[2]) : std::nullopt;
+    if (const auto problem = table_.addRow(std::array{Point{value[0], value[1]}}, weight)) {
+      return lines_.errorAt(1, *problem);
+    }
+    return {};
   }
-  sites.x.push_back(value[0]);
-  sites.y.push_back(value[1]);
-  if (columns == max_fields) {
-    sites.weight.push_back(value[2]);
-  }
-  return {};
-}
+
+  LineReader lines_;
+  const ReadOptions& options_;
+  TableBuilder table_;
+  std::vector<std::string_view> fields_;
+  std::size_t count_ = 0;             ///< of fields in each row; 0 before the first
+  std::vector<std::size_t> columns_;  ///< of x, y and perhaps weight
+  std::vector<std::pair<std::size_t, std::size_t>>
+      attributes_;  ///< columns of the file and of the attributes
+};
 
 }  // namespace
 
-Result<Sites> readTextSites(InputFile file) {
-  LineReader lines(std::move(file));
-  Sites sites;
-  std::size_t columns = 0;
-  while (true) {
-    const auto line = lines.next();
-    if (!line) {
-      return tl::unexpected(line.error());
-    }
-    if (!*line) {
-      return sites;
-    }
-    if (const auto row = readRow(lines, **line, columns, sites); !row) {
-      return tl::unexpected(row.error());
-    }
-  }
+Result<SiteTable> readTextSites(InputFile file, const ReadOptions& options) {
+  auto table = TextSites(LineReader(std::move(file)), options).read();
+  if (!table) return table;
+  for (Attribute& attribute : table->attributes) attribute.inferType();
+  return table;
 }
 
 }  // namespace vorpipe

@@ -14,6 +14,7 @@
 #include "io/files/error.h"
 #include "io/files/extension.h"
 #include "io/files/input_file.h"
+#include "io/sites/weight_name.h"
 #include "io/text/line_reader.h"
 #include "io/text/number.h"
 
@@ -22,29 +23,22 @@ namespace {
 
 std::string sitesText(std::uint64_t count) { return fmt::format("{} site{}", count, count == 1 ? "" : "s"); }
 
-/// The weight that a line holds, of which comment and blanks are taken off; `squared`: its square.
-Result<double> weightOf(const LineReader& lines, std::string_view line, std::string_view text, bool squared) {
+/// The weight that a line holds, of which comment and blanks are taken off.
+Result<double> weightIn(const LineReader& lines, std::string_view line, std::string_view text,
+                        WeightKind kind) {
   const auto column = static_cast<std::size_t>(text.data() - line.data()) + 1;
   const auto number = parseNumber(text);
-  if (!number) {
-    return lines.errorAt(column, number.error());
-  }
-  if (!squared) {
-    return *number;
-  }
-  if (*number < 0) {
-    return lines.errorAt(column, quoted(text) + " is negative, and a radius");
-  }
-  if (!std::isfinite(*number * *number)) {
-    return lines.errorAt(column, "the square of " + quoted(text) + " is out of the range of a double");
-  }
-  return *number * *number;
+  if (!number) return lines.errorAt(column, number.error());
+  const auto weight = weightOf(kind, *number, text);
+  if (!weight) return lines.errorAt(column, weight.error());
+  return *weight;
 }
 
-Result<std::vector<double>> readText(InputFile file, std::uint64_t count) {
+Result<std::vector<double>> readWeightLines(InputFile file, std::uint64_t count) {
   LineReader lines(std::move(file));
   std::vector<double> weights;
-  bool squared = false, first = true;
+  bool first = true;
+  WeightKind kind = WeightKind::weight;
   while (true) {
     const auto line = lines.next();
     if (!line) {
@@ -61,14 +55,15 @@ Result<std::vector<double>> readText(InputFile file, std::uint64_t count) {
     if (text.empty()) {
       continue;
     }
-    if (std::exchange(first, false) && (text == "weight" || text == "radius")) {
-      squared = text == "radius";
+    const auto named = std::exchange(first, false) ? weightNamed(text, false) : std::nullopt;
+    if (named) {
+      kind = *named;
       continue;
     }
     if (weights.size() == count) {
       return lines.errorAt(1, "a weight too many, there are " + sitesText(count));
     }
-    const auto weight = weightOf(lines, **line, text, squared);
+    const auto weight = weightIn(lines, **line, text, kind);
     if (!weight) {
       return tl::unexpected(weight.error());
     }
@@ -114,7 +109,7 @@ Result<std::vector<double>> readNpy(InputFile file, std::uint64_t count) {
 }  // namespace
 
 Result<std::vector<double>> readWeights(const std::string& path, std::uint64_t count) {
-  const std::string extension = lowerExtension(path);
+  const std::string extension = inputExtension(path);
   const bool text = extension == ".txt" || extension == ".csv";
   if (!text && extension != ".npy") {
     return inputError(path + ": unknown kind of file for weights; known are .txt, .csv and .npy");
@@ -124,7 +119,7 @@ Result<std::vector<double>> readWeights(const std::string& path, std::uint64_t c
     return tl::unexpected(file.error());
   }
   try {
-    return text ? readText(std::move(*file), count) : readNpy(std::move(*file), count);
+    return text ? readWeightLines(std::move(*file), count) : readNpy(std::move(*file), count);
   } catch (const std::bad_alloc&) {
     return deviceError(path + ": there is not enough memory for its weights");
   }

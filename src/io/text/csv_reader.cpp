@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "io/files/error.h"
+#include "io/text/csv_dialect.h"
 #include "io/text/number.h"
 
 namespace vorpipe {
@@ -17,8 +18,15 @@ void CsvReader::Free::operator()(csv_parser* parser) const {
   delete parser;
 }
 
-CsvReader::CsvReader(LineReader lines, Parser parser)
-    : lines_(std::move(lines)), parser_(std::move(parser)) {}
+CsvReader::CsvReader(LineReader lines, Parser parser, std::optional<char> separator)
+    : lines_(std::move(lines)), parser_(std::move(parser)) {
+  if (separator) setSeparator(*separator);
+}
+
+void CsvReader::setSeparator(char separator) {
+  separator_ = separator;
+  csv_set_delim(parser_.get(), static_cast<unsigned char>(separator));
+}
 
 CsvReader::Parser CsvReader::makeParser() {
   auto raw = std::make_unique<csv_parser>();
@@ -28,12 +36,12 @@ CsvReader::Parser CsvReader::makeParser() {
   return Parser(raw.release());
 }
 
-Result<CsvReader> CsvReader::create(LineReader lines) {
+Result<CsvReader> CsvReader::create(LineReader lines, std::optional<char> separator) {
   Parser parser = makeParser();
   if (!parser) {
     return deviceError(lines.name() + ": out of memory");
   }
-  return CsvReader(std::move(lines), std::move(parser));
+  return CsvReader(std::move(lines), std::move(parser), separator);
 }
 
 void CsvReader::Record::clear() {
@@ -86,6 +94,25 @@ Result<void> CsvReader::parse(std::string_view line) {
   return {};
 }
 
+/// Whether a record begins with a line, and not a comment or what names the separator.
+Result<bool> CsvReader::isRecord(std::string_view line) {
+  if (line.starts_with("\xFF\xFE") || line.starts_with("\xFE\xFF")) {
+    return lines_.errorAt(1, "the text is UTF-16; UTF-8 is needed");
+  }
+  const std::string_view text = trimmed(line);
+  if (text.starts_with('#')) {
+    if (begun_) ++comments_;
+    return false;
+  }
+  if (begun_ || text.empty()) return true;
+  if (const auto separator = namedSeparator(text)) {
+    setSeparator(*separator);
+    return false;
+  }
+  if (!separator_) setSeparator(separatorOf(line));
+  return true;
+}
+
 Result<bool> CsvReader::next() {
   record_.clear();
   earlier_.clear();
@@ -105,10 +132,16 @@ Result<bool> CsvReader::next() {
       return errorAt(fields(), fmt::format("the quoted field that begins here is longer than {} bytes",
                                            LineReader::longest_line));
     }
+    if (earlier_.empty()) {
+      const auto record = isRecord(**line);
+      if (!record) return record;
+      if (!*record) continue;
+    }
     if (const auto parsed = parse(**line); !parsed) {
       return tl::unexpected(parsed.error());
     }
     if (record_.complete) {
+      begun_ = true;
       return true;
     }
     if (!earlier_.empty() || !trimmed(**line).empty()) {
@@ -123,6 +156,7 @@ std::size_t CsvReader::fieldBegin(std::size_t index) const {
   if (!parser || index == 0) {
     return 0;
   }
+  csv_set_delim(parser.get(), static_cast<unsigned char>(separator()));
   Record replay;
   for (std::size_t i = 0; i < record.size(); ++i) {
     csv_parse(parser.get(), &record[i], 1, onField, onRecordEnd, &replay);

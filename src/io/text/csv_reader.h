@@ -1,8 +1,10 @@
-/// Comma-separated text, record by record, through libcsv (decision D64).
+/// Text separated by commas, semicolons or tabs, record by record, through libcsv (decision D64).
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,13 +17,20 @@ namespace vorpipe {
 
 class CsvReader {
  public:
-  /// Error (device): out of memory.
-  static Result<CsvReader> create(LineReader lines);
+  /// Without a separator, the first line tells it. Error (device): out of memory.
+  static Result<CsvReader> create(LineReader lines, std::optional<char> separator = std::nullopt);
 
-  /// Reads the next record that is not blank; false after the last one. Errors: a quote that is not
-  /// closed or stands inside an unquoted field, a line or a record that is too long (input); reading
-  /// failed, out of memory (device).
+  /// Reads the next record that is not blank and no comment, a line that begins with #; false after the last
+  /// one. Errors: a quote that is not closed or stands inside an unquoted field, a line or a record that is
+  /// too long, the text is UTF-16 (input); reading failed, out of memory (device).
   Result<bool> next();
+
+  /// Known once there is a record.
+  [[nodiscard]] char separator() const { return separator_.value_or(','); }
+  /// Comments after the first record.
+  [[nodiscard]] std::uint64_t comments() const { return comments_; }
+  /// Number of the last line of the last record.
+  [[nodiscard]] std::uint64_t line() const { return lines_.number(); }
 
   [[nodiscard]] std::size_t fields() const { return record_.ends.size(); }
   /// Text of a field of the last record, without its quotes and the blanks around it.
@@ -46,8 +55,10 @@ class CsvReader {
     void clear();
   };
 
-  CsvReader(LineReader lines, Parser parser);
+  CsvReader(LineReader lines, Parser parser, std::optional<char> separator);
   static Parser makeParser();
+  Result<bool> isRecord(std::string_view line);
+  void setSeparator(char separator);
   static void onField(void* text, std::size_t length, void* record);
   static void onRecordEnd(int character, void* record);
   Result<void> parse(std::string_view line);
@@ -55,6 +66,9 @@ class CsvReader {
 
   LineReader lines_;
   Parser parser_;
+  std::optional<char> separator_;
+  std::uint64_t comments_ = 0;
+  bool begun_ = false;  ///< whether there was a record
   Record record_;
   std::string earlier_;    ///< earlier lines of a record with a line end inside quotes, LF after each
   std::string_view line_;  ///< the line that was parsed last

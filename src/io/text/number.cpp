@@ -66,4 +66,22 @@ tl::expected<double, std::string> parseNumber(std::string_view text) {
   return value;
 }
 
+tl::expected<Decimal, std::string> parseDecimal(std::string_view text) {
+  const auto commas = std::ranges::count(text, ',');
+  const bool point = text.find('.') != std::string_view::npos;
+  if (commas == 0) {
+    return parseNumber(text).map([point](double value) {
+      return Decimal{value, point ? DecimalMark::point : DecimalMark::none};
+    });
+  }
+  if (point)
+    return tl::unexpected(quoted(text) + " has a comma and a point: only one can be before a fraction");
+  if (commas > 1) return tl::unexpected(quoted(text) + " has several commas");
+  std::string with_point(text);
+  std::ranges::replace(with_point, ',', '.');
+  const auto value = parseNumber(with_point);
+  if (!value) return tl::unexpected(quoted(text) + " is not a finite number");
+  return Decimal{*value, DecimalMark::comma};
+}
+
 }  // namespace vorpipe

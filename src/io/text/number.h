@@ -1,6 +1,7 @@
 /// Numbers as people and programs write them.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "vorpipe.h"
@@ -14,5 +15,17 @@ std::string_view trimmed(std::string_view text);
 /// is too small for a double becomes 0. On failure the error is what is wrong with the text, in words
 /// that continue "FILE:LINE:COLUMN: ".
 tl::expected<double, std::string> parseNumber(std::string_view text);
+
+/// What stands before the fraction of a number.
+enum class DecimalMark : char { none = ' ', point = '.', comma = ',' };
+
+struct Decimal {
+  double value;
+  DecimalMark mark;
+};
+
+/// The same where a comma may stand before the fraction, as in 1,5. What may have commas between thousands is
+/// refused: several commas, or a comma and a point.
+tl::expected<Decimal, std::string> parseDecimal(std::string_view text);
 
 }  // namespace vorpipe

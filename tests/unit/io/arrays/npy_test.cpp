@@ -56,9 +56,9 @@ TEST_F(Npy, ReadsWhatNumPyWrites) {
     SCOPED_TRACE(n);
     const auto sites = readSites(path(std::to_string(n) + ".npy"));
     ASSERT_TRUE(sites) << sites.error().message;
-    EXPECT_THAT(sites->x, ElementsAre(1, 4.5, 7, 10));
-    EXPECT_THAT(sites->y, ElementsAre(2, 5, 8, 11));
-    EXPECT_THAT(sites->weight, ElementsAre(3, 6, -9, 0));
+    EXPECT_THAT(sites->sites.x, ElementsAre(1, 4.5, 7, 10));
+    EXPECT_THAT(sites->sites.y, ElementsAre(2, 5, 8, 11));
+    EXPECT_THAT(sites->sites.weight, ElementsAre(3, 6, -9, 0));
   }
 }
 
@@ -71,11 +71,11 @@ TEST_F(Npy, ReadsTwoColumnsInManyChunks) {
   for (const char* name : {"c.npy", "f.npy"}) {
     const auto sites = readSites(path(name));
     ASSERT_TRUE(sites) << sites.error().message;
-    ASSERT_EQ(sites->size(), 200000u);
-    ASSERT_EQ(sites->y.size(), 200000u);
-    EXPECT_TRUE(sites->weight.empty());
-    EXPECT_EQ(sites->x[199999], 399998);
-    EXPECT_EQ(sites->y[100000], 200001);
+    ASSERT_EQ(sites->sites.size(), 200000u);
+    ASSERT_EQ(sites->sites.y.size(), 200000u);
+    EXPECT_TRUE(sites->sites.weight.empty());
+    EXPECT_EQ(sites->sites.x[199999], 399998);
+    EXPECT_EQ(sites->sites.y[100000], 200001);
   }
 }
 
@@ -88,7 +88,7 @@ TEST_F(Npy, RefusesOtherTypesAndShapes) {
   EXPECT_EQ(badSites(npy("{'descr': '<f8', " + tail + "(2,)}", std::string(16, '\0'))),
             "holds float64 (2,); float32 or float64 (N, 2) or (N, 3) is needed");
   EXPECT_EQ(badSites(npy("{'descr': '<f8', " + tail + "(2, 1)}", std::string(16, '\0'))),
-            "holds float64 (2, 1); float32 or float64 (N, 2) or (N, 3) is needed");
+            "holds float64 (2, 1); float32 or float64 (N, 2) or (N, 3) is needed, or --columns");
   EXPECT_EQ(badSites(npy("{'descr': '|O', " + tail + "(1, 2)}", "pickle")),
             "holds elements of dtype \"|O\"; numbers are needed");
   EXPECT_THAT(

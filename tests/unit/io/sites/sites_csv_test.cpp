@@ -24,7 +24,7 @@ class Csv : public InTemporaryDirectory {
       ADD_FAILURE() << sites.error().message;
       return {};
     }
-    return *sites;
+    return sites->sites;
   }
 
   /// What follows the file's path in the error message.
@@ -103,7 +103,7 @@ TEST_F(Csv, RefusesNumbersWithFileLineAndColumn) {
   EXPECT_EQ(bad("x,y\n1,-1" + std::string(309, '0') + "\n"),
             "2:3: \"-1" + std::string(38, '0') + "...\" is out of the range of a double (column y)");
   EXPECT_EQ(bad("x,y,weight\n1,2,heavy\n"), "2:5: \"heavy\" is not a number (column weight)");
-  EXPECT_EQ(bad("x,y,radius\n1,2,-3\n"), "2:5: \"-3\" is negative (column radius)");
+  EXPECT_EQ(bad("x,y,radius\n1,2,-3\n"), "2:5: \"-3\" is negative, and a radius (column radius)");
   EXPECT_EQ(bad("x,y,radius\n1,2,1e200\n"),
             "2:5: the square of \"1e200\" is out of the range of a double (column radius)");
 }
@@ -119,15 +119,13 @@ TEST_F(Csv, RefusesRowsOfAnotherLength) {
 }
 
 TEST_F(Csv, RefusesHeaders) {
-  EXPECT_EQ(
-      bad("1,2\n3,4\n"),
-      "1:1: the header \"1,2\" names no column \"x\"; the first line must name the columns, as in \"x,y\"");
-  EXPECT_EQ(
-      bad("x,z\n3,4\n"),
-      "1:1: the header \"x,z\" names no column \"y\"; the first line must name the columns, as in \"x,y\"");
+  const std::string advice =
+      "; the first line must name the columns, as in \"x,y\", or --columns says which they are";
+  EXPECT_EQ(bad("a,b\n3,4\n"), "1:1: the header \"a,b\" names no column \"x\"" + advice);
+  EXPECT_EQ(bad("x,z\n3,4\n"), "1:1: the header \"x,z\" names no column \"y\"" + advice);
   EXPECT_EQ(bad("x,y,x\n1,2,3\n"), "1:5: the header names column \"x\" twice");
   EXPECT_EQ(bad("radius,x,y,weight\n1,2,3,4\n"),
-            "1:12: the header names both \"weight\" and \"radius\"; keep one");
+            "1:12: the header names both \"radius\" and \"weight\"; --columns says which");
 }
 
 TEST_F(Csv, RefusesFilesWithoutSites) {

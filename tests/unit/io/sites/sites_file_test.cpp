@@ -19,6 +19,10 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
+constexpr auto unknown_kind =
+    " unknown kind of file; known are .csv, .tsv, .xyz, .txt, .npy, .geojson, .json, .geojsonl, .geojsons, .ndjson, "
+    ".wkt, .gpkg";
+
 class SitesFile : public InTemporaryDirectory {
  protected:
   [[nodiscard]] std::string bad(std::string_view name, std::string_view bytes) const {
@@ -36,15 +40,15 @@ class SitesFile : public InTemporaryDirectory {
 TEST_F(SitesFile, ReadsTextOfTwoColumns) {
   const auto sites = readSites(write("a.txt", "# note\n1 2\n\n\t3,4 # note\r\n  +5 ,\t6\n7\t8"));
   ASSERT_TRUE(sites) << sites.error().message;
-  EXPECT_THAT(sites->x, ElementsAre(1, 3, 5, 7));
-  EXPECT_THAT(sites->y, ElementsAre(2, 4, 6, 8));
-  EXPECT_TRUE(sites->weight.empty());
+  EXPECT_THAT(sites->sites.x, ElementsAre(1, 3, 5, 7));
+  EXPECT_THAT(sites->sites.y, ElementsAre(2, 4, 6, 8));
+  EXPECT_TRUE(sites->sites.weight.empty());
 }
 
 TEST_F(SitesFile, TheThirdColumnOfTextIsTheWeight) {
   const auto sites = readSites(write("a.XYZ", "1 2 -3\n4 5 6\n"));
   ASSERT_TRUE(sites) << sites.error().message;
-  EXPECT_THAT(sites->weight, ElementsAre(-3, 6));
+  EXPECT_THAT(sites->sites.weight, ElementsAre(-3, 6));
 }
 
 TEST_F(SitesFile, RefusesTextWithFileLineAndColumn) {
@@ -54,8 +58,9 @@ TEST_F(SitesFile, RefusesTextWithFileLineAndColumn) {
   EXPECT_EQ(bad("a.txt", "1,,2\n"), "1:3: empty field (column y)");
   EXPECT_EQ(bad("a.txt", "1, #2\n"), "1:3: empty field (column y)");
   EXPECT_EQ(bad("a.txt", ",1\n"), "1:1: empty field (column x)");
-  EXPECT_EQ(bad("a.txt", "1\n"), "1:1: the row has 1 field; x y or x y weight is needed");
-  EXPECT_EQ(bad("a.txt", "1 2 3 4\n"), "1:1: the row has 4 fields; x y or x y weight is needed");
+  EXPECT_EQ(bad("a.txt", "1\n"), "1:1: the row has 1 field; x y or x y weight is needed, or --columns");
+  EXPECT_EQ(bad("a.txt", "1 2 3 4\n"),
+            "1:1: the row has 4 fields; x y or x y weight is needed, or --columns");
   EXPECT_EQ(bad("a.txt", "1 2\n1 2 3\n"), "2:1: the row has 3 fields, the rows before it 2");
   EXPECT_EQ(bad("a.txt", ""), " holds no sites");
   EXPECT_EQ(bad("a.txt", "# nothing\n"), " holds no sites");
@@ -65,8 +70,8 @@ TEST_F(SitesFile, RefusesPaths) {
   EXPECT_EQ(readSites(path("no.csv")).error().message,
             path("no.csv") + ": cannot be read: No such file or directory");
   EXPECT_EQ(readSites(path("")).error().message, path("") + ": is a directory; a file is needed");
-  EXPECT_EQ(bad("a.dat", "1 2\n"), " unknown kind of file; known are .csv, .xyz, .txt, .npy");
-  EXPECT_EQ(bad("csv", "x,y\n1,2\n"), " unknown kind of file; known are .csv, .xyz, .txt, .npy");
+  EXPECT_EQ(bad("a.dat", "1 2\n"), unknown_kind);
+  EXPECT_EQ(bad("csv", "x,y\n1,2\n"), unknown_kind);
 }
 
 TEST_F(SitesFile, RefusesAFileWithoutPermission) {
@@ -83,7 +88,7 @@ TEST_F(SitesFile, ReadsFromAPipe) {
   ASSERT_EQ(std::system(("printf 'x,y\\n1,2\\n' > '" + fifo + "' &").c_str()), 0);
   const auto sites = readSites(fifo);
   ASSERT_TRUE(sites) << sites.error().message;
-  EXPECT_THAT(sites->x, ElementsAre(1));
+  EXPECT_THAT(sites->sites.x, ElementsAre(1));
 }
 
 TEST_F(SitesFile, ReadsTheRealSets) {
@@ -94,16 +99,16 @@ TEST_F(SitesFile, ReadsTheRealSets) {
     for (std::string line; std::getline(in, line);) lines += line.find_first_not_of(" \t\r") != line.npos;
     const auto sites = readSites(set.path);
     ASSERT_TRUE(sites) << sites.error().message;
-    EXPECT_EQ(sites->size(), lines - 1);
+    EXPECT_EQ(sites->sites.size(), lines - 1);
   }
 }
 
 TEST_F(SitesFile, LoadSitesTakesGeneratorsAndFiles) {
   const auto generated = loadSites("random:7", 3);
   ASSERT_TRUE(generated) << generated.error().message;
-  EXPECT_EQ(generated->sites.size(), 7u);
+  EXPECT_EQ(generated->table.sites.size(), 7u);
   EXPECT_EQ(generated->seed, 3u);
-  EXPECT_EQ(generated->sites.x, generate(Pattern::random, 7, 3).x);
+  EXPECT_EQ(generated->table.sites.x, generate(Pattern::random, 7, 3).x);
   for (const char* spec : {"square:9", "hex:9", "jitter:9", "clusters:9", "circle:9"}) {
     EXPECT_TRUE(loadSites(spec, 1)) << spec;
   }

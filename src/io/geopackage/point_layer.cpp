@@ -1,0 +1,273 @@
+#include "io/geopackage/point_layer.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <new>
+#include <span>
+
+#include "io/files/error.h"
+#include "io/files/input_file.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr std::string_view magic("SQLite format 3\0", 16);
+
+std::string textOf(sqlite3_stmt* row, int column) {
+  const auto* const text = reinterpret_cast<const char*>(sqlite3_column_text(row, column));
+  return text == nullptr ? std::string()
+                         : std::string(text, static_cast<std::size_t>(sqlite3_column_bytes(row, column)));
+}
+
+std::string upperCase(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+/// A name in SQL.
+std::string sqlName(std::string_view name) {
+  std::string quoted(1, '"');
+  for (const char c : name) quoted.append(c == '"' ? 2 : 1, c);
+  return quoted + '"';
+}
+
+bool isBinary(const std::string& type) {
+  return type.empty() || type.starts_with("BLOB") || type.find("GEOM") != std::string::npos;
+}
+
+/// The types of columns that the standard names; what is unknown is text until its values say otherwise.
+AttributeType typeOf(const std::string& type) {
+  constexpr std::array<std::string_view, 6> integers = {"INT",      "INTEGER",   "TINYINT",
+                                                        "SMALLINT", "MEDIUMINT", "BIGINT"};
+  constexpr std::array<std::string_view, 4> reals = {"REAL", "DOUBLE", "FLOAT", "NUMERIC"};
+  if (type == "BOOLEAN") return AttributeType::boolean;
+  if (std::ranges::find(integers, type) != integers.end()) return AttributeType::integer;
+  return std::ranges::find(reals, type) == reals.end() ? AttributeType::text : AttributeType::real;
+}
+
+CoordinateKind kindOf(const CoordinateSystem& system) {
+  constexpr std::int64_t wgs84_code = 4326;
+  const std::string definition = upperCase(system.definition);
+  const auto names = [&](std::string_view word) { return definition.find(word) != std::string::npos; };
+  if (names("PROJCS") || names("PROJCRS")) return CoordinateKind::plane;
+  const bool degrees = names("GEOGCS") || names("GEOGCRS") || names("GEODCRS") || system.code == wgs84_code;
+  return degrees ? CoordinateKind::degrees : CoordinateKind::plane;
+}
+
+/// A layer, as the tables of the file have it.
+struct Listed {
+  std::string name, geometry_column, geometry_type;
+  std::int64_t system;
+};
+
+bool hasPoints(const Listed& layer) {
+  return layer.geometry_type == "POINT" || layer.geometry_type == "MULTIPOINT";
+}
+bool mayHavePoints(const Listed& layer) {
+  return layer.geometry_type == "GEOMETRY" || layer.geometry_type == "GEOMETRYCOLLECTION";
+}
+
+std::string listed(std::span<const Listed> layers) {
+  std::vector<std::string> names;
+  names.reserve(layers.size());
+  for (const Listed& layer : layers) names.push_back(fmt::format("{} ({})", layer.name, layer.geometry_type));
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+}  // namespace
+
+void PointLayer::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
+void PointLayer::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
+
+tl::unexpected<Error> PointLayer::failed(int code) const {
+  const std::string message = fmt::format("{}: cannot be read: {}", path_, sqlite3_errmsg(database_.get()));
+  constexpr int primary = 0xFF;
+  const bool device = (code & primary) == SQLITE_NOMEM || (code & primary) == SQLITE_IOERR;
+  return device ? deviceError(message) : inputError(message);
+}
+
+Result<void> PointLayer::openDatabase() {
+  auto file = InputFile::open(path_);
+  if (!file) return tl::unexpected(file.error());
+  std::array<char, magic.size()> begin{};
+  const auto got = file->read(begin);
+  if (!got) return tl::unexpected(got.error());
+  if (std::string_view(begin.data(), *got) != magic) {
+    return inputError(fmt::format("{}: is no GeoPackage: it does not begin with \"SQLite format 3\"", path_));
+  }
+  // A name such as ":memory:" is a file's as well.
+  const std::string place = path_.starts_with('/') ? path_ : "./" + path_;
+  sqlite3* database = nullptr;
+  const int code = sqlite3_open_v2(place.c_str(), &database, SQLITE_OPEN_READONLY, nullptr);
+  database_.reset(database);
+  if (database == nullptr) throw std::bad_alloc();
+  if (code != SQLITE_OK) return failed(code);
+  // Views and the like of a file of unknown origin may not call what has effects.
+  sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  return {};
+}
+
+Result<PointLayer::Statement> PointLayer::prepare(const std::string& sql, std::string_view parameter) const {
+  sqlite3_stmt* raw = nullptr;
+  const int code = sqlite3_prepare_v2(database_.get(), sql.c_str(), -1, &raw, nullptr);
+  Statement statement(raw);
+  if (code != SQLITE_OK) return failed(code);
+  if (sqlite3_bind_parameter_count(raw) > 0) {
+    const int bound =
+        sqlite3_bind_text(raw, 1, parameter.data(), static_cast<int>(parameter.size()), SQLITE_TRANSIENT);
+    if (bound != SQLITE_OK) return failed(bound);
+  }
+  return statement;
+}
+
+Result<bool> PointLayer::step(const Statement& statement) const {
+  const int code = sqlite3_step(statement.get());
+  if (code == SQLITE_ROW || code == SQLITE_DONE) return code == SQLITE_ROW;
+  return failed(code);
+}
+
+Result<void> PointLayer::chooseLayer(const std::string& name) {
+  auto statement = prepare(
+      "SELECT c.table_name, g.column_name, upper(g.geometry_type_name), g.srs_id FROM gpkg_contents c"
+      " JOIN gpkg_geometry_columns g ON g.table_name = c.table_name WHERE c.data_type = 'features' ORDER BY "
+      "1",
+      {});
+  if (!statement) return tl::unexpected(statement.error());
+  std::vector<Listed> layers, chosen;
+  while (true) {
+    const auto more = step(*statement);
+    if (!more) return tl::unexpected(more.error());
+    if (!*more) break;
+    sqlite3_stmt* const row = statement->get();
+    layers.push_back({textOf(row, 0), textOf(row, 1), textOf(row, 2), sqlite3_column_int64(row, 3)});
+  }
+  if (layers.empty()) return inputError(fmt::format("{}: has no layers of features", path_));
+  const auto choose = [&](const auto& which) {
+    std::ranges::copy_if(layers, std::back_inserter(chosen), which);
+  };
+  if (!name.empty()) {
+    choose([&](const Listed& layer) { return layer.name == name; });
+    if (chosen.empty()) {
+      return inputError(fmt::format("{}: has no layer {}; it has {}", path_, quoted(name), listed(layers)));
+    }
+  } else {
+    choose(hasPoints);
+    if (chosen.empty()) choose(mayHavePoints);
+    if (chosen.empty())
+      return inputError(fmt::format("{}: has no layer of points; it has {}", path_, listed(layers)));
+  }
+  if (chosen.size() > 1) {
+    return inputError(
+        fmt::format("{}: has several layers of points: {}; --layer says which", path_, listed(chosen)));
+  }
+  name_ = chosen[0].name;
+  geometry_column_ = chosen[0].geometry_column;
+  system_id_ = chosen[0].system;
+  return {};
+}
+
+Result<void> PointLayer::findColumns() {
+  auto statement = prepare("SELECT name, upper(type) FROM pragma_table_info(?)", name_);
+  if (!statement) return tl::unexpected(statement.error());
+  bool has_geometry = false;
+  while (true) {
+    const auto more = step(*statement);
+    if (!more) return tl::unexpected(more.error());
+    if (!*more) break;
+    std::string column = textOf(statement->get(), 0);
+    std::string type = textOf(statement->get(), 1);
+    type.resize(std::min(type.find('('), type.size()));  // TEXT(20)
+    if (upperCase(column) == upperCase(geometry_column_)) {
+      has_geometry = true;
+    } else if (isBinary(type)) {
+      binary_.push_back(std::move(column));
+    } else {
+      columns_.push_back({std::move(column), typeOf(type)});
+    }
+  }
+  if (has_geometry) return {};
+  return inputError(
+      fmt::format("{}: its layer {} has no column {}", path_, quoted(name_), quoted(geometry_column_)));
+}
+
+Result<void> PointLayer::findSystem() {
+  constexpr std::int64_t plane = -1, degrees = 0;
+  if (system_id_ == plane || system_id_ == degrees) {
+    system_.kind = system_id_ == plane ? CoordinateKind::plane : CoordinateKind::degrees;
+    return {};
+  }
+  auto statement = prepare(
+      "SELECT organization, organization_coordsys_id, definition FROM gpkg_spatial_ref_sys"
+      " WHERE srs_id = CAST(? AS INTEGER)",
+      std::to_string(system_id_));
+  if (!statement) return tl::unexpected(statement.error());
+  const auto found = step(*statement);
+  if (!found) return tl::unexpected(found.error());
+  if (!*found) return {};
+  sqlite3_stmt* const row = statement->get();
+  system_.organization = upperCase(textOf(row, 0));
+  system_.code = sqlite3_column_int64(row, 1);
+  system_.definition = textOf(row, 2);
+  if (system_.definition == "undefined") system_.definition.clear();
+  system_.kind = kindOf(system_);
+  return {};
+}
+
+Result<void> PointLayer::select() {
+  std::string names = sqlName(geometry_column_);
+  for (const PointLayerColumn& column : columns_) names += ", " + sqlName(column.name);
+  auto statement = prepare(fmt::format("SELECT {} FROM {}", names, sqlName(name_)), {});
+  if (!statement) return tl::unexpected(statement.error());
+  rows_ = std::move(*statement);
+  return {};
+}
+
+Result<PointLayer> PointLayer::open(const std::string& path, const std::string& name) {
+  PointLayer layer(path);
+  auto opened = layer.openDatabase()
+                    .and_then([&] { return layer.chooseLayer(name); })
+                    .and_then([&] { return layer.findColumns(); })
+                    .and_then([&] { return layer.findSystem(); })
+                    .and_then([&] { return layer.select(); });
+  if (!opened) return tl::unexpected(std::move(opened.error()));
+  return layer;
+}
+
+Result<bool> PointLayer::next() { return step(rows_); }
+
+std::optional<std::string_view> PointLayer::geometry() const {
+  if (sqlite3_column_type(rows_.get(), 0) == SQLITE_NULL) return std::nullopt;
+  const auto* const bytes = static_cast<const char*>(sqlite3_column_blob(rows_.get(), 0));
+  const auto size = static_cast<std::size_t>(sqlite3_column_bytes(rows_.get(), 0));
+  return bytes == nullptr ? std::string_view() : std::string_view(bytes, size);
+}
+
+std::optional<std::pair<AttributeType, std::string>> PointLayer::value(std::size_t column) const {
+  const int index = static_cast<int>(column) + 1;
+  sqlite3_stmt* const row = rows_.get();
+  switch (sqlite3_column_type(row, index)) {
+    case SQLITE_INTEGER: {
+      const std::int64_t number = sqlite3_column_int64(row, index);
+      const bool truth = columns_[column].type == AttributeType::boolean && (number == 0 || number == 1);
+      if (truth) return std::pair(AttributeType::boolean, std::string(number == 1 ? "true" : "false"));
+      return std::pair(AttributeType::integer, std::to_string(number));
+    }
+    case SQLITE_FLOAT: {
+      std::string number = fmt::format("{}", sqlite3_column_double(row, index));
+      const bool finite = isJsonNumber(number);
+      return std::pair(finite ? AttributeType::real : AttributeType::text, std::move(number));
+    }
+    case SQLITE_TEXT:
+      return std::pair(AttributeType::text, textOf(row, index));
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "io/files/error.h"
+#include "io/geopackage/geometry_points.h"
+#include "io/geopackage/point_layer.h"
+#include "io/sites/sites_reader.h"
+#include "io/sites/table_builder.h"
+#include "io/sites/weight_name.h"
+#include "io/text/number.h"
+#include "io/text/utf8.h"
+
+namespace vorpipe {
+namespace {
+
+class GeoPackageSites {
+ public:
+  GeoPackageSites(const std::string& path, PointLayer layer, const ReadOptions& options)
+      : layer_(std::move(layer)), table_(path, options) {}
+
+  Result<SiteTable> read() {
+    if (auto columns = findColumns(); !columns) return tl::unexpected(columns.error());
+    table_.system() = layer_.system();
+    for (std::uint64_t row = 1;; ++row) {
+      const auto more = layer_.next();
+      if (!more) return tl::unexpected(more.error());
+      if (!*more) return finish();
+      if (const auto problem = addRow()) {
+        return inputError(
+            fmt::format("{}: layer {}, row {}: {}", table_.name(), layer_.name(), row, *problem));
+      }
+    }
+  }
+
+ private:
+  Result<void> findColumns() {
+    const auto& columns = layer_.columns();
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      const auto kind = weightNamed(columns[k].name, false);
+      if (kind && weight_) {
+        return inputError(fmt::format("{}: layer {} has both {} and {}; keep one", table_.name(),
+                                      layer_.name(), columns[*weight_].name, columns[k].name));
+      }
+      if (kind) {
+        weight_ = k;
+        kind_ = *kind;
+        continue;
+      }
+      const std::size_t to = table_.attributes().newColumn(columns[k].name);
+      table_.attributes().setType(to, columns[k].type);
+      attributes_.emplace_back(k, to);
+    }
+    if (weight_ && columns[*weight_].name != "weight" && columns[*weight_].name != "radius") {
+      table_.note(fmt::format("the column {} is taken as {}", quoted(columns[*weight_].name),
+                              kind_ == WeightKind::weight ? "weight" : "radius, whose square is the weight"));
+    }
+    return {};
+  }
+
+  RowProblem addRow() {
+    points_.clear();
+    bool heights = false;
+    if (const auto geometry = layer_.geometry()) {
+      const auto taken = takeGeometryPoints(*geometry, points_, heights);
+      if (!taken) return taken.error();
+    }
+    if (heights) table_.noteHeights();
+    if (points_.empty()) return table_.addMissing("has no place; --missing skip leaves such out");
+    std::optional<double> weight;
+    if (weight_) {
+      const auto value = layer_.value(*weight_);
+      if (!value) {
+        return table_.addMissing(
+            fmt::format("its {} is null; --missing skip leaves such out", layer_.columns()[*weight_].name));
+      }
+      const auto number = parseNumber(value->second);
+      if (!number) return number.error();
+      const auto valid = weightOf(kind_, *number, value->second);
+      if (!valid) return valid.error();
+      weight = *valid;
+    }
+    if (table_.attributes().kept()) setAttributes();
+    return table_.addRow(points_, weight);
+  }
+
+  void setAttributes() {
+    for (const auto& [from, to] : attributes_) {
+      const auto value = layer_.value(from);
+      if (!value) continue;
+      const auto& [type, text] = *value;
+      const bool other = type == AttributeType::text && !isUtf8(text);
+      other_text_ = other_text_ || other;
+      table_.attributes().set(to, type, other ? fromWindows1252(text) : text);
+    }
+  }
+
+  SiteTable finish() {
+    if (!layer_.binary().empty()) {
+      table_.note(fmt::format("columns of bytes are left out: {}", fmt::join(layer_.binary(), ", ")));
+    }
+    if (other_text_) table_.note("has text that is not UTF-8, which is taken as Windows-1252");
+    return table_.finish();
+  }
+
+  PointLayer layer_;
+  TableBuilder table_;
+  std::optional<std::size_t> weight_;
+  WeightKind kind_ = WeightKind::weight;
+  std::vector<std::pair<std::size_t, std::size_t>>
+      attributes_;  ///< columns of the layer and of the attributes
+  std::vector<Point> points_;
+  bool other_text_ = false;
+};
+
+}  // namespace
+
+Result<SiteTable> readGeoPackageSites(const std::string& path, const ReadOptions& options) {
+  auto layer = PointLayer::open(path, options.layer);
+  if (!layer) return tl::unexpected(layer.error());
+  return GeoPackageSites(path, std::move(*layer), options).read();
+}
+
+}  // namespace vorpipe

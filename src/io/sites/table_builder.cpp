@@ -1,0 +1,84 @@
+#include "io/sites/table_builder.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "io/sites/sites_file.h"
+
+namespace vorpipe {
+namespace {
+
+/// The first names, and how many more there are.
+std::string listed(const AttributeColumns& columns) {
+  constexpr std::size_t most = 5;
+  std::vector<std::string_view> names;
+  for (std::size_t k = 0; k < std::min(most, columns.size()); ++k) names.push_back(columns.name(k));
+  const std::string rest = columns.size() > most ? fmt::format(" and {} more", columns.size() - most) : "";
+  return fmt::format("{}{}", fmt::join(names, ", "), rest);
+}
+
+}  // namespace
+
+RowProblem TableBuilder::addRow(std::span<const Point> points, std::optional<double> weight) {
+  Sites& sites = table_.sites;
+  if (sites.size() + points.size() > max_sites)
+    return fmt::format("the file holds more than {} sites", max_sites);
+  const bool weighted = !sites.weight.empty();
+  if (rows_ > 0 && weighted && !weight) return addMissing("has no weight, and those before it have");
+  if (rows_ > 0 && !weighted && weight) {
+    if (!skip_missing_) return "has a weight, and those before it have none";
+    table_.skipped += rows_;
+    rows_ = 0;
+    sites = {};
+    attributes_.clearRows();
+  }
+  for (const Point& point : points) {
+    if (weight) sites.weight.push_back(*weight);
+    sites.x.push_back(point.x);
+    sites.y.push_back(point.y);
+  }
+  ++rows_;
+  attributes_.endRow(points.size());
+  return {};
+}
+
+RowProblem TableBuilder::addMissing(std::string_view what) {
+  if (!skip_missing_) return std::string(what);
+  attributes_.endRow(0);
+  ++table_.skipped;
+  return {};
+}
+
+void TableBuilder::note(std::string_view what) { table_.notes.push_back(fmt::format("{}: {}", name_, what)); }
+
+/// What is called degrees and cannot be is not.
+void TableBuilder::settleDegrees() {
+  constexpr double most_x = 360, most_y = 90;
+  if (table_.system.kind != CoordinateKind::degrees) return;
+  const auto within = [](double most) { return [most](double value) { return std::abs(value) <= most; }; };
+  if (std::ranges::all_of(table_.sites.x, within(most_x)) &&
+      std::ranges::all_of(table_.sites.y, within(most_y))) {
+    return;
+  }
+  table_.system = {};
+  note("should hold degrees of longitude and latitude, and reaches beyond 360 or 90: it is taken as a plane");
+}
+
+SiteTable TableBuilder::finish() {
+  settleDegrees();
+  if (heights_) note("of positions x and y are taken, and nothing of their other numbers");
+  if (table_.skipped > 0) {
+    note(fmt::format("{} row{} without a place or a weight {} left out", table_.skipped,
+                     table_.skipped == 1 ? "" : "s", table_.skipped == 1 ? "is" : "are"));
+  }
+  if (!attributes_.kept() && attributes_.size() > 0) note("not used: " + listed(attributes_));
+  table_.attributes = attributes_.take();
+  return std::move(table_);
+}
+
+}  // namespace vorpipe

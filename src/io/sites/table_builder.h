@@ -1,0 +1,56 @@
+/// A SiteTable, row by row.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "io/sites/attribute_columns.h"
+#include "io/sites/site_table.h"
+
+namespace vorpipe {
+
+/// What is wrong with a row, in words that continue its place.
+using RowProblem = std::optional<std::string>;
+
+class TableBuilder {
+ public:
+  /// `name` is the file's, for notes.
+  TableBuilder(std::string name, const ReadOptions& options)
+      : name_(std::move(name)), skip_missing_(options.skip_missing), attributes_(options.attributes) {}
+
+  /// Of the row that addRow or addMissing ends.
+  AttributeColumns& attributes() { return attributes_; }
+  CoordinateSystem& system() { return table_.system; }
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] bool skipsMissing() const { return skip_missing_; }
+
+  /// Ends a row: each point is a site, with the row's weight and attributes. A row has a weight if those
+  /// before have one.
+  RowProblem addRow(std::span<const Point> points, std::optional<double> weight);
+
+  /// Ends a row that lacks something: `what` is wrong, unless such rows are to be left out.
+  RowProblem addMissing(std::string_view what);
+
+  /// "FILE: what" is said once.
+  void note(std::string_view what);
+  /// Positions have more than x and y.
+  void noteHeights() { heights_ = true; }
+
+  /// The table; notes say what was left out. Call once.
+  SiteTable finish();
+
+ private:
+  void settleDegrees();
+
+  std::string name_;
+  bool skip_missing_;
+  AttributeColumns attributes_;
+  SiteTable table_{};
+  std::uint64_t rows_ = 0;
+  bool heights_ = false;
+};
+
+}  // namespace vorpipe

@@ -1,0 +1,31 @@
+#include "io/sites/weight_name.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "io/files/error.h"
+
+namespace vorpipe {
+
+std::string lowerCase(std::string_view text) {
+  std::string lower(text);
+  std::ranges::transform(lower, lower.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return lower;
+}
+
+std::optional<WeightKind> weightNamed(std::string_view name, bool letters) {
+  const std::string lower = lowerCase(name);
+  if (lower == "weight" || (letters && lower == "w")) return WeightKind::weight;
+  if (lower == "radius" || (letters && lower == "r")) return WeightKind::radius;
+  return std::nullopt;
+}
+
+tl::expected<double, std::string> weightOf(WeightKind kind, double number, std::string_view text) {
+  if (kind == WeightKind::weight) return number;
+  if (number < 0) return tl::unexpected(quoted(text) + " is negative, and a radius");
+  if (std::isfinite(number * number)) return number * number;
+  return tl::unexpected("the square of " + quoted(text) + " is out of the range of a double");
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,25 @@
+/// Points in well-known text.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "io/attributes/coordinate_system.h"
+#include "io/text/wkt_tokens.h"
+
+namespace vorpipe {
+
+struct WktPoints {
+  std::vector<Point> points;             ///< none where it is EMPTY
+  bool others = false;                   ///< whether positions have more than x and y
+  std::optional<std::int64_t> system{};  ///< the code that stands before it
+};
+
+/// Takes one POINT or MULTIPOINT.
+WktProblem takePoints(WktTokens& tokens, WktPoints& taken);
+
+/// The system of a code of EPSG.
+CoordinateSystem systemOfCode(std::int64_t code);
+
+}  // namespace vorpipe
