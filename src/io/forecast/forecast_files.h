@@ -1,6 +1,7 @@
 /// What files and generators add to a MemoryPlan.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 
@@ -19,8 +20,9 @@ void planWeights(MemoryPlan& plan, const std::string& path, std::uint64_t sites)
 /// Plans readDensity.
 void planDensity(MemoryPlan& plan, std::uint64_t pixels);
 
-/// Plans writeCells, without attributes.
-void planCellsFile(MemoryPlan& plan, const Workload& work, const CellsFormat& format);
+/// Plans writeCells with attributes of so many bytes.
+void planCellsFile(MemoryPlan& plan, const Workload& work, const CellsFormat& format,
+                   std::uint64_t attribute_bytes = 0);
 
 /// Plans topologyOf, and writeEdges in each of these formats; nothing where there is none.
 void planEdgesFiles(MemoryPlan& plan, const Workload& work, std::span<const EdgesFormat* const> formats);
