@@ -22,7 +22,7 @@ expect "2 cells (1 empty, 0 duplicate)"
 grep -q '^1,0.35,0.5,0,empty,0,' out/w.csv || fail "the second site is not hidden"
 grep -A3 '"weights": \[' out/w.json | tr -d ' \n' | grep -q '\[0.0,0.25\]' || fail "the weights are not in out/w.json"
 for sites in "in/radius.csv" "in/weight.xyz" "in/plain.csv --weights in/weights.txt" "in/plain.csv --weights in/radii.csv"; do
-  succeeds "weights of $sites" cells --backend cpu --sites $sites $box -o out/w2.csv
+  succeeds "weights of $sites" cells --quiet --backend cpu --sites $sites $box -o out/w2.csv
   # 0.1 * 0.1 is not 0.01.
   cmp -s <(cut -d, -f1-3,5,10,11 out/w.csv) <(cut -d, -f1-3,5,10,11 out/w2.csv) || fail "other cells than of the column weight"
 done

@@ -63,7 +63,7 @@ for number in nan inf 1e999 text ""; do
 done
 printf 'x,y\n0,0\n1\n' >in/columns.csv
 refuses_file columns.csv "in/columns.csv:3:"
-printf '0,0\n1,1\n' >in/header.csv
+printf 'a,b\n1,1\n' >in/header.csv
 refuses_file header.csv "in/header.csv:1"
 : >in/empty.csv
 : >in/empty.npy

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 
 #include "io/files/error.h"
 #include "io/forecast/forecast_files.h"
@@ -25,12 +24,19 @@ MemoryLimit limitOf(std::optional<std::uint64_t> limit) {
   return least;
 }
 
+std::uint64_t attributeBytes(const Input& input) {
+  return std::transform_reduce(input.attributes.begin(), input.attributes.end(), std::uint64_t{0},
+                               std::plus<>(), [](const Attribute& attribute) { return attribute.bytes(); });
+}
+
 bool hasWeights(const InputOptions& options) { return options.random_weights || !options.weights.empty(); }
 
-/// The whole run.
-std::uint64_t peakOf(const InputOptions& options, const Workload& work, const PlanRun& plan) {
+/// The whole run; `attributes` are bytes.
+std::uint64_t peakOf(const InputOptions& options, const Workload& work, const PlanRun& plan,
+                     std::uint64_t attributes) {
   MemoryPlan whole;
   planSites(whole, options.sites, work.sites, work.weighted && !hasWeights(options));
+  planAttributes(whole, attributes);
   if (hasWeights(options)) planWeights(whole, options.weights, work.sites);
   plan(whole, work);
   return whole.peak();
@@ -38,8 +44,13 @@ std::uint64_t peakOf(const InputOptions& options, const Workload& work, const Pl
 
 /// What would fit, in words that end the message.
 std::string adviceFor(const InputOptions& options, const Workload& work, const PlanRun& plan,
-                      std::uint64_t limit) {
-  const auto needs = [&](const Workload& other) { return peakOf(options, other, plan); };
+                      std::uint64_t attributes, std::uint64_t limit) {
+  // Fewer sites have fewer of them.
+  const auto needs = [&](const Workload& other) {
+    const double part =
+        work.sites == 0 ? 1 : static_cast<double>(other.sites) / static_cast<double>(work.sites);
+    return peakOf(options, other, plan, static_cast<std::uint64_t>(part * static_cast<double>(attributes)));
+  };
   Workload other = work;
   other.backend = "cpu";
   if (work.device_on_host && work.backend != "cpu" && needs(other) <= limit) {
@@ -59,12 +70,12 @@ std::string adviceFor(const InputOptions& options, const Workload& work, const P
 }
 
 Result<std::uint64_t> forecast(const InputOptions& options, const Workload& work, const PlanRun& plan,
-                               std::optional<std::uint64_t> user_limit) {
-  const auto bytes = peakOf(options, work, plan);
+                               std::uint64_t attributes, std::optional<std::uint64_t> user_limit) {
+  const auto bytes = peakOf(options, work, plan, attributes);
   const MemoryLimit limit = limitOf(user_limit);
   if (bytes <= limit.bytes) return bytes;
   return inputError(fmt::format("--sites: {}; {}", *lackOfMemory(bytes, user_limit),
-                                adviceFor(options, work, plan, limit.bytes)));
+                                adviceFor(options, work, plan, attributes, limit.bytes)));
 }
 
 }  // namespace
@@ -85,7 +96,7 @@ Result<void> forecastGenerated(const InputOptions& options, const PlanRun& plan,
   work.weighted = hasWeights(options);
   work.outlined = !options.domain.file.empty();
   work.periodic = options.periodic != Periodic::none;
-  return forecast(options, work, plan, limit).map([](std::uint64_t) {});
+  return forecast(options, work, plan, 0, limit).map([](std::uint64_t) {});
 }
 
 Result<std::uint64_t> forecastRun(const InputOptions& options, const Input& input, ImagesFor purpose,
@@ -97,7 +108,7 @@ Result<std::uint64_t> forecastRun(const InputOptions& options, const Input& inpu
   cells.periodic = input.periodic;
   const auto work = workloadOf(input.sites, cells, purpose, device, backend.threads);
   if (!work) return tl::unexpected(work.error());
-  return forecast(options, *work, plan, limit);
+  return forecast(options, *work, plan, attributeBytes(input), limit);
 }
 
 }  // namespace vorpipe::cli

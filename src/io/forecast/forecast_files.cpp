@@ -87,6 +87,10 @@ void planSites(MemoryPlan& plan, const std::string& spec, std::uint64_t sites, b
   planGrowing(plan, what, sites, columns);
 }
 
+void planAttributes(MemoryPlan& plan, std::uint64_t bytes) {
+  if (bytes > shortest) plan.take("attributes", bytes);
+}
+
 void planWeights(MemoryPlan& plan, const std::string& path, std::uint64_t sites) {
   const std::string_view what = "weights";
   if (path.empty() || lowerExtension(path) == ".npy") {

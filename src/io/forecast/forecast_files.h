@@ -14,6 +14,9 @@ namespace vorpipe {
 /// Plans the sites of `--sites SPEC`, of which there are `sites`, with or without weights of their own.
 void planSites(MemoryPlan& plan, const std::string& spec, std::uint64_t sites, bool weighted);
 
+/// Plans attributes that were read and take this many bytes.
+void planAttributes(MemoryPlan& plan, std::uint64_t bytes);
+
 /// Plans readWeights of a file; or randomWeights, where the path is empty.
 void planWeights(MemoryPlan& plan, const std::string& path, std::uint64_t sites);
 

@@ -118,7 +118,7 @@ Found chosenColumns(std::span<const std::string> names, std::span<const std::str
   columns.weight_kind = weightNamed(names[found[2]], true).value_or(WeightKind::weight);
   if (columns.weight_kind == WeightKind::radius) {
     columns.note =
-        fmt::format("column {} is taken as radius, whose square is the weight", quoted(names[found[2]]));
+        fmt::format("column {} is taken as {}", quoted(names[found[2]]), meaningOf(columns.weight_kind));
   }
   return columns;
 }
@@ -164,17 +164,16 @@ tl::expected<void, ColumnProblem> findPlaces(std::span<const std::string> names,
 /// What is not called x, y, weight or radius, and is taken for it.
 std::string noteOf(std::span<const std::string> names, const CsvColumns& columns) {
   std::vector<std::string> called, meaning;
-  const auto compare = [&](const Column& column, std::string_view name) {
-    if (!column || names[*column] == name) return;
-    called.push_back(quoted(names[*column]));
-    meaning.emplace_back(name);
+  const auto add = [&](std::size_t column, std::string_view is) {
+    called.push_back(quoted(names[column]));
+    meaning.emplace_back(is);
   };
-  if (columns.x && synonymOf(names[*columns.x], x_names)->name != "x") compare(columns.x, "x");
-  if (columns.y && synonymOf(names[*columns.y], y_names)->name != "y") compare(columns.y, "y");
-  compare(columns.weight, columns.weight_kind == WeightKind::weight ? "weight" : "radius");
-  if (columns.geometry) {
-    called.push_back(quoted(names[*columns.geometry]));
-    meaning.emplace_back("points in WKT");
+  if (columns.x && lowerCase(names[*columns.x]) != "x") add(*columns.x, "x");
+  if (columns.y && lowerCase(names[*columns.y]) != "y") add(*columns.y, "y");
+  if (columns.geometry) add(*columns.geometry, "points in WKT");
+  const bool radius = columns.weight_kind == WeightKind::radius;
+  if (columns.weight && names[*columns.weight] != (radius ? "radius" : "weight")) {
+    add(*columns.weight, meaningOf(columns.weight_kind));
   }
   if (called.empty()) return {};
   return fmt::format("{} {} taken as {}; --columns names others", fmt::join(called, ", "),

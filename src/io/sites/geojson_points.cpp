@@ -159,8 +159,7 @@ GeoJsonProblem GeoJsonPoints::takeWeight(const std::string& name, WeightKind kin
   weight_ = *weight;
   const bool exact = name == "weight" || name == "radius";
   if (!exact && !std::exchange(weight_noted_, true)) {
-    table_.note(fmt::format("the property {} is taken as {}", vorpipe::quoted(name),
-                            kind == WeightKind::weight ? "weight" : "radius, whose square is the weight"));
+    table_.note(fmt::format("the property {} is taken as {}", vorpipe::quoted(name), meaningOf(kind)));
   }
   return {};
 }

@@ -55,8 +55,8 @@ class GeoPackageSites {
       attributes_.emplace_back(k, to);
     }
     if (weight_ && columns[*weight_].name != "weight" && columns[*weight_].name != "radius") {
-      table_.note(fmt::format("the column {} is taken as {}", quoted(columns[*weight_].name),
-                              kind_ == WeightKind::weight ? "weight" : "radius, whose square is the weight"));
+      table_.note(
+          fmt::format("the column {} is taken as {}", quoted(columns[*weight_].name), meaningOf(kind_)));
     }
     return {};
   }

@@ -74,7 +74,8 @@ class TextSites {
     auto columns = numberedColumns(options_.columns, count_, lines_.name());
     if (!columns) return tl::unexpected(std::move(columns.error()));
     columns_ = std::move(*columns);
-    for (std::size_t k = 0; k < count_; ++k) {
+    // What is left out by number needs no note.
+    for (std::size_t k = 0; k < count_ && options_.attributes; ++k) {
       if (std::ranges::find(columns_, k) != columns_.end()) continue;
       attributes_.emplace_back(k, table_.attributes().newColumn(fmt::format("column_{}", k + 1)));
     }

@@ -18,6 +18,11 @@ enum class WeightKind : std::uint8_t {
   radius,  ///< its square is the weight
 };
 
+/// What messages say that it is.
+constexpr std::string_view meaningOf(WeightKind kind) {
+  return kind == WeightKind::weight ? "weight" : "radius, whose square is the weight";
+}
+
 /// What weight or radius, in any case, stands for; w and r as well where `letters` has it so.
 std::optional<WeightKind> weightNamed(std::string_view name, bool letters);
 

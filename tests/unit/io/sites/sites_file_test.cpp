@@ -20,7 +20,8 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 constexpr auto unknown_kind =
-    " unknown kind of file; known are .csv, .tsv, .xyz, .txt, .npy, .geojson, .json, .geojsonl, .geojsons, .ndjson, "
+    " unknown kind of file; known are .csv, .tsv, .xyz, .txt, .npy, .geojson, .json, .geojsonl, .geojsons, "
+    ".ndjson, "
     ".wkt, .gpkg";
 
 class SitesFile : public InTemporaryDirectory {
