@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <functional>
+#include <numeric>
 
 #include "io/files/error.h"
 #include "io/forecast/forecast_files.h"
