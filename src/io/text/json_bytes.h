@@ -6,6 +6,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -19,18 +20,33 @@ namespace vorpipe {
 class JsonBytes {
  public:
   /// `name` begins errors; of a file, its own does.
-  JsonBytes(std::string name, std::string_view text) : name_(std::move(name)), rest_(text) {}
+  JsonBytes(std::string name, std::string_view text)
+      : name_(std::move(name)), next_(text.data()), end_(text.data() + text.size()) {}
   explicit JsonBytes(InputFile& file) : name_(file.name()), file_(&file), buffer_(chunk) {}
 
-  /// The next byte; none at the end, and once it is to stop.
-  [[nodiscard]] std::optional<char> peek();
-  void take();
-
   /// The line of the first byte, and how many bytes stand before it there.
-  void setPlace(std::uint64_t line, std::uint64_t before) { last_ = {line, before}; }
+  void setPlace(std::uint64_t line, std::uint64_t before) {
+    line_ = line;
+    before_ = before;
+  }
+
+  /// Whether all bytes were taken, or it was stopped.
+  bool atEnd() { return next_ == end_ && !refill(); }
+  /// The next byte, where it is not at the end.
+  [[nodiscard]] char next() const { return *next_; }
+  void take() {
+    const char c = *next_++;
+    count(c);
+    const bool in_number = isInNumbers(c);
+    if (in_number && !in_number_) {
+      number_line_ = line_;
+      number_column_ = column();
+    }
+    in_number_ = in_number;
+  }
 
   /// Ends the text here: the parser then fails, and parseJson returns this error.
-  void stop(tl::unexpected<Error> error) { stopped_ = std::move(error.value()); }
+  void stop(tl::unexpected<Error> error);
   [[nodiscard]] bool stopped() const { return stopped_.has_value(); }
 
   /// "NAME:LINE:COLUMN: what", as an input error, about the last byte but `back`, or about the number that
@@ -39,23 +55,38 @@ class JsonBytes {
   [[nodiscard]] tl::unexpected<Error> errorAtNumber(std::string_view what) const;
 
   [[nodiscard]] const std::string& name() const { return name_; }
+  /// Bytes that were taken, and the end, as the parser counts.
   [[nodiscard]] std::uint64_t count() const { return count_; }
   [[nodiscard]] const std::optional<Error>& error() const { return stopped_; }
 
  private:
   static constexpr std::size_t chunk = std::size_t{1} << 16;
-  struct Place {
-    std::uint64_t line = 1, column = 0;
-  };
+
+  static bool isInNumbers(char c) {
+    return (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || c == 'e' || c == 'E';
+  }
+  void count(char c) {
+    if (last_ == '\n') {
+      ++line_;
+      before_ = 0;
+      line_begin_ = count_;
+    }
+    ++count_;
+    last_ = c;
+  }
+  /// Of the last byte.
+  [[nodiscard]] std::uint64_t column() const { return before_ + count_ - line_begin_; }
   bool refill();
 
   std::string name_;
   InputFile* file_ = nullptr;
   std::vector<char> buffer_;
-  std::string_view rest_;
-  std::uint64_t count_ = 0;  ///< bytes that were taken, and the end
-  Place last_, number_;
-  bool after_line_end_ = false, in_number_ = false, at_end_ = false;
+  const char* next_ = nullptr;
+  const char* end_ = nullptr;
+  std::uint64_t count_ = 0, line_ = 1, before_ = 0, line_begin_ = 0;
+  std::uint64_t number_line_ = 1, number_column_ = 1;
+  char last_ = ' ';
+  bool in_number_ = false, at_end_ = false;
   std::optional<Error> stopped_;
 };
 
@@ -69,13 +100,13 @@ class JsonIterator {
   using reference = char;
 
   explicit JsonIterator(JsonBytes* bytes) : bytes_(bytes) {}
-  char operator*() const { return *bytes_->peek(); }
+  char operator*() const { return bytes_->next(); }
   JsonIterator& operator++() {
     bytes_->take();
     return *this;
   }
   /// The other one is the end.
-  bool operator==(const JsonIterator& /*end*/) const { return !bytes_->peek(); }
+  bool operator==(const JsonIterator& /*end*/) const { return bytes_->atEnd(); }
   bool operator!=(const JsonIterator& end) const { return !(*this == end); }
 
  private:
