@@ -30,6 +30,7 @@ except ImportError:
     sys.exit(77)
 
 sys.dont_write_bytecode = True  # the modules beside this one are in the source tree
+from cells_readers_attributes import check_attributes
 from cells_readers_data import Cells, equal, near, program, shoelace
 from cells_readers_layers import CELLS_CHECKS, EDGES_CHECKS, EDGES_FORMATS
 from cells_readers_mesh import assimp_meshes, python_obj, python_ply, vtk_meshes, vtk_xml_meshes
@@ -267,6 +268,12 @@ def main():
                 except Exception as error:  # whatever a reader throws
                     failures += 1
                     print(f"FAILED: {check.__name__} of {' '.join(scene.options)}: {error!r}"[:300])
+        try:
+            missing = check_attributes(vorpipe)
+            skipped.update((name, f"there is no {program}") for name, program in missing if program)
+        except Exception as error:
+            failures += 1
+            print(f"FAILED: check_attributes: {error!r}"[:300])
         os.chdir("/")
     for part, reason in sorted(skipped):
         report_skipped(part, reason)

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <numeric>
 
@@ -57,16 +56,23 @@ InputOptions inputOptions(const CellsCommand& command) {
   return options;
 }
 
-/// What a run takes; the density may not have been read yet.
-PlanRun planOf(const CellsCommand& command, std::uint64_t density_pixels) {
-  return [&command, density_pixels](MemoryPlan& plan, Workload work) {
+std::uint64_t bytesOf(std::span<const Attribute> attributes) {
+  std::uint64_t bytes = 0;
+  for (const Attribute& attribute : attributes) bytes += attribute.bytes();
+  return bytes;
+}
+
+/// What a run takes; the density may not have been read yet, nor the input.
+PlanRun planOf(const CellsCommand& command, std::uint64_t density_pixels, std::uint64_t attribute_bytes = 0) {
+  return [&command, density_pixels, attribute_bytes](MemoryPlan& plan, Workload work) {
     work.density_pixels = density_pixels;
     if (density_pixels > 0) planDensity(plan, density_pixels);
     const Detail detail = neededDetail(command);
     planSession(plan, work);
     planCells(plan, work, detail);
     if (command.check) planCellsCheck(plan, work, detail);
-    for (const CellsTarget& target : command.targets.cells) planCellsFile(plan, work, *target.format);
+    for (const CellsTarget& target : command.targets.cells)
+      planCellsFile(plan, work, *target.format, attribute_bytes);
     planEdgesFiles(plan, work, command.targets.edgesFormats());
   };
 }
@@ -159,9 +165,9 @@ Result<ExitCode> cells(CellsCommand& command, const Invocation& how) {
   auto session = Session::open(command.backend);
   if (!session) return tl::unexpected(std::move(session.error()));
   log.choice = session->choice();
-  const auto forecast =
-      forecastRun(command.input, *input, ImagesFor::cells, session->device(), command.backend,
-                  planOf(command, options->density.values.size()), command.memory_limit);
+  const auto forecast = forecastRun(
+      command.input, *input, ImagesFor::cells, session->device(), command.backend,
+      planOf(command, options->density.values.size(), bytesOf(input->attributes)), command.memory_limit);
   if (!forecast) return tl::unexpected(forecast.error());
   ProgressBar bar(command.talk.quiet);
   options->progress = bar.callback();

@@ -31,7 +31,7 @@ Parsed<EdgesTarget> parseEdges(std::string_view text) {
   return EdgesTarget{std::move(*path), *format};
 }
 
-/// As --format names them: extensions without their dot.
+/// As --format names them.
 std::vector<std::string> cellsKinds() {
   std::vector<std::string> kinds;
   for (const std::string_view extension : cellsExtensions()) kinds.emplace_back(extension.substr(1));
@@ -68,9 +68,7 @@ std::vector<const EdgesFormat*> CellsTargets::edgesFormats() const {
 }
 
 bool CellsTargets::carryAttributes() const {
-  return std::ranges::any_of(cells, [](const CellsTarget& target) {
-    return target.format != nullptr && target.format->attributes;
-  });
+  return std::ranges::any_of(cells, [](const CellsTarget& target) { return target.format->attributes; });
 }
 
 bool CellsTargets::useStandardOutput() const {

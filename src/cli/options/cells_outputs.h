@@ -31,7 +31,7 @@ struct CellsTargets {
   /// The parts of a Diagram that they take.
   [[nodiscard]] Detail detail() const;
   [[nodiscard]] std::vector<const EdgesFormat*> edgesFormats() const;
-  /// Whether one of them has what the input says of its sites besides.
+  /// Whether one of them has the input's attributes.
   [[nodiscard]] bool carryAttributes() const;
   /// Whether one of them is standard output.
   [[nodiscard]] bool useStandardOutput() const;

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <string>
 
 #include "cli/terminal/error_line.h"
@@ -12,8 +11,6 @@
 
 namespace vorpipe::cli {
 namespace {
-
-bool hasAttributes(const CellsTarget& target) { return target.format->attributes; }
 
 std::string leftOutNote(const Diagram& diagram) {
   std::size_t left_out = 0;
@@ -41,7 +38,7 @@ void printCellsNotes(const TalkOptions& talk, const CellsTargets& targets, const
     if (!talk.quiet && !text.empty()) printError("note: " + text);
   };
   if (targets.only_cells) note(leftOutNote(output.diagram));
-  if (std::ranges::any_of(targets.cells, hasAttributes)) note(renamingNote(output.attributes));
+  if (targets.carryAttributes()) note(renamingNote(output.attributes));
   const std::string geojson = geoJsonPath(targets);
   if (output.system.kind == CoordinateKind::plane && !geojson.empty()) {
     note(fmt::format(

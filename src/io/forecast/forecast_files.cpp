@@ -107,12 +107,14 @@ void planDensity(MemoryPlan& plan, std::uint64_t pixels) {
   plan.drop(file);
 }
 
-void planCellsFile(MemoryPlan& plan, const Workload& work, const CellsFormat& format) {
+void planCellsFile(MemoryPlan& plan, const Workload& work, const CellsFormat& format,
+                   std::uint64_t attribute_bytes) {
   if (format.mesh) planMesh(plan, work);
   if (format.in_memory) {
     // As measured: the numbers and the index, and what is for each corner a position and a neighbor's number.
     constexpr std::uint64_t site_bytes = 220, corner_bytes = 26;
-    plan.drop(plan.take("the file to write", work.sites * site_bytes + cornersOf(work) * corner_bytes));
+    const auto bytes = work.sites * site_bytes + cornersOf(work) * corner_bytes + attribute_bytes;
+    plan.drop(plan.take("the file to write", bytes));
   }
 }
 

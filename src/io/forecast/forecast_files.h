@@ -1,6 +1,7 @@
 /// What files and generators add to a MemoryPlan.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 
@@ -23,8 +24,9 @@ void planWeights(MemoryPlan& plan, const std::string& path, std::uint64_t sites)
 /// Plans readDensity.
 void planDensity(MemoryPlan& plan, std::uint64_t pixels);
 
-/// Plans writeCells, without attributes.
-void planCellsFile(MemoryPlan& plan, const Workload& work, const CellsFormat& format);
+/// Plans writeCells with attributes of so many bytes.
+void planCellsFile(MemoryPlan& plan, const Workload& work, const CellsFormat& format,
+                   std::uint64_t attribute_bytes = 0);
 
 /// Plans the writer of a picture's shapes; their cells are planned by planCells.
 void planShapes(MemoryPlan& plan, const Workload& work, ColorBy color, bool dots);

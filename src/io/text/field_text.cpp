@@ -3,19 +3,17 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "io/text/json_text.h"
+#include "io/text/utf8.h"
+
 namespace vorpipe {
 namespace {
 
-bool isAscii(char c) { return static_cast<unsigned char>(c) < 0x80; }
-
 /// Whether a character stands in a string of JSON as it is.
 bool isPlain(char c) {
-  constexpr unsigned char first_printable = 0x20;
-  return isAscii(c) && static_cast<unsigned char>(c) >= first_printable && c != '"' && c != '\\';
-}
-
-std::string jsonString(std::string_view text) {
-  return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  constexpr unsigned char first_printable = 0x20, first_of_several = 0x80;
+  const auto byte = static_cast<unsigned char>(c);
+  return byte >= first_printable && byte < first_of_several && c != '"' && c != '\\';
 }
 
 bool isBlank(char c) { return c == ' ' || c == '\t'; }
@@ -51,7 +49,7 @@ void printJsonString(Bytes& text, std::string_view string) {
 }
 
 std::string utf8Of(std::string_view text) {
-  if (std::ranges::all_of(text, isAscii)) return std::string(text);
+  if (isUtf8(text)) return std::string(text);
   return nlohmann::json::parse(jsonString(text)).get<std::string>();
 }
 
