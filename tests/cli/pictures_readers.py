@@ -133,7 +133,7 @@ def poppler_pdf(scene):
     check_same_picture(read_ppm("pdf.ppm"), scene)
     if scene.legend:
         words = program("pdftotext", "p.pdf", "-").split()
-        assert scene.legend_word in words, words
+        assert scene.legend_word in [word.strip(",") for word in words], words
     return None
 
 
