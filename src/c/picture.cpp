@@ -82,7 +82,7 @@ vorpipe_code vorpipe_picture_read(const char* path, vorpipe_picture** picture) {
   return guarded([&] {
     auto image = readPicture(path);
     if (!image) return fail(image.error());
-    *picture = new vorpipe_picture{nullptr, {}, {std::move(*image), {}, {}, {}}};
+    *picture = new vorpipe_picture{nullptr, {}, {std::move(*image), {}, {}, {}, {}}};
     return vorpipe_code{VORPIPE_DONE};
   });
 }

@@ -101,7 +101,7 @@ def check_same_picture(image, scene):
     if edges.any():
         assert (darkest[edges] < 110).mean() >= 0.97, f"{(darkest[edges] < 110).mean():.3f} of the edges are dark"
     dots = (around(png, True) == 255).all(2) & (png[1:-1, 1:-1] == 255).all(2)
-    assert (lightest[dots] > 240).all(), "there are dots, or holes, missing"
+    assert not dots.any() or (lightest[dots] > 230).mean() >= 0.97, "there are dots, or holes, missing"
 
 
 def librsvg_svg(scene):
@@ -133,7 +133,7 @@ def poppler_pdf(scene):
     check_same_picture(read_ppm("pdf.ppm"), scene)
     if scene.legend:
         words = program("pdftotext", "p.pdf", "-").split()
-        assert scene.legend_word in words, words
+        assert scene.legend_word in [word.strip(",") for word in words], words
     return None
 
 
@@ -216,7 +216,10 @@ def scenes(islands):
     yield Scene("random:80", *size)
     yield Scene("random:40", *size, "--edges", "--show-sites", "--color", "neighbors", "--periodic", "xy")
     box = (12.94, 11.8, 142.69, 84.5)
-    yield Scene("random:60", "--domain", islands, "--edges", "--show-sites", "--size", "300x168", domain=box)
+    yield Scene("clusters:200", *size, "--color", "area", "--legend", "--fit", "letterbox")
+    marks = ["--edge-width", "3", "--dot-size", "9"]
+    yield Scene("random:30", *size, "--edges", "--show-sites", *marks, "--color", "neighbors", "--legend")
+    yield Scene("random:60", "--domain", islands, "--edges", "--show-sites", "--size", "300x200", domain=box)
 
 
 def main():
