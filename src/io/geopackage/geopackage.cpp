@@ -5,23 +5,14 @@
 
 #include <algorithm>
 #include <limits>
-#include <memory>
 
 #include "io/files/byte_order.h"
 #include "io/files/error.h"
 #include "io/geopackage/geopackage_tables.h"
+#include "io/geopackage/sqlite.h"
 
 namespace vorpipe {
 namespace {
-
-struct Close {
-  void operator()(sqlite3* database) const { sqlite3_close_v2(database); }
-};
-struct Finalize {
-  void operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
-};
-using Database = std::unique_ptr<sqlite3, Close>;
-using Statement = std::unique_ptr<sqlite3_stmt, Finalize>;
 
 /// A file in memory while it is filled.
 class Filling {

@@ -5,6 +5,8 @@
 #include <array>
 #include <limits>
 
+#include "io/geopackage/sqlite.h"
+
 namespace vorpipe {
 namespace {
 
@@ -21,15 +23,6 @@ std::array<SpatialReference, 3> standardReferences() {
   return {{{"Undefined Cartesian SRS", unknown_plane, "NONE", unknown_plane, "undefined"},
            {"Undefined geographic SRS", unknown_degrees, "NONE", unknown_degrees, "undefined"},
            {"WGS 84 geodetic", 4326, "EPSG", 4326, wgs84_definition}}};
-}
-
-std::string quotedIn(char quote, std::string_view text) {
-  std::string quoted(1, quote);
-  for (const char c : text) {
-    if (c == quote) quoted += quote;
-    quoted += c;
-  }
-  return quoted + quote;
 }
 
 std::string_view sqlType(FieldType type) {
@@ -65,9 +58,6 @@ std::string insertionOf(const SpatialReference& reference) {
 }
 
 }  // namespace
-
-std::string sqlName(std::string_view name) { return quotedIn('"', name); }
-std::string sqlText(std::string_view text) { return quotedIn('\'', text); }
 
 SpatialReference referenceOf(const CoordinateSystem& system) {
   const auto [plane, degrees, wgs84] = standardReferences();

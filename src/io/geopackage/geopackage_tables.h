@@ -39,8 +39,4 @@ std::string treeTriggers(const Layer& layer);
 /// SQL that notes the box of all features.
 std::string contentsBox(const Layer& layer, const Box& box);
 
-/// A name, or a text, in SQL.
-std::string sqlName(std::string_view name);
-std::string sqlText(std::string_view text);
-
 }  // namespace vorpipe

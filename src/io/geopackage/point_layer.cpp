@@ -30,13 +30,6 @@ std::string upperCase(std::string text) {
   return text;
 }
 
-/// A name in SQL.
-std::string sqlName(std::string_view name) {
-  std::string quoted(1, '"');
-  for (const char c : name) quoted.append(c == '"' ? 2 : 1, c);
-  return quoted + '"';
-}
-
 bool isBinary(const std::string& type) {
   return type.empty() || type.starts_with("BLOB") || type.find("GEOM") != std::string::npos;
 }
@@ -82,9 +75,6 @@ std::string listed(std::span<const Listed> layers) {
 
 }  // namespace
 
-void PointLayer::Close::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
-void PointLayer::Finalize::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
-
 tl::unexpected<Error> PointLayer::failed(int code) const {
   const std::string message = fmt::format("{}: cannot be read: {}", path_, sqlite3_errmsg(database_.get()));
   constexpr int primary = 0xFF;
@@ -113,7 +103,7 @@ Result<void> PointLayer::openDatabase() {
   return {};
 }
 
-Result<PointLayer::Statement> PointLayer::prepare(const std::string& sql, std::string_view parameter) const {
+Result<Statement> PointLayer::prepare(const std::string& sql, std::string_view parameter) const {
   sqlite3_stmt* raw = nullptr;
   const int code = sqlite3_prepare_v2(database_.get(), sql.c_str(), -1, &raw, nullptr);
   Statement statement(raw);

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,10 +11,8 @@
 
 #include "io/attributes/attribute.h"
 #include "io/attributes/coordinate_system.h"
+#include "io/geopackage/sqlite.h"
 #include "vorpipe.h"
-
-struct sqlite3;
-struct sqlite3_stmt;
 
 namespace vorpipe {
 
@@ -49,14 +46,6 @@ class PointLayer {
   [[nodiscard]] std::optional<std::pair<AttributeType, std::string>> value(std::size_t column) const;
 
  private:
-  struct Close {
-    void operator()(sqlite3* database) const;
-  };
-  struct Finalize {
-    void operator()(sqlite3_stmt* statement) const;
-  };
-  using Statement = std::unique_ptr<sqlite3_stmt, Finalize>;
-
   explicit PointLayer(std::string path) : path_(std::move(path)) {}
   [[nodiscard]] tl::unexpected<Error> failed(int code) const;
   Result<void> openDatabase();
@@ -68,7 +57,7 @@ class PointLayer {
   Result<void> select();
 
   std::string path_;
-  std::unique_ptr<sqlite3, Close> database_;
+  Database database_;
   std::string name_, geometry_column_;
   std::int64_t system_id_ = 0;
   CoordinateSystem system_{};
