@@ -165,7 +165,7 @@ def random_weights(low: float, high: float, n: int, seed: int = 1) -> Floats:
 
 
 def read_sites(path: PathLike) -> Tuple[Floats, Optional[Floats]]:
-    """The points (N, 2) of a .csv, .xyz, .txt or .npy file, and their weights (N,); None where it has none."""
+    """The points (N, 2) of a file of any kind that --sites takes, and their weights (N,); None where it has none."""
     return _vorpipe.read_sites(os.fspath(path))
 
 
