@@ -47,5 +47,5 @@ draw power --sites random:300 --random-weights 0,0.01 --color weight --edges --s
 draw periodic --sites random:40 --seed 3 --periodic xy --colormap turbo --edges --show-sites --size 500x500
 draw islands --sites random:2000 --domain "$root/docs/examples/islands.geojson" --edges
 
-draw gauges --sites "$root/docs/examples/gauges.csv" --domain "$root/docs/examples/islands.geojson" --edges --show-sites --size 800x448
-draw masts --sites "$root/docs/examples/masts.csv" --color weight --edges --show-sites --size 800x500
+draw gauges --sites "$root/docs/examples/gauges.csv" --domain "$root/docs/examples/islands.geojson" --edges --show-sites --size 800
+draw masts --sites "$root/docs/examples/masts.csv" --color weight --edges --show-sites --size 800

@@ -4,10 +4,10 @@
 source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 # -- Comparing ------------------------------------------------------------------------------------------
-succeeds "a picture" render --backend cpu --sites random:300 --size 90x60 -o out/a.png --ids out/a.npy
+succeeds "a picture" render --backend cpu --sites random:300 --size 90x60 --fit stretch -o out/a.png --ids out/a.npy
 cp out/a.png out/b.png
 cp out/a.npy out/b.npy
-succeeds "a picture of other sites" render --backend cpu --sites random:300 --seed 2 --size 90x60 -o out/c.png --ids out/c.npy
+succeeds "a picture of other sites" render --backend cpu --sites random:300 --seed 2 --size 90x60 --fit stretch -o out/c.png --ids out/c.npy
 succeeds "a small picture" render --backend cpu --sites random:9 --size 9x9 -o out/d.png
 printf 'x,y,weight\n1,0,5\n2,3,6\n1,0,7\n' >in/cells.csv
 succeeds "diff of equal ids" diff out/a.npy out/b.npy --sites random:300

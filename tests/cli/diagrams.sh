@@ -6,7 +6,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
 
 printf 'no picture' >in/text.png
 printf 'x,y\n0,0\n' | tee in/good.csv >in/kind.doc
-succeeds "without weights" render --backend cpu --sites random:500 --size 90x60 --ids out/a.npy -o out/a.png
+succeeds "without weights" render --backend cpu --sites random:500 --size 90x60 --fit stretch --ids out/a.npy -o out/a.png
 
 # -- Weights ------------------------------------------------------------------------------------------
 # The same weights by every way in: weight = 0.25, 0, 0.01; the second site is hidden by the first.
@@ -28,7 +28,7 @@ for sites in "in/radius.csv" "in/weight.xyz" "in/plain.csv --weights in/weights.
 done
 for backend in $backends; do
   succeeds "weights on $backend" cells --backend $backend --sites random:2000 --random-weights 0,0.001 --check --stats out/w.json
-  succeeds "weights in a picture on $backend" render --backend $backend --sites random:500 --random-weights 0,0.004 --size 90x60 --check --color weight --ids out/w-$backend.npy -o out/w.png
+  succeeds "weights in a picture on $backend" render --backend $backend --sites random:500 --random-weights 0,0.004 --size 90x60 --fit stretch --check --color weight --ids out/w-$backend.npy -o out/w.png
   succeeds "weights in diff on $backend" diff out/w-cpu.npy out/w-$backend.npy --sites random:500 --random-weights 0,0.004
 done
 fails 1 "other weights in diff" "pixels wrong" diff out/w-cpu.npy out/a.npy --sites random:500 --random-weights 0,0.004
@@ -71,7 +71,7 @@ for axes in x y xy; do
     grep -q "\"periodic\": \"$axes\"" out/p.json || fail "out/p.json does not say periodic"
     head -n 1 out/p-$backend.csv | grep -q ',neighbors,neighbor_shifts$' || fail "no column neighbor_shifts"
     cmp -s <(cut -d, -f1-5,10 out/p-cpu.csv) <(cut -d, -f1-5,10 out/p-$backend.csv) || fail "the cells depend on the backend"
-    succeeds "periodic picture in $axes on $backend" render --backend $backend --sites random:300 --periodic $axes --size 90x60 --check --ids out/p-$backend.npy
+    succeeds "periodic picture in $axes on $backend" render --backend $backend --sites random:300 --periodic $axes --size 90x60 --fit stretch --check --ids out/p-$backend.npy
     succeeds "periodic in diff, $axes on $backend" diff out/p-cpu.npy out/p-$backend.npy --sites random:300 --periodic $axes
   done
 done

@@ -92,7 +92,7 @@ refuses_file header.csv "in/header.csv:1"
 : >in/empty.xyz
 printf 'x,y\n' >in/rows.csv
 printf '0 0\n1 nan\n' >in/value.xyz
-"$vorpipe" render --backend cpu --sites random:300 --size 90x60 --ids in/whole.npy >log/out 2>log/err || fail "exit code $?"
+"$vorpipe" render --backend cpu --sites random:300 --size 90x60 --fit stretch --ids in/whole.npy >log/out 2>log/err || fail "exit code $?"
 head -c 1000 in/whole.npy >in/truncated.npy
 printf 'not an array at all' >in/text.npy
 printf 'x,y\n0,0\n' >in/kind.doc

@@ -40,7 +40,7 @@ measures 90 "cpu, sites from a file" cells --backend cpu --sites in/sites.csv
 # How many cells a driver draws at a time follows from how fast it is, and its memory from that: on a machine that is
 # busy, a third less than planned.
 for backend in $backends; do
-  measures 60 "$backend, a picture" render --backend "$backend" --sites random:$n --size 2000x1500 -o out/picture.png
+  measures 60 "$backend, a picture" render --backend "$backend" --sites random:$n --size 2000x1500 --fit stretch -o out/picture.png
 done
 for backend in $backends; do
   [ "$backend" = cpu ] || measures 50 "$backend, by area" render --backend "$backend" --sites random:$n --color area -o out/picture.png

@@ -12,7 +12,7 @@ for sub in "" render cells diff compare rerun devices; do
 done
 
 # -- What works -----------------------------------------------------------------------------------------
-succeeds "render" render --backend cpu --sites random:300 --size 90x60 -o out/a.png --ids out/a.npy --stats out/a.json
+succeeds "render" render --backend cpu --sites random:300 --size 90x60 --fit stretch -o out/a.png --ids out/a.npy --stats out/a.json
 expect "out/a.png, out/a.npy, out/a.json: 300 unweighted cells (0 empty, 0 duplicate), 90x60, cpu on "
 [ "$(wc -l <log/out)" -eq 1 ] || fail "not one line on standard output"
 [ "$(head -c 8 out/a.png | tail -c 7 | head -c 3)" = PNG ] || fail "out/a.png is no PNG"
@@ -24,11 +24,11 @@ for key in version command backend device driver sites seed domain status ok emp
 done
 grep -q '"area_sum": null' out/a.json || fail "area_sum is not null"
 
-succeeds "quiet" render --quiet --backend cpu --sites random:300 --size 90x60 --threads 1 -o out/b.png --ids out/b.npy
+succeeds "quiet" render --quiet --backend cpu --sites random:300 --size 90x60 --fit stretch --threads 1 -o out/b.png --ids out/b.npy
 [ -s log/out ] && fail "not quiet"
 cmp -s out/a.png out/b.png && cmp -s out/a.npy out/b.npy || fail "two runs differ"
 
-succeeds "only ids" render --backend cpu --sites random:300 --seed 2 --size 90x60 --ids out/c.npy
+succeeds "only ids" render --backend cpu --sites random:300 --seed 2 --size 90x60 --fit stretch --ids out/c.npy
 succeeds "negative domain as an argument of its own" render --backend cpu --sites random:9 --size 9x9 --domain -1,-1,1,1 -o out/d.png
 succeeds "negative domain" render --backend cpu --sites random:9 --size 9x9 --domain=-1,-1,1,1 -o out/e.png
 cmp -s out/d.png out/e.png || fail "the domains differ"
@@ -42,9 +42,35 @@ expect "checked"
 succeeds "nothing but the check" render --backend cpu --sites clusters:500 --size 50x50 --check
 expect "500 unweighted cells (0 empty, 0 duplicate), 50x50, cpu on "
 for search in grid flann flann:12; do
-  succeeds "search $search" render --backend cpu --sites random:300 --size 90x60 --search $search --ids out/s.npy
+  succeeds "search $search" render --backend cpu --sites random:300 --size 90x60 --fit stretch --search $search --ids out/s.npy
   cmp -s out/a.npy out/s.npy || fail "the ids depend on the search"
 done
+
+# -- Scales, legends, widths and aspects ---------------------------------------------------------------
+succeeds "scale, range and legend" render --backend cpu --sites clusters:300 --size 200 --color area --color-scale log \
+  --color-range 1e-5,1e-1 --legend --ids out/legend.npy -o out/legend.png --stats out/legend.json
+tr -d ' \n' <out/legend.json | grep -qF '"color":{"by":"area","scale":"log","range":[1e-05,0.1]}' || fail "the scale is not in the figures"
+succeeds "marks" render --backend cpu --sites clusters:300 --size 200 --edges --edge-width 3 --show-sites --dot-size 5 \
+  --ids out/marks.npy -o out/marks.png
+cmp -s out/legend.npy out/marks.npy || fail "ids depend on what is drawn over the cells"
+for option in "--color-scale log" "--color-range 0,1" --legend; do
+  refuses "${option%% *} by site" "${option%% *}: colors by site stand for no values" --sites random:9 $option
+done
+refuses "a legend without room" "--legend: has no room in 99x64" --sites random:9 --color area --legend --size 99x64
+refuses "a range of nothing" "--color-range: LO 2 is not below HI" --sites random:9 --color area --color-range 2,2
+refuses "a scale that is none" "--color-scale: \"cubic\" is not linear, log or quantile" --sites random:9 --color-scale cubic
+refuses "an edge without width" "--edge-width: 0 is not a number of pixels" --sites random:9 --edges --edge-width 0
+
+name="a domain that is stretched is said to be"
+cases=$((cases + 1))
+run 0 render --backend cpu --sites random:9 --size 30x20 -o out/x.png
+grep -qF -- "--size 30x20 stretches the domain of 1 x 1; --size 30 keeps its aspect" log/err || fail "it is not"
+printf 'x,y\n0,0\n4,0\n0,2\n4,2\n' >in/map.csv
+succeeds "a map keeps its aspect" render --backend cpu --sites in/map.csv --domain 0,0,4,2 --size 40x40 --ids out/map.npy --check
+[ "$(tail -c 6400 out/map.npy | head -c 1600 | tr -d '\377' | wc -c)" -eq 0 ] || fail "pixels above it have a site"
+[ "$(tail -c 4800 out/map.npy | head -c 3200 | tr -dc '\377' | wc -c)" -eq 0 ] || fail "pixels in it have none"
+succeeds "its ids are compared where they lie" diff out/map.npy out/map.npy --sites in/map.csv --domain 0,0,4,2
+succeeds "a map is stretched on request" render --backend cpu --sites in/map.csv --domain 0,0,4,2 --size 40x40 --fit stretch --check
 
 printf 'y,x,weight\n1,0,5\n2,3,6\n1,0,7\n' >in/good.csv
 succeeds "file with weights" render --backend cpu --sites in/good.csv --color weight --size 30x30 -o out/h.png
@@ -58,7 +84,7 @@ expect "3 unweighted cells (0 empty, 0 duplicate), 20x20"
 
 name="ids on standard output"
 cases=$((cases + 1))
-"$vorpipe" render --backend cpu --sites random:300 --size 90x60 --ids /dev/stdout >out/piped.npy 2>log/err || fail "exit code $?"
+"$vorpipe" render --backend cpu --sites random:300 --size 90x60 --fit stretch --ids /dev/stdout >out/piped.npy 2>log/err || fail "exit code $?"
 cmp -s out/a.npy out/piped.npy || fail "not the ids alone are on standard output"
 name="a note is heard in a file"
 cases=$((cases + 1))
@@ -97,7 +123,7 @@ succeeds "a lower limit shows" devices --limit maxTexelBufferElements=65536
 expect "65536"
 
 for backend in vulkan-geometry vulkan-compute opengl; do
-  succeeds "$backend" render --backend $backend --sites random:300 --size 90x60 --ids out/k.npy --check
+  succeeds "$backend" render --backend $backend --sites random:300 --size 90x60 --fit stretch --ids out/k.npy --check
   expect "$backend on "
 done
 

@@ -112,8 +112,9 @@ Arrays planPicture(MemoryPlan& plan, const Workload& work, int width, int height
     append(working, set.sites);
     image.push_back(set.owner);
   }
-  working.push_back(plan.take("colors of sites", sites * (word + 1)));
-  if (color != ColorBy::site) plan.drop(plan.take("colors of sites", sites * number));
+  working.push_back(plan.take("colors of sites", work.sites));
+  if (color != ColorBy::site) plan.drop(plan.take("colors of sites", work.sites * number));
+  working.push_back(plan.take("colors of sites", sites));
   working.push_back(plan.take("statuses", sites + sites / number));
   const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
   for (int k = 0; k < 2; ++k) image.push_back(plan.take("the picture", pixels * word));
