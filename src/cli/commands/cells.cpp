@@ -11,7 +11,6 @@
 #include "cli/options/options.h"
 #include "cli/reports/stats.h"
 #include "cli/runs/cells_notes.h"
-#include "cli/runs/domain.h"
 #include "cli/runs/forecast.h"
 #include "cli/runs/input.h"
 #include "cli/runs/run_end.h"

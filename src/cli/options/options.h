@@ -10,6 +10,7 @@
 #include "cli/options/command_line.h"
 #include "cli/options/format_choice.h"
 #include "cli/options/parse.h"
+#include "io/domain/site_domain.h"
 #include "io/sites/site_table.h"
 #include "vorpipe.h"
 
@@ -51,11 +52,6 @@ Option addAnyFile(Options& options, const std::string& name, std::string& target
 
 /// What a --sites may be.
 Choices sitesChoices();
-
-/// --project: the center of the plane, in degrees; none: amid what is there.
-struct ProjectChoice {
-  std::optional<Point> center;
-};
 
 struct InputOptions {
   std::string sites;

@@ -5,10 +5,9 @@
 #include <utility>
 
 #include "base/stopwatch.h"
-#include "cli/runs/domain.h"
 #include "cli/terminal/progress.h"
+#include "io/domain/outline_file.h"
 #include "io/files/error.h"
-#include "io/sites/degrees.h"
 #include "io/sites/site_source.h"
 #include "io/sites/weights_file.h"
 
@@ -63,13 +62,34 @@ std::string_view optionOf(Subject subject, const InputOptions& options) {
   return {};
 }
 
-/// Says so where cells are to be those of a plane of degrees.
-void noteDegrees(const InputOptions& options, Input& input) {
-  if (input.seed || options.project || !looksLikeDegrees(input.sites, input.system)) return;
-  input.notes.push_back(fmt::format(
-      "{}: coordinates look like degrees of longitude and latitude; cells are those of the plane of degrees; "
-      "--project auto makes a local plane where areas and distances are right",
-      options.sites == "-" ? "<stdin>" : options.sites));
+/// How the domain's messages name what the command line has.
+DomainWords domainWords(const InputOptions& options) {
+  return {options.sites == "-" ? "<stdin>" : options.sites,
+          "--domain",
+          "--domain XMIN,YMIN,XMAX,YMAX",
+          "--margin",
+          "--repair",
+          "--project",
+          "--project auto",
+          "--project LON,LAT",
+          "--periodic"};
+}
+
+/// Finds the domain by --domain, --margin, --repair and --project.
+Result<void> takeDomain(const InputOptions& options, Input& input) {
+  DomainSettings settings{{},
+                          options.domain.file,
+                          options.domain.box,
+                          options.domain.hull,
+                          options.margin,
+                          options.repair,
+                          options.project};
+  if (!options.domain.file.empty()) {
+    auto outline = readOutline(options.domain.file);
+    if (!outline) return named("--domain", std::move(outline.error()));
+    settings.outline = std::move(*outline);
+  }
+  return findDomain(settings, input, domainWords(options));
 }
 
 }  // namespace
@@ -86,7 +106,7 @@ Result<Input> loadInput(const InputOptions& options) {
   input.system = std::move(source->table.system);
   input.notes = std::move(source->table.notes);
   input.seed = source->seed;
-  noteDegrees(options, input);
+  input.generated = source->seed.has_value();
   input.periodic = options.periodic;
   if (auto taken = takeWeights(options, input); !taken) return tl::unexpected(std::move(taken.error()));
   if (auto taken = takeDomain(options, input); !taken) return tl::unexpected(std::move(taken.error()));

@@ -8,30 +8,19 @@
 
 #include "cli/options/options.h"
 #include "io/attributes/attribute.h"
-#include "io/attributes/coordinate_system.h"
+#include "io/domain/site_domain.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {
 
-struct Input {
-  Sites sites;
-  Box domain{0, 0, 1, 1};
-  Outline outline{};  ///< the domain is its box
-  Periodic periodic = Periodic::none;
+struct Input : PlacedSites {
   std::optional<std::uint64_t> seed;    ///< of the generator; none for files
   std::vector<Attribute> attributes{};  ///< of a file's sites
-  CoordinateSystem system{};            ///< of the sites as they stand here
-  /// Of --project: then the sites and the domain are in its plane.
-  std::optional<Projection> projection{};
-  std::vector<double> longitudes{}, latitudes{};  ///< where the sites are in degrees
-  CoordinateSystem degrees{};                     ///< which degrees
-  std::vector<std::string> notes{};               ///< what was reinterpreted or changed, a line each
   double read_ms = 0;
 };
 
 /// Loads or generates the sites of --sites, their weights and the domain. Errors: those of loadSites,
-/// readWeights, readOutline and takeDomain, after the option's name; no default domain holds them, options
-/// contradict each other (input).
+/// readWeights, readOutline and findDomain, after the option's name.
 Result<Input> loadInput(const InputOptions& options);
 
 /// The error of what an option names, with the option in front where the input is wrong.

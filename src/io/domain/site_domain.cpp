@@ -1,0 +1,248 @@
+#include "io/domain/site_domain.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "io/files/error.h"
+#include "io/sites/degrees.h"
+
+namespace vorpipe {
+namespace {
+
+/// What is asked for, of which sites, in whose words.
+struct Request {
+  const DomainSettings& settings;
+  PlacedSites& placed;
+  const DomainWords& words;
+
+  void note(std::string text) const { placed.notes.push_back(std::move(text)); }
+};
+
+/// What is wrong with a margin, whatever the sites are.
+Result<void> checkMargin(const Request& request) {
+  const auto& [settings, placed, words] = request;
+  if (!settings.margin) return {};
+  if (!(settings.margin->value >= 0) || !std::isfinite(settings.margin->value)) {
+    return inputError(
+        fmt::format("{}: {} is not a number of 0 or more", words.margin, settings.margin->value));
+  }
+  if (settings.box || !settings.outline.empty()) {
+    return inputError(
+        fmt::format("{}: {} names the domain, which has none; give one of them", words.margin, words.domain));
+  }
+  if (placed.generated && !settings.hull) {
+    return inputError(fmt::format("{}: generators fill the domain 0,0,1,1; name another by {}", words.margin,
+                                  words.domain));
+  }
+  return {};
+}
+
+/// What a domain that repeats itself cannot be.
+Result<void> checkPeriod(const Request& request) {
+  const auto& [settings, placed, words] = request;
+  if (placed.periodic == Periodic::none) return {};
+  if (settings.project) {
+    return inputError(
+        fmt::format("{}: the Earth does not repeat itself; leave {} out", words.periodic, words.project));
+  }
+  if (settings.hull || !settings.outline.empty()) {
+    return inputError(fmt::format("{}: a domain with an outline does not repeat itself", words.periodic));
+  }
+  if (!placed.generated && !settings.box) {
+    return inputError(
+        fmt::format("{}: name the period by {}; a file of sites does not say it", words.periodic, words.box));
+  }
+  return {};
+}
+
+/// What contradicts itself, wherever the sites are.
+Result<void> checkSettings(const Request& request) {
+  const auto& [settings, placed, words] = request;
+  if (auto margin = checkMargin(request); !margin) return margin;
+  if (settings.repair && settings.outline.empty()) {
+    return inputError(fmt::format("{}: is for the polygons of {}", words.repair, words.domain));
+  }
+  if (auto period = checkPeriod(request); !period) return period;
+  if (settings.project && placed.generated) {
+    return inputError(fmt::format("{}: is for files in degrees, not for {}", words.project, words.sites));
+  }
+  if (settings.project && placed.system.kind == CoordinateKind::plane) {
+    return inputError(fmt::format("{}: {} says that its coordinates are those of a plane, not degrees",
+                                  words.project, words.sites));
+  }
+  return {};
+}
+
+/// The error after the caller's word, which stands for the subject's name.
+tl::unexpected<Error> renamed(std::string_view word, Error error) {
+  const std::string name = fmt::format("{}: ", nameOf(error.subject));
+  if (error.subject != Subject::none && error.message.starts_with(name)) error.message.erase(0, name.size());
+  if (error.code == ErrorCode::input) error.message.insert(0, fmt::format("{}: ", word));
+  return tl::unexpected(std::move(error));
+}
+
+/// An outline that `mend(repair)` dissolves and repairs; what it does to one of the caller's is noted.
+template <class Mend>
+Result<Outline> mendedBy(const Mend& mend, const Request& request) {
+  const auto& [settings, placed, words] = request;
+  auto result = mend(settings.repair);
+  if (!result) {
+    if (!settings.repair && !settings.outline.empty() && mend(true)) {
+      result.error().message += fmt::format("; {} mends it", words.repair);
+    }
+    return renamed(words.domain, std::move(result.error()));
+  }
+  if (!result->changes.empty() && !settings.outline.empty()) {
+    const std::string_view colon = settings.outline_name.empty() ? "" : ": ";
+    request.note(fmt::format("{}: {}{}{}", words.domain, settings.outline_name, colon, result->changes));
+  }
+  return std::move(result->outline);
+}
+
+/// The domain that has an outline.
+void takeOutline(PlacedSites& placed, Outline outline) {
+  placed.outline = std::move(outline);
+  placed.domain = boxOf(placed.outline.points);
+}
+
+Result<void> takeHull(const Request& request, const Margin& margin) {
+  const Sites& sites = request.placed.sites;
+  const Box box = domainOf(sites, Margin{0, false});
+  const double longer = std::max(box.xmax - box.xmin, box.ymax - box.ymin);
+  auto hull = hullOf(sites, margin.relative ? margin.value * longer : margin.value);
+  if (!hull) return renamed(request.words.domain, std::move(hull.error()));
+  takeOutline(request.placed, std::move(*hull));
+  return {};
+}
+
+/// The domain that the sites themselves have.
+Result<void> takeDomainOfSites(const Request& request) {
+  const auto& [settings, placed, words] = request;
+  const Margin margin = settings.margin.value_or(Margin{settings.hull ? 0 : Margin{}.value});
+  if (settings.hull) return takeHull(request, margin);
+  placed.domain = domainOf(placed.sites, margin);
+  const auto [xmin, ymin, xmax, ymax] = placed.domain;
+  if (!std::isfinite(xmax - xmin) || !std::isfinite(ymax - ymin)) {
+    return inputError(
+        fmt::format("{}: the sites reach too far for a default, name what to draw", words.domain));
+  }
+  if (settings.margin && !(xmin < xmax && ymin < ymax)) {
+    return inputError(fmt::format(
+        "{}: the sites lie on a line, so that their box has no area; it takes more than 0", words.margin));
+  }
+  return {};
+}
+
+/// The projection around the center that is named, or amid the domain or the sites.
+Result<Projection> projectionFor(const Request& request, const Outline& degrees) {
+  if (const auto& center = request.settings.project->center) return Projection::around(*center);
+  return degrees.empty() ? projectionAmid(request.placed.sites) : projectionAmid(degrees);
+}
+
+/// Refuses a plane that does not hold the domain, and notes where it can be trusted little.
+Result<void> checkReach(const Request& request) {
+  constexpr double far = 30, percent = 100;
+  const auto& [settings, placed, words] = request;
+  const Point center = placed.projection->center();
+  const auto reach = placed.outline.empty() ? reachOf(placed.domain) : reachOf(placed.outline);
+  if (!reach) {
+    return inputError(
+        fmt::format("{}: {}, which is {}, {}; name {} by {}", words.project, reach.error().message, center.x,
+                    center.y, settings.project->center ? "one that is nearer" : "a smaller part of the Earth",
+                    settings.project->center ? words.project_around : words.domain));
+  }
+  if (*reach > far) {
+    request.note(
+        fmt::format("{}: the domain reaches {:.0f} degrees from the center {}, {}: distances there "
+                    "are wrong by up to {:.0f} %, and neighbors may be others",
+                    words.project, *reach, center.x, center.y, distortionAt(*reach) * percent));
+  }
+  return {};
+}
+
+/// The outline in degrees that is asked for; empty where there is none.
+Result<Outline> outlineInDegrees(const Request& request) {
+  if (!request.settings.box) return request.settings.outline;
+  auto outline = outlineOfDegrees(*request.settings.box);
+  return outline ? outline : renamed(request.words.domain, std::move(outline.error()));
+}
+
+/// Takes the sites to the plane, and keeps where they were.
+Result<void> projectSites(const Request& request, const Projection& projection) {
+  const auto& [settings, placed, words] = request;
+  auto sites = toPlane(projection, placed.sites);
+  if (!sites) return renamed(words.project, std::move(sites.error()));
+  placed.projection = projection;
+  placed.sites = turned(projection, std::move(placed.sites));
+  placed.longitudes = std::exchange(placed.sites.x, std::move(sites->x));
+  placed.latitudes = std::exchange(placed.sites.y, std::move(sites->y));
+  if (placed.system.kind != CoordinateKind::degrees) placed.system = wgs84();
+  placed.degrees = std::exchange(placed.system, {CoordinateKind::plane, {}, 0, {}, projection.center()});
+  if (!placed.sites.weight.empty()) {
+    request.note(fmt::format("{}: weights are square kilometers", words.project));
+  }
+  return {};
+}
+
+/// Takes sites and domain to the plane.
+Result<void> project(const Request& request) {
+  const auto degrees = outlineInDegrees(request);
+  if (!degrees) return tl::unexpected(degrees.error());
+  const auto projection = projectionFor(request, *degrees);
+  if (!projection) return renamed(request.words.project, projection.error());
+  if (auto taken = projectSites(request, *projection); !taken) return taken;
+  if (degrees->empty()) return takeDomainOfSites(request);
+  auto whole = mendedBy([&](bool repair) { return mendedToPlane(*projection, *degrees, repair); }, request);
+  if (!whole) return tl::unexpected(std::move(whole.error()));
+  takeOutline(request.placed, std::move(*whole));
+  return {};
+}
+
+/// Says so where cells are to be those of a plane of degrees.
+void noteDegrees(const Request& request) {
+  const auto& [settings, placed, words] = request;
+  if (placed.generated || settings.project || !looksLikeDegrees(placed.sites, placed.system)) return;
+  request.note(
+      fmt::format("{}: coordinates look like degrees of longitude and latitude; cells are those of the plane "
+                  "of degrees; {} makes a local plane where areas and distances are right",
+                  words.sites, words.project_amid));
+}
+
+}  // namespace
+
+Result<void> findDomain(const DomainSettings& settings, PlacedSites& placed, const DomainWords& words) {
+  const Request request{settings, placed, words};
+  if (auto checked = checkSettings(request); !checked) return checked;
+  if (settings.project) {
+    if (auto taken = project(request); !taken) return taken;
+    return checkReach(request);
+  }
+  noteDegrees(request);
+  if (!settings.outline.empty()) {
+    auto outline = mendedBy([&](bool repair) { return mended(settings.outline, repair); }, request);
+    if (!outline) return tl::unexpected(std::move(outline.error()));
+    takeOutline(placed, std::move(*outline));
+    if (placed.generated) placed.sites = spreadOver(placed.domain, std::move(placed.sites));
+    return {};
+  }
+  if (settings.box) {
+    placed.domain = *settings.box;
+    return {};
+  }
+  // Generators fill the unit square.
+  return placed.generated && !settings.hull ? Result<void>{} : takeDomainOfSites(request);
+}
+
+void backToDegrees(PlacedSites& placed, Diagram& diagram, int threads) {
+  if (!placed.projection) return;
+  placed.sites.x = std::move(placed.longitudes);
+  placed.sites.y = std::move(placed.latitudes);
+  toDegrees(*placed.projection, placed.sites, diagram, threads);
+  placed.system = placed.degrees;
+}
+
+}  // namespace vorpipe

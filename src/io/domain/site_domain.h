@@ -1,0 +1,61 @@
+/// The domain of sites, and the plane that it is in.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/attributes/coordinate_system.h"
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+/// That sites in degrees are taken to a plane around a center: the one that is named, or else one amid the
+/// domain or the sites.
+struct ProjectChoice {
+  std::optional<Point> center{};  ///< degrees
+};
+
+/// What a domain is asked for with; of outline, box and hull at most one. Nothing: the box of the sites.
+struct DomainSettings {
+  Outline outline{};             ///< in the unit of the sites; dissolved where polygons touch or overlap
+  std::string outline_name{};    ///< the file that it is of, for notes; empty: none
+  std::optional<Box> box{};      ///< in the unit of the sites
+  bool hull = false;             ///< the convex hull of the sites
+  std::optional<Margin> margin;  ///< around the sites' box or hull; none: 5 %, and 0 around a hull
+  bool repair = false;           ///< mends rings of the outline that cross themselves
+  std::optional<ProjectChoice> project{};
+};
+
+/// The caller's own words for what messages name.
+struct DomainWords {
+  std::string sites = "the sites", domain = "domain", box = "a box", margin = "margin", repair = "repair",
+              project = "project", project_amid = "a projection", project_around = "a center",
+              periodic = "periodic";
+};
+
+/// Sites with the domain that they have cells in; with a projection both are in its plane.
+struct PlacedSites {
+  Sites sites{};
+  bool generated = false;  ///< a pattern that fills the unit square
+  Box domain{0, 0, 1, 1};
+  Outline outline{};  ///< the domain is its box
+  Periodic periodic = Periodic::none;
+  CoordinateSystem system{};  ///< of the sites as they stand here
+  std::optional<Projection> projection{};
+  std::vector<double> longitudes{}, latitudes{};  ///< where the sites are in degrees
+  CoordinateSystem degrees{};                     ///< which degrees
+  std::vector<std::string> notes{};               ///< what was reinterpreted or changed, a line each
+};
+
+/// Finds the domain of sites, at least one, whose `sites`, `generated`, `periodic` and `system` are set;
+/// takes both to a plane if that is asked for. Notes are added: what was mended, how far the plane can be
+/// trusted, that coordinates look like degrees. Errors (input), each after the word for what is wrong:
+/// settings that contradict each other, a domain that is none.
+Result<void> findDomain(const DomainSettings& settings, PlacedSites& placed, const DomainWords& words = {});
+
+/// Takes a diagram, and the sites that it is of, from the plane back to degrees; its measures stay in
+/// kilometers. Without a projection nothing changes.
+void backToDegrees(PlacedSites& placed, Diagram& diagram, int threads = 0);
+
+}  // namespace vorpipe
