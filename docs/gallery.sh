@@ -22,6 +22,13 @@ draw() {
   "$program" render --backend cpu -o "$into/$name.png" "$@"
 }
 
+# alike NAME OPTION...: NAME.png, and the same picture as shapes
+alike() {
+  local name=$1
+  shift
+  "$program" render --backend cpu -o "$into/$name.png" -o "$into/$name.svg" -o "$into/$name.pdf" "$@"
+}
+
 # thesis NAME OPTION...: a figure of the thesis, in its colors
 thesis() { draw "$@" --colormap thesis --size 500x500; }
 
@@ -49,3 +56,9 @@ draw islands --sites random:2000 --domain "$root/docs/examples/islands.geojson" 
 
 draw gauges --sites "$root/docs/examples/gauges.csv" --domain "$root/docs/examples/islands.geojson" --edges --show-sites --size 800
 draw masts --sites "$root/docs/examples/masts.csv" --color weight --edges --show-sites --size 800
+
+alike airports --sites "$root/tests/data/navaids.csv" --domain -180,-90,180,90 --color area --legend --size 1600 --quiet
+alike italy --sites "$root/tests/data/navaids.csv" --domain "$root/docs/examples/italy.geojson" --project auto --color area \
+  --edges --edge-width 3 --show-sites --size 4000 --quiet
+alike foam --sites random:500 --random-weights 0,0.001 --periodic xy --color neighbors --colormap plasma --edges \
+  --edge-width 2 --legend --size 800

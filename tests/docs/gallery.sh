@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Whether the pictures of docs/gallery are what docs/gallery.sh draws: gallery.sh VORPIPE. Pixels are compared, not
-# bytes, because another zlib packs them in another way.
+# bytes, and what streams of a PDF hold, because another zlib packs them in another way.
 set -u
 vorpipe=$(realpath "$1") || exit 1
 root=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -11,13 +11,21 @@ trap 'rm -rf "$drawn"' EXIT
   echo "FAILED: docs/gallery.sh ends with $?" >&2
   exit 1
 }
+# same COMMITTED DRAWN: says how they differ.
+same() {
+  case $1 in
+    *.png) "$vorpipe" diff "$1" "$2" 2>&1 ;;
+    *.pdf) "${VORPIPE_TEST_PYTHON:-python3}" "$root/tests/docs/same_pdf.py" "$1" "$2" ;;
+    *) cmp "$1" "$2" 2>&1 ;;
+  esac
+}
 failed=0
-for name in $(ls "$drawn" "$root/docs/gallery" | grep '\.png$' | sort -u); do
+for name in $(ls "$drawn" "$root/docs/gallery" | grep -E '\.(png|svg|pdf)$' | sort -u); do
   if ! [[ -f $root/docs/gallery/$name ]]; then
     echo "FAILED: $name is drawn, and docs/gallery does not have it" >&2
   elif ! [[ -f $drawn/$name ]]; then
     echo "FAILED: docs/gallery has $name, and docs/gallery.sh does not draw it" >&2
-  elif ! said=$("$vorpipe" diff "$root/docs/gallery/$name" "$drawn/$name" 2>&1); then
+  elif ! said=$(same "$root/docs/gallery/$name" "$drawn/$name"); then
     echo "FAILED: ${said//$drawn\//}" >&2
   elif ! grep -qF "gallery/$name" "$root/docs/gallery.md"; then
     echo "FAILED: docs/gallery.md does not show $name" >&2

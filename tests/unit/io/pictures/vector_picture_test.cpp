@@ -139,7 +139,7 @@ TEST(VectorPicture, WritingStopsWhereBytesAreRefused) {
   const Scene scene{mixedSites(), optionsOf(300, 200)};
   const Diagram cells = scene.cells();
   for (const auto write : {writeSvgPicture, writePdfPicture}) {
-    for (const std::size_t room : {0, 100, 3000}) {
+    for (const std::size_t room : {0U, 100U, 3000U}) {
       std::size_t taken = 0;
       CallbackSink sink("full", [&](std::string_view bytes) { return (taken += bytes.size()) <= room; });
       const auto written = write(sink, scene.sites, cells, scene.options, 1);

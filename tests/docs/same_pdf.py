@@ -1,0 +1,17 @@
+#!/usr/bin/env python3
+"""Whether two PDF files have the same streams, however they are packed: same_pdf.py A B"""
+import re
+import sys
+import zlib
+
+
+def streams(path):
+    data = open(path, "rb").read()
+    found = re.findall(rb"stream\r?\n(.*?)\r?\nendstream", data, re.S)
+    return [zlib.decompress(stream) for stream in found]
+
+
+a, b = (streams(path) for path in sys.argv[1:3])
+if not a or a != b:
+    print(f"{sys.argv[1]} and {sys.argv[2]}: {'the streams differ' if a else 'there is no stream'}")
+    sys.exit(1)
