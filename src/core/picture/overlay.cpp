@@ -26,33 +26,54 @@ bool isEdge(const Image& image, int row, int column) {
          (row > 0 && ids[here - width] == no_site);
 }
 
-/// How far each pixel of a row is from the nearest edge pixel of that row, along it, as far as a byte holds.
-void measureRow(const Image& image, int row, std::uint8_t* distance) {
+/// A disk of whole pixels across. That of an odd number has its center in the middle of an edge pixel; that
+/// of an even one at its lower right corner, where cells meet. Steps to pixels from there are counted from 0
+/// and 1.
+class Disk {
+ public:
+  explicit Disk(int across) : first_(across % 2 == 0 ? 1 : 0) {
+    const double radius = (across - 1 + first_) / 2.0, offset = first_ / 2.0;
+    for (int rows = 0; rows - offset <= radius; ++rows) {
+      const double rest = radius * radius - (rows - offset) * (rows - offset);
+      reach_.push_back(static_cast<std::uint8_t>(std::sqrt(rest) + offset));
+    }
+  }
+
+  /// Steps to the pixel itself, and to the ones on its left and above.
+  [[nodiscard]] int first() const { return first_; }
+  /// Most steps in rows.
+  [[nodiscard]] int rows() const { return static_cast<int>(reach_.size()) - 1; }
+  /// Steps from a row with the center to another.
+  [[nodiscard]] int rowsFrom(int center, int row) const {
+    return row > center ? row - center : center - row + first_;
+  }
+  /// Most steps in columns, so many steps in rows away.
+  [[nodiscard]] std::uint8_t columns(int rows) const { return reach_[static_cast<std::size_t>(rows)]; }
+
+ private:
+  int first_;
+  std::vector<std::uint8_t> reach_;
+};
+
+/// How many steps each pixel of a row is from the nearest edge pixel of that row, as far as a byte holds.
+void measureRow(const Image& image, int row, const Disk& disk, std::uint8_t* steps) {
   constexpr int far = std::numeric_limits<std::uint8_t>::max();
   int reached = far;
   for (int column = 0; column < image.width; ++column) {
-    reached = isEdge(image, row, column) ? 0 : std::min(far, reached + 1);
-    distance[column] = static_cast<std::uint8_t>(reached);
+    reached = std::min(far, reached + 1);
+    steps[column] = static_cast<std::uint8_t>(reached);
+    if (isEdge(image, row, column)) reached = 0;
   }
   reached = far;
   for (int column = image.width - 1; column >= 0; --column) {
-    reached = std::min<int>(distance[column], reached + 1);
-    distance[column] = static_cast<std::uint8_t>(std::min(far, reached));
+    reached = isEdge(image, row, column) ? disk.first() : std::min(far, reached + 1);
+    steps[column] = static_cast<std::uint8_t>(std::min<int>(steps[column], reached));
   }
-}
-
-/// A disk of pixels: how far it reaches to either side, by the distance of a row from its center.
-std::vector<std::uint8_t> diskOf(double radius) {
-  std::vector<std::uint8_t> reach;
-  for (int away = 0; away <= radius; ++away) {
-    reach.push_back(static_cast<std::uint8_t>(std::sqrt(radius * radius - away * away)));
-  }
-  return reach;
 }
 
 /// Darkens rows begin to end. Rows of distances are kept while the disk reaches them.
-void widenRows(Image& image, const std::vector<std::uint8_t>& disk, int begin, int end) {
-  const int reach = static_cast<int>(disk.size()) - 1, kept = 2 * reach + 1;
+void widenRows(Image& image, const Disk& disk, int begin, int end) {
+  const int reach = disk.rows(), kept = 2 * reach + 1;
   const auto width = static_cast<std::size_t>(image.width);
   std::vector<std::uint8_t> distances(static_cast<std::size_t>(kept) * width);
   std::vector<std::uint8_t> dark(width);
@@ -60,10 +81,12 @@ void widenRows(Image& image, const std::vector<std::uint8_t>& disk, int begin, i
   int next = std::max(0, begin - reach);
   for (int row = begin; row < end; ++row) {
     const int last = std::min(image.height - 1, row + reach);
-    for (; next <= last; ++next) measureRow(image, next, rowOf(next));
+    for (; next <= last; ++next) measureRow(image, next, disk, rowOf(next));
     std::ranges::fill(dark, std::uint8_t{0});
     for (int other = std::max(0, row - reach); other <= last; ++other) {
-      const std::uint8_t most = disk[static_cast<std::size_t>(std::abs(other - row))];
+      const int rows = disk.rowsFrom(other, row);
+      if (rows > reach) continue;
+      const std::uint8_t most = disk.columns(rows);
       const std::uint8_t* distance = rowOf(other);
       for (std::size_t column = 0; column < width; ++column) {
         dark[column] = static_cast<std::uint8_t>(dark[column] | (distance[column] <= most ? 1 : 0));
@@ -140,7 +163,7 @@ double spacingOf(const Image& image, const SitePixels& places, std::size_t sites
 
 void drawEdges(Image& image, double width, int threads) {
   constexpr std::size_t rows_at_once = 256;
-  const auto disk = diskOf((width - 1) / 2);
+  const Disk disk(static_cast<int>(std::lround(width)));
   const auto rows = static_cast<std::size_t>(image.height);
   parallelFor(rows, rows_at_once, threadsForSteps(image.ids.size(), threads),
               [&](std::size_t begin, std::size_t end) {

@@ -40,9 +40,12 @@ std::uint32_t curvedCells(int row, int column) {
 TEST(Overlay, WideEdgesAreAllPixelsNearAnEdgePixelAndNoOther) {
   Image thin = imageOf(67, 53, curvedCells);
   drawEdges(thin, 1, 1);
-  for (const double width : {1.0, 2.0, 3.0, 4.5, 9.0}) {
+  for (const double width : {1.0, 2.0, 3.0, 4.0, 4.4, 9.0, 10.0}) {
     Image wide = imageOf(67, 53, curvedCells);
     drawEdges(wide, width, 2);
+    // Of an even number of pixels an edge lies between two.
+    const double across = std::round(width), shift = std::fmod(across, 2) == 0 ? 0.5 : 0;
+    const double radius = (across - 1) / 2 + shift;
     for (int row = 0; row < wide.height; ++row) {
       for (int column = 0; column < wide.width; ++column) {
         bool near = false;
@@ -50,7 +53,7 @@ TEST(Overlay, WideEdgesAreAllPixelsNearAnEdgePixelAndNoOther) {
           for (int c = 0; c < wide.width; ++c) {
             const auto pixel = at(thin, r, c);
             const bool edge = thin.ids[pixel] != no_site && thin.rgba[pixel] != plain;
-            near = near || (edge && std::hypot(r - row, c - column) <= (width - 1) / 2);
+            near = near || (edge && std::hypot(r + shift - row, c + shift - column) <= radius);
           }
         }
         const auto pixel = at(wide, row, column);
