@@ -1,0 +1,95 @@
+#include "io/domain/site_domain.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace vorpipe::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+PlacedSites inDegrees() {
+  PlacedSites placed;
+  placed.sites = {{12, 13, 12.5}, {42, 42.5, 43}, {}};
+  placed.system = wgs84();
+  return placed;
+}
+
+PlacedSites ofGenerator() {
+  PlacedSites placed;
+  placed.sites = {{0.25, 0.75}, {0.5, 0.5}, {}};
+  placed.generated = true;
+  return placed;
+}
+
+/// What is wrong, in the library's own words.
+std::string refusal(const DomainSettings& settings, PlacedSites placed) {
+  const auto found = findDomain(settings, placed);
+  if (found) return "accepted";
+  EXPECT_EQ(found.error().code, ErrorCode::input);
+  return found.error().message;
+}
+
+TEST(SiteDomain, generatorsFillTheUnitSquareAndFilesTheirBoxWithAMargin) {
+  PlacedSites placed = ofGenerator();
+  ASSERT_TRUE(findDomain({}, placed));
+  EXPECT_EQ(placed.domain.xmin, 0);
+  EXPECT_EQ(placed.domain.xmax, 1);
+  placed.generated = false;
+  ASSERT_TRUE(findDomain({.margin = Margin{2, false}}, placed));
+  EXPECT_EQ(placed.domain.xmin, -1.75);
+  EXPECT_EQ(placed.domain.ymax, 2.5);
+  EXPECT_THAT(placed.notes, IsEmpty());
+}
+
+TEST(SiteDomain, degreesBecomeAPlaneInKilometersAndComeBack) {
+  PlacedSites placed = inDegrees();
+  ASSERT_TRUE(findDomain({.project = ProjectChoice{}}, placed));
+  ASSERT_TRUE(placed.projection);
+  EXPECT_EQ(placed.system.kind, CoordinateKind::plane);
+  EXPECT_TRUE(placed.system.equal_area_center);
+  EXPECT_NEAR(placed.sites.x[1] - placed.sites.x[0], 82.5, 1);
+  Diagram diagram;
+  diagram.status = {Status::ok, Status::empty, Status::empty};
+  diagram.centroid = {{0, 0}, {0, 0}, {0, 0}};
+  const Point center = placed.projection->center();
+  backToDegrees(placed, diagram);
+  EXPECT_THAT(placed.sites.x, ElementsAre(12, 13, 12.5));
+  EXPECT_EQ(placed.system.code, 4326);
+  EXPECT_NEAR(diagram.centroid[0].y, center.y, 1e-12);
+  EXPECT_EQ(diagram.centroid[1], (Point{13, 42.5}));
+}
+
+TEST(SiteDomain, coordinatesThatLookLikeDegreesAreNotedOnce) {
+  PlacedSites placed = inDegrees();
+  ASSERT_TRUE(findDomain({}, placed, {.sites = "towns.csv", .project_amid = "project='auto'"}));
+  EXPECT_THAT(placed.notes, ElementsAre(AllOf(HasSubstr("towns.csv: "), HasSubstr("project='auto' makes"))));
+}
+
+TEST(SiteDomain, settingsThatContradictEachOtherAreNamedInTheCallersWords) {
+  const Outline square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {0, 4}, {0, 1}};
+  const Outline bow{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {0, 4}, {0, 1}};
+  PlacedSites periodic = inDegrees();
+  periodic.periodic = Periodic::x;
+  EXPECT_THAT(refusal({.outline = square, .margin = Margin{}}, inDegrees()),
+              HasSubstr("margin: domain names"));
+  EXPECT_THAT(refusal({.margin = Margin{}}, ofGenerator()), HasSubstr("margin: generators fill"));
+  EXPECT_THAT(refusal({.margin = Margin{-1}}, inDegrees()), HasSubstr("margin: -1 is not"));
+  EXPECT_THAT(refusal({.repair = true}, inDegrees()), HasSubstr("repair: is for the polygons"));
+  EXPECT_THAT(refusal({}, periodic), HasSubstr("periodic: name the period by a box"));
+  EXPECT_THAT(refusal({.hull = true}, periodic), HasSubstr("does not repeat itself"));
+  EXPECT_THAT(refusal({.project = ProjectChoice{}}, ofGenerator()),
+              HasSubstr("project: is for files in degrees"));
+  EXPECT_THAT(refusal({.outline = bow}, ofGenerator()), HasSubstr("; repair mends it"));
+  EXPECT_EQ(refusal({.outline = bow, .repair = true}, ofGenerator()), "accepted");
+}
+
+TEST(SiteDomain, picturesKeepTheAspectOfWhatHasOne) {
+  EXPECT_EQ(usualFit(ofGenerator()), Fit::stretch);
+  EXPECT_EQ(usualFit(inDegrees()), Fit::letterbox);
+}
+
+}  // namespace
+}  // namespace vorpipe::test
