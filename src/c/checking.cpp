@@ -22,6 +22,17 @@ vorpipe_code tellBroken(const Result<std::vector<std::string>>& broken, vorpipe_
   return fail(VORPIPE_DIFFERENT, broken->front());
 }
 
+/// Promises of cells that are broken, in the plane where they were made.
+Result<std::vector<std::string>> checkCells(const vorpipe_diagram& given, int threads) {
+  const Sites& sites = *given.input->sites;
+  if (!given.plane) return check(sites, given.options, given.diagram, threads);
+  Diagram diagram = given.diagram;
+  diagram.vertices = given.plane->vertices;
+  diagram.centroid = given.plane->centroid;
+  diagram.mass_centroid = given.plane->mass_centroid;
+  return check(sites, given.options, diagram, threads);
+}
+
 /// What compare functions return, with the figures for the caller.
 template <class Difference>
 vorpipe_code tellDifference(bool agree, const std::string& message, const Difference& figures, Difference* to,
@@ -36,11 +47,11 @@ vorpipe_code compareIds(const vorpipe_picture& a, const vorpipe_picture& b,
                         vorpipe_picture_difference* difference) {
   const Image& first = a.rendering.image;
   const auto& ids = b.rendering.image.ids;
-  const vorpipe_picture& drawn = a.sites != nullptr ? a : b;
-  Result<IdDiff> found = drawn.sites == nullptr
+  const vorpipe_picture& drawn = a.input != nullptr ? a : b;
+  Result<IdDiff> found = drawn.input == nullptr
                              ? diffIds(first.ids, ids, first.width, first.height)
-                             : diffIds(first.ids, ids, first.width, first.height, *drawn.sites,
-                                       drawn.options.domain, drawn.options.periodic);
+                             : diffIds(first.ids, ids, first.width, first.height, *drawn.input->sites,
+                                       drawn.options.domain, drawn.options.periodic, drawn.options.fit);
   if (!found) return fail(found.error());
   vorpipe_picture_difference figures{};
   figures.equal = found->equal;
@@ -108,7 +119,7 @@ vorpipe_code vorpipe_diagram_check(const vorpipe_diagram* diagram, int32_t threa
   return guarded([&] {
     const auto count = threadsOf(threads);
     if (!count) return fail(count.error());
-    return tellBroken(check(*diagram->sites, diagram->options, diagram->diagram, *count), broken, user);
+    return tellBroken(checkCells(*diagram, *count), broken, user);
   });
 }
 
@@ -118,10 +129,11 @@ vorpipe_code vorpipe_picture_check(const vorpipe_picture* picture, int32_t threa
   return guarded([&] {
     const auto count = threadsOf(threads);
     if (!count) return fail(count.error());
-    if (picture->sites == nullptr) {
+    if (picture->input == nullptr) {
       return fail(VORPIPE_INPUT, "a picture that was read cannot be checked: its sites are not known");
     }
-    return tellBroken(check(*picture->sites, picture->options, picture->rendering, *count), broken, user);
+    return tellBroken(check(*picture->input->sites, picture->options, picture->rendering, *count), broken,
+                      user);
   });
 }
 

@@ -8,6 +8,8 @@
 #include "c/failure.h"
 #include "c/handles.h"
 #include "c/options.h"
+#include "c/placed_input.h"
+#include "c/shared_parts.h"
 #include "c/structs.h"
 
 namespace vorpipe::c {
@@ -69,25 +71,34 @@ Result<vorpipe_array> arrayOf(const Diagram& diagram, vorpipe_diagram_field fiel
   }
 }
 
-/// What cells share is found once, by whichever thread asks first.
 Result<vorpipe_array> sharedArrayOf(const vorpipe_diagram& diagram, vorpipe_diagram_field field) {
-  std::call_once(diagram.topology_once, [&] { diagram.topology = topologyOf(diagram.diagram); });
-  if (!*diagram.topology) return tl::unexpected(diagram.topology->error());
-  return arrayOf(**diagram.topology, field);
+  const auto& topology = sharedPartsOf(diagram);
+  if (!topology) return tl::unexpected(topology.error());
+  return arrayOf(*topology, field);
 }
 
 vorpipe_code find(vorpipe_session& session, const vorpipe_input& input, const vorpipe_cells_options* given,
                   vorpipe_diagram** diagram) {
-  auto options = cellsOptions(input, given);
+  const auto placed = placedInput(input);
+  if (!placed) return fail(placed.error());
+  auto options = cellsOptions(input, **placed, given);
   if (!options) return fail(options.error());
-  auto found = session.session.cells(*input.sites, *options);
+  auto found = session.session.cells(*(*placed)->sites, *options);
   if (!found) return fail(found.error());
   options->progress = nullptr;
-  *diagram = new vorpipe_diagram{input.sites, std::move(*options), std::move(*found), {}, {}};
+  auto plane = takeToDegrees(**placed, *found, session.threads);
+  *diagram = new vorpipe_diagram{
+      *placed, input.attributes, std::move(*options), std::move(*found), std::move(plane), {}, {}};
   return VORPIPE_DONE;
 }
 
 }  // namespace
+
+const Result<Topology>& sharedPartsOf(const vorpipe_diagram& diagram) {
+  std::call_once(diagram.topology_once, [&] { diagram.topology = topologyOf(diagram.diagram); });
+  return *diagram.topology;
+}
+
 }  // namespace vorpipe::c
 
 using namespace vorpipe;

@@ -1,12 +1,18 @@
 /// What is behind the opaque types of vorpipe_c.h.
 #pragma once
 
+#include <cstdint>
+#include <deque>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "c/vorpipe_c.h"
+#include "io/attributes/attribute.h"
+#include "io/attributes/coordinate_system.h"
+#include "io/domain/site_domain.h"
 #include "vorpipe.h"
 
 struct vorpipe_devices {
@@ -18,30 +24,54 @@ struct vorpipe_session {
   int threads;
 };
 
-/// Diagrams and pictures share the sites, which a change of the input replaces.
+namespace vorpipe::c {
+
+/// An input as runs take it: sites and domain, in a plane if they are to be projected.
+struct PlacedInput {
+  PlacedSites domain;                  ///< without the sites, and where they are in degrees
+  std::shared_ptr<const Sites> sites;  ///< of the run
+  std::shared_ptr<const Sites> given;  ///< as the diagram has them: in degrees, if they are projected
+};
+
+/// The positions of a diagram before they were taken to degrees.
+struct PlanePositions {
+  std::vector<Point> vertices, centroid, mass_centroid;
+};
+
+}  // namespace vorpipe::c
+
+/// Diagrams and pictures share sites and attributes, which a change of the input replaces.
 struct vorpipe_input {
   std::shared_ptr<const vorpipe::Sites> sites;
-  vorpipe::Box domain{};
-  vorpipe::Outline outline{};
+  std::shared_ptr<const std::vector<vorpipe::Attribute>> attributes;
+  vorpipe::CoordinateSystem system{};
+  std::string name;        ///< for messages about the sites
+  bool generated = false;  ///< in the unit square
+  std::uint64_t skipped = 0;
+  vorpipe::DomainSettings domain{};
   vorpipe::Periodic periodic = vorpipe::Periodic::none;
   vorpipe::Density density{};
-  bool of_unit_square = false;  ///< made by a generator
+  mutable std::shared_ptr<const vorpipe::c::PlacedInput> placed;  ///< found when it is first needed
+  mutable std::deque<std::string> notes;                          ///< what is in it stays where it is
 };
 
 struct vorpipe_diagram {
-  std::shared_ptr<const vorpipe::Sites> sites;
+  std::shared_ptr<const vorpipe::c::PlacedInput> input;
+  std::shared_ptr<const std::vector<vorpipe::Attribute>> attributes;
   vorpipe::CellsOptions options;  ///< of the run; without progress
   vorpipe::Diagram diagram;
+  std::optional<vorpipe::c::PlanePositions> plane;  ///< of sites that are projected
   mutable std::once_flag topology_once;
   mutable std::optional<vorpipe::Result<vorpipe::Topology>> topology;  ///< found when first asked for
 };
 
 struct vorpipe_locator {
   vorpipe::Locator locator;
+  std::optional<vorpipe::Projection> projection;  ///< of places in degrees
 };
 
 struct vorpipe_picture {
-  std::shared_ptr<const vorpipe::Sites> sites;  ///< none where it was read
-  vorpipe::RenderOptions options;               ///< of the run; without progress
+  std::shared_ptr<const vorpipe::c::PlacedInput> input;  ///< none where it was read
+  vorpipe::RenderOptions options;                        ///< of the run; without progress
   vorpipe::Rendering rendering;
 };

@@ -1,16 +1,15 @@
-/// Sites, their weights, domain and density.
+/// Sites, their weights, and a density.
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
-#include <span>
+#include <cstring>
+#include <string>
 #include <utility>
 
 #include "c/failure.h"
 #include "c/handles.h"
 #include "c/structs.h"
 #include "io/domain/density_file.h"
-#include "io/domain/outline_file.h"
 #include "io/files/error.h"
 #include "io/sites/site_source.h"
 #include "io/sites/sites_file.h"
@@ -28,16 +27,49 @@ std::vector<double> copied(const double* numbers, std::uint64_t count, std::size
   return copy;
 }
 
-/// What has sites, and the domain that is theirs if none is set.
-Result<vorpipe_input> inputOf(Sites sites, bool of_unit_square) {
+/// What has sites of the caller's.
+Result<vorpipe_input> inputOf(Sites sites) {
   if (sites.size() > max_sites) {
     return inputError(fmt::format("sites: {} of at most {}", sites.size(), max_sites));
   }
   vorpipe_input input;
-  input.domain = of_unit_square || sites.size() == 0 ? Box{0, 0, 1, 1} : domainOf(sites);
-  input.of_unit_square = of_unit_square;
   input.sites = std::make_shared<const Sites>(std::move(sites));
+  input.attributes = std::make_shared<const std::vector<Attribute>>();
+  input.name = "sites";
   return input;
+}
+
+/// What has sites of a file or a generator.
+Result<vorpipe_input> inputOf(const std::string& spec, std::uint64_t seed, const ReadOptions& options) {
+  auto source = loadSites(spec, seed, options);
+  if (!source) return tl::unexpected(std::move(source.error()));
+  SiteTable& table = source->table;
+  vorpipe_input input;
+  input.sites = std::make_shared<const Sites>(std::move(table.sites));
+  input.attributes = std::make_shared<const std::vector<Attribute>>(std::move(table.attributes));
+  input.system = std::move(table.system);
+  input.name = spec;
+  input.generated = source->seed.has_value();
+  input.skipped = table.skipped;
+  input.notes.assign(table.notes.begin(), table.notes.end());
+  return input;
+}
+
+Result<ReadOptions> readOptions(const vorpipe_read_options& given) {
+  ReadOptions options;
+  options.attributes = given.keep_attributes != 0;
+  options.skip_missing = given.skip_missing != 0;
+  if (given.format != nullptr) options.format = given.format;
+  if (given.layer != nullptr) options.layer = given.layer;
+  if (given.column_count > 3) {
+    return inputError(fmt::format("columns: are {} of at most 3", given.column_count));
+  }
+  if (given.column_count > 0 && given.columns == nullptr) return inputError("columns: is NULL");
+  for (std::uint32_t k = 0; k < given.column_count; ++k) {
+    if (given.columns[k] == nullptr) return inputError(fmt::format("columns: number {} is NULL", k));
+    options.columns.emplace_back(given.columns[k]);
+  }
+  return options;
 }
 
 /// Gives the caller an object.
@@ -52,46 +84,8 @@ vorpipe_code setWeights(vorpipe_input& input, Result<std::vector<double>> weight
   Sites sites = *input.sites;
   sites.weight = std::move(*weights);
   input.sites = std::make_shared<const Sites>(std::move(sites));
+  input.placed = nullptr;
   return VORPIPE_DONE;
-}
-
-vorpipe_code setOutline(vorpipe_input& input, Result<Outline> outline) {
-  if (!outline) return fail(outline.error());
-  if (outline->empty()) return fail(VORPIPE_INPUT, "outline: has no points", Subject::outline);
-  input.domain = boxOf(outline->points);
-  if (input.of_unit_square)
-    input.sites = std::make_shared<const Sites>(spreadOver(input.domain, *input.sites));
-  input.of_unit_square = false;
-  input.outline = std::move(*outline);
-  input.periodic = Periodic::none;
-  return VORPIPE_DONE;
-}
-
-/// A table of `count` parts of `whole` things: begins with 0, ascends, ends with their number.
-Result<std::vector<std::uint64_t>> offsetsOf(const std::uint64_t* offsets, std::uint64_t count,
-                                             std::uint64_t whole, std::string_view name) {
-  if (offsets == nullptr) return inputError(fmt::format("{}: is NULL", name));
-  std::vector<std::uint64_t> table(offsets, offsets + count + 1);
-  if (table.front() != 0 || table.back() != whole || !std::ranges::is_sorted(table)) {
-    return inputError(fmt::format("{}: does not ascend from 0 to {}", name, whole));
-  }
-  return table;
-}
-
-Result<Outline> outlineOf(const vorpipe_outline& given) {
-  if (given.points == nullptr) return inputError("points: is NULL");
-  auto rings = offsetsOf(given.ring_offsets, given.ring_count, given.point_count, "ring_offsets");
-  if (!rings) return tl::unexpected(rings.error());
-  auto polygons = offsetsOf(given.polygon_offsets, given.polygon_count, given.ring_count, "polygon_offsets");
-  if (!polygons) return tl::unexpected(polygons.error());
-  Outline outline;
-  outline.ring_offsets = std::move(*rings);
-  outline.polygon_offsets = std::move(*polygons);
-  outline.points.reserve(given.point_count);
-  for (std::uint64_t k = 0; k < given.point_count; ++k) {
-    outline.points.push_back({given.points[2 * k], given.points[2 * k + 1]});
-  }
-  return outline;
 }
 
 Result<Sites> sitesOf(const vorpipe_sites& given) {
@@ -123,17 +117,26 @@ vorpipe_code vorpipe_input_create(const vorpipe_sites* sites, vorpipe_input** in
     if (!given) return fail(given.error());
     auto copy = sitesOf(*given);
     if (!copy) return fail(copy.error());
-    return give(inputOf(std::move(*copy), false), input);
+    return give(inputOf(std::move(*copy)), input);
   });
 }
 
 vorpipe_code vorpipe_input_read(const char* sites, uint64_t seed, vorpipe_input** input) {
   if (sites == nullptr) return missing("sites");
   if (input == nullptr) return missing("input");
+  return guarded([&] { return give(inputOf(sites, seed, {.attributes = false}), input); });
+}
+
+vorpipe_code vorpipe_input_read_with(const char* sites, const vorpipe_read_options* options,
+                                     vorpipe_input** input) {
+  if (sites == nullptr) return missing("sites");
+  if (input == nullptr) return missing("input");
   return guarded([&] {
-    auto source = loadSites(sites, seed, {.attributes = false});
-    if (!source) return fail(source.error());
-    return give(inputOf(std::move(source->table.sites), source->seed.has_value()), input);
+    const auto given = taken(options, "vorpipe_read_options");
+    if (!given) return fail(given.error());
+    const auto reading = readOptions(*given);
+    if (!reading) return fail(reading.error());
+    return give(inputOf(sites, given->seed == 0 ? 1 : given->seed, *reading), input);
   });
 }
 
@@ -141,6 +144,12 @@ void vorpipe_input_free(vorpipe_input* input) { delete input; }
 
 uint64_t vorpipe_input_count(const vorpipe_input* input) {
   return input == nullptr ? 0 : input->sites->size();
+}
+
+uint64_t vorpipe_input_skipped(const vorpipe_input* input) { return input == nullptr ? 0 : input->skipped; }
+
+const char* vorpipe_input_note(const vorpipe_input* input, size_t index) {
+  return input == nullptr || index >= input->notes.size() ? nullptr : input->notes[index].c_str();
 }
 
 vorpipe_code vorpipe_input_set_weights(vorpipe_input* input, const double* weights, uint64_t count) {
@@ -169,36 +178,6 @@ vorpipe_code vorpipe_input_random_weights(vorpipe_input* input, double low, doub
     }
     return setWeights(*input, randomWeights(low, high, input->sites->size(), seed));
   });
-}
-
-vorpipe_code vorpipe_input_set_box(vorpipe_input* input, double xmin, double ymin, double xmax, double ymax,
-                                   vorpipe_axes periodic) {
-  if (input == nullptr) return missing("input");
-  if (periodic < VORPIPE_PERIODIC_NONE || periodic > VORPIPE_PERIODIC_XY) {
-    return guarded(
-        [&] { return fail(VORPIPE_INPUT, fmt::format("periodic: no axes {}", periodic), Subject::period); });
-  }
-  constexpr Periodic axes[] = {Periodic::none, Periodic::x, Periodic::y, Periodic::xy};
-  input->domain = {xmin, ymin, xmax, ymax};
-  input->outline = {};
-  input->periodic = axes[periodic];
-  return VORPIPE_DONE;
-}
-
-vorpipe_code vorpipe_input_set_outline(vorpipe_input* input, const vorpipe_outline* outline) {
-  if (input == nullptr) return missing("input");
-  if (outline == nullptr) return missing("outline");
-  return guarded([&] {
-    const auto given = taken(outline, "vorpipe_outline");
-    if (!given) return fail(given.error());
-    return setOutline(*input, outlineOf(*given));
-  });
-}
-
-vorpipe_code vorpipe_input_read_outline(vorpipe_input* input, const char* path) {
-  if (input == nullptr) return missing("input");
-  if (path == nullptr) return missing("path");
-  return guarded([&] { return setOutline(*input, readOutline(path)); });
 }
 
 vorpipe_code vorpipe_input_set_density(vorpipe_input* input, const double* values, int32_t width,

@@ -1,10 +1,13 @@
 /// Which cell holds a place.
+#include <algorithm>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "c/failure.h"
 #include "c/handles.h"
 #include "c/options.h"
+#include "c/placed_input.h"
 
 using namespace vorpipe;
 using namespace vorpipe::c;
@@ -17,11 +20,13 @@ vorpipe_code vorpipe_locator_create(const vorpipe_input* input, int32_t threads,
   return guarded([&] {
     const auto count = threadsOf(threads);
     if (!count) return fail(count.error());
-    const auto options = cellsOptions(*input, nullptr);
+    const auto placed = placedInput(*input);
+    if (!placed) return fail(placed.error());
+    const auto options = cellsOptions(*input, **placed, nullptr);
     if (!options) return fail(options.error());
-    auto made = Locator::make(*input->sites, *options, *count);
+    auto made = Locator::make(*(*placed)->sites, *options, *count);
     if (!made) return fail(made.error());
-    *locator = new vorpipe_locator{std::move(*made)};
+    *locator = new vorpipe_locator{std::move(*made), (*placed)->domain.projection};
     return vorpipe_code{VORPIPE_DONE};
   });
 }
@@ -34,7 +39,15 @@ vorpipe_code vorpipe_locator_find(const vorpipe_locator* locator, const double* 
   if (places == nullptr && count > 0) return missing("places");
   if (sites == nullptr && count > 0) return missing("sites");
   return guarded([&] {
-    locator->locator.at({reinterpret_cast<const Point*>(places), count}, {sites, count});
+    const std::span given(reinterpret_cast<const Point*>(places), count);
+    if (!locator->projection) {
+      locator->locator.at(given, {sites, count});
+      return vorpipe_code{VORPIPE_DONE};
+    }
+    std::vector<Point> plane(count);
+    std::ranges::transform(given, plane.begin(),
+                           [&](Point place) { return locator->projection->toPlane(place); });
+    locator->locator.at(plane, {sites, count});
     return vorpipe_code{VORPIPE_DONE};
   });
 }

@@ -1,20 +1,39 @@
 /// How much memory runs take.
+#include <cstdint>
+#include <string_view>
+
 #include "c/failure.h"
 #include "c/handles.h"
 #include "c/options.h"
+#include "c/placed_input.h"
 
 namespace vorpipe::c {
 namespace {
 
-/// A plan that has the program, its session and the sites.
-MemoryPlan begun(const vorpipe_input& input, const Workload& work) {
-  MemoryPlan plan;
-  for (const auto* numbers : {&input.sites->x, &input.sites->y, &input.sites->weight}) {
-    if (!numbers->empty()) plan.take("sites", numbers->size() * sizeof(double));
+void takeSites(MemoryPlan& plan, std::string_view what, const Sites& sites) {
+  for (const auto* numbers : {&sites.x, &sites.y, &sites.weight}) {
+    if (!numbers->empty()) plan.take(what, numbers->size() * sizeof(double));
   }
+}
+
+/// A plan that has the program, its session and the sites.
+MemoryPlan begun(const vorpipe_input& input, const PlacedInput& placed, const Workload& work) {
+  MemoryPlan plan;
+  takeSites(plan, "sites", *input.sites);
+  if (placed.sites != input.sites) takeSites(plan, "the sites of the run", *placed.sites);
+  if (placed.domain.projection) takeSites(plan, "the sites in degrees", *placed.given);
+  for (const Attribute& attribute : *input.attributes) plan.take("attributes", attribute.bytes());
   if (work.density_pixels > 0) plan.take("the density", work.density_pixels * sizeof(double));
   planSession(plan, work);
   return plan;
+}
+
+/// Positions that a diagram has in degrees and in the plane.
+void takePlanePositions(MemoryPlan& plan, const PlacedInput& placed, Detail detail) {
+  constexpr std::uint64_t vertices_of_cell = 6;
+  if (!placed.domain.projection) return;
+  const std::uint64_t positions = detail == Detail::measures ? 1 : 1 + vertices_of_cell;
+  plan.take("positions in the plane", placed.sites->size() * positions * sizeof(Point));
 }
 
 }  // namespace
@@ -29,13 +48,16 @@ vorpipe_code vorpipe_cells_memory(const vorpipe_session* session, const vorpipe_
   if (input == nullptr) return missing("input");
   if (bytes == nullptr) return missing("bytes");
   return guarded([&] {
-    const auto cells = cellsOptions(*input, options);
+    const auto placed = placedInput(*input);
+    if (!placed) return fail(placed.error());
+    const auto cells = cellsOptions(*input, **placed, options);
     if (!cells) return fail(cells.error());
     const auto work =
-        workloadOf(*input->sites, *cells, ImagesFor::cells, session->session.device(), session->threads);
+        workloadOf(*(*placed)->sites, *cells, ImagesFor::cells, session->session.device(), session->threads);
     if (!work) return fail(work.error());
-    MemoryPlan plan = begun(*input, *work);
+    MemoryPlan plan = begun(*input, **placed, *work);
     planCells(plan, *work, cells->detail);
+    takePlanePositions(plan, **placed, cells->detail);
     *bytes = plan.peak();
     return vorpipe_code{VORPIPE_DONE};
   });
@@ -47,12 +69,14 @@ vorpipe_code vorpipe_render_memory(const vorpipe_session* session, const vorpipe
   if (input == nullptr) return missing("input");
   if (bytes == nullptr) return missing("bytes");
   return guarded([&] {
-    const auto picture = renderOptions(*input, options);
+    const auto placed = placedInput(*input);
+    if (!placed) return fail(placed.error());
+    const auto picture = renderOptions(**placed, options);
     if (!picture) return fail(picture.error());
-    const auto work = workloadOf(*input->sites, cellsOptions(*picture), imagesFor(picture->color),
+    const auto work = workloadOf(*(*placed)->sites, cellsOptions(*picture), imagesFor(picture->color),
                                  session->session.device(), session->threads);
     if (!work) return fail(work.error());
-    MemoryPlan plan = begun(*input, *work);
+    MemoryPlan plan = begun(*input, **placed, *work);
     planPicture(plan, *work, picture->width, picture->height, picture->color);
     *bytes = plan.peak();
     return vorpipe_code{VORPIPE_DONE};

@@ -1,38 +1,53 @@
 /// Names that options take.
 #include <fmt/core.h>
 
+#include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "c/array.h"
 #include "c/vorpipe_c.h"
 #include "io/cells/cells_file.h"
+#include "io/edges/edges_file.h"
+#include "io/pictures/picture_file.h"
+#include "io/sites/sites_file.h"
 #include "vorpipe.h"
 
 namespace vorpipe::c {
 namespace {
 
 /// Formats are extensions without their dot.
-std::vector<std::string> cellsFormats() {
+std::vector<std::string> formats(std::initializer_list<std::vector<std::string_view>> lists) {
   std::vector<std::string> names;
-  for (const auto extension : cellsExtensions()) names.emplace_back(extension.substr(1));
+  for (const auto& extensions : lists) {
+    for (const std::string_view extension : extensions) names.emplace_back(extension.substr(1));
+  }
   return names;
 }
 
 const char* nameOf(vorpipe_list list, std::size_t index) {
-  static const auto backends = backendNames(), maps = colormaps(), formats = cellsFormats(),
-                    features = featureNames(), limits = limitNames();
+  static const auto backends = backendNames(), maps = colormaps(), features = featureNames(),
+                    limits = limitNames(), cells = formats({cellsExtensions()}),
+                    sites = formats({sitesExtensions()}), edges = formats({edgesExtensions()}),
+                    pictures = formats({pictureExtensions(), idsExtensions()});
   switch (list) {
     case VORPIPE_BACKENDS:
       return textAt(backends, index);
     case VORPIPE_COLORMAPS:
       return textAt(maps, index);
     case VORPIPE_CELLS_FORMATS:
-      return textAt(formats, index);
+      return textAt(cells, index);
     case VORPIPE_FEATURES:
       return textAt(features, index);
     case VORPIPE_LIMITS:
       return textAt(limits, index);
+    case VORPIPE_SITES_FORMATS:
+      return textAt(sites, index);
+    case VORPIPE_EDGES_FORMATS:
+      return textAt(edges, index);
+    case VORPIPE_PICTURE_FORMATS:
+      return textAt(pictures, index);
     default:
       return nullptr;
   }

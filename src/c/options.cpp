@@ -12,14 +12,6 @@
 namespace vorpipe::c {
 namespace {
 
-/// The choice that a number stands for. Error (input): there is none.
-template <class Choice, std::size_t count>
-Result<Choice> chosen(const std::array<Choice, count>& choices, std::int32_t number, std::string_view name) {
-  if (number >= 0 && static_cast<std::size_t>(number) < count)
-    return choices[static_cast<std::size_t>(number)];
-  return inputError(fmt::format("{}: is {}, which stands for nothing", name, number));
-}
-
 Result<SearchOptions> searchOf(vorpipe_search search, std::int32_t neighbors) {
   constexpr std::array methods{Search::grid, Search::flann};
   const auto method = chosen(methods, search, "search");
@@ -28,6 +20,25 @@ Result<SearchOptions> searchOf(vorpipe_search search, std::int32_t neighbors) {
   options.method = *method;
   if (neighbors != 0) options.neighbors = neighbors;
   return options;
+}
+
+/// How values become colors, how wide lines are, what becomes of the domain's aspect.
+Result<void> takeLooks(const PlacedInput& placed, const vorpipe_render_options& given,
+                       RenderOptions& options) {
+  constexpr std::array scales{ColorScale::automatic, ColorScale::linear, ColorScale::log,
+                              ColorScale::quantile};
+  const auto scale = chosen(scales, given.color_scale, "color_scale");
+  if (!scale) return tl::unexpected(scale.error());
+  const std::array fits{usualFit(placed.domain), Fit::stretch, Fit::letterbox};
+  const auto fit = chosen(fits, given.fit, "fit");
+  if (!fit) return tl::unexpected(fit.error());
+  options.color_scale = *scale;
+  options.fit = *fit;
+  if (given.has_range != 0) options.color_range = ColorRange{given.range_low, given.range_high};
+  options.legend = given.legend != 0;
+  if (given.edge_width != 0) options.edge_width = given.edge_width;
+  options.dot_size = given.dot_size;
+  return {};
 }
 
 }  // namespace
@@ -68,7 +79,8 @@ Result<int> threadsOf(std::int32_t threads) {
   return inputError(fmt::format("threads: is {}", threads));
 }
 
-Result<CellsOptions> cellsOptions(const vorpipe_input& input, const vorpipe_cells_options* given) {
+Result<CellsOptions> cellsOptions(const vorpipe_input& input, const PlacedInput& placed,
+                                  const vorpipe_cells_options* given) {
   const auto taken_options = taken(given, "vorpipe_cells_options");
   if (!taken_options) return tl::unexpected(taken_options.error());
   constexpr std::array details{Detail::everything, Detail::measures, Detail::polygons};
@@ -77,9 +89,9 @@ Result<CellsOptions> cellsOptions(const vorpipe_input& input, const vorpipe_cell
   const auto search = searchOf(taken_options->search, taken_options->search_neighbors);
   if (!search) return tl::unexpected(search.error());
   CellsOptions options{};
-  options.domain = input.domain;
-  options.outline = input.outline;
-  options.periodic = input.periodic;
+  options.domain = placed.domain.domain;
+  options.outline = placed.domain.outline;
+  options.periodic = placed.domain.periodic;
   options.density = input.density;
   options.search = *search;
   options.detail = *detail;
@@ -87,7 +99,7 @@ Result<CellsOptions> cellsOptions(const vorpipe_input& input, const vorpipe_cell
   return options;
 }
 
-Result<RenderOptions> renderOptions(const vorpipe_input& input, const vorpipe_render_options* given) {
+Result<RenderOptions> renderOptions(const PlacedInput& placed, const vorpipe_render_options* given) {
   const auto taken_options = taken(given, "vorpipe_render_options");
   if (!taken_options) return tl::unexpected(taken_options.error());
   constexpr std::array colors{ColorBy::site, ColorBy::area, ColorBy::neighbors, ColorBy::weight};
@@ -96,12 +108,12 @@ Result<RenderOptions> renderOptions(const vorpipe_input& input, const vorpipe_re
   const auto search = searchOf(taken_options->search, taken_options->search_neighbors);
   if (!search) return tl::unexpected(search.error());
   RenderOptions options{};
-  options.domain = input.domain;
-  options.outline = input.outline;
-  options.periodic = input.periodic;
+  const Box& domain = options.domain = placed.domain.domain;
+  options.outline = placed.domain.outline;
+  options.periodic = placed.domain.periodic;
   const bool sized = taken_options->width != 0 || taken_options->height != 0;
   const PictureSize size =
-      sized ? PictureSize{taken_options->width, taken_options->height} : defaultSize(input.domain);
+      sized ? PictureSize{taken_options->width, taken_options->height} : defaultSize(domain);
   options.width = size.width;
   options.height = size.height;
   options.color = *color;
@@ -110,6 +122,10 @@ Result<RenderOptions> renderOptions(const vorpipe_input& input, const vorpipe_re
   options.show_sites = taken_options->show_sites != 0;
   options.search = *search;
   options.progress = progressOf(taken_options->progress, taken_options->progress_user);
+  if (auto looks = takeLooks(placed, *taken_options, options); !looks) return tl::unexpected(looks.error());
+  if (options.color == ColorBy::weight && placed.sites->weight.empty()) {
+    return tl::unexpected(Error{ErrorCode::input, "color: weight needs weights", false, Subject::weights});
+  }
   return options;
 }
 

@@ -1,16 +1,33 @@
 /// Options of runs, from what a program gave.
 #pragma once
 
+#include <fmt/core.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
 #include "c/handles.h"
 #include "c/vorpipe_c.h"
+#include "io/files/error.h"
 #include "vorpipe.h"
 
 namespace vorpipe::c {
 
-/// The options of a run over the input; those given may be NULL. Errors (input): a number that names nothing,
-/// a struct that is none.
-Result<CellsOptions> cellsOptions(const vorpipe_input& input, const vorpipe_cells_options* given);
-Result<RenderOptions> renderOptions(const vorpipe_input& input, const vorpipe_render_options* given);
+/// The choice that a number stands for. Error (input): there is none.
+template <class Choice, std::size_t count>
+Result<Choice> chosen(const std::array<Choice, count>& choices, std::int32_t number, std::string_view name) {
+  if (number >= 0 && static_cast<std::size_t>(number) < count)
+    return choices[static_cast<std::size_t>(number)];
+  return inputError(fmt::format("{}: is {}, which stands for nothing", name, number));
+}
+
+/// The options of a run over an input, and where that is placed; those given may be NULL. Errors (input): a
+/// number that names nothing, a struct that is none; colors by weight, and there are no weights.
+Result<CellsOptions> cellsOptions(const vorpipe_input& input, const PlacedInput& placed,
+                                  const vorpipe_cells_options* given);
+Result<RenderOptions> renderOptions(const PlacedInput& placed, const vorpipe_render_options* given);
 
 /// Empty where there is none.
 Progress progressOf(vorpipe_progress progress, void* user);

@@ -7,6 +7,7 @@
 #include "c/failure.h"
 #include "c/handles.h"
 #include "c/options.h"
+#include "c/placed_input.h"
 #include "c/structs.h"
 #include "io/files/error.h"
 #include "io/files/extension.h"
@@ -50,16 +51,30 @@ Result<Image> readPicture(const std::string& path) {
 
 vorpipe_code draw(vorpipe_session& session, const vorpipe_input& input, const vorpipe_render_options* given,
                   vorpipe_picture** picture) {
-  auto options = renderOptions(input, given);
+  const auto placed = placedInput(input);
+  if (!placed) return fail(placed.error());
+  auto options = renderOptions(**placed, given);
   if (!options) return fail(options.error());
-  if (options->color == ColorBy::weight && input.sites->weight.empty()) {
-    return fail(VORPIPE_INPUT, "color: weight needs weights", Subject::weights);
-  }
-  auto drawn = session.session.render(*input.sites, *options);
+  auto drawn = session.session.render(*(*placed)->sites, *options);
   if (!drawn) return fail(drawn.error());
   options->progress = nullptr;
-  *picture = new vorpipe_picture{input.sites, std::move(*options), std::move(*drawn)};
+  *picture = new vorpipe_picture{*placed, std::move(*options), std::move(*drawn)};
   return VORPIPE_DONE;
+}
+
+/// What colors stand for, as vorpipe_c.h shows it.
+vorpipe_color_key keyOf(const Rendering& rendering) {
+  vorpipe_color_key shown{};
+  shown.ticks = {nullptr, 0, VORPIPE_DOUBLE, 2};
+  if (!rendering.key) return shown;
+  const ColorKey& key = *rendering.key;
+  static_assert(sizeof(key.ticks[0]) == 2 * sizeof(double));
+  shown.color = static_cast<vorpipe_color>(key.color);
+  shown.scale = static_cast<vorpipe_color_scale>(key.scale);
+  shown.low = key.range.low;
+  shown.high = key.range.high;
+  shown.ticks = array(key.ticks, VORPIPE_DOUBLE);
+  return shown;
 }
 
 }  // namespace
@@ -102,6 +117,12 @@ int32_t vorpipe_picture_width(const vorpipe_picture* picture) {
 
 int32_t vorpipe_picture_height(const vorpipe_picture* picture) {
   return picture == nullptr ? 0 : picture->rendering.image.height;
+}
+
+vorpipe_code vorpipe_picture_key(const vorpipe_picture* picture, vorpipe_color_key* key) {
+  if (picture == nullptr) return missing("picture");
+  if (key == nullptr) return missing("key");
+  return guarded([&] { return codeOf(give(keyOf(picture->rendering), key, "vorpipe_color_key")); });
 }
 
 vorpipe_code vorpipe_picture_report(const vorpipe_picture* picture, vorpipe_report* report) {

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -150,6 +152,14 @@ class Input {
     return Input(input);
   }
 
+  /// `options.struct_size` is set here.
+  static Input readWith(const std::string& sites, vorpipe_read_options options) {
+    vorpipe_input* input = nullptr;
+    options.struct_size = sizeof options;
+    done(vorpipe_input_read_with(sites.c_str(), &options, &input));
+    return Input(input);
+  }
+
   Input& weights(const std::vector<double>& weights) {
     done(vorpipe_input_set_weights(get(), weights.data(), weights.size()));
     return *this;
@@ -171,6 +181,38 @@ class Input {
     done(vorpipe_input_read_outline(get(), path.c_str()));
     return *this;
   }
+  Input& hull() {
+    done(vorpipe_input_set_hull(get()));
+    return *this;
+  }
+  Input& repairOutline() {
+    done(vorpipe_input_repair_outline(get()));
+    return *this;
+  }
+  /// In the unit of the domain; `relative`: as a part of the longer side.
+  Input& margin(double margin, bool relative = false) {
+    done(vorpipe_input_set_margin(get(), margin, relative ? 1 : 0));
+    return *this;
+  }
+  /// Around a center amid the domain or the sites, or one in degrees.
+  Input& project() { return project(std::nan(""), std::nan("")); }
+  Input& project(double longitude, double latitude) {
+    done(vorpipe_input_project(get(), longitude, latitude));
+    return *this;
+  }
+  Input& system(vorpipe_system_kind kind, std::int64_t epsg = 0) {
+    done(vorpipe_input_set_system(get(), kind, epsg));
+    return *this;
+  }
+  Input& attribute(const std::string& name, const std::vector<std::optional<std::string>>& values,
+                   vorpipe_attribute_type type = VORPIPE_INFERRED) {
+    std::vector<vorpipe_text> texts;
+    for (const auto& value : values) {
+      texts.push_back(value ? vorpipe_text{value->data(), value->size()} : vorpipe_text{nullptr, 0});
+    }
+    done(vorpipe_input_add_attribute(get(), name.c_str(), type, texts.data(), texts.size()));
+    return *this;
+  }
   Input& density(const std::vector<double>& values, std::int32_t width, std::int32_t height) {
     if (values.size() != static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) {
       throw std::invalid_argument("density: not width x height values");
@@ -184,6 +226,35 @@ class Input {
   }
 
   [[nodiscard]] std::size_t size() const { return vorpipe_input_count(get()); }
+  [[nodiscard]] std::uint64_t skipped() const { return vorpipe_input_skipped(get()); }
+  /// xmin, ymin, xmax and ymax, in the plane of a projection.
+  [[nodiscard]] std::array<double, 4> domain() const {
+    std::array<double, 4> box = {};
+    done(vorpipe_input_domain(get(), box.data()));
+    return box;
+  }
+  /// What was reinterpreted or changed so far.
+  [[nodiscard]] std::vector<std::string> notes() const {
+    std::vector<std::string> all;
+    for (std::size_t k = 0; const char* note = vorpipe_input_note(get(), k); ++k) all.emplace_back(note);
+    return all;
+  }
+  [[nodiscard]] std::size_t attributeCount() const { return vorpipe_input_attribute_count(get()); }
+  [[nodiscard]] std::string attributeName(std::size_t attribute) const {
+    const char* name = vorpipe_input_attribute_name(get(), attribute);
+    if (name == nullptr) throw std::out_of_range("attribute");
+    return name;
+  }
+  [[nodiscard]] vorpipe_attribute_type attributeType(std::size_t attribute) const {
+    return vorpipe_input_attribute_type(get(), attribute);
+  }
+  /// None where it is missing.
+  [[nodiscard]] std::optional<std::string> attribute(std::size_t attribute, std::uint64_t site) const {
+    vorpipe_text value = {};
+    done(vorpipe_input_attribute(get(), attribute, site, &value));
+    if (value.data == nullptr) return std::nullopt;
+    return std::string(value.data, static_cast<std::size_t>(value.size));
+  }
   [[nodiscard]] vorpipe_input* get() const { return input_.get(); }
 
  private:
@@ -250,20 +321,39 @@ class Diagram {
   [[nodiscard]] bool agreesWith(const Diagram& other) const {
     return done(vorpipe_diagrams_compare(get(), other.get(), nullptr));
   }
-  void write(const std::string& format, const Write& write) const {
+  /// `only_cells` leaves out sites without a cell.
+  void write(const std::string& format, const Write& write, bool only_cells = false) const {
     Callback<Write> callback(write);
-    callback.finish(vorpipe_diagram_write(get(), format.c_str(), Callback<Write>::write, callback.user()));
+    const auto options = writeOptions(only_cells);
+    callback.finish(
+        vorpipe_diagram_write_with(get(), format.c_str(), &options, Callback<Write>::write, callback.user()));
   }
-  [[nodiscard]] std::string text(const std::string& format) const {
+  [[nodiscard]] std::string text(const std::string& format, bool only_cells = false) const {
     std::string all;
-    write(format, [&](std::string_view bytes) { return all.append(bytes), true; });
+    write(
+        format, [&](std::string_view bytes) { return all.append(bytes), true; }, only_cells);
     return all;
   }
-  void save(const std::string& path) const { done(vorpipe_diagram_save(get(), path.c_str())); }
+  void save(const std::string& path, bool only_cells = false) const {
+    const auto options = writeOptions(only_cells);
+    done(vorpipe_diagram_save_with(get(), path.c_str(), &options));
+  }
+  void writeEdges(const std::string& format, const Write& write) const {
+    Callback<Write> callback(write);
+    callback.finish(
+        vorpipe_diagram_write_edges(get(), format.c_str(), Callback<Write>::write, callback.user()));
+  }
+  void saveEdges(const std::string& path) const { done(vorpipe_diagram_save_edges(get(), path.c_str())); }
 
   [[nodiscard]] const vorpipe_diagram* get() const { return diagram_.get(); }
 
  private:
+  static vorpipe_write_options writeOptions(bool only_cells) {
+    vorpipe_write_options options = {};
+    options.struct_size = sizeof options;
+    options.only_cells = only_cells ? 1 : 0;
+    return options;
+  }
   template <class Element>
   [[nodiscard]] View<Element> view(vorpipe_diagram_field field) const {
     vorpipe_array array = {};
@@ -316,6 +406,13 @@ class Picture {
     return pixels<std::array<std::uint8_t, 4>>(VORPIPE_PICTURE_RGBA);
   }
   [[nodiscard]] View<std::uint32_t> ids() const { return pixels<std::uint32_t>(VORPIPE_PICTURE_IDS); }
+  /// What colors stand for; its ticks belong to the picture: View<std::array<double, 2>>(key.ticks).
+  [[nodiscard]] vorpipe_color_key key() const {
+    vorpipe_color_key key = {};
+    key.struct_size = sizeof key;
+    done(vorpipe_picture_key(get(), &key));
+    return key;
+  }
 
   [[nodiscard]] bool check(int threads = 0) const {
     return done(vorpipe_picture_check(get(), threads, nullptr, nullptr));
@@ -363,6 +460,19 @@ class Session {
     vorpipe_picture* picture = nullptr;
     run(options, progress, [&] { return vorpipe_render(get(), input.get(), &options, &picture); });
     return Picture(picture);
+  }
+
+  /// A picture as shapes, "svg" or "pdf"; or into a file of such an extension.
+  void draw(const Input& input, vorpipe_render_options options, const std::string& format,
+            const Write& write) {
+    Callback<Write> callback(write);
+    options.struct_size = sizeof options;
+    callback.finish(
+        vorpipe_draw(get(), input.get(), &options, format.c_str(), Callback<Write>::write, callback.user()));
+  }
+  void draw(const Input& input, vorpipe_render_options options, const std::string& path) {
+    options.struct_size = sizeof options;
+    done(vorpipe_draw_save(get(), input.get(), &options, path.c_str()));
   }
 
   [[nodiscard]] vorpipe_device_info device() const {

@@ -1,59 +1,70 @@
 /// Results as files: to the caller, or to a path.
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <algorithm>
+#include <span>
 #include <string>
 
 #include "c/failure.h"
+#include "c/files.h"
 #include "c/handles.h"
+#include "c/placed_input.h"
+#include "c/shared_parts.h"
+#include "c/structs.h"
 #include "io/cells/cells_file.h"
-#include "io/files/byte_sink.h"
+#include "io/edges/edges_file.h"
 #include "io/files/error.h"
 #include "io/files/extension.h"
-#include "io/files/output_file.h"
-#include "io/pictures/npy_ids.h"
-#include "io/pictures/png_file.h"
+#include "io/pictures/picture_file.h"
 
 namespace vorpipe::c {
 namespace {
 
-CallbackSink sinkOf(std::string name, vorpipe_write write, void* user) {
-  return {std::move(name),
-          [write, user](std::string_view bytes) { return write(user, bytes.data(), bytes.size()) == 0; }};
-}
-
-Result<void> writeAs(ByteSink& to, const vorpipe_diagram& diagram, const CellsFormat& format) {
+Result<void> writeAs(ByteSink& to, const vorpipe_diagram& diagram, const CellsFormat& format,
+                     const vorpipe_write_options& options) {
   if (format.detail > diagram.options.detail) {
     return inputError(
         fmt::format("{}: {} needs cells of more detail than these have", to.name(), format.extension));
   }
-  return writeCells(to, {*diagram.sites, diagram.diagram}, format);
+  if (options.only_cells != 0 && !format.features) {
+    return inputError(fmt::format("only_cells: {} has no features to leave out", to.name()));
+  }
+  const std::span<const Attribute> attributes(*diagram.attributes);
+  return writeCells(
+      to,
+      {*diagram.input->given, diagram.diagram, attributes, systemOf(*diagram.input), options.only_cells != 0},
+      format);
 }
 
-/// Pixels or ids, by the extension.
+Result<void> writeEdgesAs(ByteSink& to, const vorpipe_diagram& diagram, const EdgesFormat& format) {
+  const auto& topology = sharedPartsOf(diagram);
+  if (!topology) return tl::unexpected(topology.error());
+  return writeEdges(to, {diagram.diagram, *topology, systemOf(*diagram.input)}, format);
+}
+
+/// Pixels, ids or their place, by the extension.
 Result<void> writeAs(ByteSink& to, const vorpipe_picture& picture, const std::string& extension) {
+  static const Sites no_sites;
   const Image& image = picture.rendering.image;
+  const PlacedInput* const input = picture.input.get();
+  const PictureOutput output{input == nullptr ? no_sites : *input->sites, picture.options, &image, nullptr,
+                             input == nullptr ? CoordinateSystem{} : input->domain.system};
   const auto lacks = [&](std::string_view what) {
     return inputError(fmt::format("{}: the picture has no {}", to.name(), what));
   };
-  if (extension == ".png") {
-    if (image.rgba.empty()) return lacks("pixels");
-    return writePng(to, image.width, image.height, image.rgba);
+  const bool of_place = extension != ".png" && extension != ".npy";
+  if (const auto format = pictureFormatOf("picture" + extension); format && !(*format)->of_shapes) {
+    if (of_place && input == nullptr) return lacks("domain, since it was read");
+    if (!of_place && image.rgba.empty()) return lacks("pixels");
+    return (*format)->write(to, output);
   }
-  if (extension == ".npy") {
+  if (const auto format = idsFormatOf("ids" + extension)) {
+    if (of_place && input == nullptr) return lacks("domain, since it was read");
     if (image.ids.empty()) return lacks("ids");
-    return writeNpyIds(to, image.width, image.height, image.ids);
+    return (*format)->write(to, output);
   }
-  return inputError(fmt::format("{}: unknown kind of picture; known are .png and .npy", to.name()));
-}
-
-/// Creates a file, lets `write` fill it, and puts it in place.
-template <class Write>
-Result<void> save(const std::string& path, const Write& write) {
-  auto file = OutputFile::create(path);
-  if (!file) return tl::unexpected(file.error());
-  if (auto written = write(*file); !written) return written;
-  return file->commit();
+  return inputError(fmt::format("{}: unknown kind of picture; known are .png, .pgw, {}", to.name(),
+                                fmt::join(idsExtensions(), ", ")));
 }
 
 }  // namespace
@@ -64,24 +75,62 @@ using namespace vorpipe::c;
 
 vorpipe_code vorpipe_diagram_write(const vorpipe_diagram* diagram, const char* format, vorpipe_write write,
                                    void* user) {
+  return vorpipe_diagram_write_with(diagram, format, nullptr, write, user);
+}
+
+vorpipe_code vorpipe_diagram_save(const vorpipe_diagram* diagram, const char* path) {
+  return vorpipe_diagram_save_with(diagram, path, nullptr);
+}
+
+vorpipe_code vorpipe_diagram_write_with(const vorpipe_diagram* diagram, const char* format,
+                                        const vorpipe_write_options* options, vorpipe_write write,
+                                        void* user) {
   if (diagram == nullptr) return missing("diagram");
   if (format == nullptr) return missing("format");
   if (write == nullptr) return missing("write");
   return guarded([&] {
+    const auto given = taken(options, "vorpipe_write_options");
+    if (!given) return fail(given.error());
     const auto known = cellsFormatOf(std::string("cells.") + format);
     if (!known) return fail(known.error());
     auto sink = sinkOf(format, write, user);
-    return codeOf(writeAs(sink, *diagram, **known));
+    return codeOf(writeAs(sink, *diagram, **known, *given));
   });
 }
 
-vorpipe_code vorpipe_diagram_save(const vorpipe_diagram* diagram, const char* path) {
+vorpipe_code vorpipe_diagram_save_with(const vorpipe_diagram* diagram, const char* path,
+                                       const vorpipe_write_options* options) {
   if (diagram == nullptr) return missing("diagram");
   if (path == nullptr) return missing("path");
   return guarded([&] {
+    const auto given = taken(options, "vorpipe_write_options");
+    if (!given) return fail(given.error());
     const auto known = cellsFormatOf(path);
     if (!known) return fail(known.error());
-    return codeOf(save(path, [&](ByteSink& to) { return writeAs(to, *diagram, **known); }));
+    return codeOf(save(path, [&](ByteSink& to) { return writeAs(to, *diagram, **known, *given); }));
+  });
+}
+
+vorpipe_code vorpipe_diagram_write_edges(const vorpipe_diagram* diagram, const char* format,
+                                         vorpipe_write write, void* user) {
+  if (diagram == nullptr) return missing("diagram");
+  if (format == nullptr) return missing("format");
+  if (write == nullptr) return missing("write");
+  return guarded([&] {
+    const auto known = edgesFormatOf(std::string("edges.") + format);
+    if (!known) return fail(known.error());
+    auto sink = sinkOf(format, write, user);
+    return codeOf(writeEdgesAs(sink, *diagram, **known));
+  });
+}
+
+vorpipe_code vorpipe_diagram_save_edges(const vorpipe_diagram* diagram, const char* path) {
+  if (diagram == nullptr) return missing("diagram");
+  if (path == nullptr) return missing("path");
+  return guarded([&] {
+    const auto known = edgesFormatOf(path);
+    if (!known) return fail(known.error());
+    return codeOf(save(path, [&](ByteSink& to) { return writeEdgesAs(to, *diagram, **known); }));
   });
 }
 

@@ -53,10 +53,9 @@ static void halves(vorpipe_session* session) {
 
 /* Weights, a period and a density say what they do, and every array has the shape that the header tells. */
 static void shapes(vorpipe_session* session) {
-  const vorpipe_diagram_field by_site[] = {VORPIPE_CELL_STATUS,   VORPIPE_CELL_OWNER,
-                                           VORPIPE_CELL_AREA,     VORPIPE_CELL_PERIMETER,
-                                           VORPIPE_CELL_CENTROID, VORPIPE_CELL_SECOND_MOMENTS,
-                                           VORPIPE_CELL_MASS,     VORPIPE_CELL_MASS_CENTROID};
+  const vorpipe_diagram_field by_site[] = {
+      VORPIPE_CELL_STATUS,   VORPIPE_CELL_OWNER,          VORPIPE_CELL_AREA, VORPIPE_CELL_PERIMETER,
+      VORPIPE_CELL_CENTROID, VORPIPE_CELL_SECOND_MOMENTS, VORPIPE_CELL_MASS, VORPIPE_CELL_MASS_CENTROID};
   const int32_t columns[] = {1, 1, 1, 1, 2, 3, 1, 2};
   const double density[] = {1, 2, 3, 4};
   double* weights = calloc(500, sizeof(double));

@@ -15,7 +15,9 @@ int main(void) {
   selftest_promises();
   cells_promises(session);
   input_promises(session);
+  files_promises(session);
   pictures_promises(session);
+  looks_promises(session);
   refusals(session);
   vorpipe_session_free(session);
   vorpipe_session_free(NULL);

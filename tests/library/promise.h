@@ -30,6 +30,8 @@ extern int broken_promises;
 void cells_promises(vorpipe_session* session);
 void pictures_promises(vorpipe_session* session);
 void input_promises(vorpipe_session* session);
+void files_promises(vorpipe_session* session);
+void looks_promises(vorpipe_session* session);
 void refusals(vorpipe_session* session);
 void devices_promises(void);
 void selftest_promises(void);

@@ -1,8 +1,11 @@
 /// vorpipe.hpp: the same from C++17, with exceptions.
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "vorpipe.hpp"
@@ -65,6 +68,30 @@ int main() {
   } catch (int thrown) {
     promise(thrown == 42, "an exception of the caller's comes through");
   }
+  const std::string named = [&] {
+    input.attribute("name", {"west", std::nullopt, "east"});
+    return session.cells(input).text("geojson", /*only_cells=*/true);
+  }();
+  promise(input.attributeName(0) == "name" && input.attributeType(0) == VORPIPE_TEXT, "attributes");
+  promise(input.attribute(0, 0) == "west" && !input.attribute(0, 1), "values of attributes");
+  promise(named.find("west") != std::string::npos && named.find("east") == std::string::npos,
+          "attributes of cells");
+  auto stations = vorpipe::Input::of(std::vector<Place>{{12, 42}, {13, 42.5}, {12.5, 43}});
+  stations.project().margin(0.1, true);
+  promise(stations.domain()[2] > 40 && stations.notes().empty(), "a plane in kilometers");
+  promise(std::abs(session.cells(stations).centroid()[0].y - 42) < 0.5, "positions in degrees");
+  promise(thrownBy([&] { stations.project(12, 91); }) == VORPIPE_INPUT, "no place on the Earth");
+  vorpipe_render_options looks = {};
+  looks.color = VORPIPE_BY_AREA;
+  looks.color_scale = VORPIPE_SCALE_LINEAR;
+  looks.width = looks.height = 50;
+  const vorpipe::Picture by_area = session.render(random, looks);
+  const auto key = by_area.key();
+  promise(vorpipe::View<std::array<double, 2>>(key.ticks)[0][1] == key.low, "a key's first tick");
+  std::string drawn;
+  session.draw(random, looks, "svg", [&](std::string_view bytes) { return drawn.append(bytes), true; });
+  promise(drawn.find("<svg") != std::string::npos, "shapes");
+
   promise(thrownBy([] { vorpipe::Session("no such backend"); }) == VORPIPE_INPUT, "bad input");
   promise(thrownBy([&] { input.weights({1, 2}); }) == VORPIPE_INPUT, "too few weights");
   return broken == 0 ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -48,7 +48,7 @@ Result<IdDiff> idDiff(const DiffCommand& command, const Image& a, const Image& b
   if (!input) return tl::unexpected(input.error());
   printNotes(command.talk, *input);
   auto diff = diffIds(a.ids, b.ids, a.width, a.height, input->sites, input->domain, input->periodic,
-                      fitOf(command.fit, *input));
+                      command.fit.value_or(usualFit(*input)));
   return diff ? diff : asOption(std::move(diff.error()), command.input);
 }
 

@@ -43,11 +43,6 @@ Result<void> checkPicture(const RenderOptions& picture, const InputOptions& site
 
 }  // namespace
 
-Fit fitOf(const std::optional<Fit>& fit, const Input& input) {
-  const bool has_shape = !input.seed || !input.outline.empty();
-  return fit.value_or(has_shape ? Fit::letterbox : Fit::stretch);
-}
-
 Result<RenderOptions> pictureOf(const PictureOptions& picture, const InputOptions& sites,
                                 const Input& input) {
   RenderOptions options = picture.render;
@@ -59,7 +54,7 @@ Result<RenderOptions> pictureOf(const PictureOptions& picture, const InputOption
                                                                        : defaultSize(input.domain));
   options.width = size.width;
   options.height = size.height;
-  options.fit = fitOf(picture.fit, input);
+  options.fit = picture.fit.value_or(usualFit(input));
   if (auto checked = checkPicture(options, sites, input); !checked) return tl::unexpected(checked.error());
   return options;
 }

@@ -1,7 +1,6 @@
 /// Pictures of an input, as the options ask for them.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "cli/options/picture_options.h"
@@ -9,9 +8,6 @@
 #include "vorpipe.h"
 
 namespace vorpipe::cli {
-
-/// The fit of a picture of this input where --fit names none: sites of a file and outlines keep their aspect.
-Fit fitOf(const std::optional<Fit>& fit, const Input& input);
 
 /// What is drawn of an input. Errors (input): options that contradict each other, or the input; they name the
 /// option.

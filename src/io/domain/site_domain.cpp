@@ -237,6 +237,10 @@ Result<void> findDomain(const DomainSettings& settings, PlacedSites& placed, con
   return placed.generated && !settings.hull ? Result<void>{} : takeDomainOfSites(request);
 }
 
+Fit usualFit(const PlacedSites& placed) {
+  return placed.generated && placed.outline.empty() ? Fit::stretch : Fit::letterbox;
+}
+
 void backToDegrees(PlacedSites& placed, Diagram& diagram, int threads) {
   if (!placed.projection) return;
   placed.sites.x = std::move(placed.longitudes);

@@ -18,12 +18,12 @@ struct ProjectChoice {
 
 /// What a domain is asked for with; of outline, box and hull at most one. Nothing: the box of the sites.
 struct DomainSettings {
-  Outline outline{};             ///< in the unit of the sites; dissolved where polygons touch or overlap
-  std::string outline_name{};    ///< the file that it is of, for notes; empty: none
-  std::optional<Box> box{};      ///< in the unit of the sites
-  bool hull = false;             ///< the convex hull of the sites
-  std::optional<Margin> margin;  ///< around the sites' box or hull; none: 5 %, and 0 around a hull
-  bool repair = false;           ///< mends rings of the outline that cross themselves
+  Outline outline{};               ///< in the unit of the sites; dissolved where polygons touch or overlap
+  std::string outline_name{};      ///< the file that it is of, for notes; empty: none
+  std::optional<Box> box{};        ///< in the unit of the sites
+  bool hull = false;               ///< the convex hull of the sites
+  std::optional<Margin> margin{};  ///< around the sites' box or hull; none: 5 %, and 0 around a hull
+  bool repair = false;             ///< mends rings of the outline that cross themselves
   std::optional<ProjectChoice> project{};
 };
 
@@ -53,6 +53,10 @@ struct PlacedSites {
 /// trusted, that coordinates look like degrees. Errors (input), each after the word for what is wrong:
 /// settings that contradict each other, a domain that is none.
 Result<void> findDomain(const DomainSettings& settings, PlacedSites& placed, const DomainWords& words = {});
+
+/// What becomes of the domain in a picture where nothing says so: sites of a file and outlines keep their
+/// aspect.
+Fit usualFit(const PlacedSites& placed);
 
 /// Takes a diagram, and the sites that it is of, from the plane back to degrees; its measures stay in
 /// kilometers. Without a projection nothing changes.

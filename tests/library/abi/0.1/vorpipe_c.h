@@ -67,7 +67,10 @@ enum {
   VORPIPE_COLORMAPS = 2,     /* "viridis", ... */
   VORPIPE_CELLS_FORMATS = 3, /* "csv", "npz", ... */
   VORPIPE_FEATURES = 4,      /* of devices, as Vulkan names them: "geometryShader" */
-  VORPIPE_LIMITS = 5         /* of devices: "maxTexelBufferElements" */
+  VORPIPE_LIMITS = 5,        /* of devices: "maxTexelBufferElements" */
+  VORPIPE_SITES_FORMATS = 6, /* "csv", "geojson", ... */
+  VORPIPE_EDGES_FORMATS = 7,
+  VORPIPE_PICTURE_FORMATS = 8 /* "png", "svg", "npy", ... */
 };
 
 /* A name of a list; NULL where there is no such list or `index` is past its end. */
@@ -182,6 +185,26 @@ VORPIPE_API vorpipe_code vorpipe_input_read(const char* sites, uint64_t seed, vo
 VORPIPE_API void vorpipe_input_free(vorpipe_input* input);
 VORPIPE_API uint64_t vorpipe_input_count(const vorpipe_input* input);
 
+/* How a file with sites is read, where it does not say so itself. */
+typedef struct vorpipe_read_options {
+  uint32_t struct_size;
+  int32_t skip_missing;       /* not 0: leaves out rows without a place or a weight, and counts them */
+  uint64_t seed;              /* of a generator; 0: 1 */
+  const char* format;         /* as VORPIPE_SITES_FORMATS; NULL: by the file's extension */
+  const char* const* columns; /* x and y, or x, y and weight, by name or number; or one with points in WKT */
+  uint32_t column_count;      /* 0: as the header says */
+  int32_t keep_attributes;    /* not 0: for the files that are written of the cells */
+  const char* layer;          /* of a GeoPackage; NULL: its only one with points */
+} vorpipe_read_options;
+/* `options` may be NULL. */
+VORPIPE_API vorpipe_code vorpipe_input_read_with(const char* sites, const vorpipe_read_options* options,
+                                                 vorpipe_input** input);
+/* Rows that were left out. */
+VORPIPE_API uint64_t vorpipe_input_skipped(const vorpipe_input* input);
+/* What was reinterpreted or changed, a line each, in the order in which it came to be: while sites were read,
+ * and when their domain was first found. NULL past the end. */
+VORPIPE_API const char* vorpipe_input_note(const vorpipe_input* input, size_t index);
+
 /* Weights, one for each site; of the caller's, or out of a file. */
 VORPIPE_API vorpipe_code vorpipe_input_set_weights(vorpipe_input* input, const double* weights,
                                                    uint64_t count);
@@ -189,17 +212,74 @@ VORPIPE_API vorpipe_code vorpipe_input_read_weights(vorpipe_input* input, const 
 /* Evenly distributed from `low` to `high`; the same seed gives the same on every platform. */
 VORPIPE_API vorpipe_code vorpipe_input_random_weights(vorpipe_input* input, double low, double high,
                                                       uint64_t seed);
-/* What cells are clipped to: a box, along the axes of which the domain may repeat itself; or polygons, of the
- * caller's or out of a file (GeoJSON or WKT). */
+/* What cells are clipped to: a box, along the axes of which the domain may repeat itself; polygons, of the
+ * caller's or out of a file (GeoJSON or WKT), which are dissolved where they touch or overlap; or the convex
+ * hull of the sites. What is set last counts. */
 VORPIPE_API vorpipe_code vorpipe_input_set_box(vorpipe_input* input, double xmin, double ymin, double xmax,
                                                double ymax, vorpipe_axes periodic);
 VORPIPE_API vorpipe_code vorpipe_input_set_outline(vorpipe_input* input, const vorpipe_outline* outline);
 VORPIPE_API vorpipe_code vorpipe_input_read_outline(vorpipe_input* input, const char* path);
+VORPIPE_API vorpipe_code vorpipe_input_set_hull(vorpipe_input* input);
+/* Mends polygons that cross themselves, which are refused otherwise; a note says what that changed. */
+VORPIPE_API vorpipe_code vorpipe_input_repair_outline(vorpipe_input* input);
+/* How much larger than the sites the box is that is not set, or the hull: 0 or more, in the unit of the
+ * domain; or where `relative` is not 0, as a part of the longer side. */
+VORPIPE_API vorpipe_code vorpipe_input_set_margin(vorpipe_input* input, double margin, int32_t relative);
+/* Sites and domain are in degrees of longitude and latitude: makes cells in an equal-area plane around a
+ * center, or with NAN, NAN amid the domain or the sites. Its unit is the kilometer, that of areas and
+ * lengths; positions of diagrams come back in degrees, and a locator takes them. */
+VORPIPE_API vorpipe_code vorpipe_input_project(vorpipe_input* input, double longitude, double latitude);
+/* Writes xmin, ymin, xmax and ymax of the domain as runs have it, in the plane of a projection, and refuses
+ * what they would. */
+VORPIPE_API vorpipe_code vorpipe_input_domain(const vorpipe_input* input, double* box);
+
+/* What coordinates are, for the files that are written of them. */
+typedef int32_t vorpipe_system_kind;
+enum { VORPIPE_SYSTEM_UNKNOWN = 0, VORPIPE_SYSTEM_DEGREES = 1, VORPIPE_SYSTEM_PLANE = 2 };
+/* `epsg` is the number of a coordinate system of EPSG's; 0: none, of degrees WGS 84. */
+VORPIPE_API vorpipe_code vorpipe_input_set_system(vorpipe_input* input, vorpipe_system_kind kind,
+                                                  int64_t epsg);
+/* As it is set or was read. */
+VORPIPE_API vorpipe_code vorpipe_input_system(const vorpipe_input* input, vorpipe_system_kind* kind,
+                                              int64_t* epsg);
 /* A density, constant in each of width x height pixels, the top row first; or a picture (dark is dense) or
  * array. */
 VORPIPE_API vorpipe_code vorpipe_input_set_density(vorpipe_input* input, const double* values, int32_t width,
                                                    int32_t height);
 VORPIPE_API vorpipe_code vorpipe_input_read_density(vorpipe_input* input, const char* path);
+
+/* ---- Attributes ---- */
+
+/* How values of an attribute read. */
+typedef int32_t vorpipe_attribute_type;
+enum {
+  VORPIPE_INFERRED = 0, /* the narrowest of the first three that all values are, else text */
+  VORPIPE_INTEGER = 1,  /* of 64 bits with a sign, written as in JSON */
+  VORPIPE_REAL = 2,     /* written as in JSON */
+  VORPIPE_BOOLEAN = 3,  /* "true", "false" */
+  VORPIPE_TEXT = 4,
+  VORPIPE_JSON = 5
+};
+
+/* UTF-8 without a zero at its end; data is NULL where a value is missing. */
+typedef struct vorpipe_text {
+  const char* data;
+  uint64_t size;
+} vorpipe_text;
+
+/* What else is known of sites, such as their names: a value for each, in columns. Files of cells that have
+ * attributes get them: .csv, .geojson, .geojsonl and .gpkg. */
+VORPIPE_API size_t vorpipe_input_attribute_count(const vorpipe_input* input);
+/* NULL and 0 past the end. */
+VORPIPE_API const char* vorpipe_input_attribute_name(const vorpipe_input* input, size_t attribute);
+VORPIPE_API vorpipe_attribute_type vorpipe_input_attribute_type(const vorpipe_input* input, size_t attribute);
+/* Writes the value of a site, which belongs to the input. */
+VORPIPE_API vorpipe_code vorpipe_input_attribute(const vorpipe_input* input, size_t attribute, uint64_t site,
+                                                 vorpipe_text* value);
+/* Adds a column of `count` values, one for each site, which are copied. */
+VORPIPE_API vorpipe_code vorpipe_input_add_attribute(vorpipe_input* input, const char* name,
+                                                     vorpipe_attribute_type type, const vorpipe_text* values,
+                                                     uint64_t count);
 
 /* ---- Arrays ---- */
 
@@ -307,6 +387,21 @@ VORPIPE_API vorpipe_code vorpipe_diagram_check(const vorpipe_diagram* diagram, i
 VORPIPE_API vorpipe_code vorpipe_diagram_write(const vorpipe_diagram* diagram, const char* format,
                                                vorpipe_write write, void* user);
 VORPIPE_API vorpipe_code vorpipe_diagram_save(const vorpipe_diagram* diagram, const char* path);
+typedef struct vorpipe_write_options {
+  uint32_t struct_size;
+  int32_t only_cells; /* not 0: leaves out sites without a cell, in files of features */
+} vorpipe_write_options;
+/* The same; `options` may be NULL. */
+VORPIPE_API vorpipe_code vorpipe_diagram_write_with(const vorpipe_diagram* diagram, const char* format,
+                                                    const vorpipe_write_options* options, vorpipe_write write,
+                                                    void* user);
+VORPIPE_API vorpipe_code vorpipe_diagram_save_with(const vorpipe_diagram* diagram, const char* path,
+                                                   const vorpipe_write_options* options);
+/* The edges of cells as lines, each once, with its two sites and its length. Formats: VORPIPE_EDGES_FORMATS.
+ */
+VORPIPE_API vorpipe_code vorpipe_diagram_write_edges(const vorpipe_diagram* diagram, const char* format,
+                                                     vorpipe_write write, void* user);
+VORPIPE_API vorpipe_code vorpipe_diagram_save_edges(const vorpipe_diagram* diagram, const char* path);
 
 /* How cells of two diagrams of the same sites and domain differ. */
 typedef struct vorpipe_cells_difference {
@@ -339,6 +434,23 @@ VORPIPE_API vorpipe_code vorpipe_locator_find(const vorpipe_locator* locator, co
 typedef int32_t vorpipe_color;
 enum { VORPIPE_BY_SITE = 0, VORPIPE_BY_AREA = 1, VORPIPE_BY_NEIGHBORS = 2, VORPIPE_BY_WEIGHT = 3 };
 
+/* How values become colors. */
+typedef int32_t vorpipe_color_scale;
+enum {
+  VORPIPE_SCALE_AUTOMATIC = 0, /* quantiles by area and by weight, linear by neighbors */
+  VORPIPE_SCALE_LINEAR = 1,
+  VORPIPE_SCALE_LOG = 2,
+  VORPIPE_SCALE_QUANTILE = 3 /* as many cells have one color as another */
+};
+
+/* What becomes of a domain in a picture of another aspect. */
+typedef int32_t vorpipe_fit;
+enum {
+  VORPIPE_FIT_AUTOMATIC = 0, /* it keeps its aspect, but for the unit square of a generator */
+  VORPIPE_FIT_STRETCH = 1,   /* it fills the picture */
+  VORPIPE_FIT_LETTERBOX = 2  /* it keeps its aspect, in the middle; pixels beside it have no site */
+};
+
 typedef struct vorpipe_render_options {
   uint32_t struct_size;
   int32_t width, height; /* pixels, 1 to 32768; both 0: the longer side is 1000 */
@@ -350,6 +462,13 @@ typedef struct vorpipe_render_options {
   int32_t search_neighbors;
   vorpipe_progress progress;
   void* progress_user;
+  vorpipe_color_scale color_scale;
+  int32_t has_range; /* not 0: these values have the first and the last color, as have those beyond */
+  double range_low, range_high; /* 0 otherwise: the least and the greatest value */
+  int32_t legend;               /* not 0: draws in a corner what colors stand for */
+  vorpipe_fit fit;
+  double edge_width; /* pixels, 1 to 100; 0: 1 */
+  double dot_size;   /* of a site, across, pixels up to 100; 0: by the spacing of sites */
 } vorpipe_render_options;
 
 typedef struct vorpipe_picture vorpipe_picture;
@@ -372,13 +491,30 @@ VORPIPE_API vorpipe_code vorpipe_picture_array(const vorpipe_picture* picture, v
 VORPIPE_API int32_t vorpipe_picture_width(const vorpipe_picture* picture);
 VORPIPE_API int32_t vorpipe_picture_height(const vorpipe_picture* picture);
 
+/* What colors stand for. */
+typedef struct vorpipe_color_key {
+  uint32_t struct_size;
+  vorpipe_color color; /* VORPIPE_BY_SITE: for nothing, and there are no ticks */
+  vorpipe_color_scale scale;
+  double low, high;    /* of the first and the last color */
+  vorpipe_array ticks; /* 2 doubles: a place along the colors, in [0, 1], and its value */
+} vorpipe_color_key;
+VORPIPE_API vorpipe_code vorpipe_picture_key(const vorpipe_picture* picture, vorpipe_color_key* key);
+
 /* As vorpipe_diagram_check. */
 VORPIPE_API vorpipe_code vorpipe_picture_check(const vorpipe_picture* picture, int32_t threads,
                                                vorpipe_write broken, void* user);
-/* Formats: "png", the pixels; "npy", the ids. */
+/* Formats: "png", the pixels; "npy" and "tif", the ids, with their place in GeoTIFF; "pgw", the place of the
+ * pixels of a PNG, as a world file. */
 VORPIPE_API vorpipe_code vorpipe_picture_write(const vorpipe_picture* picture, const char* format,
                                                vorpipe_write write, void* user);
 VORPIPE_API vorpipe_code vorpipe_picture_save(const vorpipe_picture* picture, const char* path);
+/* The same picture as shapes. Formats: "svg", "pdf". */
+VORPIPE_API vorpipe_code vorpipe_draw(vorpipe_session* session, const vorpipe_input* input,
+                                      const vorpipe_render_options* options, const char* format,
+                                      vorpipe_write write, void* user);
+VORPIPE_API vorpipe_code vorpipe_draw_save(vorpipe_session* session, const vorpipe_input* input,
+                                           const vorpipe_render_options* options, const char* path);
 
 typedef struct vorpipe_picture_difference {
   uint32_t struct_size;

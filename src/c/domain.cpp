@@ -1,0 +1,180 @@
+/// The domain of an input, and the plane that it is in.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "c/failure.h"
+#include "c/handles.h"
+#include "c/options.h"
+#include "c/placed_input.h"
+#include "c/structs.h"
+#include "io/domain/outline_file.h"
+#include "io/files/error.h"
+
+namespace vorpipe::c {
+namespace {
+
+/// A table of `count` parts of `whole` things: begins with 0, ascends, ends with their number.
+Result<std::vector<std::uint64_t>> offsetsOf(const std::uint64_t* offsets, std::uint64_t count,
+                                             std::uint64_t whole, std::string_view name) {
+  if (offsets == nullptr) return inputError(fmt::format("{}: is NULL", name));
+  std::vector<std::uint64_t> table(offsets, offsets + count + 1);
+  if (table.front() != 0 || table.back() != whole || !std::ranges::is_sorted(table)) {
+    return inputError(fmt::format("{}: does not ascend from 0 to {}", name, whole));
+  }
+  return table;
+}
+
+Result<Outline> outlineOf(const vorpipe_outline& given) {
+  if (given.points == nullptr) return inputError("points: is NULL");
+  auto rings = offsetsOf(given.ring_offsets, given.ring_count, given.point_count, "ring_offsets");
+  if (!rings) return tl::unexpected(rings.error());
+  auto polygons = offsetsOf(given.polygon_offsets, given.polygon_count, given.ring_count, "polygon_offsets");
+  if (!polygons) return tl::unexpected(polygons.error());
+  Outline outline;
+  outline.ring_offsets = std::move(*rings);
+  outline.polygon_offsets = std::move(*polygons);
+  outline.points.reserve(given.point_count);
+  for (std::uint64_t k = 0; k < given.point_count; ++k) {
+    outline.points.push_back({given.points[2 * k], given.points[2 * k + 1]});
+  }
+  return outline;
+}
+
+/// Takes what cells are clipped to, instead of what was set before; the margin stays, and how it is
+/// projected.
+vorpipe_code setDomain(vorpipe_input& input, DomainSettings domain, Periodic periodic = Periodic::none) {
+  domain.margin = input.domain.margin;
+  domain.project = input.domain.project;
+  domain.repair = input.domain.repair && !domain.outline.empty();
+  input.domain = std::move(domain);
+  input.periodic = periodic;
+  input.placed = nullptr;
+  return VORPIPE_DONE;
+}
+
+vorpipe_code setOutline(vorpipe_input& input, Result<Outline> outline, std::string name) {
+  if (!outline) return fail(outline.error());
+  if (outline->empty()) return fail(VORPIPE_INPUT, "outline: has no points", Subject::outline);
+  return setDomain(input, {std::move(*outline), std::move(name)});
+}
+
+}  // namespace
+}  // namespace vorpipe::c
+
+using namespace vorpipe;
+using namespace vorpipe::c;
+
+vorpipe_code vorpipe_input_set_box(vorpipe_input* input, double xmin, double ymin, double xmax, double ymax,
+                                   vorpipe_axes periodic) {
+  if (input == nullptr) return missing("input");
+  if (periodic < VORPIPE_PERIODIC_NONE || periodic > VORPIPE_PERIODIC_XY) {
+    return guarded(
+        [&] { return fail(VORPIPE_INPUT, fmt::format("periodic: no axes {}", periodic), Subject::period); });
+  }
+  constexpr Periodic axes[] = {Periodic::none, Periodic::x, Periodic::y, Periodic::xy};
+  return guarded([&] { return setDomain(*input, {{}, {}, Box{xmin, ymin, xmax, ymax}}, axes[periodic]); });
+}
+
+vorpipe_code vorpipe_input_set_outline(vorpipe_input* input, const vorpipe_outline* outline) {
+  if (input == nullptr) return missing("input");
+  if (outline == nullptr) return missing("outline");
+  return guarded([&] {
+    const auto given = taken(outline, "vorpipe_outline");
+    if (!given) return fail(given.error());
+    return setOutline(*input, outlineOf(*given), {});
+  });
+}
+
+vorpipe_code vorpipe_input_read_outline(vorpipe_input* input, const char* path) {
+  if (input == nullptr) return missing("input");
+  if (path == nullptr) return missing("path");
+  return guarded([&] { return setOutline(*input, readOutline(path), path); });
+}
+
+vorpipe_code vorpipe_input_set_hull(vorpipe_input* input) {
+  if (input == nullptr) return missing("input");
+  return guarded([&] { return setDomain(*input, {{}, {}, {}, true}); });
+}
+
+vorpipe_code vorpipe_input_repair_outline(vorpipe_input* input) {
+  if (input == nullptr) return missing("input");
+  return guarded([&] {
+    if (input->domain.outline.empty()) {
+      return fail(VORPIPE_INPUT, "outline: there is none to repair", Subject::outline);
+    }
+    input->domain.repair = true;
+    input->placed = nullptr;
+    return vorpipe_code{VORPIPE_DONE};
+  });
+}
+
+vorpipe_code vorpipe_input_set_margin(vorpipe_input* input, double margin, int32_t relative) {
+  if (input == nullptr) return missing("input");
+  return guarded([&] {
+    if (!(margin >= 0) || !std::isfinite(margin)) {
+      return fail(VORPIPE_INPUT, fmt::format("margin: {} is not a number of 0 or more", margin));
+    }
+    input->domain.margin = Margin{margin, relative != 0};
+    input->placed = nullptr;
+    return vorpipe_code{VORPIPE_DONE};
+  });
+}
+
+vorpipe_code vorpipe_input_project(vorpipe_input* input, double longitude, double latitude) {
+  if (input == nullptr) return missing("input");
+  return guarded([&] {
+    ProjectChoice choice;
+    if (!std::isnan(longitude) || !std::isnan(latitude)) {
+      choice.center = Point{longitude, latitude};
+      if (auto projection = Projection::around(*choice.center); !projection) return fail(projection.error());
+    }
+    input->domain.project = choice;
+    input->placed = nullptr;
+    return vorpipe_code{VORPIPE_DONE};
+  });
+}
+
+vorpipe_code vorpipe_input_domain(const vorpipe_input* input, double* box) {
+  if (input == nullptr) return missing("input");
+  if (box == nullptr) return missing("box");
+  return guarded([&] {
+    const auto placed = placedInput(*input);
+    if (!placed) return fail(placed.error());
+    const auto [xmin, ymin, xmax, ymax] = (*placed)->domain.domain;
+    const double sides[] = {xmin, ymin, xmax, ymax};
+    std::ranges::copy(sides, box);
+    return vorpipe_code{VORPIPE_DONE};
+  });
+}
+
+vorpipe_code vorpipe_input_set_system(vorpipe_input* input, vorpipe_system_kind kind, int64_t epsg) {
+  if (input == nullptr) return missing("input");
+  return guarded([&] {
+    constexpr std::array kinds{CoordinateKind::unknown, CoordinateKind::degrees, CoordinateKind::plane};
+    const auto known = chosen(kinds, kind, "kind");
+    if (!known) return fail(known.error());
+    if (epsg < 0) return fail(VORPIPE_INPUT, fmt::format("epsg: is {}", epsg));
+    CoordinateSystem system{*known};
+    if (epsg > 0) {
+      system.organization = "EPSG";
+      system.code = epsg;
+    } else if (*known == CoordinateKind::degrees) {
+      system = wgs84();
+    }
+    input->system = std::move(system);
+    input->placed = nullptr;
+    return vorpipe_code{VORPIPE_DONE};
+  });
+}
+
+vorpipe_code vorpipe_input_system(const vorpipe_input* input, vorpipe_system_kind* kind, int64_t* epsg) {
+  if (input == nullptr) return missing("input");
+  if (kind == nullptr) return missing("kind");
+  if (epsg == nullptr) return missing("epsg");
+  *kind = static_cast<vorpipe_system_kind>(input->system.kind);
+  *epsg = input->system.organization == "EPSG" ? input->system.code : 0;
+  return VORPIPE_DONE;
+}

@@ -1,0 +1,29 @@
+/// Where results go: to the caller, or to a path.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "c/vorpipe_c.h"
+#include "io/files/byte_sink.h"
+#include "io/files/output_file.h"
+#include "vorpipe.h"
+
+namespace vorpipe::c {
+
+/// Hands bytes to a function of the caller's, `name` standing for the file.
+inline CallbackSink sinkOf(std::string name, vorpipe_write write, void* user) {
+  return {std::move(name),
+          [write, user](std::string_view bytes) { return write(user, bytes.data(), bytes.size()) == 0; }};
+}
+
+/// Creates a file, lets `write` fill it, and puts it in place. Errors: those of OutputFile and of `write`.
+template <class Write>
+Result<void> save(const std::string& path, const Write& write) {
+  auto file = OutputFile::create(path);
+  if (!file) return tl::unexpected(file.error());
+  if (auto written = write(*file); !written) return written;
+  return file->commit();
+}
+
+}  // namespace vorpipe::c

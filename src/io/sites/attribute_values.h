@@ -1,0 +1,13 @@
+/// Attributes that did not come out of a file of ours.
+#pragma once
+
+#include "io/attributes/attribute.h"
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+/// Whether all values of an attribute read as its type, so that files can have them. Errors (input), which
+/// name the attribute and the site: one does not; its name or a text is not UTF-8.
+Result<void> checkAttribute(const Attribute& attribute);
+
+}  // namespace vorpipe

@@ -1,0 +1,124 @@
+/* How pictures look: scales of colors, legends, what becomes of a domain's aspect; pictures as shapes. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "promise.h"
+
+/* Counts bytes, and keeps the first ones. */
+typedef struct counted {
+  char first[6];
+  uint64_t size;
+} counted;
+
+static int32_t count(void* user, const void* bytes, size_t size) {
+  counted* to = user;
+  size_t k;
+  for (k = 0; k < size && to->size + k < 5; ++k) to->first[to->size + k] = ((const char*)bytes)[k];
+  to->size += size;
+  return 0;
+}
+
+/* Which values the colors stand for. */
+static void keys(vorpipe_session* session, const vorpipe_input* input) {
+  vorpipe_render_options options = {sizeof options};
+  vorpipe_color_key key = {sizeof key};
+  vorpipe_picture* picture = NULL;
+  const double* ticks;
+  options.width = options.height = 120;
+  options.color = VORPIPE_BY_AREA;
+  options.color_scale = VORPIPE_SCALE_LOG;
+  options.has_range = 1;
+  options.range_low = 0.001;
+  options.range_high = 0.1;
+  options.legend = 1;
+  options.edges = 1;
+  options.edge_width = 3;
+  DONE(vorpipe_render(session, input, &options, &picture));
+  DONE(vorpipe_picture_key(picture, &key));
+  PROMISE(key.color == VORPIPE_BY_AREA && key.scale == VORPIPE_SCALE_LOG);
+  PROMISE(key.low == 0.001 && key.high == 0.1);
+  PROMISE(key.ticks.count >= 2 && key.ticks.columns == 2 && key.ticks.type == VORPIPE_DOUBLE);
+  ticks = key.ticks.data;
+  PROMISE(ticks[0] == 0 && fabs(ticks[1] - 0.001) < 1e-9);
+  vorpipe_picture_free(picture);
+  options.color = VORPIPE_BY_SITE;
+  picture = NULL;
+  PROMISE(vorpipe_render(session, input, &options, &picture) == VORPIPE_INPUT && picture == NULL);
+  options.color = VORPIPE_BY_AREA;
+  options.color_scale = 4;
+  REFUSED(VORPIPE_INPUT, "color_scale", vorpipe_render(session, input, &options, &picture));
+  options.color_scale = VORPIPE_SCALE_AUTOMATIC;
+  options.edge_width = 1000;
+  PROMISE(vorpipe_render(session, input, &options, &picture) == VORPIPE_INPUT);
+  /* A program that was built when the options ended earlier. */
+  options.struct_size = (uint32_t)((char*)&options.color_scale - (char*)&options);
+  DONE(vorpipe_render(session, input, &options, &picture));
+  DONE(vorpipe_picture_key(picture, &key));
+  PROMISE(key.scale == VORPIPE_SCALE_QUANTILE);
+  vorpipe_picture_free(picture);
+}
+
+/* A domain keeps its aspect where it has one of its own, and files tell the place of pixels. */
+static void places(vorpipe_session* session) {
+  const double x[] = {0, 4}, y[] = {0, 1};
+  vorpipe_sites sites = {sizeof sites, 2, x, y, NULL, 0, 0};
+  vorpipe_render_options options = {sizeof options};
+  vorpipe_input* input = NULL;
+  vorpipe_picture* picture = NULL;
+  vorpipe_array ids;
+  counted written = {{0}, 0};
+  DONE(vorpipe_input_create(&sites, &input));
+  DONE(vorpipe_input_set_box(input, 0, 0, 4, 1, VORPIPE_PERIODIC_NONE));
+  options.width = options.height = 40;
+  DONE(vorpipe_render(session, input, &options, &picture));
+  DONE(vorpipe_picture_array(picture, VORPIPE_PICTURE_IDS, &ids));
+  PROMISE(((const uint32_t*)ids.data)[0] == VORPIPE_NO_SITE);
+  DONE(vorpipe_picture_check(picture, 0, NULL, NULL));
+  DONE(vorpipe_picture_write(picture, "tif", count, &written));
+  PROMISE(strncmp(written.first, "II*", 3) == 0);
+  memset(&written, 0, sizeof written);
+  DONE(vorpipe_picture_write(picture, "pgw", count, &written));
+  PROMISE(strncmp(written.first, "0.1", 3) == 0);
+  DONE(vorpipe_picture_save(picture, "looks.png"));
+  REFUSED(VORPIPE_INPUT, "picture.svg", vorpipe_picture_save(picture, "picture.svg"));
+  vorpipe_picture_free(picture);
+  DONE(vorpipe_picture_read("looks.png", &picture));
+  REFUSED(VORPIPE_INPUT, "was read", vorpipe_picture_write(picture, "pgw", count, &written));
+  vorpipe_picture_free(picture);
+  options.fit = VORPIPE_FIT_STRETCH;
+  DONE(vorpipe_render(session, input, &options, &picture));
+  DONE(vorpipe_picture_array(picture, VORPIPE_PICTURE_IDS, &ids));
+  PROMISE(((const uint32_t*)ids.data)[0] == 0);
+  vorpipe_picture_free(picture);
+  vorpipe_input_free(input);
+  remove("looks.png");
+}
+
+static void shapes(vorpipe_session* session, const vorpipe_input* input) {
+  vorpipe_render_options options = {sizeof options};
+  counted written = {{0}, 0};
+  FILE* file;
+  options.color = VORPIPE_BY_AREA;
+  options.legend = 1;
+  options.width = options.height = 200;
+  DONE(vorpipe_draw(session, input, &options, "pdf", count, &written));
+  PROMISE(strncmp(written.first, "%PDF", 4) == 0 && written.size > 1000);
+  DONE(vorpipe_draw_save(session, input, NULL, "looks.svg"));
+  PROMISE((file = fopen("looks.svg", "r")) != NULL);
+  if (file != NULL) fclose(file);
+  remove("looks.svg");
+  REFUSED(VORPIPE_INPUT, "made of pixels", vorpipe_draw_save(session, input, NULL, "looks.png"));
+  REFUSED(VORPIPE_INPUT, "looks.xls", vorpipe_draw_save(session, input, NULL, "looks.xls"));
+  options.color = VORPIPE_BY_WEIGHT;
+  REFUSED(VORPIPE_INPUT, "weight", vorpipe_draw_save(session, input, &options, "looks.svg"));
+  PROMISE(fopen("looks.svg", "r") == NULL);
+}
+
+void looks_promises(vorpipe_session* session) {
+  vorpipe_input* input = NULL;
+  DONE(vorpipe_input_read("random:100", 1, &input));
+  keys(session, input);
+  shapes(session, input);
+  places(session);
+  vorpipe_input_free(input);
+}
