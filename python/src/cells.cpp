@@ -1,4 +1,5 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -6,48 +7,79 @@
 #include "choices.h"
 #include "errors.h"
 #include "io/cells/cells_file.h"
-#include "io/files/output_file.h"
+#include "io/edges/edges_file.h"
 #include "results.h"
+#include "saving.h"
 
 namespace vorpipe::python {
 namespace {
 
 using Shared = std::shared_ptr<CellsResult>;
 
+void requireDetail(const CellsResult& result, std::string_view extension, Detail detail) {
+  if (detail <= result.options.detail) return;
+  raiseInput("detail",
+             fmt::format("{} takes cells that were computed with detail='{}'; these have '{}'", extension,
+                         nameIn(detail_choices, detail), nameIn(detail_choices, result.options.detail)));
+}
+
 /// The property of a CellsResult that shows an array of its diagram.
 template <class Number, class Row>
 auto viewed(std::vector<Row> Diagram::*rows) {
   return [rows](const Shared& result) {
-    return viewOf<Number>(result->diagram.*rows, std::shared_ptr<const CellsResult>(result));
+    return viewOf<Number>(result->shown().*rows, std::shared_ptr<const CellsResult>(result));
   };
 }
 
-Result<void> writeFile(const CellsResult& result, const CellsFormat& format, const std::string& path) {
-  auto file = OutputFile::create(path);
-  if (!file) return tl::unexpected(std::move(file.error()));
-  auto written = writeCells(*file, {result.input->sites, result.diagram}, format);
-  return written ? file->commit() : written;
+void save(const CellsResult& result, const std::string& path, bool only_cells) {
+  const CellsFormat& format = formatOf(result, path, only_cells);
+  saveFile(path, [&](ByteSink& sink) { return writeCells(sink, outputOf(result, only_cells), format); });
 }
 
-void save(const CellsResult& result, const std::string& path) {
-  const CellsFormat& format = formatOf(result, path);
-  auto written = [&] {
-    const py::gil_scoped_release no_gil;
-    return writeFile(result, format, path);
-  }();
-  valueOf(std::move(written));
+void saveEdges(const CellsResult& result, const std::string& path, int threads) {
+  const EdgesFormat& format = *valueOf(edgesFormatOf(path));
+  requireDetail(result, format.extension, Detail::polygons);
+  saveFile(path, [&](ByteSink& sink) -> Result<void> {
+    const auto topology = topologyOf(result.shown(), threads);
+    if (!topology) return tl::unexpected(topology.error());
+    return writeEdges(sink, {result.shown(), *topology, result.system()}, format);
+  });
+}
+
+/// The extensions of formats that can leave out records.
+std::string featureExtensions() {
+  std::vector<std::string_view> extensions;
+  for (const std::string_view extension : cellsExtensions()) {
+    if ((*cellsFormatOf("cells" + std::string(extension)))->features) extensions.push_back(extension);
+  }
+  return fmt::format("{}", fmt::join(extensions, ", "));
 }
 
 }  // namespace
 
-const CellsFormat& formatOf(const CellsResult& result, const std::string& path) {
+CellsResult resultOf(std::shared_ptr<const Input> input, CellsOptions options, Diagram diagram, int threads) {
+  CellsResult result{std::move(input), std::move(options), std::move(diagram)};
+  if (result.input->projection) {
+    CellsInDegrees& shown = result.in_degrees.emplace(CellsInDegrees{*result.input, result.diagram});
+    backToDegrees(shown.placed, shown.diagram, threads);
+  }
+  return result;
+}
+
+const CellsFormat& formatOf(const CellsResult& result, const std::string& path, bool only_cells) {
   const CellsFormat& format = *valueOf(cellsFormatOf(path));
-  if (format.detail > result.options.detail) {
-    raiseInput("detail", fmt::format("{} takes cells that were computed with detail='{}'; these have '{}'",
-                                     format.extension, nameIn(detail_choices, format.detail),
-                                     nameIn(detail_choices, result.options.detail)));
+  requireDetail(result, format.extension, format.detail);
+  if (only_cells && !format.features) {
+    raiseInput("only_cells", fmt::format("{} has no features to leave out; {} have", format.extension,
+                                         featureExtensions()));
   }
   return format;
+}
+
+CellsOutput outputOf(const CellsResult& result, bool only_cells) {
+  CellsOutput output{result.sites(), result.shown(), {}, result.system(), only_cells};
+  if (result.input->attributes) output.attributes = result.input->attributes->columns;
+  return output;
 }
 
 void defineCells(py::module_& module) {
@@ -77,8 +109,13 @@ void defineCells(py::module_& module) {
       .def_property_readonly("mass_centroids", viewed<double>(&Diagram::mass_centroid))
       .def_property_readonly("triangles", viewed<std::uint32_t>(&Diagram::triangles))
       .def("area_sum", [](const CellsResult& result) { return areaSum(result.diagram); })
-      .def("save", &save, py::arg("path"));
+      .def("save", &save, py::arg("path"), py::arg("only_cells"))
+      .def("save_edges", &saveEdges, py::arg("path"), py::arg("threads"));
   module.def("cells_extensions", &cellsExtensions);
+  module.def(
+      "carries_attributes", [](const std::string& path) { return valueOf(cellsFormatOf(path))->attributes; },
+      py::arg("path"));
+  module.def("edges_extensions", &edgesExtensions);
 }
 
 }  // namespace vorpipe::python

@@ -22,6 +22,9 @@ inline constexpr Choices<ColorBy, 4> color_choices = {{{"site", ColorBy::site},
                                                        {"area", ColorBy::area},
                                                        {"neighbors", ColorBy::neighbors},
                                                        {"weight", ColorBy::weight}}};
+inline constexpr Choices<ColorScale, 3> scale_choices = {
+    {{"linear", ColorScale::linear}, {"log", ColorScale::log}, {"quantile", ColorScale::quantile}}};
+inline constexpr Choices<Fit, 2> fit_choices = {{{"stretch", Fit::stretch}, {"letterbox", Fit::letterbox}}};
 inline constexpr Choices<Search, 2> search_choices = {{{"grid", Search::grid}, {"flann", Search::flann}}};
 
 /// The value of that name; throws an InputError that lists the names.

@@ -3,6 +3,10 @@
 #include <fmt/core.h>
 #include <pybind11/pybind11.h>
 
+#include <array>
+#include <string>
+#include <utility>
+
 namespace vorpipe::python {
 namespace {
 
@@ -27,6 +31,33 @@ std::string_view argumentOf(Subject subject) {
       return "density";
     case Subject::search:
       return "search";
+  }
+  return {};
+}
+
+/// The argument whose name a message begins with, in the library's words; empty where it begins with none.
+/// The message gets the argument's name instead.
+std::string_view takeArgument(std::string& message) {
+  using Name = std::pair<std::string_view, std::string_view>;
+  constexpr std::array<Name, 12> names = {{{"color scale", "color_scale"},
+                                           {"color range", "color_range"},
+                                           {"color", "color"},
+                                           {"legend", "legend"},
+                                           {"edge width", "edge_width"},
+                                           {"dot size", "dot_size"},
+                                           {"domain", "domain"},
+                                           {"outline", "outline"},
+                                           {"margin", "margin"},
+                                           {"repair", "repair"},
+                                           {"project", "project"},
+                                           {"periodic", "periodic"}}};
+  for (const auto& [words, argument] : names) {
+    if (!message.starts_with(words) || message.size() == words.size()) continue;
+    const std::string_view rest = std::string_view(message).substr(words.size());
+    const std::size_t separator = rest.starts_with(": ") ? 2 : rest.starts_with(' ') ? 1 : 0;
+    if (separator == 0) continue;
+    message = fmt::format("{}: {}", argument, rest.substr(separator));
+    return argument;
   }
   return {};
 }
@@ -58,6 +89,9 @@ Kind kindOf(ErrorCode code) {
 }  // namespace
 
 void raise(Error error) {
+  if (const std::string_view named = takeArgument(error.message); !named.empty()) {
+    raise(kindOf(error.code), error.message, named);
+  }
   const std::string_view argument = argumentOf(error.subject);
   if (!argument.empty()) {
     // The argument stands for the subject's name.

@@ -34,7 +34,7 @@ void refuseNotFinite(const Sites& sites) {
 }
 
 Outline outlineOf(const OutlineArrays& arrays) {
-  const auto& [points, rings, polygons] = arrays;
+  const auto& [points, rings, polygons, name] = arrays;
   const auto elements = points.unchecked<2>();
   Outline outline;
   outline.points.resize(static_cast<std::size_t>(elements.shape(0)));
@@ -59,64 +59,154 @@ Density densityOf(const Numbers& values) {
   return density;
 }
 
-/// As the command line does, but for a domain that repeats: its period is no guess.
-Box defaultDomain(const Input& input) {
-  if (!input.outline.empty()) return boxOf(input.outline.points);
-  if (input.periodic != Periodic::none) {
-    raiseInput("domain", "a domain that repeats must be named: (xmin, ymin, xmax, ymax)");
+/// The points of a table, or of an array.
+void takeSites(const GivenPoints& points, const std::optional<SystemArguments>& system, Input& input) {
+  if (const auto* const given = std::get_if<std::shared_ptr<Table>>(&points)) {
+    const Table& table = **given;
+    input.sites = table.sites;
+    input.was_read = true;
+    input.generated = table.generated;
+    input.system = table.system;
+    input.attributes = table.attributes;
+  } else {
+    takePoints(std::get<Numbers>(points), input.sites.x, input.sites.y);
+    if (input.sites.size() == 0) raiseInput("points", "there are none");
+    refuseNotFinite(input.sites);
   }
-  const Box box = domainOf(input.sites);
-  if (!std::isfinite(box.xmax - box.xmin) || !std::isfinite(box.ymax - box.ymin)) {
-    raiseInput("domain", "the points reach too far for a default, name one: (xmin, ymin, xmax, ymax)");
-  }
-  return box;
+  if (system) input.system = systemOf(*system);
 }
 
-py::array pointsOf(const Sites& sites) {
-  std::vector<Point> points(sites.size());
-  for (std::size_t i = 0; i < points.size(); ++i) points[i] = {sites.x[i], sites.y[i]};
-  py::array array = arrayOf<double>(std::move(points));
+void takeWeights(const GivenPoints& points, const std::optional<Numbers>& weights, Input& input) {
+  if (!weights) return;
+  if (!input.sites.weight.empty()) {
+    const std::string& name = std::get<std::shared_ptr<Table>>(points)->name;
+    raiseInput("weights", name + " has weights of its own");
+  }
+  input.sites.weight = vectorOf(*weights);
+}
+
+Box boxFrom(const std::array<double, 4>& box) { return {box[0], box[1], box[2], box[3]}; }
+
+DomainSettings settingsOf(const DomainArguments& arguments) {
+  DomainSettings settings;
+  settings.hull = arguments.hull;
+  settings.repair = arguments.repair;
+  if (arguments.margin) settings.margin = Margin{arguments.margin->first, arguments.margin->second};
+  if (arguments.outline) {
+    settings.outline = outlineOf(*arguments.outline);
+    settings.outline_name = std::get<std::string>(*arguments.outline);
+  } else if (arguments.box) {
+    settings.box = boxFrom(*arguments.box);
+  }
+  if (arguments.project) {
+    settings.project.emplace();
+    if (arguments.center) settings.project->center = Point{(*arguments.center)[0], (*arguments.center)[1]};
+  }
+  return settings;
+}
+
+/// The names that arguments of Python have.
+DomainWords wordsOf(const DomainArguments& arguments, const GivenPoints& points) {
+  DomainWords words;
+  const auto* const table = std::get_if<std::shared_ptr<Table>>(&points);
+  words.sites = table == nullptr ? "points" : (*table)->name;
+  words.domain = arguments.outline ? "outline" : "domain";
+  words.box = "domain=(xmin, ymin, xmax, ymax)";
+  words.project_amid = "project=\"auto\"";
+  words.project_around = "project=(lon, lat)";
+  return words;
+}
+
+/// What only Python can be asked for: a box around an outline, which pictures show, and a period.
+void checkDomain(const DomainArguments& arguments, const Input& input) {
+  if (arguments.hull && arguments.outline)
+    raiseInput("domain", "the hull is an outline, and another is given");
+  if (arguments.repair && !arguments.outline) raiseInput("repair", "is for an outline, and there is none");
+  if (arguments.box && arguments.outline && arguments.project) {
+    raiseInput("domain", "a projection takes it from the outline; give one of them");
+  }
+  if (input.periodic != Periodic::none && !input.generated && !arguments.box) {
+    raiseInput("domain", "a domain that repeats must be named: (xmin, ymin, xmax, ymax)");
+  }
+}
+
+void takeDomain(const DomainArguments& arguments, const GivenPoints& points, Input& input) {
+  checkDomain(arguments, input);
+  const DomainSettings settings = settingsOf(arguments);
+  auto found = [&] {
+    const py::gil_scoped_release no_gil;
+    return findDomain(settings, input, wordsOf(arguments, points));
+  }();
+  valueOf(std::move(found));
+  if (arguments.box && arguments.outline) input.domain = boxFrom(*arguments.box);
+}
+
+/// The points as they were given.
+py::array givenPoints(const Input& input) {
+  Sites sites{input.projection ? input.longitudes : input.sites.x,
+              input.projection ? input.latitudes : input.sites.y,
+              {}};
+  py::array array = pointsOf(sites);
   array.attr("setflags")(py::arg("write") = false);
   return array;
 }
 
 }  // namespace
 
-std::shared_ptr<const Input> inputOf(const Numbers& points, const std::optional<Numbers>& weights,
-                                     const std::optional<std::array<double, 4>>& domain,
-                                     const std::string& periodic, const std::optional<OutlineArrays>& outline,
-                                     const std::optional<Numbers>& density) {
+std::shared_ptr<Input> inputOf(const GivenPoints& points, const std::optional<Numbers>& weights,
+                               const DomainArguments& domain, const std::string& periodic,
+                               const std::optional<SystemArguments>& system) {
   auto input = std::make_shared<Input>();
-  takePoints(points, input->sites.x, input->sites.y);
-  if (input->sites.size() == 0) raiseInput("points", "there are none");
-  refuseNotFinite(input->sites);
-  if (weights) input->sites.weight = vectorOf(*weights);
+  takeSites(points, system, *input);
+  takeWeights(points, weights, *input);
   input->periodic = chosen("periodic", periodic_choices, periodic);
-  if (outline) input->outline = outlineOf(*outline);
-  if (density) input->density = densityOf(*density);
-  input->domain =
-      domain ? Box{(*domain)[0], (*domain)[1], (*domain)[2], (*domain)[3]} : defaultDomain(*input);
+  takeDomain(domain, points, *input);
   return input;
 }
 
 void defineInput(py::module_& module) {
-  // pybind11 holds no pointers to constants; nothing here changes one.
-  py::class_<Input, std::shared_ptr<Input>>(module, "Input", "Points and where they have cells.")
-      .def(py::init([](const Numbers& points, const std::optional<Numbers>& weights,
-                       const std::optional<std::array<double, 4>>& domain, const std::string& periodic,
-                       const std::optional<OutlineArrays>& outline, const std::optional<Numbers>& density) {
-             return std::const_pointer_cast<Input>(
-                 inputOf(points, weights, domain, periodic, outline, density));
+  py::class_<DomainArguments>(module, "Domain", "What a domain is asked for with.")
+      .def(py::init([](const std::optional<std::array<double, 4>>& box, bool hull,
+                       const std::optional<OutlineArrays>& outline,
+                       const std::optional<std::pair<double, bool>>& margin, bool repair, bool project,
+                       const std::optional<std::array<double, 2>>& center) {
+             return DomainArguments{box, hull, outline, margin, repair, project, center};
            }),
-           py::arg("points"), py::arg("weights"), py::arg("domain"), py::arg("periodic"), py::arg("outline"),
-           py::arg("density"))
+           py::arg("box"), py::arg("hull"), py::arg("outline"), py::arg("margin"), py::arg("repair"),
+           py::arg("project"), py::arg("center"));
+  // pybind11 holds no pointers to constants; nothing here changes one once it is made.
+  py::class_<Input, std::shared_ptr<Input>>(module, "Input", "Points and where they have cells.")
+      .def(py::init([](const GivenPoints& points, const std::optional<Numbers>& weights,
+                       const DomainArguments& domain, const std::string& periodic,
+                       const std::optional<Numbers>& density, const std::shared_ptr<Attributes>& attributes,
+                       const std::optional<SystemArguments>& system) {
+             auto input = inputOf(points, weights, domain, periodic, system);
+             if (density) input->density = densityOf(*density);
+             if (attributes) input->attributes = attributes;
+             return input;
+           }),
+           py::arg("points"), py::arg("weights"), py::arg("domain"), py::arg("periodic"), py::arg("density"),
+           py::arg("attributes").none(true), py::arg("system"))
       .def("__len__", [](const Input& input) { return input.sites.size(); })
-      .def_property_readonly("points", [](const Input& input) { return pointsOf(input.sites); })
+      .def_property_readonly("points", &givenPoints)
       .def_property_readonly("weights",
                              [](const std::shared_ptr<Input>& input) -> std::optional<py::array> {
                                if (input->sites.weight.empty()) return std::nullopt;
                                return viewOf<double>(input->sites.weight,
                                                      std::shared_ptr<const Input>(input));
+                             })
+      .def_property_readonly(
+          "attributes",
+          [](const Input& input) { return std::const_pointer_cast<Attributes>(input.attributes); })
+      .def_property_readonly(
+          "system",
+          [](const Input& input) { return argumentsOf(input.projection ? input.degrees : input.system); })
+      .def_readonly("notes", &Input::notes)
+      .def_property_readonly("center",
+                             [](const Input& input) -> std::optional<std::array<double, 2>> {
+                               if (!input.projection) return std::nullopt;
+                               const Point center = input.projection->center();
+                               return std::array{center.x, center.y};
                              })
       .def_property_readonly("domain",
                              [](const Input& input) {

@@ -9,32 +9,52 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
+#include <variant>
 
+#include "attributes.h"
+#include "io/domain/site_domain.h"
+#include "systems.h"
+#include "table.h"
 #include "vorpipe.h"
 
 namespace vorpipe::python {
 
 namespace py = pybind11;
 
-/// Never changed after it was made: runs on several threads may share one, and results keep it.
-struct Input {
-  Sites sites;
-  Box domain;
-  Outline outline;
-  Periodic periodic = Periodic::none;
-  Density density;
+/// Never changed after it was made: runs on several threads may share one, and results keep it. With a
+/// projection, sites and domain are in its plane.
+struct Input : PlacedSites {
+  bool was_read = false;  ///< from a table
+  Density density{};
+  SharedAttributes attributes{};  ///< may be null
 };
 
 using Numbers = py::array_t<double>;
-/// Points (M, 2), where their rings begin and end, and where polygons begin and end among the rings.
-using OutlineArrays = std::tuple<Numbers, py::array_t<std::uint64_t>, py::array_t<std::uint64_t>>;
+/// Points (M, 2), where their rings begin and end, and where polygons begin and end among the rings; the file
+/// that they are of.
+using OutlineArrays =
+    std::tuple<Numbers, py::array_t<std::uint64_t>, py::array_t<std::uint64_t>, std::string>;
 
-/// Arrays have the shapes that their names say, which vorpipe/_arguments.py has seen to: points (N, 2),
-/// weights (N,), density (H, W). Errors: no points, or not finite; no domain that could stand in for none.
-std::shared_ptr<const Input> inputOf(const Numbers& points, const std::optional<Numbers>& weights,
-                                     const std::optional<std::array<double, 4>>& domain,
-                                     const std::string& periodic, const std::optional<OutlineArrays>& outline,
-                                     const std::optional<Numbers>& density);
+/// What a domain is asked for with.
+struct DomainArguments {
+  std::optional<std::array<double, 4>> box;
+  bool hull;
+  std::optional<OutlineArrays> outline;
+  std::optional<std::pair<double, bool>> margin;  ///< whether it is relative to the longer side
+  bool repair;
+  bool project;
+  std::optional<std::array<double, 2>> center;  ///< of the projection
+};
+
+/// The sites of a run: of a table, or points (N, 2), as vorpipe/_arguments.py has seen to.
+using GivenPoints = std::variant<std::shared_ptr<Table>, Numbers>;
+
+/// Weights are of shape (N,). Errors: no points, or not finite; two kinds of weights; those of findDomain, in
+/// the words of Python.
+std::shared_ptr<Input> inputOf(const GivenPoints& points, const std::optional<Numbers>& weights,
+                               const DomainArguments& domain, const std::string& periodic,
+                               const std::optional<SystemArguments>& system);
 
 void defineInput(py::module_& module);
 

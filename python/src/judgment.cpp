@@ -47,9 +47,11 @@ std::shared_ptr<IdDiff> diffOfPictures(const PictureResult& a, const PictureResu
   if (first.width != second.width || first.height != second.height) {
     raiseInput("b", "it has another size than a");
   }
+  if (a.options.fit != b.options.fit)
+    raiseInput("b", "its domain fits into it in another way than that of a");
   const Input& input = *a.input;
-  auto diff =
-      diffIds(first.ids, second.ids, first.width, first.height, input.sites, input.domain, input.periodic);
+  auto diff = diffIds(first.ids, second.ids, first.width, first.height, input.sites, input.domain,
+                      input.periodic, a.options.fit);
   return std::make_shared<IdDiff>(valueOf(std::move(diff)));
 }
 

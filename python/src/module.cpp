@@ -16,10 +16,13 @@ PYBIND11_MODULE(_vorpipe, module) {
   module.attr("NO_SITE") = vorpipe::no_site;
   module.attr("WALLS") = py::make_tuple(vorpipe::wall_xmin, vorpipe::wall_xmax, vorpipe::wall_ymin,
                                         vorpipe::wall_ymax, vorpipe::wall_outline);
+  defineAttributes(module);
+  defineTable(module);
   defineInput(module);
   defineReport(module);
   defineCells(module);
   defineReading(module);
+  defineLook(module);
   definePicture(module);
   defineDevices(module);
   defineSession(module);

@@ -1,15 +1,23 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <bit>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "arrays.h"
+#include "choices.h"
 #include "errors.h"
 #include "io/files/extension.h"
-#include "io/files/output_file.h"
-#include "io/pictures/npy_ids.h"
-#include "io/pictures/png_file.h"
+#include "io/pictures/georeference.h"
+#include "io/pictures/picture_file.h"
+#include "look.h"
 #include "results.h"
+#include "saving.h"
 
 namespace vorpipe::python {
 namespace {
@@ -30,29 +38,75 @@ py::array idsOf(const Shared& result) {
   return viewOf<std::uint32_t>(image.ids.data(), {image.height, image.width}, asOwner(result));
 }
 
-Result<void> writeFile(const Image& image, const std::string& path, bool as_png) {
-  auto file = OutputFile::create(path);
-  if (!file) return tl::unexpected(std::move(file.error()));
-  auto written = as_png ? writePng(*file, image.width, image.height, image.rgba)
-                        : writeNpyIds(*file, image.width, image.height, image.ids);
-  return written ? file->commit() : written;
+/// Where the picture lies: xmin, xmax, ymin, ymax. The domain, and what stands beside it.
+std::array<double, 4> extentOf(const PictureResult& result) {
+  const auto& [width, height] = std::pair(result.options.width, result.options.height);
+  const PictureFrame frame = frameOf(result.options.domain, width, height, result.options.fit);
+  const PixelGrid grid = pixelGridOf(result.options.domain, frame);
+  return {grid.left, grid.left + width * grid.width, grid.top - height * grid.height, grid.top};
+}
+
+/// Of pixels, and then of ids.
+std::string pixelExtensions() {
+  std::vector<std::string_view> extensions;
+  for (const std::string_view extension : pictureExtensions()) {
+    if (!(*pictureFormatOf("picture" + std::string(extension)))->of_shapes) extensions.push_back(extension);
+  }
+  return fmt::format("{}, and for the ids {}", fmt::join(extensions, ", "), fmt::join(idsExtensions(), ", "));
 }
 
 void save(const PictureResult& result, const std::string& path) {
-  const std::string extension = lowerExtension(path);
-  if (extension != ".png" && extension != ".npy") {
-    raiseInput("path", path + ": unknown kind of file for pictures; known are .png, and .npy for the ids");
+  const PictureOutput output{
+      result.input->sites, result.options, &result.rendering.image, nullptr, result.input->system, 0};
+  if (const auto ids = idsFormatOf(path)) {
+    saveFile(path, [&](ByteSink& sink) { return (*ids)->write(sink, output); });
+    return;
   }
-  auto written = [&] {
-    const py::gil_scoped_release no_gil;
-    return writeFile(result.rendering.image, path, extension == ".png");
-  }();
-  valueOf(std::move(written));
+  const auto format = pictureFormatOf(path);
+  if (!format) {
+    raiseInput("path",
+               fmt::format("{}: unknown kind of file for pictures; known are {}", path, pixelExtensions()));
+  }
+  if ((*format)->of_shapes) {
+    raiseInput("path", fmt::format("{}: is made of cells, not of pixels: call vorpipe.draw", path));
+  }
+  saveFile(path, [&](ByteSink& sink) { return (*format)->write(sink, output); });
+}
+
+void defineKey(py::module_& module) {
+  py::class_<ColorKey>(module, "ColorKey", "What the colors of a picture stand for.")
+      .def_property_readonly("color", [](const ColorKey& key) { return nameIn(color_choices, key.color); })
+      .def_property_readonly("scale", [](const ColorKey& key) { return nameIn(scale_choices, key.scale); })
+      .def_property_readonly("range",
+                             [](const ColorKey& key) { return std::pair(key.range.low, key.range.high); })
+      .def_readonly("ticks", &ColorKey::ticks);
+}
+
+/// Draws cells of SharedSession::shapes, with the same look.
+void saveShapes(const CellsResult& cells, const Look& look, const std::string& path, int threads) {
+  const PictureFormat& format = shapesFormatOf(path);
+  const Input& input = *cells.input;
+  const RenderOptions options = renderOptionsOf(look, input);
+  const PictureOutput output{input.sites, options, nullptr, &cells.diagram, input.system, threads};
+  saveFile(path, [&](ByteSink& sink) { return format.write(sink, output); });
 }
 
 }  // namespace
 
+const PictureFormat& shapesFormatOf(const std::string& path) {
+  const auto format = pictureFormatOf(path);
+  if (format && (*format)->of_shapes) return **format;
+  std::vector<std::string_view> extensions;
+  for (const std::string_view extension : pictureExtensions()) {
+    if ((*pictureFormatOf("picture" + std::string(extension)))->of_shapes) extensions.push_back(extension);
+  }
+  raiseInput("path", fmt::format("{}: unknown kind of file for drawings; known are {}; of pixels "
+                                 "vorpipe.render makes pictures",
+                                 path, fmt::join(extensions, ", ")));
+}
+
 void definePicture(py::module_& module) {
+  defineKey(module);
   py::class_<PictureResult, Shared>(module, "Picture", "The arrays of a picture.")
       .def_property_readonly(
           "input", [](const PictureResult& result) { return std::const_pointer_cast<Input>(result.input); })
@@ -61,6 +115,8 @@ void definePicture(py::module_& module) {
           [](const Shared& result) { return std::shared_ptr<Report>(result, &result->rendering.report); })
       .def_property_readonly("rgba", &rgbaOf)
       .def_property_readonly("ids", &idsOf)
+      .def_property_readonly("extent", &extentOf)
+      .def_property_readonly("key", [](const PictureResult& result) { return result.rendering.key; })
       .def_property_readonly("status",
                              [](const Shared& result) {
                                return viewOf<std::uint8_t>(result->rendering.status, asOwner(result));
@@ -70,6 +126,8 @@ void definePicture(py::module_& module) {
                                return viewOf<std::uint32_t>(result->rendering.owner, asOwner(result));
                              })
       .def("save", &save, py::arg("path"));
+  module.def("save_shapes", &saveShapes, py::arg("cells"), py::arg("look"), py::arg("path"),
+             py::arg("threads"));
   module.def("colormaps", &colormaps);
 }
 

@@ -2,18 +2,37 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "input.h"
 #include "io/cells/cells_file.h"
+#include "io/pictures/picture_file.h"
 #include "vorpipe.h"
 
 namespace vorpipe::python {
 
-struct CellsResult {
-  std::shared_ptr<const Input> input;
-  CellsOptions options;  ///< without what only the run needed: the progress
+/// Cells that a plane had, in degrees.
+struct CellsInDegrees {
+  PlacedSites placed;  ///< sites alone, and their system
   Diagram diagram;
 };
+
+struct CellsResult {
+  std::shared_ptr<const Input> input;
+  CellsOptions options;                        ///< without what only the run needed: the progress
+  Diagram diagram;                             ///< as it was computed: in the plane of a projection
+  std::optional<CellsInDegrees> in_degrees{};  ///< of a projection
+
+  // As the caller has them.
+  [[nodiscard]] const Diagram& shown() const { return in_degrees ? in_degrees->diagram : diagram; }
+  [[nodiscard]] const Sites& sites() const { return in_degrees ? in_degrees->placed.sites : input->sites; }
+  [[nodiscard]] const CoordinateSystem& system() const {
+    return in_degrees ? in_degrees->placed.system : input->system;
+  }
+};
+
+/// The result of a run; takes cells back to degrees if the input has a projection.
+CellsResult resultOf(std::shared_ptr<const Input> input, CellsOptions options, Diagram diagram, int threads);
 
 struct PictureResult {
   std::shared_ptr<const Input> input;
@@ -24,9 +43,15 @@ struct PictureResult {
 /// The options that follow from the input.
 CellsOptions cellsOptionsOf(const Input& input);
 
-/// The format that the path's extension names. Throws InputError where there is none, or it takes more detail
-/// than the cells have.
-const CellsFormat& formatOf(const CellsResult& result, const std::string& path);
+/// The format that the path's extension names. Throws InputError where there is none, it takes more detail
+/// than the cells have, or it has no records to leave out, as `only_cells` wants.
+const CellsFormat& formatOf(const CellsResult& result, const std::string& path, bool only_cells);
+
+/// What a file of these cells is written from.
+CellsOutput outputOf(const CellsResult& result, bool only_cells);
+
+/// The format of shapes that the path's extension names. Throws InputError where there is none.
+const PictureFormat& shapesFormatOf(const std::string& path);
 
 void defineReport(py::module_& module);
 void defineCells(py::module_& module);
@@ -38,7 +63,9 @@ void defineJudgment(py::module_& module);
 void defineForecast(py::module_& module);
 void defineDevices(py::module_& module);
 void defineSelftest(py::module_& module);
-/// Sites, outlines and densities out of files, and generators.
+/// How a picture is to look.
+void defineLook(py::module_& module);
+/// Weights, outlines and densities out of files.
 void defineFiles(py::module_& module);
 /// What vorpipe.compat makes of triangles.
 void defineTriangles(py::module_& module);

@@ -27,7 +27,7 @@ struct Waiting {
 
 }  // namespace
 
-SharedSession::SharedSession(const BackendOptions& options) {
+SharedSession::SharedSession(const BackendOptions& options) : threads_(options.threads) {
   auto opened = [&] {
     const py::gil_scoped_release no_gil;
     return Session::open(options);
@@ -62,29 +62,35 @@ T SharedSession::use(const py::object& progress, std::function<Result<T>(Session
   return valueOf(watched<T>(progress, std::move(run)));
 }
 
+std::shared_ptr<CellsResult> SharedSession::find(const std::shared_ptr<const Input>& input,
+                                                 CellsOptions options, const py::object& progress) {
+  return use<std::shared_ptr<CellsResult>>(
+      progress,
+      [input, options = std::move(options), threads = threads_](
+          Session& session, const Progress& heard) mutable -> Result<std::shared_ptr<CellsResult>> {
+        options.progress = heard;
+        auto diagram = session.cells(input->sites, options);
+        if (!diagram) return tl::unexpected(std::move(diagram.error()));
+        options.progress = nullptr;
+        return std::make_shared<CellsResult>(
+            resultOf(input, std::move(options), std::move(*diagram), threads));
+      });
+}
+
 std::shared_ptr<CellsResult> SharedSession::cells(const std::shared_ptr<const Input>& input,
                                                   const std::string& detail, const std::string& search,
                                                   int neighbors, const py::object& progress) {
   CellsOptions options = cellsOptionsOf(*input);
   options.detail = chosen("detail", detail_choices, detail);
   options.search = {chosen("search", search_choices, search), neighbors};
-  return use<std::shared_ptr<CellsResult>>(
-      progress,
-      [input, options = std::move(options)](
-          Session& session, const Progress& heard) mutable -> Result<std::shared_ptr<CellsResult>> {
-        options.progress = heard;
-        auto diagram = session.cells(input->sites, options);
-        if (!diagram) return tl::unexpected(std::move(diagram.error()));
-        options.progress = nullptr;
-        return std::make_shared<CellsResult>(CellsResult{input, std::move(options), std::move(*diagram)});
-      });
+  return find(input, std::move(options), progress);
 }
 
 std::shared_ptr<PictureResult> SharedSession::render(const std::shared_ptr<const Input>& input,
-                                                     RenderOptions options, const py::object& progress) {
+                                                     const Look& look, const py::object& progress) {
   return use<std::shared_ptr<PictureResult>>(
       progress,
-      [input, options = std::move(options)](
+      [input, options = renderOptionsOf(look, *input)](
           Session& session, const Progress& heard) mutable -> Result<std::shared_ptr<PictureResult>> {
         options.progress = heard;
         auto rendering = session.render(input->sites, options);
@@ -93,6 +99,15 @@ std::shared_ptr<PictureResult> SharedSession::render(const std::shared_ptr<const
         return std::make_shared<PictureResult>(
             PictureResult{input, std::move(options), std::move(*rendering)});
       });
+}
+
+std::shared_ptr<CellsResult> SharedSession::shapes(const std::shared_ptr<const Input>& input,
+                                                   const Look& look, const std::string& path,
+                                                   const py::object& progress) {
+  static_cast<void>(shapesFormatOf(path));
+  CellsOptions options = cellsOptions(renderOptionsOf(look, *input));
+  options.detail = Detail::polygons;
+  return find(input, std::move(options), progress);
 }
 
 Arithmetic SharedSession::arithmetic() {
@@ -145,26 +160,15 @@ void defineSession(py::module_& module) {
           py::arg("input"), py::arg("detail"), py::arg("search"), py::arg("neighbors"), py::arg("progress"))
       .def(
           "render",
-          [](SharedSession& session, const Shared& input, const std::optional<std::pair<int, int>>& size,
-             const std::string& color, const std::string& colormap, bool edges, bool show_sites,
-             const std::string& search, int neighbors, const py::object& progress) {
-            const PictureSize wanted =
-                size ? PictureSize{size->first, size->second} : defaultSize(input->domain);
-            RenderOptions options{};
-            options.domain = input->domain;
-            options.outline = input->outline;
-            options.periodic = input->periodic;
-            options.width = wanted.width;
-            options.height = wanted.height;
-            options.color = chosen("color", color_choices, color);
-            options.colormap = colormap;
-            options.edges = edges;
-            options.show_sites = show_sites;
-            options.search = {chosen("search", search_choices, search), neighbors};
-            return session.render(input, std::move(options), progress);
+          [](SharedSession& session, const Shared& input, const Look& look, const py::object& progress) {
+            return session.render(input, look, progress);
           },
-          py::arg("input"), py::arg("size"), py::arg("color"), py::arg("colormap"), py::arg("edges"),
-          py::arg("show_sites"), py::arg("search"), py::arg("neighbors"), py::arg("progress"))
+          py::arg("input"), py::arg("look"), py::arg("progress"))
+      .def(
+          "shapes",
+          [](SharedSession& session, const Shared& input, const Look& look, const std::string& path,
+             const py::object& progress) { return session.shapes(input, look, path, progress); },
+          py::arg("input"), py::arg("look"), py::arg("path"), py::arg("progress"))
       .def("arithmetic", &SharedSession::arithmetic)
       .def("device", &SharedSession::device)
       .def("choice", &SharedSession::choice)

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <string>
 
+#include "look.h"
 #include "results.h"
 #include "vorpipe.h"
 #include "watch.h"
@@ -26,8 +27,12 @@ class SharedSession : public std::enable_shared_from_this<SharedSession> {
 
   std::shared_ptr<CellsResult> cells(const std::shared_ptr<const Input>& input, const std::string& detail,
                                      const std::string& search, int neighbors, const py::object& progress);
-  std::shared_ptr<PictureResult> render(const std::shared_ptr<const Input>& input, RenderOptions options,
+  std::shared_ptr<PictureResult> render(const std::shared_ptr<const Input>& input, const Look& look,
                                         const py::object& progress);
+  /// The cells that a file of shapes is drawn from, as saveShapes does. Throws InputError if `path` names no
+  /// such file.
+  std::shared_ptr<CellsResult> shapes(const std::shared_ptr<const Input>& input, const Look& look,
+                                      const std::string& path, const py::object& progress);
   Arithmetic arithmetic();
   DeviceInfo device();
   std::string choice();
@@ -37,6 +42,8 @@ class SharedSession : public std::enable_shared_from_this<SharedSession> {
   [[nodiscard]] bool isClosed() const { return closed_; }
 
  private:
+  std::shared_ptr<CellsResult> find(const std::shared_ptr<const Input>& input, CellsOptions options,
+                                    const py::object& progress);
   /// The result of `work` with the session, alone, on a thread of its own.
   template <class T>
   T use(const py::object& progress, std::function<Result<T>(Session&, const Progress&)> work);
@@ -44,6 +51,7 @@ class SharedSession : public std::enable_shared_from_this<SharedSession> {
 
   std::mutex mutex_;
   std::unique_ptr<Session> session_;
+  int threads_;  ///< 0 for all
   std::atomic<bool> closed_{false};
   pid_t process_ = getpid();
 };

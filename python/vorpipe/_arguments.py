@@ -12,7 +12,7 @@ from ._errors import InputError
 
 Floats = npt.NDArray[np.float64]
 Mask = Tuple[List[str], List[Tuple[str, int]]]
-Outline = Tuple[Floats, npt.NDArray[np.uint64], npt.NDArray[np.uint64]]
+Outline = Tuple[Floats, npt.NDArray[np.uint64], npt.NDArray[np.uint64], str]
 PathLike = Union[str, 'os.PathLike[str]']
 
 
@@ -61,11 +61,68 @@ def box_of(value: Any) -> Optional[Tuple[float, float, float, float]]:
     """(xmin, ymin, xmax, ymax)."""
     if value is None:
         return None
+    if isinstance(value, str):
+        raise refuse('domain', f'{value!r} is neither "hull" nor 4 numbers: xmin, ymin, xmax, ymax')
     array = numbers('domain', value)
     if array.shape != (4,):
         raise refuse('domain', f'shape {array.shape}, must be 4 numbers: xmin, ymin, xmax, ymax')
     xmin, ymin, xmax, ymax = array.tolist()
     return xmin, ymin, xmax, ymax
+
+
+def margin_of(value: Union[None, float, str]) -> Optional[Tuple[float, bool]]:
+    """A length, or a part of the longer side, as "10%"; and whether it is such a part."""
+    if value is None:
+        return None
+    is_part = isinstance(value, str) and value.endswith('%')
+    try:
+        number = float(value[:-1]) / 100 if isinstance(value, str) and is_part else float(value)
+    except (TypeError, ValueError):
+        raise refuse('margin', f'{value!r} is neither a number nor one with %, as in "10%"') from None
+    return number, is_part
+
+
+def project_of(value: Any) -> Tuple[bool, Optional[Tuple[float, float]]]:
+    """Whether to project, and the center if it is named: "auto" or (longitude, latitude)."""
+    if value is None or value is False:
+        return False, None
+    if value is True or (isinstance(value, str) and value == 'auto'):
+        return True, None
+    try:
+        longitude, latitude = (float(degrees) for degrees in value)
+    except (TypeError, ValueError):
+        raise refuse('project', f'{value!r} is neither "auto" nor (longitude, latitude)') from None
+    return True, (longitude, latitude)
+
+
+def domain_of(domain: Any, outline: Any, margin: Union[None, float, str], repair: bool,
+              project: Any) -> _vorpipe.Domain:
+    hull = isinstance(domain, str) and domain == 'hull'
+    wanted, center = project_of(project)
+    return _vorpipe.Domain(None if hull else box_of(domain), hull, outline_of(outline), margin_of(margin), repair,
+                           wanted, center)
+
+
+def range_of(value: Optional[Sequence[float]]) -> Optional[Tuple[float, float]]:
+    """(low, high)."""
+    if value is None:
+        return None
+    try:
+        low, high = (float(end) for end in value)
+    except (TypeError, ValueError):
+        raise refuse('color_range', f'{value!r} is not (low, high)') from None
+    return low, high
+
+
+def look_of(size: Optional[Sequence[int]], color: str, colormap: str, edges: bool, show_sites: bool,
+            color_scale: Optional[str], color_range: Optional[Sequence[float]], legend: bool, edge_width: float,
+            dot_size: Optional[float], fit: Optional[str], search: Any) -> _vorpipe.Look:
+    if colormap not in _vorpipe.colormaps():
+        raise refuse('colormap', f'{colormap!r} is none of {", ".join(_vorpipe.colormaps())}')
+    method, neighbors = search_of(search)
+    colors = _vorpipe.Colors(color, colormap, color_scale, range_of(color_range), legend)
+    marks = _vorpipe.Marks(edges, show_sites, edge_width, dot_size or 0)
+    return _vorpipe.Look(size_of(size), fit, colors, marks, method, neighbors)
 
 
 def density_of(value: Any) -> Optional[Floats]:
@@ -143,7 +200,7 @@ def outline_of(value: Any) -> Optional[Outline]:
         raise refuse('outline', 'it has no ring')
     ring_offsets = np.cumsum([0] + [len(ring) for ring in rings], dtype=np.uint64)
     polygon_offsets = np.cumsum([0] + [len(polygon) for polygon in polygons], dtype=np.uint64)
-    return np.concatenate(rings), ring_offsets, polygon_offsets
+    return np.concatenate(rings), ring_offsets, polygon_offsets, ''
 
 
 def _polygons(value: Any) -> List[Any]:

@@ -3,14 +3,15 @@ from __future__ import annotations
 
 import enum
 import os
-from typing import TYPE_CHECKING, Any, Iterator, List, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
 
-from . import _arguments, _vorpipe
+from . import _arguments, _attributes, _crs, _vorpipe
 from ._arguments import Floats, PathLike
 from ._cell import Cell
+from ._warnings import warn
 
 if TYPE_CHECKING:
     import geopandas
@@ -46,11 +47,12 @@ class Diagram:
     `edge_lengths`. `diagram[i]` is one cell.
     """
 
-    __slots__ = ('_cells', '_locator')
+    __slots__ = ('_cells', '_locator', '_attributes')
 
     def __init__(self, cells: _vorpipe.Cells) -> None:
         self._cells = cells
         self._locator: Optional[_vorpipe.Locator] = None
+        self._attributes: Optional[Dict[str, npt.NDArray[Any]]] = None
 
     def __len__(self) -> int:
         return len(self._cells)
@@ -89,9 +91,27 @@ class Diagram:
 
     @property
     def domain(self) -> Tuple[float, float, float, float]:
-        """(xmin, ymin, xmax, ymax)."""
+        """(xmin, ymin, xmax, ymax); of a projection in kilometers of its plane."""
         xmin, ymin, xmax, ymax = self._cells.input.domain
         return xmin, ymin, xmax, ymax
+
+    @property
+    def attributes(self) -> Mapping[str, npt.NDArray[Any]]:
+        """What came with the points, by name, (N,) each; as `Sites.attributes` has it."""
+        if self._attributes is None:
+            self._attributes = _attributes.arrays_of(self._cells.input.attributes)
+        return self._attributes
+
+    @property
+    def crs(self) -> Optional[str]:
+        """The coordinate reference system of all positions, as "EPSG:4326"; None where it is not known."""
+        return _crs.name_of(self._cells.input.system)
+
+    @property
+    def center(self) -> Optional[Tuple[float, float]]:
+        """(longitude, latitude) that the plane of `project` is around; None without one."""
+        center = self._cells.input.center
+        return None if center is None else (center[0], center[1])
 
     @property
     def periodic(self) -> str:
@@ -243,16 +263,32 @@ class Diagram:
         """As `vorpipe.check`."""
         return _vorpipe.check_cells(self._cells, _arguments.threads_of(threads))
 
-    def save(self, path: PathLike) -> None:
+    def save(self, path: PathLike, *, only_cells: bool = False) -> None:
         """Writes the cells, by the extension.
 
-        .csv, .npz, .geojson, .geojsonl, .gpkg, .svg, .obj, .ply, .vtk, .vtp, .vtu or .wkt.
+        .csv, .npz, .geojson, .geojsonl, .gpkg, .svg, .obj, .ply, .vtk, .vtp, .vtu or .wkt. Attributes come out in .csv,
+        .geojson, .geojsonl and .gpkg. `only_cells` leaves out points without a cell, in formats of features.
         """
-        self._cells.save(os.fspath(path))
+        self._cells.save(os.fspath(path), only_cells)
+        self._warn_of_names(os.fspath(path))
 
-    def to_bytes(self, extension: str) -> bytes:
+    def save_edges(self, path: PathLike, threads: Optional[int] = None) -> None:
+        """Writes the edges of all cells as lines, each once, with its two points and its length, by the extension.
+
+        .csv, .geojson, .geojsonl, .gpkg, .vtp or .wkt.
+        """
+        self._cells.save_edges(os.fspath(path), _arguments.threads_of(threads))
+
+    def to_bytes(self, extension: str, *, only_cells: bool = False) -> bytes:
         """What `save` would write into a file with that extension, as ".geojson"."""
-        return _vorpipe.bytes_of(self._cells, extension)
+        written = _vorpipe.bytes_of(self._cells, extension, only_cells)
+        self._warn_of_names('cells' + extension)
+        return written
+
+    def _warn_of_names(self, path: str) -> None:
+        given = self._cells.input.attributes
+        if given is not None and _vorpipe.carries_attributes(path):
+            warn([given.renaming_note])
 
     def to_shapely(self) -> List[Any]:
         """A polygon of shapely's for each point: empty where there is no cell, a MultiPolygon where it takes one."""
@@ -260,10 +296,10 @@ class Diagram:
         return shapely_polygons(self)
 
     def to_geopandas(self, crs: Any = None) -> geopandas.GeoDataFrame:
-        """A GeoDataFrame: a row for each point, with x, y, weight, status, owner, area, mass and the cell.
+        """A GeoDataFrame: a row for each point, with x, y, weight, status, owner, area, mass, attributes and the cell.
 
-        `crs` is the coordinate reference system of the points, in any form that GeoPandas takes; nothing is
-        projected.
+        Attributes have the names that files have them by: those of other columns begin with input_. `crs` is the
+        coordinate reference system of the points, in any form that GeoPandas takes; None for the diagram's own.
         """
         from ._shapes import geo_data_frame
         return geo_data_frame(self, crs)

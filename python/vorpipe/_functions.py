@@ -8,7 +8,8 @@ from . import _arguments, _vorpipe
 from ._arguments import Floats, PathLike
 from ._diagram import Diagram
 from ._picture import Picture
-from ._sessions import Progress, Session, backend_for, input_of, shared_session
+from ._points import generated, read_points
+from ._sessions import Margin, Progress, Project, Session, backend_for, input_of, shared_session
 
 Device = Union[None, int, str]
 
@@ -24,20 +25,22 @@ def _session(backend: str, device: Device, threads: Optional[int], points: Any, 
 def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[None, bool, str] = None,
           density: Any = None, outline: Any = None, backend: str = 'auto', device: Device = None,
           threads: Optional[int] = None, check: bool = False, detail: str = 'everything', search: str = 'grid',
-          progress: Optional[Progress] = None) -> Diagram:
+          progress: Optional[Progress] = None, attributes: Optional[Mapping[str, Any]] = None,
+          project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None) -> Diagram:
     """The cells of points: the Voronoi diagram, or with weights the power diagram, clipped to a domain.
 
     Args:
-        points: array-like of shape (N, 2), N at least 1, finite.
+        points: array-like of shape (N, 2), N at least 1, finite; or `Sites`, which `read` made.
         weights: (N,), in squared units of the points: the cell of point i is where |x - p_i|^2 - w_i is least. A
             radius r is the weight r^2.
-        domain: (xmin, ymin, xmax, ymax). Without it the box of the outline; else that of the points, grown on every
-            side by 5 % of its longer side.
+        domain: (xmin, ymin, xmax, ymax), or "hull", the convex hull of the points. Without it the box of the outline;
+            else that of the points, grown on every side by 5 % of its longer side.
         periodic: "x", "y" or "xy" (or True): the axes along which the domain repeats itself; it must be named then.
         density: (H, W), mass per unit of area, over the domain, row 0 at the top; or the path of a .png or .npy
             file. Brings `mass` and `mass_centroids`.
         outline: what cells are clipped to besides: a ring (M, 2), a list of rings (a polygon, then its holes), a
-            list of such polygons, GeoJSON, what has a __geo_interface__ (as shapely's polygons), or a path.
+            list of such polygons, GeoJSON, what has a __geo_interface__ (as shapely's polygons), or a path. Polygons
+            that touch or overlap are dissolved.
         backend: "auto", "vulkan", "vulkan-compute", "vulkan-geometry", "opengl" or "cpu". The cells are the same from
             each. "auto" takes "cpu" for up to 100,000 points, beyond that the best.
         device: an index or a part of a name, as `devices` lists them; None for the best.
@@ -47,6 +50,15 @@ def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
             moments, vertices, edge lengths) or "everything" (and triangles). What is not wanted costs no time.
         search: how the sites that may cut a cell are found: "grid", "flann" or "flann:K".
         progress: called with a stage's name and the part done, from 0 to 1; returning False stops the run.
+        attributes: further columns, N values each, by their names: a dict or a DataFrame. They are kept for files
+            and for `Diagram.to_geopandas`.
+        project: points, domain and outline are in degrees of longitude and latitude. Cells are those of an
+            equal-area plane around (longitude, latitude), or with "auto" around their middle. Positions come back in
+            degrees, areas and lengths in (square) kilometers.
+        margin: by how much the box or the hull of the points is grown on every side: a length, or "10%" of the longer
+            side.
+        repair: mends rings of the outline that cross themselves, which are refused otherwise.
+        crs: the coordinate reference system of the points, as "EPSG:4326"; that of `Sites` is known.
 
     Ctrl-C stops it, other threads of Python go on meanwhile.
 
@@ -54,17 +66,24 @@ def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
         InputError: an argument is wrong; the message begins with its name.
         DeviceError: no such device here, it failed, or there is not enough memory.
         CheckError: `check` found something. Cancelled: `progress` said stop.
+
+    Warns:
+        InputWarning: something was reinterpreted or changed: coordinates look like degrees, an outline was mended.
     """
     session = _session(backend, device, threads, points)
     return session.cells(points, weights, domain, periodic=periodic, density=density, outline=outline, check=check,
-                         detail=detail, search=search, progress=progress)
+                         detail=detail, search=search, progress=progress, attributes=attributes, project=project,
+                         margin=margin, repair=repair, crs=crs)
 
 
 def render(points: Any, weights: Any = None, domain: Any = None, size: Optional[Sequence[int]] = None,
            color: str = 'site', colormap: str = 'viridis', edges: bool = False, show_sites: bool = False,
            periodic: Union[None, bool, str] = None, outline: Any = None, backend: str = 'auto',
            device: Device = None, threads: Optional[int] = None, check: bool = False, search: str = 'grid',
-           progress: Optional[Progress] = None) -> Picture:
+           progress: Optional[Progress] = None, color_scale: Optional[str] = None,
+           color_range: Optional[Sequence[float]] = None, legend: bool = False, edge_width: float = 1,
+           dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None, margin: Margin = None,
+           repair: bool = False, crs: Any = None) -> Picture:
     """A picture of the cells, and whose cell each pixel is in.
 
     Args:
@@ -73,14 +92,45 @@ def render(points: Any, weights: Any = None, domain: Any = None, size: Optional[
         colormap: one of `colormaps()`, for the last three.
         edges: darkens pixels beside which another cell begins.
         show_sites: a dot at each site.
+        color_scale: how values become colors: "linear", "log" or "quantile", by rank; None for quantile by area and
+            weight, linear by neighbors.
+        color_range: (low, high), the values of the first and the last color; else those of all cells.
+        legend: draws what the colors stand for into the lower left corner; `Picture.key` says it.
+        edge_width: of `edges`, 1 to 100 pixels.
+        dot_size: of `show_sites`, 1 to 100 pixels across; None for one by the spacing of the points that show.
+        fit: what a domain does in a picture of another aspect: "stretch" fills it, "letterbox" keeps the domain's
+            aspect, with NO_SITE beside it. None for "stretch"; for `Sites` of a file, and with an outline around `Sites`,
+            for "letterbox".
 
-    All others are as in `cells`; "auto" takes "cpu" for up to 100,000 points and 4 million pixels.
+    With `project`, the picture is of the plane. All others are as in `cells`; "auto" takes "cpu" for up to 100,000 points and 4 million pixels.
     """
     wanted = _arguments.size_of(size)
     session = _session(backend, device, threads, points, wanted[0] * wanted[1] if wanted else 0)
     return session.render(points, weights, domain, size=wanted, color=color, colormap=colormap, edges=edges,
                           show_sites=show_sites, periodic=periodic, outline=outline, check=check, search=search,
-                          progress=progress)
+                          progress=progress, color_scale=color_scale, color_range=color_range, legend=legend,
+                          edge_width=edge_width, dot_size=dot_size, fit=fit, project=project, margin=margin,
+                          repair=repair, crs=crs)
+
+
+def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, size: Optional[Sequence[int]] = None,
+         color: str = 'site', colormap: str = 'viridis', edges: bool = False, show_sites: bool = False,
+         periodic: Union[None, bool, str] = None, outline: Any = None, backend: str = 'auto', device: Device = None,
+         threads: Optional[int] = None, check: bool = False, search: str = 'grid',
+         progress: Optional[Progress] = None, color_scale: Optional[str] = None,
+         color_range: Optional[Sequence[float]] = None, legend: bool = False, edge_width: float = 1,
+         dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None, margin: Margin = None,
+         repair: bool = False, crs: Any = None) -> Diagram:
+    """Draws the cells as shapes, into a file: .svg or .pdf. Returns the cells, with detail="polygons".
+
+    All arguments are as in `render`; the picture looks the same.
+    """
+    session = _session(backend, device, threads, points)
+    return session.draw(points, path, weights, domain, size=size, color=color, colormap=colormap, edges=edges,
+                        show_sites=show_sites, periodic=periodic, outline=outline, check=check, search=search,
+                        progress=progress, color_scale=color_scale, color_range=color_range, legend=legend,
+                        edge_width=edge_width, dot_size=dot_size, fit=fit, project=project, margin=margin,
+                        repair=repair, crs=crs)
 
 
 def check(result: Union[Diagram, Picture], threads: Optional[int] = None) -> List[str]:
@@ -144,7 +194,8 @@ def forecast(points: Any, weights: Any = None, domain: Any = None, periodic: Uni
     """How much memory `cells` takes with these arguments, or with `picture=True` `render`; Python's own not counted."""
     wanted = _arguments.size_of(size)
     session = _session(backend, device, threads, points, wanted[0] * wanted[1] if wanted else 0)
-    given = input_of(points, weights, domain, periodic, outline, None if picture else density)
+    given = input_of(points, weights, _arguments.domain_of(domain, outline, None, False, None), periodic,
+                     None if picture else density)
     count = _arguments.threads_of(threads)
     if picture:
         return Forecast(*_vorpipe.forecast_picture(session._session, given, wanted, color, check, count))
@@ -156,7 +207,7 @@ def generate(pattern: str, n: int, seed: int = 1) -> Floats:
 
     The same seed gives the same points on every platform, and those of the command line.
     """
-    return _vorpipe.generate(pattern, str(n), seed)
+    return generated(pattern, n, seed)
 
 
 def random_weights(low: float, high: float, n: int, seed: int = 1) -> Floats:
@@ -165,8 +216,9 @@ def random_weights(low: float, high: float, n: int, seed: int = 1) -> Floats:
 
 
 def read_sites(path: PathLike) -> Tuple[Floats, Optional[Floats]]:
-    """The points (N, 2) of a file of any kind that --sites takes, and their weights (N,); None where it has none."""
-    return _vorpipe.read_sites(os.fspath(path))
+    """The points (N, 2) of a file, and their weights (N,); None where it has none. `read` has more of it."""
+    table = read_points(path)
+    return table.points, table.weights
 
 
 def read_weights(path: PathLike, n: int) -> Floats:

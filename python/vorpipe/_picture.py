@@ -62,6 +62,17 @@ class Picture:
         return xmin, ymin, xmax, ymax
 
     @property
+    def extent(self) -> Tuple[float, float, float, float]:
+        """(xmin, xmax, ymin, ymax) of all pixels: the domain, and what stands beside it."""
+        xmin, xmax, ymin, ymax = self._picture.extent
+        return xmin, xmax, ymin, ymax
+
+    @property
+    def key(self) -> Optional[_vorpipe.ColorKey]:
+        """What the colors stand for; None by site."""
+        return self._picture.key
+
+    @property
     def report(self) -> _vorpipe.Report:
         """Backend, device, times, and what became of how many points."""
         return self._picture.report
@@ -71,7 +82,7 @@ class Picture:
         return _vorpipe.check_picture(self._picture, _arguments.threads_of(threads))
 
     def save(self, path: PathLike) -> None:
-        """Writes the picture as .png, or its ids as .npy."""
+        """Writes the picture as .png, its ids as .npy or .tif (GeoTIFF), or where its pixels lie as a world file, .pgw."""
         self._picture.save(os.fspath(path))
 
     def plot(self, ax: Optional[Axes] = None) -> Axes:

@@ -37,8 +37,7 @@ def plot_cells(diagram: Diagram, ax: Optional[Axes], color: Any, show_sites: boo
 
 def plot_picture(picture: Picture, ax: Optional[Axes]) -> Axes:
     ax = _axes(ax)
-    xmin, ymin, xmax, ymax = picture.domain
-    ax.imshow(picture.rgba, extent=(xmin, xmax, ymin, ymax), interpolation='nearest')
+    ax.imshow(picture.rgba, extent=picture.extent, interpolation='nearest')
     return ax
 
 

@@ -6,23 +6,32 @@ import os
 import threading
 from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Tuple, Union
 
-from . import _arguments, _vorpipe
+from . import _arguments, _attributes, _crs, _vorpipe
+from ._arguments import Floats, PathLike
 from ._diagram import Diagram
 from ._errors import CheckError
 from ._picture import Picture
+from ._points import table_of
+from ._warnings import warn
 
 Progress = Callable[[str, float], Optional[bool]]
+Project = Union[None, bool, str, Sequence[float]]
+Margin = Union[None, float, str]
 
 # Up to this many points and pixels "auto" does not look for a GPU: the processor is done before one is ready.
 FEW_POINTS, FEW_PIXELS = 100_000, 4_000_000
 
 
-def input_of(points: Any, weights: Any, domain: Any, periodic: Union[None, bool, str], outline: Any,
-             density: Any) -> _vorpipe.Input:
-    array = _arguments.points_of(points)
-    return _vorpipe.Input(array, _arguments.weights_of(weights, len(array)), _arguments.box_of(domain),
-                          _arguments.periodic_of(periodic), _arguments.outline_of(outline),
-                          _arguments.density_of(density))
+def input_of(points: Any, weights: Any, domain: _vorpipe.Domain, periodic: Union[None, bool, str],
+             density: Any = None, attributes: Any = None, crs: Any = None) -> _vorpipe.Input:
+    table = table_of(points)
+    given: Union[Floats, _vorpipe.Table] = _arguments.points_of(points) if table is None else table
+    own = None if table is None else table.attributes
+    made = _vorpipe.Input(given, _arguments.weights_of(weights, len(given)), domain,
+                          _arguments.periodic_of(periodic), _arguments.density_of(density),
+                          _attributes.attributes_of(attributes, len(given), own), _crs.system_of(crs))
+    warn(made.notes)
+    return made
 
 
 class Session:
@@ -57,9 +66,11 @@ class Session:
     def cells(self, points: Any, weights: Any = None, domain: Any = None, *,
               periodic: Union[None, bool, str] = None, density: Any = None, outline: Any = None,
               check: bool = False, detail: str = 'everything', search: str = 'grid',
-              progress: Optional[Progress] = None) -> Diagram:
+              progress: Optional[Progress] = None, attributes: Optional[Mapping[str, Any]] = None,
+              project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None) -> Diagram:
         """As `vorpipe.cells`."""
-        given = input_of(points, weights, domain, periodic, outline, density)
+        wanted = _arguments.domain_of(domain, outline, margin, repair, project)
+        given = input_of(points, weights, wanted, periodic, density, attributes, crs)
         method, neighbors = _arguments.search_of(search)
         diagram = Diagram(self._session.cells(given, detail, method, neighbors, progress))
         if check:
@@ -70,17 +81,38 @@ class Session:
                size: Optional[Sequence[int]] = None, color: str = 'site', colormap: str = 'viridis',
                edges: bool = False, show_sites: bool = False, periodic: Union[None, bool, str] = None,
                outline: Any = None, check: bool = False, search: str = 'grid',
-               progress: Optional[Progress] = None) -> Picture:
+               progress: Optional[Progress] = None, color_scale: Optional[str] = None,
+               color_range: Optional[Sequence[float]] = None, legend: bool = False, edge_width: float = 1,
+               dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None,
+               margin: Margin = None, repair: bool = False, crs: Any = None) -> Picture:
         """As `vorpipe.render`."""
-        given = input_of(points, weights, domain, periodic, outline, None)
-        if colormap not in _vorpipe.colormaps():
-            raise _arguments.refuse('colormap', f'{colormap!r} is none of {", ".join(_vorpipe.colormaps())}')
-        method, neighbors = _arguments.search_of(search)
-        picture = Picture(self._session.render(given, _arguments.size_of(size), color, colormap, edges, show_sites,
-                                               method, neighbors, progress))
+        look = _arguments.look_of(size, color, colormap, edges, show_sites, color_scale, color_range, legend,
+                                  edge_width, dot_size, fit, search)
+        wanted = _arguments.domain_of(domain, outline, margin, repair, project)
+        given = input_of(points, weights, wanted, periodic, crs=crs)
+        picture = Picture(self._session.render(given, look, progress))
         if check:
             raise_broken(picture.check(self._threads or None))
         return picture
+
+    def draw(self, points: Any, path: PathLike, weights: Any = None, domain: Any = None, *,
+             size: Optional[Sequence[int]] = None, color: str = 'site', colormap: str = 'viridis',
+             edges: bool = False, show_sites: bool = False, periodic: Union[None, bool, str] = None,
+             outline: Any = None, check: bool = False, search: str = 'grid', progress: Optional[Progress] = None,
+             color_scale: Optional[str] = None, color_range: Optional[Sequence[float]] = None, legend: bool = False,
+             edge_width: float = 1, dot_size: Optional[float] = None, fit: Optional[str] = None,
+             project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None) -> Diagram:
+        """As `vorpipe.draw`."""
+        look = _arguments.look_of(size, color, colormap, edges, show_sites, color_scale, color_range, legend,
+                                  edge_width, dot_size, fit, search)
+        wanted = _arguments.domain_of(domain, outline, margin, repair, project)
+        given = input_of(points, weights, wanted, periodic, crs=crs)
+        cells = self._session.shapes(given, look, os.fspath(path), progress)
+        diagram = Diagram(cells)
+        if check:
+            raise_broken(diagram.check(self._threads or None))
+        _vorpipe.save_shapes(cells, look, os.fspath(path), self._threads)
+        return diagram
 
     @property
     def device(self) -> _vorpipe.DeviceInfo:

@@ -1,7 +1,7 @@
 """Cells for shapely and GeoPandas, which are imported here alone."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, List
+from typing import TYPE_CHECKING, Any, Dict, List
 
 import numpy as np
 
@@ -27,7 +27,7 @@ def geo_data_frame(diagram: Diagram, crs: Any) -> geopandas.GeoDataFrame:
     from geopandas import GeoDataFrame
 
     x, y = diagram.points.T
-    columns = {'x': x, 'y': y}
+    columns: Dict[str, Any] = {'x': x, 'y': y}
     if diagram.weights is not None:
         columns['weight'] = diagram.weights.copy()
     columns['status'] = np.array(['ok', 'empty', 'duplicate'])[diagram.status]
@@ -35,4 +35,7 @@ def geo_data_frame(diagram: Diagram, crs: Any) -> geopandas.GeoDataFrame:
     columns['area'] = diagram.areas.copy()
     if len(diagram.mass):
         columns['mass'] = diagram.mass.copy()
-    return GeoDataFrame(columns, geometry=diagram.to_shapely(), crs=crs)
+    given = diagram._cells.input.attributes
+    if given is not None:
+        columns.update(zip(given.names_in_files, (values.copy() for values in diagram.attributes.values())))
+    return GeoDataFrame(columns, geometry=diagram.to_shapely(), crs=diagram.crs if crs is None else crs)

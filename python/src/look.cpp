@@ -1,0 +1,77 @@
+#include "look.h"
+
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <string>
+#include <utility>
+
+#include "choices.h"
+#include "results.h"
+
+namespace vorpipe::python {
+namespace {
+
+struct Colors {
+  std::string by, map;
+  std::optional<std::string> scale;
+  std::optional<std::pair<double, double>> range;
+  bool legend;
+};
+
+struct Marks {
+  bool edges, show_sites;
+  double edge_width, dot_size;
+};
+
+Look lookOf(const std::optional<std::pair<int, int>>& size, const std::optional<std::string>& fit,
+            const Colors& colors, const Marks& marks, const std::string& search, int neighbors) {
+  Look look;
+  if (size) look.size = PictureSize{size->first, size->second};
+  RenderOptions& options = look.options;
+  if (fit) look.fit = chosen("fit", fit_choices, *fit);
+  options.color = chosen("color", color_choices, colors.by);
+  options.colormap = colors.map;
+  if (colors.scale) options.color_scale = chosen("color_scale", scale_choices, *colors.scale);
+  if (colors.range) options.color_range = ColorRange{colors.range->first, colors.range->second};
+  options.legend = colors.legend;
+  options.edges = marks.edges;
+  options.show_sites = marks.show_sites;
+  options.edge_width = marks.edge_width;
+  options.dot_size = marks.dot_size;
+  options.search = {chosen("search", search_choices, search), neighbors};
+  return look;
+}
+
+}  // namespace
+
+RenderOptions renderOptionsOf(const Look& look, const Input& input) {
+  RenderOptions options = look.options;
+  options.domain = input.domain;
+  options.outline = input.outline;
+  options.periodic = input.periodic;
+  const PictureSize size = look.size.value_or(defaultSize(input.domain));
+  options.width = size.width;
+  options.height = size.height;
+  options.fit = look.fit.value_or(input.was_read ? usualFit(input) : Fit::stretch);
+  return options;
+}
+
+void defineLook(py::module_& module) {
+  py::class_<Colors>(module, "Colors", "How cells are colored.")
+      .def(py::init([](const std::string& by, const std::string& map, const std::optional<std::string>& scale,
+                       const std::optional<std::pair<double, double>>& range, bool legend) {
+             return Colors{by, map, scale, range, legend};
+           }),
+           py::arg("by"), py::arg("map"), py::arg("scale"), py::arg("range"), py::arg("legend"));
+  py::class_<Marks>(module, "Marks", "What is drawn over cells.")
+      .def(py::init([](bool edges, bool show_sites, double edge_width, double dot_size) {
+             return Marks{edges, show_sites, edge_width, dot_size};
+           }),
+           py::arg("edges"), py::arg("show_sites"), py::arg("edge_width"), py::arg("dot_size"));
+  py::class_<Look>(module, "Look", "How a picture is to look.")
+      .def(py::init(&lookOf), py::arg("size"), py::arg("fit"), py::arg("colors"), py::arg("marks"),
+           py::arg("search"), py::arg("neighbors"));
+}
+
+}  // namespace vorpipe::python

@@ -1,0 +1,70 @@
+#include "table.h"
+
+#include <pybind11/stl.h>
+
+#include <optional>
+#include <utility>
+
+#include "arrays.h"
+#include "errors.h"
+#include "io/sites/site_source.h"
+#include "systems.h"
+
+namespace vorpipe::python {
+namespace {
+
+using Shared = std::shared_ptr<Table>;
+
+/// Reads or generates what `spec` names.
+Shared tableFrom(const std::string& spec, std::uint64_t seed, const ReadOptions& options) {
+  auto found = [&] {
+    const py::gil_scoped_release no_gil;
+    return loadSites(spec, seed, options);
+  }();
+  SiteSource source = valueOf(std::move(found));
+  SiteTable& table = source.table;
+  Attributes attributes{std::move(table.attributes)};
+  return std::make_shared<Table>(Table{spec == "-" ? "<stdin>" : spec, std::move(table.sites),
+                                       std::make_shared<const Attributes>(std::move(attributes)),
+                                       std::move(table.system), source.seed.has_value(), table.skipped,
+                                       std::move(table.notes)});
+}
+
+std::optional<py::array> weightsOf(const Shared& table) {
+  if (table->sites.weight.empty()) return std::nullopt;
+  return viewOf<double>(table->sites.weight, std::shared_ptr<const Table>(table));
+}
+
+}  // namespace
+
+py::array pointsOf(const Sites& sites) {
+  std::vector<Point> points(sites.size());
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = {sites.x[i], sites.y[i]};
+  return arrayOf<double>(std::move(points));
+}
+
+void defineTable(py::module_& module) {
+  py::class_<Table, Shared>(module, "Table", "Sites that were read or generated.")
+      .def("__len__", [](const Table& table) { return table.sites.size(); })
+      .def_readonly("name", &Table::name)
+      .def_readonly("generated", &Table::generated)
+      .def_readonly("skipped", &Table::skipped)
+      .def_readonly("notes", &Table::notes)
+      .def_property_readonly("points", [](const Table& table) { return pointsOf(table.sites); })
+      .def_property_readonly("weights", &weightsOf)
+      .def_property_readonly(
+          "attributes",
+          [](const Table& table) { return std::const_pointer_cast<Attributes>(table.attributes); })
+      .def_property_readonly("system", [](const Table& table) { return argumentsOf(table.system); });
+  module.def(
+      "read_table",
+      [](const std::string& spec, std::uint64_t seed, const std::string& format,
+         const std::vector<std::string>& columns, const std::string& layer, bool skip_missing,
+         bool attributes) {
+        return tableFrom(spec, seed, {format, columns, layer, skip_missing, attributes});
+      },
+      py::arg("spec"), py::arg("seed"), py::arg("format"), py::arg("columns"), py::arg("layer"),
+      py::arg("skip_missing"), py::arg("attributes"));
+}
+
+}  // namespace vorpipe::python

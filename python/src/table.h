@@ -1,0 +1,31 @@
+/// Sites that were read or generated, with all that is said of them.
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <string>
+
+#include "attributes.h"
+#include "io/attributes/coordinate_system.h"
+#include "vorpipe.h"
+
+namespace vorpipe::python {
+
+/// Never changed after it was made: inputs copy the numbers and share the attributes.
+struct Table {
+  std::string name;  ///< the file or the generator, as messages have it
+  Sites sites;
+  SharedAttributes attributes;
+  CoordinateSystem system{};
+  bool generated = false;
+  std::uint64_t skipped = 0;  ///< rows that were left out
+  std::vector<std::string> notes{};
+};
+
+/// (N, 2), a copy.
+pybind11::array pointsOf(const Sites& sites);
+
+void defineTable(pybind11::module_& module);
+
+}  // namespace vorpipe::python

@@ -1,0 +1,119 @@
+"""Points that come with what is said of them."""
+from __future__ import annotations
+
+import os
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Union
+
+import numpy.typing as npt
+
+from . import _attributes, _crs, _vorpipe
+from ._arguments import Floats, PathLike, refuse
+from ._warnings import warn
+
+
+class Sites:
+    """Points with all that their file says of them; made by `read`.
+
+    `cells`, `render`, `draw` and `forecast` take it in place of points. Its weights, attributes and coordinate
+    reference system go along.
+    """
+
+    __slots__ = ('_table', '_attributes')
+
+    def __init__(self, table: _vorpipe.Table) -> None:
+        self._table = table
+        self._attributes: Optional[Dict[str, npt.NDArray[Any]]] = None
+
+    def __len__(self) -> int:
+        return len(self._table)
+
+    def __repr__(self) -> str:
+        names = ', '.join(self._table.attributes.names)
+        return f'<vorpipe.Sites: {len(self)} points of {self._table.name}{": " if names else ""}{names}>'
+
+    @property
+    def points(self) -> Floats:
+        """(N, 2). A copy with each call."""
+        return self._table.points
+
+    @property
+    def weights(self) -> Optional[Floats]:
+        """(N,); None where there are none."""
+        return self._table.weights
+
+    @property
+    def attributes(self) -> Mapping[str, npt.NDArray[Any]]:
+        """By their names, (N,) each.
+
+        Of int64, bool, or float64 with NaN where a value is missing. Texts, lists, and integers and booleans some of
+        which are missing are arrays of objects, with None for what is missing.
+        """
+        if self._attributes is None:
+            self._attributes = _attributes.arrays_of(self._table.attributes)
+        return self._attributes
+
+    @property
+    def crs(self) -> Optional[str]:
+        """The coordinate reference system, as "EPSG:4326"; None where the file does not say which."""
+        return _crs.name_of(self._table.system)
+
+    @property
+    def skipped(self) -> int:
+        """How many rows `missing="skip"` left out."""
+        return self._table.skipped
+
+    @property
+    def notes(self) -> List[str]:
+        """What was reinterpreted or ignored, a line each; `read` has warned of them."""
+        return self._table.notes
+
+
+def read(path: PathLike, *, columns: Union[None, str, Sequence[Union[str, int]]] = None, format: Optional[str] = None,
+         missing: Optional[str] = None, layer: Optional[str] = None, seed: int = 1) -> Sites:
+    """The points of a file, with their weights, attributes and coordinate reference system.
+
+    Args:
+        path: .csv, .tsv, .geojson, .geojsonl, .gpkg, .wkt, .xyz, .txt or .npy, most of them with .gz as well; "-" for
+            standard input; or a generator, as "random:1000".
+        columns: names, in any case, or numbers from 1, of the columns of x and y, or x, y and weight; or the name of
+            a column of WKT. None for what the header says.
+        format: the kind of file, as "csv", where the path's extension does not say it.
+        missing: "skip" leaves out rows without a place, or with an empty weight; else they are an error.
+        layer: of a GeoPackage with several.
+        seed: of a generator.
+
+    Raises:
+        InputError: with the file, line and column of what is wrong.
+
+    Warns:
+        InputWarning: what was reinterpreted or ignored.
+    """
+    return Sites(_table_of(path, columns, format, missing, layer, seed, True))
+
+
+def _table_of(path: PathLike, columns: Union[None, str, Sequence[Union[str, int]]], format: Optional[str],
+              missing: Optional[str], layer: Optional[str], seed: int, attributes: bool) -> _vorpipe.Table:
+    if missing not in (None, 'skip'):
+        raise refuse('missing', f'{missing!r} is neither None nor "skip"')
+    names = [columns] if isinstance(columns, (str, int)) else [str(column) for column in columns or ()]
+    table = _vorpipe.read_table(os.fspath(path), seed, (format or '').lstrip('.'), names, layer or '',
+                                missing == 'skip', attributes)
+    warn(table.notes)
+    return table
+
+
+def read_points(path: PathLike) -> _vorpipe.Table:
+    """Without attributes."""
+    return _table_of(path, None, None, None, None, 1, False)
+
+
+def generated(pattern: str, count: int, seed: int) -> Floats:
+    table = _vorpipe.read_table(f'{pattern}:{count}', seed, '', [], '', False, False)
+    if not table.generated:
+        raise refuse('pattern', f'{pattern!r} is no generator')
+    return table.points
+
+
+def table_of(points: Any) -> Optional[_vorpipe.Table]:
+    """Of `Sites`; None of anything else."""
+    return points._table if isinstance(points, Sites) else None
