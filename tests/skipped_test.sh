@@ -49,9 +49,10 @@ if "$python" -c '' 2>/dev/null; then
 else
   VORPIPE_SKIPPED=$real_reports VORPIPE_TEST_NAME=$real_name sh "$here/skip.sh" "there is no python3" || true
 fi
-if "$python" -c 'import numpy, shapely, vtkmodules' 2>/dev/null; then
+if "$python" -c 'import geopandas, numpy, shapely, vtkmodules' 2>/dev/null; then
   reports 0 "some~ogr_geojson~there is no ogr2ogr" "some~libxml_svg~there is no xmllint" \
-    "some~librsvg_svg~there is no rsvg-convert" "some~assimp_meshes~there is no assimp" -- \
+    "some~librsvg_svg~there is no rsvg-convert" "some~assimp_meshes~there is no assimp" \
+    "some~attributes_in_ogr~there is no ogrinfo" "some~ogr_gpkg~there is no ogrinfo" -- \
     env PATH=/nonexistent "$python" "$here/cli/cells_readers.py" "$vorpipe"
 fi
 

@@ -46,9 +46,13 @@ for header in Radius r Weight w; do
 done
 printf '0 0 100\n1 1 200\n2 0 300\n' >in/points.xyz
 third="the third column is taken as weights; --columns 1,2 leaves it out"
-says "heights" "in/points.xyz: $third" --sites in/points.xyz -o out/w.csv
+name="heights"
+cases=$((cases + 1))
+run 0 cells --backend cpu --sites in/points.xyz -o out/w.csv
+grep -qxF "vorpipe: note: in/points.xyz: $third" log/err || fail "what they are taken for"
+grep -qxF "vorpipe: note: 2 of 3 sites have no cell: others of larger weight hide them" log/err || fail "what came of it"
 succeeds "heights left out" cells --backend cpu --sites in/points.xyz --columns 1,2 -o out/w.csv
-expect "3 cells (0 empty"
+expect "3 unweighted cells (0 empty"
 succeeds "quiet" cells --backend cpu --quiet --sites in/points.xyz -o out/w.csv
 printf '1,2\n3,4\n' >in/n.csv
 says "no header" "in/n.csv: there is no header: columns 1 and 2 are taken as x and y" --sites in/n.csv -o out/w.csv

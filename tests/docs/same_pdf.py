@@ -7,8 +7,8 @@ import zlib
 
 def streams(path):
     data = open(path, "rb").read()
-    found = re.findall(rb"stream\r?\n(.*?)\r?\nendstream", data, re.S)
-    return [zlib.decompress(stream) for stream in found]
+    found = re.findall(rb"obj\n<<(.*?)>>\nstream\n(.*?)\nendstream", data, re.S)
+    return [zlib.decompress(stream) if b"/FlateDecode" in head else stream for head, stream in found]
 
 
 a, b = (streams(path) for path in sys.argv[1:3])

@@ -22,12 +22,12 @@ failed=0
 for scene in "${scenes[@]}"; do
   read -r name options <<<"$scene"
   if [[ ${2-} == --update ]]; then
-    "$vorpipe" render --backend cpu $options --size 72x60 --ids "$here/$name.npy" --quiet || exit 1
+    "$vorpipe" render --backend cpu $options --size 72x60 --fit stretch --ids "$here/$name.npy" --quiet || exit 1
     continue
   fi
   for backend in cpu vulkan-compute vulkan-geometry opengl; do
-    if "$vorpipe" render --backend $backend $options --size 72x60 --ids "$work/$name.npy" --quiet &&
-       "$vorpipe" diff "$here/$name.npy" "$work/$name.npy" $options >"$work/said" 2>&1; then
+    if "$vorpipe" render --backend $backend $options --size 72x60 --fit stretch --ids "$work/$name.npy" --quiet &&
+       "$vorpipe" diff "$here/$name.npy" "$work/$name.npy" $options --fit stretch >"$work/said" 2>&1; then
       echo "ok      $name on $backend"
     else
       echo "FAILED  $name on $backend: $(cat "$work/said")"

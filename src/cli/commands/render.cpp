@@ -161,12 +161,12 @@ void addPictureOptions(Options& options, RenderCommand& command) {
 
 void addRender(CommandLine& line) {
   auto command = std::make_shared<RenderCommand>();
-  Options options =
-      line.addSubcommand("render", "draws the Voronoi diagram of sites; with weights, the power diagram",
-                         [command](const Invocation& how) -> Result<ExitCode> {
-                           const auto named = nameStandardOutput(command->files, command->input.format.output);
-                           return named ? render(*command, how) : tl::unexpected(named.error());
-                         });
+  Options options = line.addSubcommand(
+      "render", "draws the Voronoi diagram of sites; with weights, the power diagram",
+      [command](const Invocation& how) -> Result<ExitCode> {
+        const auto named = nameStandardOutput(command->files, command->input.format.output);
+        return named ? render(*command, how) : tl::unexpected(named.error());
+      });
   addInputOptions(options, command->input).required();
   addPictureOptions(options, *command);
   addBackendChoice(options, command->backend);

@@ -33,8 +33,8 @@ struct PictureFiles {
 /// -o, --ids
 void addPictureFiles(Options& options, PictureFiles& files);
 
-/// Has `-o -` go to standard output, as `kind`, an extension without its dot, which --format names, or as PNG.
-/// Error (input): it is no kind of picture.
+/// Has `-o -` go to standard output, as `kind`, an extension without its dot, which --format names, or as
+/// PNG. Error (input): it is no kind of picture.
 Result<void> nameStandardOutput(PictureFiles& files, const std::string& kind);
 
 }  // namespace vorpipe::cli
