@@ -2,7 +2,9 @@
 
 #include <pybind11/stl.h>
 
+#include <array>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "arrays.h"
@@ -15,14 +17,28 @@ namespace {
 
 using Shared = std::shared_ptr<Table>;
 
+/// A message with Python's words for what the command line calls options.
+std::string inPython(std::string message) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> words = {
+      {{"--missing skip", "missing=\"skip\""}, {"--columns", "columns"}, {"--layer", "layer"}}};
+  for (const auto& [option, argument] : words) {
+    for (std::size_t at = 0; (at = message.find(option, at)) != std::string::npos; at += argument.size()) {
+      message.replace(at, option.size(), argument);
+    }
+  }
+  return message;
+}
+
 /// Reads or generates what `spec` names.
 Shared tableFrom(const std::string& spec, std::uint64_t seed, const ReadOptions& options) {
   auto found = [&] {
     const py::gil_scoped_release no_gil;
     return loadSites(spec, seed, options);
   }();
+  if (!found) found.error().message = inPython(std::move(found.error().message));
   SiteSource source = valueOf(std::move(found));
   SiteTable& table = source.table;
+  for (std::string& note : table.notes) note = inPython(std::move(note));
   Attributes attributes{std::move(table.attributes)};
   return std::make_shared<Table>(Table{spec == "-" ? "<stdin>" : spec, std::move(table.sites),
                                        std::make_shared<const Attributes>(std::move(attributes)),

@@ -31,6 +31,8 @@ def attributes_of(given: Any, count: int, own: Optional[_vorpipe.Attributes] = N
     columns = own.copy() if own is not None else _vorpipe.Attributes()
     for key in given.keys():
         name = str(key)
+        if not name.isprintable() and name != name.encode('utf-8', 'replace').decode():
+            raise refuse('attributes', f'UTF-8 cannot say the name {name!r}')
         if name in columns.names:
             raise refuse('attributes', f'there are two of the name {name!r}')
         _add(columns, name, given[key], count)
@@ -90,8 +92,8 @@ def _add_objects(columns: _vorpipe.Attributes, name: str, values: List[Any]) -> 
         texts, kind = [None if value is None else _json_of(name, value) for value in kept], 'json'
     try:
         columns.add_texts(name, kind, texts)
-    except UnicodeEncodeError as error:
-        raise refuse('attributes', f'{name!r} has a text that UTF-8 cannot say: {error.reason}') from None
+    except TypeError:
+        raise refuse('attributes', f'{name!r} has a text that UTF-8 cannot say') from None
 
 
 def _is_missing(value: Any) -> bool:

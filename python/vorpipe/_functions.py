@@ -99,10 +99,10 @@ def render(points: Any, weights: Any = None, domain: Any = None, size: Optional[
         edge_width: of `edges`, 1 to 100 pixels.
         dot_size: of `show_sites`, 1 to 100 pixels across; None for one by the spacing of the points that show.
         fit: what a domain does in a picture of another aspect: "stretch" fills it, "letterbox" keeps the domain's
-            aspect, with NO_SITE beside it. None for "stretch"; for `Sites` of a file, and with an outline around `Sites`,
-            for "letterbox".
+            aspect, with NO_SITE beside it. None for "letterbox" of `Sites` from a file, "stretch" of arrays.
 
-    With `project`, the picture is of the plane. All others are as in `cells`; "auto" takes "cpu" for up to 100,000 points and 4 million pixels.
+    With `project`, the picture is of the plane. All others are as in `cells`; "auto" takes "cpu" for up to 100,000
+    points and 4 million pixels.
     """
     wanted = _arguments.size_of(size)
     session = _session(backend, device, threads, points, wanted[0] * wanted[1] if wanted else 0)

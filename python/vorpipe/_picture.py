@@ -82,7 +82,7 @@ class Picture:
         return _vorpipe.check_picture(self._picture, _arguments.threads_of(threads))
 
     def save(self, path: PathLike) -> None:
-        """Writes the picture as .png, its ids as .npy or .tif (GeoTIFF), or where its pixels lie as a world file, .pgw."""
+        """Writes the picture as .png, its ids as .npy or .tif (GeoTIFF), or where its pixels lie as .pgw."""
         self._picture.save(os.fspath(path))
 
     def plot(self, ax: Optional[Axes] = None) -> Axes:

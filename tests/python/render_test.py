@@ -58,3 +58,79 @@ def test_pictures_of_other_sizes_cannot_be_compared():
         vorpipe.compare(a, b)
     with pytest.raises(vorpipe.InputError, match='cannot be compared'):
         vorpipe.compare(a, vorpipe.cells([[0, 0]]))
+
+
+def test_colors_have_a_key():
+    points = vorpipe.generate('clusters', 200)
+    picture = vorpipe.render(points, size=(200, 100), color='area', color_scale='log', legend=True)
+    key = picture.key
+    areas = vorpipe.cells(points).areas
+    assert (key.color, key.scale) == ('area', 'log') and np.allclose(key.range, (areas.min(), areas.max()))
+    assert [place for place, _ in key.ticks] == sorted(place for place, _ in key.ticks) and key.ticks[-1][0] == 1
+    assert vorpipe.render(points, size=(9, 9), color='area').key.scale == 'quantile'
+    assert vorpipe.render(points, size=(9, 9)).key is None
+    ranged = vorpipe.render(points, size=(9, 9), color='area', color_scale='linear', color_range=(0, 1)).key
+    assert ranged.range == (0, 1)
+
+
+@pytest.mark.parametrize('argument, arguments', [
+    ('color_scale', {'color_scale': 'cubic', 'color': 'area'}), ('color_scale', {'color_scale': 'log'}),
+    ('color_range', {'color_range': (1, 0), 'color': 'area'}), ('color_range', {'color_range': 3, 'color': 'area'}),
+    ('legend', {'legend': True}), ('legend', {'legend': True, 'color': 'area', 'size': (20, 20)}),
+    ('edge_width', {'edge_width': 0.5, 'edges': True}), ('dot_size', {'dot_size': 500, 'show_sites': True}),
+    ('fit', {'fit': 'crop'}), ('color', {'color': 'weight'})])
+def test_a_look_that_cannot_be_is_refused(argument, arguments):
+    with pytest.raises(vorpipe.InputError, match=f'^{argument}: ') as caught:
+        vorpipe.render([[0, 0], [1, 1]], **{'size': (200, 100), **arguments})
+    assert caught.value.subject == argument
+
+
+def test_edges_and_dots_are_as_wide_as_they_are_asked_for():
+    def dark(**look):
+        rgba = vorpipe.render([[0.5, 0.25], [0.5, 0.75]], domain=(0, 0, 1, 1), size=(100, 100), **look).rgba
+        plain = vorpipe.render([[0.5, 0.25], [0.5, 0.75]], domain=(0, 0, 1, 1), size=(100, 100)).rgba
+        return (rgba != plain).any(axis=2).sum()
+
+    assert dark(edges=True, edge_width=10) > 4 * dark(edges=True) > 0
+    assert dark(show_sites=True, dot_size=20) > 4 * dark(show_sites=True, dot_size=5) > 0
+
+
+def test_a_letterbox_keeps_the_aspect():
+    arguments = {'domain': (0, 0, 2, 1), 'size': (40, 40), 'check': True}
+    picture = vorpipe.render([[0.5, 0.5], [1.5, 0.5]], fit='letterbox', **arguments)
+    assert (picture.ids[:10] == vorpipe.NO_SITE).all() and (picture.ids[10:30] < 2).all()
+    assert picture.extent == pytest.approx((0, 2, -0.5, 1.5)) and picture.domain == (0, 0, 2, 1)
+    assert vorpipe.compare(picture, picture).agree
+    stretched = vorpipe.render([[0.5, 0.5], [1.5, 0.5]], **arguments)
+    assert stretched.extent == (0, 2, 0, 1) and (stretched.ids < 2).all()
+    with pytest.raises(vorpipe.InputError, match='b: its domain fits into it in another way'):
+        vorpipe.compare(picture, stretched)
+
+
+def test_pictures_of_files_keep_their_aspect(tmp_path):
+    (tmp_path / 'sites.csv').write_text('x,y\n0,0\n2,1\n')
+    assert (vorpipe.render(vorpipe.read(tmp_path / 'sites.csv'), size=(40, 40)).ids == vorpipe.NO_SITE).any()
+
+
+def test_maps_are_saved_with_their_place(tmp_path):
+    picture = vorpipe.render([[0.5, 0.5]], domain=(0, 0, 4, 2), size=(40, 20))
+    picture.save(tmp_path / 'ids.tif')
+    assert (tmp_path / 'ids.tif').read_bytes()[:2] == b'II'
+    picture.save(tmp_path / 'picture.pgw')
+    assert [float(line) for line in (tmp_path / 'picture.pgw').read_text().split()] == [0.1, 0, 0, -0.1, 0.05, 1.95]
+    with pytest.raises(vorpipe.InputError, match='call vorpipe.draw'):
+        picture.save(tmp_path / 'picture.svg')
+
+
+def test_cells_are_drawn_as_shapes(tmp_path):
+    drawn = vorpipe.draw(vorpipe.generate('random', 20), tmp_path / 'cells.svg', size=(300, 200), color='area',
+                         legend=True, edges=True, show_sites=True, check=True)
+    assert len(drawn) == 20 and drawn.detail == 'polygons'
+    assert '<svg' in (tmp_path / 'cells.svg').read_text()[:500]
+    vorpipe.draw([[0, 0], [1, 1]], tmp_path / 'cells.pdf', project=True)
+    assert (tmp_path / 'cells.pdf').read_bytes()[:5] == b'%PDF-'
+    with pytest.raises(vorpipe.InputError, match='unknown kind of file for drawings; known are .svg, .pdf'):
+        vorpipe.draw([[0, 0]], tmp_path / 'cells.png')
+    with pytest.raises(vorpipe.InputError, match='^legend: '):
+        vorpipe.draw([[0, 0]], tmp_path / 'none.svg', legend=True)
+    assert sorted(path.name for path in tmp_path.iterdir()) == ['cells.pdf', 'cells.svg']

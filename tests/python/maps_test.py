@@ -1,0 +1,116 @@
+"""Degrees, planes, and the domains that points and outlines give."""
+import warnings
+
+import numpy as np
+import pytest
+
+import vorpipe
+
+BOX = (5, 45, 15, 55)
+SQUARE = [(0, 0), (1, 0), (1, 1), (0, 1)]
+BESIDE = [(1, 0), (2, 0), (2, 1), (1, 1)]
+BOWTIE = [(0, 0), (1, 1), (1, 0), (0, 1)]
+
+
+@pytest.fixture
+def degrees(random):
+    return random.uniform((5, 45), (15, 55), (60, 2))
+
+
+def test_cells_of_a_plane_come_back_in_degrees(degrees):
+    diagram = vorpipe.cells(degrees, domain=BOX, project='auto', check=True)
+    # Of the zone from 45 to 55 degrees on WGS 84, 10 of 360 degrees.
+    assert diagram.area_sum() == pytest.approx(793_000, rel=0.02)
+    assert np.array_equal(diagram.points, degrees) and diagram.crs == 'EPSG:4326'
+    low, high = diagram.vertices.min(axis=0), diagram.vertices.max(axis=0)
+    assert np.allclose([*low, *high], BOX, atol=1e-3)
+    assert diagram.center == pytest.approx((10, 50), abs=0.5)
+    assert diagram.check() == [] and vorpipe.compare(diagram, diagram).agree
+    assert np.array_equal(diagram.locate(degrees), np.arange(60))
+
+
+def test_the_center_can_be_named(degrees):
+    assert vorpipe.cells(degrees, project=(8, 50)).center == (8, 50)
+    with pytest.raises(vorpipe.InputError, match='^project: ') as caught:
+        vorpipe.cells(degrees, project=(-170, -50))
+    assert caught.value.subject == 'project'
+
+
+@pytest.mark.parametrize('arguments, argument, message', [
+    ({'project': 'mercator'}, 'project', '"auto" nor'), ({'project': (1, 2, 3)}, 'project', '"auto" nor'),
+    ({'project': True, 'periodic': 'x', 'domain': BOX}, 'periodic', 'the Earth does not repeat itself'),
+    ({'project': True, 'crs': 'EPSG:32632'}, 'project', 'those of a plane'),
+    ({'project': True, 'domain': BOX, 'outline': SQUARE}, 'domain', 'give one of them'),
+    ({'domain': 'box'}, 'domain', 'neither "hull" nor 4 numbers'),
+    ({'domain': 'hull', 'outline': SQUARE}, 'domain', 'another is given'),
+    ({'margin': 'wide'}, 'margin', '10%'), ({'margin': -1}, 'margin', ''),
+    ({'margin': 1, 'domain': BOX}, 'margin', 'give one of them'),
+    ({'repair': True}, 'repair', 'there is none'), ({'outline': BOWTIE}, 'outline', 'repair mends it')])
+def test_what_contradicts_itself_is_refused(degrees, arguments, argument, message):
+    if arguments.get('crs'):
+        pytest.importorskip('pyproj', reason='there is no pyproj')
+    with pytest.raises(vorpipe.InputError, match=message) as caught:
+        vorpipe.cells(degrees, **arguments)
+    assert caught.value.subject == argument and str(caught.value).startswith(f'{argument}: ')
+
+
+def test_a_hull_and_a_margin_are_domains(random):
+    points = random.random((50, 2))
+    spatial = pytest.importorskip('scipy.spatial')
+    assert vorpipe.cells(points, domain='hull').area_sum() == pytest.approx(spatial.ConvexHull(points).volume)
+    low, high = points.min(axis=0), points.max(axis=0)
+    assert np.allclose(vorpipe.cells(points, margin=2).domain, [*low - 2, *high + 2])
+    part = 0.1 * max(high - low)
+    assert np.allclose(vorpipe.cells(points, margin='10%').domain, [*low - part, *high + part])
+
+
+def test_outlines_are_mended_with_a_warning():
+    points = [(0.5, 0.5), (1.5, 0.5)]
+    with pytest.warns(vorpipe.InputWarning, match='^outline: ') as told:
+        diagram = vorpipe.cells(points, outline=[[SQUARE], [BESIDE]])
+    assert diagram.areas.tolist() == [1, 1] and len(diagram.ring_starts) == 2
+    assert told[0].filename == __file__
+    with pytest.warns(vorpipe.InputWarning, match='^outline: '):
+        assert vorpipe.cells(points, outline=BOWTIE, repair=True).area_sum() == 0.5
+
+
+def test_coordinates_that_look_like_degrees_are_told(random):
+    world = random.uniform((-180, -90), (180, 90), (100, 2))
+    world[0] = -170, 0
+    world[1] = 170, 0
+    with pytest.warns(vorpipe.InputWarning, match='^points: coordinates look like degrees.*project="auto"') as told:
+        vorpipe.cells(world)
+    assert told[0].filename == __file__
+    with pytest.warns(vorpipe.InputWarning, match='look like degrees') as told, vorpipe.Session('cpu') as session:
+        session.render(world, size=(20, 20))
+    assert told[0].filename == __file__
+    with warnings.catch_warnings():
+        warnings.simplefilter('error')
+        vorpipe.cells(world * 10)
+        vorpipe.cells(world[:1], crs='EPSG:32632')
+
+
+def test_a_coordinate_reference_system_goes_along(tmp_path):
+    points = [(500_000, 5_000_000), (510_000, 5_020_000)]
+    diagram = vorpipe.cells(points, crs='EPSG:32632', attributes={'name': ['a', 'b']})
+    assert diagram.crs == 'EPSG:32632'
+    geopandas = pytest.importorskip('geopandas', reason='there is no geopandas')
+    assert vorpipe.cells(points, crs=geopandas.GeoSeries(crs=25832).crs).crs == 'EPSG:25832'
+    with pytest.raises(vorpipe.InputError, match="^crs: 'nowhere'"):
+        vorpipe.cells(points, crs='nowhere')
+    frame = diagram.to_geopandas()
+    assert frame.crs.to_epsg() == 32632 and frame['name'].tolist() == ['a', 'b']
+    frame.set_geometry(geopandas.points_from_xy(frame.x, frame.y), crs=frame.crs)[['name', 'geometry']].to_file(
+        tmp_path / 'points.gpkg')
+    sites = vorpipe.read(tmp_path / 'points.gpkg')
+    assert sites.crs == 'EPSG:32632' and sites.attributes['name'].tolist() == ['a', 'b']
+    assert np.array_equal(sites.points, points)
+
+
+def test_geopandas_gets_degrees_and_attributes(degrees):
+    pytest.importorskip('geopandas', reason='there is no geopandas')
+    frame = vorpipe.cells(degrees, project=True, attributes={'area': np.arange(60.0), 'tag': ['x'] * 60}).to_geopandas()
+    assert frame.crs.to_epsg() == 4326 and frame['input_area'].tolist() == list(range(60))
+    assert set(frame['tag']) == {'x'} and (frame['area'] > 0).all()
+    in_plane = frame.to_crs(f'+proj=laea +lat_0=50 +lon_0=10 +units=km')
+    assert np.allclose(in_plane.area, frame['area'], rtol=1e-3)
