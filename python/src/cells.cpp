@@ -60,7 +60,8 @@ std::string featureExtensions() {
 CellsResult resultOf(std::shared_ptr<const Input> input, CellsOptions options, Diagram diagram, int threads) {
   CellsResult result{std::move(input), std::move(options), std::move(diagram)};
   if (result.input->projection) {
-    CellsInDegrees& shown = result.in_degrees.emplace(CellsInDegrees{*result.input, result.diagram});
+    CellsInDegrees& shown = result.in_degrees.emplace(
+        CellsInDegrees{static_cast<const PlacedSites&>(*result.input), result.diagram});
     backToDegrees(shown.placed, shown.diagram, threads);
   }
   return result;
@@ -115,7 +116,6 @@ void defineCells(py::module_& module) {
   module.def(
       "carries_attributes", [](const std::string& path) { return valueOf(cellsFormatOf(path))->attributes; },
       py::arg("path"));
-  module.def("edges_extensions", &edgesExtensions);
 }
 
 }  // namespace vorpipe::python

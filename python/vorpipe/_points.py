@@ -31,6 +31,10 @@ class Sites:
         names = ', '.join(self._table.attributes.names)
         return f'<vorpipe.Sites: {len(self)} points of {self._table.name}{": " if names else ""}{names}>'
 
+    def __array__(self, dtype: Any = None) -> npt.NDArray[Any]:
+        """The points, for what knows arrays alone."""
+        return self.points if dtype is None else self.points.astype(dtype)
+
     @property
     def points(self) -> Floats:
         """(N, 2). A copy with each call."""

@@ -1,6 +1,6 @@
-"""The programs of README.md and docs/python.md: each block fenced with ```python runs, in order, in one session; a block fenced with
-```text right behind one is what it prints, where ... stands for anything. A block that imports what is not here is
-skipped."""
+"""The programs of README.md and docs/python.md: each block fenced with ```python runs, in order, in one session; a
+block fenced with ```text right behind one is what it prints, where ... stands for anything. A block that imports what
+is not here is skipped."""
 import contextlib
 import importlib.util
 import io

@@ -1,4 +1,5 @@
 """Degrees, planes, and the domains that points and outlines give."""
+import sys
 import warnings
 
 import numpy as np
@@ -107,10 +108,31 @@ def test_a_coordinate_reference_system_goes_along(tmp_path):
     assert np.array_equal(sites.points, points)
 
 
+@pytest.mark.filterwarnings('ignore:.*look like degrees', 'ignore:Geometry is in a geographic')
+def test_other_programs_read_where_cells_are(degrees, tmp_path):
+    geopandas = pytest.importorskip('geopandas', reason='there is no geopandas')
+    for crs, code in ((3035, 3035), ('EPSG:4258', 4258), (None, None)):
+        diagram = vorpipe.cells(degrees, domain=BOX, crs=crs, attributes={'tag': range(60)})
+        diagram.save(tmp_path / f'{code}.gpkg')
+        frame = geopandas.read_file(tmp_path / f'{code}.gpkg')
+        assert code is None or frame.crs.to_epsg() == code
+        assert frame['tag'].tolist() == list(range(60)) and np.allclose(frame.area, diagram.areas)
+
+
+def test_codes_need_no_pyproj(monkeypatch):
+    monkeypatch.setitem(sys.modules, 'pyproj', None)
+    points = [(0, 0), (1, 1)]
+    with pytest.warns(vorpipe.InputWarning, match='look like degrees'):
+        assert vorpipe.cells(points, crs='epsg:4326').crs == 'EPSG:4326'
+    assert vorpipe.cells(points, crs=32632).crs == 'EPSG:32632'
+    with pytest.raises(vorpipe.InputError, match='^crs: .*there is no pyproj'):
+        vorpipe.cells(points, crs='+proj=utm +zone=32')
+
+
 def test_geopandas_gets_degrees_and_attributes(degrees):
     pytest.importorskip('geopandas', reason='there is no geopandas')
     frame = vorpipe.cells(degrees, project=True, attributes={'area': np.arange(60.0), 'tag': ['x'] * 60}).to_geopandas()
     assert frame.crs.to_epsg() == 4326 and frame['input_area'].tolist() == list(range(60))
     assert set(frame['tag']) == {'x'} and (frame['area'] > 0).all()
-    in_plane = frame.to_crs(f'+proj=laea +lat_0=50 +lon_0=10 +units=km')
+    in_plane = frame.to_crs('+proj=laea +lat_0=50 +lon_0=10 +units=km')
     assert np.allclose(in_plane.area, frame['area'], rtol=1e-3)

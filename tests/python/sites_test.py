@@ -33,6 +33,7 @@ def test_a_file_gives_points_attributes_and_what_its_coordinates_are(towns):
     assert towns.attributes['height'].tolist() == [478, None, 266]
     assert towns.attributes['open'].dtype == bool and towns.attributes['open'].tolist() == [True, False, True]
     assert towns.attributes['code'].tolist() == ['007', None, '4020']
+    assert np.array_equal(np.asarray(towns), towns.points)
     assert len(towns) == 3 and 'towns.csv' in repr(towns) and towns.skipped == 0
 
 
@@ -101,7 +102,8 @@ def test_attributes_of_every_type_come_back(tmp_path):
 
 def test_a_data_frame_is_a_mapping():
     pandas = pytest.importorskip('pandas')
-    frame = pandas.DataFrame({'n': pandas.array([1, None, 3], dtype='Int64'), 'kind': pandas.Categorical(['a', 'b', 'a'])})
+    frame = pandas.DataFrame({'n': pandas.array([1, None, 3], dtype='Int64'),
+                              'kind': pandas.Categorical(['a', 'b', 'a'])})
     kept = vorpipe.cells(POINTS, attributes=frame).attributes
     assert kept['n'].tolist() == [1, None, 3] and kept['kind'].tolist() == ['a', 'b', 'a']
 
