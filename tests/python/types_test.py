@@ -34,6 +34,16 @@ picture: vorpipe.Picture = vorpipe.render(np.zeros((1, 2)), size=(10, 10))
 broken: List[str] = vorpipe.check(diagram)
 same: bool = vorpipe.compare(diagram, diagram).agree
 ties: int = vorpipe.compare(picture, picture).ties
+sites: vorpipe.Sites = vorpipe.read('random:10', columns=('x', 2), missing='skip')
+map_of: vorpipe.Diagram = vorpipe.cells(sites, domain='hull', margin='10%', project=(10.0, 50.0), crs=4326,
+                                        attributes={'name': ['a', None]}, repair=True)
+crs: Optional[str] = map_of.crs
+names: List[str] = list(map_of.attributes)
+map_of.save('map.gpkg', only_cells=True)
+map_of.save_edges('edges.wkt')
+drawn: vorpipe.Diagram = vorpipe.draw(sites, 'x.svg', color='area', color_range=(0, 1), legend=True, dot_size=3)
+key = vorpipe.render(sites, color='area', color_scale='log', edge_width=2, fit='letterbox').key
+scale: str = key.scale if key is not None else ''
 with vorpipe.Session('cpu', threads=2) as session:
     name: str = session.device.name
     session.cells(np.zeros((3, 2)), progress=progress, check=True)

@@ -1,0 +1,61 @@
+"""Files are those of the command line, byte for byte."""
+import os
+import pathlib
+import subprocess
+
+import pytest
+
+import vorpipe
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SITES = ROOT / 'tests/data/navaids.csv'
+ITALY = ROOT / 'docs/examples/italy.geojson'
+BOX = (5, 47, 15, 55)
+
+
+@pytest.fixture
+def program(tmp_path):
+    path = os.environ.get('VORPIPE_PROGRAM', '')
+    if not os.path.exists(path):
+        pytest.skip('the program is not built')
+
+    def run(subcommand, *arguments):
+        subprocess.run([path, subcommand, '--sites', SITES, '--backend', 'cpu', '--quiet', *arguments], check=True,
+                       cwd=tmp_path)
+
+    return run
+
+
+def same(tmp_path, name):
+    return (tmp_path / name).read_bytes() == (tmp_path / f'by_{name}').read_bytes()
+
+
+def test_cells_are_those_of_the_program(program, tmp_path):
+    names = ['map.geojson', 'map.gpkg']
+    program('cells', '--domain', '5,47,15,55', '--project', 'auto', '--only-cells', '-o', 'map.geojson', '-o',
+            'map.gpkg', '--edges', 'edges.geojson')
+    program('cells', '--domain', ITALY, '--project', '12,42', '-o', 'italy.csv', '-o', 'italy.npz')
+    sites = vorpipe.read(SITES)
+    diagram = vorpipe.cells(sites, domain=BOX, project='auto', backend='cpu')
+    for name in names:
+        diagram.save(tmp_path / f'by_{name}', only_cells=True)
+    diagram.save_edges(tmp_path / 'by_edges.geojson')
+    italy = vorpipe.cells(sites, outline=ITALY, project=(12, 42), backend='cpu')
+    for name in ('italy.csv', 'italy.npz'):
+        italy.save(tmp_path / f'by_{name}')
+    assert [name for name in (*names, 'edges.geojson', 'italy.csv', 'italy.npz') if not same(tmp_path, name)] == []
+
+
+def test_pictures_are_those_of_the_program(program, tmp_path):
+    program('render', '--domain', '5,47,15,55', '--project', 'auto', '--color', 'area', '--legend', '--edges',
+            '--edge-width', '3', '--show-sites', '--size', '300x300', '-o', 'p.png', '-o', 'p.pgw', '-o', 'p.svg', '-o',
+            'p.pdf', '--ids', 'p.tif')
+    sites = vorpipe.read(SITES)
+    look = {'domain': BOX, 'project': 'auto', 'backend': 'cpu', 'color': 'area', 'legend': True, 'edges': True,
+            'edge_width': 3, 'show_sites': True, 'size': (300, 300)}
+    picture = vorpipe.render(sites, **look)
+    for name in ('p.png', 'p.pgw', 'p.tif'):
+        picture.save(tmp_path / f'by_{name}')
+    for name in ('p.svg', 'p.pdf'):
+        vorpipe.draw(sites, tmp_path / f'by_{name}', **look)
+    assert [name for name in ('p.png', 'p.pgw', 'p.tif', 'p.svg', 'p.pdf') if not same(tmp_path, name)] == []
