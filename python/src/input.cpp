@@ -64,8 +64,7 @@ void takeSites(const GivenPoints& points, const std::optional<SystemArguments>& 
   if (const auto* const given = std::get_if<std::shared_ptr<Table>>(&points)) {
     const Table& table = **given;
     input.sites = table.sites;
-    input.was_read = true;
-    input.generated = table.generated;
+    input.from = table.generated ? SitesFrom::generator : SitesFrom::file;
     input.system = table.system;
     input.attributes = table.attributes;
   } else {
@@ -125,7 +124,7 @@ void checkDomain(const DomainArguments& arguments, const Input& input) {
   if (arguments.box && arguments.outline && arguments.project) {
     raiseInput("domain", "a projection takes it from the outline; give one of them");
   }
-  if (input.periodic != Periodic::none && !input.generated && !arguments.box) {
+  if (input.periodic != Periodic::none && input.from != SitesFrom::generator && !arguments.box) {
     raiseInput("domain", "a domain that repeats must be named: (xmin, ymin, xmax, ymax)");
   }
 }

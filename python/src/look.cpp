@@ -53,7 +53,7 @@ RenderOptions renderOptionsOf(const Look& look, const Input& input) {
   const PictureSize size = look.size.value_or(defaultSize(input.domain));
   options.width = size.width;
   options.height = size.height;
-  options.fit = look.fit.value_or(input.was_read ? usualFit(input) : Fit::stretch);
+  options.fit = look.fit.value_or(usualFit(input));
   return options;
 }
 

@@ -45,8 +45,8 @@ struct vorpipe_input {
   std::shared_ptr<const vorpipe::Sites> sites;
   std::shared_ptr<const std::vector<vorpipe::Attribute>> attributes;
   vorpipe::CoordinateSystem system{};
-  std::string name;        ///< for messages about the sites
-  bool generated = false;  ///< in the unit square
+  std::string name;  ///< for messages about the sites
+  vorpipe::SitesFrom from = vorpipe::SitesFrom::caller;
   std::uint64_t skipped = 0;
   vorpipe::DomainSettings domain{};
   vorpipe::Periodic periodic = vorpipe::Periodic::none;

@@ -42,7 +42,7 @@ Result<std::shared_ptr<const PlacedInput>> placedInput(const vorpipe_input& inpu
   if (input.placed != nullptr) return input.placed;
   PlacedInput placed{{}, input.sites, input.sites};
   PlacedSites& found = placed.domain;
-  found.generated = input.generated;
+  found.from = input.from;
   found.periodic = input.periodic;
   found.system = input.system;
   if (input.sites->size() > 0) {
@@ -52,7 +52,8 @@ Result<std::shared_ptr<const PlacedInput>> placedInput(const vorpipe_input& inpu
     }
   }
   if (found.projection) placed.given = sitesInDegrees(found);
-  const bool moved = found.projection || (input.generated && !input.domain.outline.empty());
+  const bool moved =
+      found.projection || (input.from == SitesFrom::generator && !input.domain.outline.empty());
   if (moved) placed.sites = std::make_shared<const Sites>(std::exchange(found.sites, {}));
   if (moved && !found.projection) placed.given = placed.sites;
   found.sites = {};

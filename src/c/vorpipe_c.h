@@ -446,7 +446,7 @@ enum {
 /* What becomes of a domain in a picture of another aspect. */
 typedef int32_t vorpipe_fit;
 enum {
-  VORPIPE_FIT_AUTOMATIC = 0, /* it keeps its aspect, but for the unit square of a generator */
+  VORPIPE_FIT_AUTOMATIC = 0, /* letterbox where sites are of a file or there is an outline, else stretch */
   VORPIPE_FIT_STRETCH = 1,   /* it fills the picture */
   VORPIPE_FIT_LETTERBOX = 2  /* it keeps its aspect, in the middle; pixels beside it have no site */
 };

@@ -58,7 +58,7 @@ static void keys(vorpipe_session* session, const vorpipe_input* input) {
   vorpipe_picture_free(picture);
 }
 
-/* A domain keeps its aspect where it has one of its own, and files tell the place of pixels. */
+/* A domain keeps its aspect on request, else arrays fill the picture; files tell the place of pixels. */
 static void places(vorpipe_session* session) {
   const double x[] = {0, 4}, y[] = {0, 1};
   vorpipe_sites sites = {sizeof sites, 2, x, y, NULL, 0, 0};
@@ -70,6 +70,7 @@ static void places(vorpipe_session* session) {
   DONE(vorpipe_input_create(&sites, &input));
   DONE(vorpipe_input_set_box(input, 0, 0, 4, 1, VORPIPE_PERIODIC_NONE));
   options.width = options.height = 40;
+  options.fit = VORPIPE_FIT_LETTERBOX;
   DONE(vorpipe_render(session, input, &options, &picture));
   DONE(vorpipe_picture_array(picture, VORPIPE_PICTURE_IDS, &ids));
   PROMISE(((const uint32_t*)ids.data)[0] == VORPIPE_NO_SITE);
@@ -85,7 +86,7 @@ static void places(vorpipe_session* session) {
   DONE(vorpipe_picture_read("looks.png", &picture));
   REFUSED(VORPIPE_INPUT, "was read", vorpipe_picture_write(picture, "pgw", count, &written));
   vorpipe_picture_free(picture);
-  options.fit = VORPIPE_FIT_STRETCH;
+  options.fit = VORPIPE_FIT_AUTOMATIC;
   DONE(vorpipe_render(session, input, &options, &picture));
   DONE(vorpipe_picture_array(picture, VORPIPE_PICTURE_IDS, &ids));
   PROMISE(((const uint32_t*)ids.data)[0] == 0);

@@ -106,7 +106,7 @@ Result<Input> loadInput(const InputOptions& options) {
   input.system = std::move(source->table.system);
   input.notes = std::move(source->table.notes);
   input.seed = source->seed;
-  input.generated = source->seed.has_value();
+  input.from = source->seed ? SitesFrom::generator : SitesFrom::file;
   input.periodic = options.periodic;
   if (auto taken = takeWeights(options, input); !taken) return tl::unexpected(std::move(taken.error()));
   if (auto taken = takeDomain(options, input); !taken) return tl::unexpected(std::move(taken.error()));

@@ -34,7 +34,7 @@ Result<void> checkMargin(const Request& request) {
     return inputError(
         fmt::format("{}: {} names the domain, which has none; give one of them", words.margin, words.domain));
   }
-  if (placed.generated && !settings.hull) {
+  if (placed.from == SitesFrom::generator && !settings.hull) {
     return inputError(fmt::format("{}: generators fill the domain 0,0,1,1; name another by {}", words.margin,
                                   words.domain));
   }
@@ -52,7 +52,7 @@ Result<void> checkPeriod(const Request& request) {
   if (settings.hull || !settings.outline.empty()) {
     return inputError(fmt::format("{}: a domain with an outline does not repeat itself", words.periodic));
   }
-  if (!placed.generated && !settings.box) {
+  if (placed.from != SitesFrom::generator && !settings.box) {
     return inputError(
         fmt::format("{}: name the period by {}; a file of sites does not say it", words.periodic, words.box));
   }
@@ -67,7 +67,7 @@ Result<void> checkSettings(const Request& request) {
     return inputError(fmt::format("{}: is for the polygons of {}", words.repair, words.domain));
   }
   if (auto period = checkPeriod(request); !period) return period;
-  if (settings.project && placed.generated) {
+  if (settings.project && placed.from == SitesFrom::generator) {
     return inputError(fmt::format("{}: is for files in degrees, not for {}", words.project, words.sites));
   }
   if (settings.project && placed.system.kind == CoordinateKind::plane) {
@@ -205,7 +205,9 @@ Result<void> project(const Request& request) {
 /// Says so where cells are to be those of a plane of degrees.
 void noteDegrees(const Request& request) {
   const auto& [settings, placed, words] = request;
-  if (placed.generated || settings.project || !looksLikeDegrees(placed.sites, placed.system)) return;
+  if (placed.from == SitesFrom::generator || settings.project ||
+      !looksLikeDegrees(placed.sites, placed.system))
+    return;
   request.note(
       fmt::format("{}: coordinates look like degrees of longitude and latitude; cells are those of the plane "
                   "of degrees; {} makes a local plane where areas and distances are right",
@@ -226,7 +228,8 @@ Result<void> findDomain(const DomainSettings& settings, PlacedSites& placed, con
     auto outline = mendedBy([&](bool repair) { return mended(settings.outline, repair); }, request);
     if (!outline) return tl::unexpected(std::move(outline.error()));
     takeOutline(placed, std::move(*outline));
-    if (placed.generated) placed.sites = spreadOver(placed.domain, std::move(placed.sites));
+    if (placed.from == SitesFrom::generator)
+      placed.sites = spreadOver(placed.domain, std::move(placed.sites));
     return {};
   }
   if (settings.box) {
@@ -234,11 +237,11 @@ Result<void> findDomain(const DomainSettings& settings, PlacedSites& placed, con
     return {};
   }
   // Generators fill the unit square.
-  return placed.generated && !settings.hull ? Result<void>{} : takeDomainOfSites(request);
+  return placed.from == SitesFrom::generator && !settings.hull ? Result<void>{} : takeDomainOfSites(request);
 }
 
 Fit usualFit(const PlacedSites& placed) {
-  return placed.generated && placed.outline.empty() ? Fit::stretch : Fit::letterbox;
+  return placed.from == SitesFrom::file || !placed.outline.empty() ? Fit::letterbox : Fit::stretch;
 }
 
 void backToDegrees(PlacedSites& placed, Diagram& diagram, int threads) {

@@ -1,6 +1,7 @@
 /// The domain of sites, and the plane that it is in.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,10 +35,17 @@ struct DomainWords {
               periodic = "periodic";
 };
 
+/// Where sites come from.
+enum class SitesFrom : std::uint8_t {
+  caller,    ///< a program's arrays
+  file,      ///< a map of something
+  generator  ///< a pattern that fills the unit square
+};
+
 /// Sites with the domain that they have cells in; with a projection both are in its plane.
 struct PlacedSites {
   Sites sites{};
-  bool generated = false;  ///< a pattern that fills the unit square
+  SitesFrom from = SitesFrom::caller;
   Box domain{0, 0, 1, 1};
   Outline outline{};  ///< the domain is its box
   Periodic periodic = Periodic::none;
@@ -48,14 +56,14 @@ struct PlacedSites {
   std::vector<std::string> notes{};               ///< what was reinterpreted or changed, a line each
 };
 
-/// Finds the domain of sites, at least one, whose `sites`, `generated`, `periodic` and `system` are set;
+/// Finds the domain of sites, at least one, whose `sites`, `from`, `periodic` and `system` are set;
 /// takes both to a plane if that is asked for. Notes are added: what was mended, how far the plane can be
 /// trusted, that coordinates look like degrees. Errors (input), each after the word for what is wrong:
 /// settings that contradict each other, a domain that is none.
 Result<void> findDomain(const DomainSettings& settings, PlacedSites& placed, const DomainWords& words = {});
 
-/// What becomes of the domain in a picture where nothing says so: sites of a file and outlines keep their
-/// aspect.
+/// What becomes of the domain in a picture of another aspect where nothing says so: files with sites and
+/// outlines keep theirs; patterns, and arrays of a program that asks for these pixels, fill it.
 Fit usualFit(const PlacedSites& placed);
 
 /// Takes a diagram, and the sites that it is of, from the plane back to degrees; its measures stay in

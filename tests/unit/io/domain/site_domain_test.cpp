@@ -20,7 +20,7 @@ PlacedSites inDegrees() {
 PlacedSites ofGenerator() {
   PlacedSites placed;
   placed.sites = {{0.25, 0.75}, {0.5, 0.5}, {}};
-  placed.generated = true;
+  placed.from = SitesFrom::generator;
   return placed;
 }
 
@@ -37,7 +37,7 @@ TEST(SiteDomain, generatorsFillTheUnitSquareAndFilesTheirBoxWithAMargin) {
   ASSERT_TRUE(findDomain({}, placed));
   EXPECT_EQ(placed.domain.xmin, 0);
   EXPECT_EQ(placed.domain.xmax, 1);
-  placed.generated = false;
+  placed.from = SitesFrom::caller;
   ASSERT_TRUE(findDomain({.margin = Margin{2, false}}, placed));
   EXPECT_EQ(placed.domain.xmin, -1.75);
   EXPECT_EQ(placed.domain.ymax, 2.5);
@@ -88,7 +88,12 @@ TEST(SiteDomain, settingsThatContradictEachOtherAreNamedInTheCallersWords) {
 
 TEST(SiteDomain, picturesKeepTheAspectOfWhatHasOne) {
   EXPECT_EQ(usualFit(ofGenerator()), Fit::stretch);
-  EXPECT_EQ(usualFit(inDegrees()), Fit::letterbox);
+  EXPECT_EQ(usualFit(inDegrees()), Fit::stretch);
+  PlacedSites of_file = inDegrees(), outlined = ofGenerator();
+  of_file.from = SitesFrom::file;
+  EXPECT_EQ(usualFit(of_file), Fit::letterbox);
+  outlined.outline = {{{0, 0}, {1, 0}, {0, 1}}, {0, 3}, {0, 1}};
+  EXPECT_EQ(usualFit(outlined), Fit::letterbox);
 }
 
 }  // namespace
