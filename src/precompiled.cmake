@@ -42,7 +42,8 @@ if(VORPIPE_PRECOMPILE)
       <string_view>
       <utility>
       <vector>
-      <fmt/core.h>
+      <fmt/format.h>
+      <fmt/ranges.h>
       <tl/expected.hpp>)
   endforeach()
 endif()
