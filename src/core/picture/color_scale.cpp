@@ -4,11 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/picture/color_ticks.h"
 
 namespace vorpipe::core {
 namespace {
+
+constexpr std::size_t last_color = 255;
+
+std::uint8_t roundedColor(double place) {
+  return static_cast<std::uint8_t>(std::lround(static_cast<double>(last_color) * place));
+}
 
 tl::unexpected<Error> refuse(std::string message) {
   return tl::unexpected(Error{ErrorCode::input, std::move(message)});
@@ -72,6 +79,7 @@ Result<ColorPlaces> ColorPlaces::of(const Coloring& coloring, std::vector<double
   if (key.scale == ColorScale::quantile) {
     std::ranges::sort(values);
     places.ranked_ = std::move(values);
+    places.findFirsts();
   }
   key.ticks = ticksOf(key, places.ranked_);
   return places;
@@ -84,6 +92,20 @@ double ColorPlaces::rankOf(double value) const {
   const auto equal = static_cast<double>(last - first);
   const auto most = static_cast<double>(ranked_.size() - 1);
   return most > 0 ? (before + (equal - 1) / 2) / most : 0.5;
+}
+
+void ColorPlaces::findFirsts() {
+  firsts_.resize(last_color);
+  for (std::size_t color = 1; color <= last_color; ++color) {
+    const auto first = std::ranges::partition_point(
+        ranked_, [&](double value) { return roundedColor(rankOf(value)) < color; });
+    firsts_[color - 1] = first == ranked_.end() ? std::numeric_limits<double>::infinity() : *first;
+  }
+}
+
+std::uint8_t ColorPlaces::colorOf(double value) const {
+  if (key_.scale != ColorScale::quantile || value > key_.range.high) return roundedColor((*this)(value));
+  return static_cast<std::uint8_t>(std::ranges::upper_bound(firsts_, value) - firsts_.begin());
 }
 
 double ColorPlaces::operator()(double value) const {

@@ -1,6 +1,7 @@
 /// How values of sites become places along the colors.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -26,13 +27,19 @@ class ColorPlaces {
   /// Never falls where `value` rises: values below the range have 0, those above it 1, and the middle is that
   /// of all values where they are equal.
   [[nodiscard]] double operator()(double value) const;
+  /// The same as the number of a color, rounded.
+  [[nodiscard]] std::uint8_t colorOf(double value) const;
   [[nodiscard]] const ColorKey& key() const { return key_; }
 
  private:
   [[nodiscard]] double rankOf(double value) const;
+  void findFirsts();
 
   ColorKey key_;
   std::vector<double> ranked_;  ///< the values inside the range, ascending; by quantile alone
+  /// By color from the second on: the least of the ranked values that has it or a later one. A search among
+  /// all that are ranked would be a cache miss for each step.
+  std::vector<double> firsts_;
 };
 
 }  // namespace vorpipe::core

@@ -1,7 +1,6 @@
 #include "core/picture/palette_index.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/parallel.h"
 #include "core/picture/color_scale.h"
@@ -11,7 +10,6 @@ namespace vorpipe::core {
 namespace {
 
 constexpr std::size_t grain = 1 << 12;
-constexpr double last_color = 255;
 
 /// How many sites a cell has as neighbors; with an outline, one may have several edges.
 double neighborsOf(const Diagram& cells, std::size_t site) {
@@ -68,8 +66,7 @@ Result<PaletteIndices> paletteIndices(const Sites& sites, const Diagram& cells, 
   PaletteIndices indices{std::vector<std::uint8_t>(sites.size()), places->key()};
   parallelFor(sites.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end; ++i) {
-      if (hasCell(i))
-        indices.index[i] = static_cast<std::uint8_t>(std::lround(last_color * (*places)(valueOf(i))));
+      if (hasCell(i)) indices.index[i] = places->colorOf(valueOf(i));
     }
   });
   return indices;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "core/picture/palette_index.h"
 
@@ -55,6 +56,25 @@ TEST(ColorScale, EqualValuesShareTheirMiddleRank) {
   EXPECT_EQ(places(1), 0);
   EXPECT_EQ(places(2), 0.5);
   EXPECT_EQ(places(7), 1);
+}
+
+TEST(ColorScale, ColorsAreRoundedPlacesHoweverTheyAreFound) {
+  const auto seed = std::random_device{}();
+  SCOPED_TRACE(seed);
+  std::mt19937 random(seed);
+  for (const int distinct : {1, 2, 7, 300, 100000}) {
+    std::vector<double> values(3000);
+    for (double& value : values) value = static_cast<double>(random() % static_cast<unsigned>(distinct));
+    for (const auto scale : {ColorScale::linear, ColorScale::quantile}) {
+      const ColorPlaces places = placesOf(scale, values);
+      values.insert(values.end(), {-1.0, 1e6});
+      for (const double value : values) {
+        ASSERT_EQ(places.colorOf(value), static_cast<std::uint8_t>(std::lround(255 * places(value))))
+            << value;
+      }
+      values.resize(3000);
+    }
+  }
 }
 
 TEST(ColorScale, WhereAllValuesAreEqualTheyHaveTheMiddle) {
