@@ -100,7 +100,7 @@ set(users
     "^(core/outline/(geos_outline|hull|mended|validity)|io/cells/hole_triangles)\\."
     "^core/outline/"
     "^cli/options/(command_line|help_format)\\.cpp$"
-    "^base/parallel\\.cpp$")
+    "^base/parallel(_sort)?\\.cpp$")
 
 # Sets allowed to whether file (relative to src) may include header, quoted or in angle brackets.
 function(vorpipe_may_include file header quoted allowed)

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/parallel_sort.h"
 #include "core/picture/color_ticks.h"
 
 namespace vorpipe::core {
@@ -48,7 +49,7 @@ double partOf(double at, double low, double high) {
 
 }  // namespace
 
-Result<ColorPlaces> ColorPlaces::of(const Coloring& coloring, std::vector<double> values) {
+Result<ColorPlaces> ColorPlaces::of(const Coloring& coloring, std::vector<double> values, int threads) {
   ColorPlaces places;
   ColorKey& key = places.key_;
   key.color = coloring.color;
@@ -77,7 +78,7 @@ Result<ColorPlaces> ColorPlaces::of(const Coloring& coloring, std::vector<double
     key.range = {least, greatest};
   }
   if (key.scale == ColorScale::quantile) {
-    std::ranges::sort(values);
+    parallelSort(values, threads);
     places.ranked_ = std::move(values);
     places.findFirsts();
   }

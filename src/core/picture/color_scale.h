@@ -22,7 +22,7 @@ class ColorPlaces {
   /// `values` are those of the sites that have a cell, finite, in any order. Where a range is named,
   /// quantiles are those of the values inside it. Errors (input): the range is none, or holds nothing for the
   /// scale.
-  static Result<ColorPlaces> of(const Coloring& coloring, std::vector<double> values);
+  static Result<ColorPlaces> of(const Coloring& coloring, std::vector<double> values, int threads = 0);
 
   /// Never falls where `value` rises: values below the range have 0, those above it 1, and the middle is that
   /// of all values where they are equal.

@@ -61,7 +61,7 @@ Result<PaletteIndices> paletteIndices(const Sites& sites, const Diagram& cells, 
     if (hasCell(i)) values.push_back(valueOf(i));
   }
   const auto places =
-      ColorPlaces::of({options.color, options.color_scale, options.color_range}, std::move(values));
+      ColorPlaces::of({options.color, options.color_scale, options.color_range}, std::move(values), threads);
   if (!places) return tl::unexpected(places.error());
   PaletteIndices indices{std::vector<std::uint8_t>(sites.size()), places->key()};
   parallelFor(sites.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
