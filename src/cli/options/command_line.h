@@ -76,7 +76,7 @@ class Options {
 /// How a subcommand was called, and who wants to know what it did.
 struct Invocation {
   std::vector<std::string> arguments;  ///< as they were given, without the program's name
-  /// Gets what --stats writes, where that is not asked for; none: nobody wants it.
+  /// Gets what --stats would write, where --stats is not given, as `rerun` needs it; null: it is not needed.
   std::string* stats = nullptr;
 };
 

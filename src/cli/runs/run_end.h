@@ -44,7 +44,7 @@ using Writer = std::function<Result<void>(ByteSink&)>;
 Result<void> writeOutputs(std::span<OutputFile> files, std::span<const Writer> writers);
 
 /// The same for a run with --stats, which `stats` makes when all else is written: into the last file, where
-/// there is one more than writers, and for whoever called the run.
+/// there is one more than writers, and as the invocation asks.
 Result<void> writeOutputs(std::span<OutputFile> files, std::span<const Writer> writers, RunLog& log,
                           const std::function<std::string()>& stats);
 

@@ -14,7 +14,7 @@ constexpr std::size_t places_kept = 10;
 
 using Ids = std::span<const std::uint32_t>;
 
-/// The pixels of a frame in pictures of so many columns.
+/// The pixels of a frame in pictures that are `columns` pixels wide.
 struct Grid {
   int width, height;
   int columns = width;

@@ -7,7 +7,7 @@
 
 namespace vorpipe::core {
 
-/// A capital letter and a digit are so many units high; the pen is one unit wide.
+/// How many units high a capital letter and a digit are; the pen is one unit wide.
 inline constexpr int letter_units = 7;
 
 /// How many units wide a text is. Characters are those of ASCII that legends need, digits, small letters and

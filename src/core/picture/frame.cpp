@@ -12,7 +12,7 @@ void spread(std::vector<std::uint32_t>& pixels, const PictureFrame& frame, int w
   const auto at = [&](std::ptrdiff_t index) { return pixels.begin() + index; };
   const auto placeOf = [&](std::ptrdiff_t row) { return (frame.top + row) * width + frame.left; };
   pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  // From the last row on: none comes to stand before it stood.
+  // From the last row on: each moves to a higher place, so that none is overwritten before it has moved.
   for (std::ptrdiff_t row = frame.height - 1; row >= 0; --row) {
     const std::ptrdiff_t from = row * frame.width, to = placeOf(row);
     std::copy_backward(at(from), at(from + frame.width), at(to + frame.width));

@@ -66,7 +66,7 @@ std::vector<Label> labelsOf(const ColorKey& key) {
   return labels;
 }
 
-/// Drops labels that would stand too near to others beside a bar so many units high: the ends stay, and of
+/// Drops labels that would stand too near to others beside a bar of that height: the ends stay, and of
 /// the others those in the middle.
 void dropCrowded(std::vector<Label>& labels, double height) {
   std::ranges::stable_sort(labels, {}, [](const Label& label) {

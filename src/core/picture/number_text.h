@@ -7,8 +7,8 @@
 
 namespace vorpipe::core {
 
-/// A finite number with so many significant digits, less where the last are 0, more where it is an integer of
-/// up to six: 0.012, 1.2e-5, 350.
+/// A finite number with `digits` significant digits, fewer where the last are 0, more where it is an integer
+/// of up to six: 0.012, 1.2e-5, 350.
 std::string numberText(double number, int digits);
 
 /// Numbers that ascend, each with three significant digits, or as many more as it takes to tell different

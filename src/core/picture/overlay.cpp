@@ -47,7 +47,7 @@ class Disk {
   [[nodiscard]] int rowsFrom(int center, int row) const {
     return row > center ? row - center : center - row + first_;
   }
-  /// Most steps in columns, so many steps in rows away.
+  /// Most steps in columns, in a row that is `rows` steps from that of the center.
   [[nodiscard]] std::uint8_t columns(int rows) const { return reach_[static_cast<std::size_t>(rows)]; }
 
  private:
