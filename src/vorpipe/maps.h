@@ -41,8 +41,8 @@ Result<MendedOutline> mendedToPlane(const Projection& projection, const Outline&
 Result<double> reachOf(const Outline& kilometers);
 Result<double> reachOf(const Box& kilometers);
 
-/// By which part distances are wrong, at most, so many degrees from the center: those around it are too long,
-/// those away from it too short.
+/// By which part distances are wrong, at most, at a place that is `degrees_from_center` degrees from the
+/// center: those around the center are too long, those away from it too short.
 double distortionAt(double degrees_from_center);
 
 /// Sites in degrees, each in the turn that is within 180 degrees of the center's longitude, as toDegrees has

@@ -44,8 +44,8 @@ class Attribute {
   void rename(std::string name) { name_ = std::move(name); }
   void setType(AttributeType type) { type_ = type; }
 
-  /// Takes the narrowest type of integer, real and boolean that all values are written as; text where they
-  /// are of none, or all are missing.
+  /// Takes the narrowest of integer, real and boolean that all values are written as; text where the values
+  /// have no such type in common, or where all of them are missing.
   void inferType();
 
  private:

@@ -14,8 +14,8 @@ struct LoggedFile {
   Contents contents;
 };
 
-/// While one lives, it notes what InputFile opens on this thread: nobody in between has to know. One that is
-/// made later takes over until it is gone.
+/// While one lives, it notes what InputFile opens on this thread, so that readers need not pass it on. One
+/// that is made later takes over until it is gone.
 class ReadLog {
  public:
   ReadLog();
@@ -23,7 +23,7 @@ class ReadLog {
   ReadLog(const ReadLog&) = delete;
   ReadLog& operator=(const ReadLog&) = delete;
 
-  /// The log that notes what this thread reads; none if nobody asked.
+  /// The log that notes what this thread reads; null if there is no log on this thread.
   static ReadLog* current();
 
   /// While it lives, nothing is noted.

@@ -24,7 +24,7 @@ void planWeights(MemoryPlan& plan, const std::string& path, std::uint64_t sites)
 /// Plans readDensity.
 void planDensity(MemoryPlan& plan, std::uint64_t pixels);
 
-/// Plans writeCells with attributes of so many bytes.
+/// Plans writeCells, with attributes that take `attribute_bytes` bytes in memory.
 void planCellsFile(MemoryPlan& plan, const Workload& work, const CellsFormat& format,
                    std::uint64_t attribute_bytes = 0);
 

@@ -24,7 +24,6 @@ enum Key : std::uint16_t {
   center_latitude = 3089,
 };
 
-constexpr std::uint16_t doubles_tag = 34736, ascii_tag = 34737;
 constexpr std::uint16_t projected = 1, geographic = 2, pixel_is_area = 1, user_defined = 32767;
 constexpr std::uint16_t wgs_84 = 4326, degree = 9102, kilometer = 9036, lambert_azimuthal_equal_area = 10;
 
@@ -33,11 +32,11 @@ class Builder {
  public:
   void add(Key key, std::uint16_t value) { entry(key, 0, 1, value); }
   void add(Key key, double value) {
-    entry(key, doubles_tag, 1, static_cast<std::uint16_t>(keys_.doubles.size()));
+    entry(key, geo_doubles_tag, 1, static_cast<std::uint16_t>(keys_.doubles.size()));
     keys_.doubles.push_back(value);
   }
   void add(Key key, const std::string& text) {
-    entry(key, ascii_tag, static_cast<std::uint16_t>(text.size() + 1),
+    entry(key, geo_ascii_tag, static_cast<std::uint16_t>(text.size() + 1),
           static_cast<std::uint16_t>(keys_.ascii.size()));
     keys_.ascii += text + '|';
   }

@@ -9,6 +9,9 @@
 
 namespace vorpipe {
 
+/// Tags of TIFF where the numbers and the text of keys stand, to which the directory of keys refers.
+inline constexpr std::uint16_t geo_doubles_tag = 34736, geo_ascii_tag = 34737;
+
 /// The contents of the three tags that name a coordinate system: GeoKeyDirectory, GeoDoubleParams and
 /// GeoAsciiParams. Empty ones are left out of the file.
 struct GeoKeys {

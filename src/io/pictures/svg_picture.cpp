@@ -77,7 +77,7 @@ Result<void> writeCells(ByteSink& sink, Bytes& text, const VectorPicture& pictur
 }
 
 Result<void> writeEdges(ByteSink& sink, Bytes& text, const VectorPicture& picture) {
-  // So many that readers choke neither on the length of a path nor on the number of paths.
+  // Few enough for viewers that are slow with long paths, and enough to keep the number of paths small.
   constexpr std::size_t lines_of_path = 1000;
   put(text, "<g fill=\"none\"");
   printColor(text, "stroke", VectorPicture::edge_color);

@@ -38,8 +38,8 @@ enum Tag : std::uint16_t {
   model_pixel_scale = 33550,
   model_tiepoint = 33922,
   geo_key_directory = 34735,
-  geo_double_params = 34736,
-  geo_ascii_params = 34737,
+  geo_double_params = geo_doubles_tag,
+  geo_ascii_params = geo_ascii_tag,
   gdal_nodata = 42113,
 };
 
