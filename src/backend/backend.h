@@ -51,7 +51,9 @@ struct SiteSet {
   std::vector<double> weight{};
   std::vector<std::uint32_t> id;  ///< index in the input
   Box domain{};                   ///< what cells are clipped to
-  Box coverage{};                 ///< every site in here is in the set; unbounded but for a tile
+  /// The shorter side of a periodic domain, around which `domain` has a band of images.
+  double shorter_side = std::numeric_limits<double>::infinity();
+  Box coverage{};  ///< every site in here is in the set; unbounded but for a tile
   /// At most most_heavy sites, the heaviest first, so much heavier than the others that every cell is cut by
   /// them first: they would make the search of many cells wide. A tile has all of them; those that are
   /// elsewhere stand behind its bins.

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "vorpipe.h"
+#include "backend/backend.h"
 
 namespace vorpipe {
 
@@ -19,6 +19,11 @@ Real tieScale(const Real& distance, double shorter_side) {
 
 inline double shorterSide(const Box& domain) {
   return std::min(domain.xmax - domain.xmin, domain.ymax - domain.ymin);
+}
+
+/// Of the caller's domain; where that is periodic, `sites.domain` is larger.
+inline double shorterSide(const SiteSet& sites) {
+  return std::min(shorterSide(sites.domain), sites.shorter_side);
 }
 
 }  // namespace vorpipe

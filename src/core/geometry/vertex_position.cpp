@@ -172,7 +172,7 @@ EdgeSpan edgeSpan(const SiteSet& sites, std::int32_t cell, std::int32_t before, 
   const Point other = siteAt(sites, neighbor);
   const double dx = other.x - site.x, dy = other.y - site.y;
   const double distance = lengthOf({dx, dy});
-  const double shorter_side = shorterSide(sites.domain);
+  const double shorter_side = shorterSide(sites);
   const double tie = shortest * tieScale(distance, shorter_side), slack = tie + rounding;
   const double excess = shortest < shortest_edge ? (dx * way.y - dy * way.x) - slack * distance
                                                  : excessLength(dx, dy, way.x, way.y, shorter_side);

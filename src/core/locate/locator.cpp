@@ -81,7 +81,7 @@ Result<void> Locator::State::takeSites(const Sites& callers, const CellsOptions&
   if (!placed) return tl::unexpected(placed.error());
   // What a picture of the domain needs is all that places in it do.
   ImagedSites imaged = withImages(*placed, bandForPlaces(*placed, threads));
-  const CallersSites named{callers, [&](std::uint32_t i) { return imaged.siteOf(i); }};
+  const CallersSites named{callers, [&](std::uint32_t i) { return imaged.siteOf(i); }, placed->domain()};
   if (auto ready = prepareSet(imaged.sites, imaged.box, &named); !ready) return ready;
   repeated = Repeated{placed->axis, std::move(static_cast<SiteImages&>(imaged))};
   return {};

@@ -42,7 +42,7 @@ class Runs {
   Runs(const Machine& machine, const Sites& sites, const PeriodicSites& placed, CellsOptions options,
        ImagesFor purpose)
       : machine_(machine),
-        callers_{sites, [this](std::uint32_t i) { return imaged.siteOf(i); }},
+        callers_{sites, [this](std::uint32_t i) { return imaged.siteOf(i); }, placed.domain()},
         placed_(placed),
         options_(std::move(options)),
         purpose_(purpose) {

@@ -102,7 +102,8 @@ Result<FoundCells> findWhatToDraw(const Machine& machine, const Sites& sites, co
   auto scene = sceneOf(sites, options, machine.threads);
   if (!scene) return tl::unexpected(scene.error());
   found.scene = std::move(*scene);
-  const CallersSites callers{sites, [&](std::uint32_t i) { return found.scene.siteOf(i); }};
+  const CallersSites callers{sites, [&](std::uint32_t i) { return found.scene.siteOf(i); },
+                             found.scene.picture};
   auto run = beginRun(machine, found.scene.sitesOr(sites), found.scene.clip, &callers);
   if (!run) return tl::unexpected(run.error());
   found.run = std::move(*run);

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "backend/tie.h"
 #include "base/inside.h"
 #include "base/parallel.h"
 #include "base/refusal.h"
@@ -157,6 +158,7 @@ Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads, con
   const PowerOfTwo scale(prepared.exponent);
   auto& set = prepared.set;
   set.domain = {scale(domain.xmin), scale(domain.ymin), scale(domain.xmax), scale(domain.ymax)};
+  if (callers != nullptr) set.shorter_side = scale(shorterSide(callers->domain));
   set.coverage = {-infinite, -infinite, infinite, infinite};
 
   const auto near = surroundings(set.domain);

@@ -29,6 +29,7 @@ Result<void> checkSites(const Sites& sites, const Box& domain, int threads);
 struct CallersSites {
   const Sites& sites;
   std::function<std::uint32_t(std::uint32_t)> siteOf;  ///< by index in the run's sites
+  Box domain;                                          ///< theirs, in the units of the run's sites
 };
 
 /// Checks sites and domain and orders the sites by the bins of a grid. The scale is a power of two, so

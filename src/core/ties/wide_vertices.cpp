@@ -74,7 +74,7 @@ class VertexWidths {
     const auto cell = tied_.cell[k];
     const auto row = proposed_.cells.edges(cell);
     placeCorners(sites_, cell, row, corners);
-    const double reach = std::min(reachOf(cell, row, corners), shorterSide(sites_.domain));
+    const double reach = std::min(reachOf(cell, row, corners), shorterSide(sites_));
     for (std::size_t e = 0; e < row.size(); ++e) {
       if (!hasMany(first + e)) continue;
       const auto vertex = tied_.vertex[first + e];

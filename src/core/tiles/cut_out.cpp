@@ -42,6 +42,7 @@ SiteSet cutOut(const SiteSet& sites, const BinBlock& block, std::vector<std::uin
   const auto y = [&](std::uint32_t row) { return grid.ymin + row * grid.size; };
   SiteSet set;
   set.domain = sites.domain;
+  set.shorter_side = sites.shorter_side;
   const auto& coverage = sites.coverage;
   set.coverage = {block.west == 0 ? coverage.xmin : x(block.west),
                   block.south == 0 ? coverage.ymin : y(block.south),

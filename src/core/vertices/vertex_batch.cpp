@@ -82,7 +82,7 @@ FOR_WIDE_TOO void CornerBatch::place() {
       farthest = farthest > squared ? farthest : squared;
     }
   }
-  const double shorter_side = shorterSide(sites_.domain);
+  const double shorter_side = shorterSide(sites_);
   if (farthest > shorter_side * shorter_side) measureFarEdges(shorter_side);
 }
 

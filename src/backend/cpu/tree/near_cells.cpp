@@ -65,6 +65,7 @@ void take(const SiteSet& sites, std::uint32_t i, SiteSet& near) {
 SiteSet sitesIn(const SiteSet& sites, const Bins& bins) {
   SiteSet near;
   near.domain = sites.domain;
+  near.shorter_side = sites.shorter_side;
   near.coverage = coverageIn(sites, bins);
   if (!sites.weight.empty()) near.grid.heaviest = {sites.grid.heaviest.back()};
   auto heavy = sites.heavy;

@@ -58,7 +58,7 @@ template <class Real, std::size_t Room>
 class TreeWalk {
  public:
   TreeWalk(const SiteSet& sites, const SiteTree& tree)
-      : sites_(sites), tree_(tree), shorter_side_(shorterSide(sites.domain)) {
+      : sites_(sites), tree_(tree), shorter_side_(shorterSide(sites)) {
     if (!sites.grid.heaviest.empty()) heaviest_anywhere_ = sites.grid.heaviest.back();
   }
 
