@@ -69,6 +69,14 @@ struct RenderOptions {
   double edge_width = 1;  ///< pixels, 1 to 100
   double dot_size = 0;    ///< of a site, across, in pixels, up to 100; 0: by the spacing of those that show
   Fit fit = Fit::stretch;
+  /// What is drawn, where that is not the domain: a part of it, or more than it. It clips no cell, and
+  /// changes no color; pixels beyond the domain have no site. `fit` is about the view then.
+  std::optional<Box> view{};
+  bool fill = true;        ///< cells have colors; else they are white
+  int antialias = 1;       ///< as many rows and columns of places in each pixel, 1 to 8, have its mean color
+  bool dual = false;       ///< lines between sites whose cells have a common edge: the Delaunay triangulation
+  bool labels = false;     ///< the index of each site, where there is room for it
+  double label_size = 10;  ///< the height of digits, in pixels, 5 to 200
 };
 
 /// What the colors of a picture stand for.

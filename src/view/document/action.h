@@ -1,0 +1,22 @@
+/// What a key or a button of the panel asks for.
+#pragma once
+
+#include <cstdint>
+
+namespace vorpipe::view {
+
+enum class Action : std::uint8_t {
+  undo,
+  redo,
+  fit,   ///< shows the whole domain
+  step,  ///< one step of relaxation
+  run,   ///< relaxes until it is told to pause
+  pause,
+  save_png,  ///< the picture, without the panel
+  save_svg,
+  save_sites,    ///< a .csv of the sites
+  copy_command,  ///< the command line that makes this picture, to the clipboard and to standard output
+  close,
+};
+
+}  // namespace vorpipe::view

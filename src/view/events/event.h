@@ -1,0 +1,71 @@
+/// What a window tells, and what a script makes a window do: one and the same, in the order in which it
+/// happened.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace vorpipe::view {
+
+/// A place in a window, in its pixels (of the framebuffer), from the left and from the top.
+struct Place {
+  double x = 0, y = 0;
+  friend bool operator==(const Place&, const Place&) = default;
+};
+
+enum class Button : std::uint8_t { left, right, middle };
+
+/// Keys that are held down with others.
+struct Modifiers {
+  bool shift = false, control = false, alt = false;
+  friend bool operator==(const Modifiers&, const Modifiers&) = default;
+};
+
+struct Move {
+  Place to;
+};
+struct Press {
+  Button button = Button::left;
+  Modifiers with{};
+};
+struct Release {
+  Button button = Button::left;
+};
+struct Scroll {
+  double by = 0;  ///< steps of the wheel, up is positive
+  Modifiers with{};
+};
+struct Key {
+  std::string name;  ///< "a".."z", "0".."9", "f1", "escape", "tab", "space", "home", "left", "plus", "minus",
+                     ///< "question" ...
+  Modifiers with{};
+};
+struct Text {
+  std::string utf8;  ///< typed into a field of the panel
+};
+struct Resize {
+  int width = 0, height = 0;
+};
+struct Minimize {};
+struct Restore {};
+struct Drop {
+  std::vector<std::string> paths;
+};
+struct Close {};
+/// Of scripts alone: goes on when the sharp picture of all that came before stands in the window, or when
+/// `seconds` are over, if they are not 0.
+struct Wait {
+  double seconds = 0;
+};
+/// Of scripts alone: what the window shows, with or without the panel, into a .png.
+struct Screenshot {
+  std::string path;
+  bool panel = false;
+};
+
+using Event = std::variant<Move, Press, Release, Scroll, Key, Text, Resize, Minimize, Restore, Drop, Close,
+                           Wait, Screenshot>;
+
+}  // namespace vorpipe::view

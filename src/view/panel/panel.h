@@ -1,0 +1,69 @@
+/// The panel of the window: what it says, and what it changes.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "view/document/action.h"
+#include "view/document/settings.h"
+#include "view/events/event.h"
+#include "view/window/presenter.h"
+#include "vorpipe/cells.h"
+
+namespace vorpipe::view {
+
+/// The cell under the pointer.
+struct Hovered {
+  std::uint32_t site = 0;
+  Point place{0, 0};  ///< of the site
+  double weight = 0, area = 0;
+  std::uint64_t neighbors = 0;
+};
+
+/// What frames took lately, in milliseconds.
+struct FrameTimes {
+  double frame = 0;  ///< from a change to its sharp picture
+  double order = 0, cells = 0, draw = 0, download = 0, present = 0;
+  std::vector<float> history{};  ///< of `frame`, the latest last
+};
+
+struct PanelInput {
+  Settings settings;
+  std::optional<Hovered> hovered{};
+  FrameTimes times{};
+  std::vector<DeviceInfo> devices{};
+  std::string presenter{}, message{};  ///< what presents; what was saved or went wrong last, or empty
+  std::uint64_t sites = 0;
+  std::optional<RelaxStep> relaxed{};  ///< the last step
+  bool can_undo = false, can_redo = false;
+  int width = 0, height = 0;  ///< of the window
+};
+
+struct PanelAnswer {
+  Settings settings;  ///< as the panel has changed them
+  std::vector<Action> actions;
+  bool takes_pointer = false, takes_keys = false;  ///< the window is not to have them
+};
+
+/// Dear ImGui, without its windows and its graphics. One at a time.
+class Panel {
+ public:
+  Panel();
+  Panel(const Panel&) = delete;
+  Panel& operator=(const Panel&) = delete;
+  ~Panel();
+
+  [[nodiscard]] const PanelTexture& texture() const;
+  void take(const Event& event);
+  /// The next frame. `triangles` is replaced, and empty where nothing is to be seen.
+  PanelAnswer draw(const PanelInput& input, PanelTriangles& triangles);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace vorpipe::view

@@ -1,0 +1,12 @@
+# Neither CMake package nor configuration: Debian's static library wants stb's as well.
+find_path(IMGUI_INCLUDE_DIR imgui.h PATH_SUFFIXES imgui)
+find_library(IMGUI_LIBRARY imgui)
+find_library(STB_LIBRARY stb)
+if(IMGUI_INCLUDE_DIR AND IMGUI_LIBRARY)
+  add_library(dep::imgui INTERFACE IMPORTED)
+  target_include_directories(dep::imgui SYSTEM INTERFACE ${IMGUI_INCLUDE_DIR})
+  target_link_libraries(dep::imgui INTERFACE ${IMGUI_LIBRARY})
+  if(STB_LIBRARY)
+    target_link_libraries(dep::imgui INTERFACE ${STB_LIBRARY})
+  endif()
+endif()
