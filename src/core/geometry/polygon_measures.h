@@ -14,6 +14,9 @@ struct Measures {
   std::array<double, 3> second_moments{0, 0, 0};  ///< integrals of xx, xy, yy about the centroid
 };
 
+/// The integral of the squared distance to the centroid.
+inline double spreadOf(const Measures& m) { return m.second_moments[0] + m.second_moments[2]; }
+
 /// std::hypot, but faster where no square overflows or underflows.
 double lengthOf(Point way);
 

@@ -29,7 +29,8 @@ void recordUnedged(const ProposedCells& proposed, std::uint32_t cell, const Reco
   const Box& domain = sites.domain;
   const double no_area = 1e-12 * (domain.xmax - domain.xmin) * (domain.ymax - domain.ymin);
   if (sites.weight.empty() && !(m.area > no_area)) return records.empty(cell);
-  records.cell(cell, 0, std::max(m.area, 0.0), origin, centroidInDomain(sites, origin, m.centroid));
+  records.cell(cell, 0, std::max(m.area, 0.0), origin, centroidInDomain(sites, origin, m.centroid),
+               std::max(spreadOf(m), 0.0));
 }
 
 }  // namespace
@@ -52,7 +53,8 @@ void recordTiedCells(const ProposedCells& proposed, const TiedCells& tied, const
       placeCorners(proposed.sites, cell, proposed.cells.edges(cell), corners);
       const auto origin = measuringOrigin(proposed.sites, cell, corners.front());
       const auto m = measureCell(origin, corners);
-      records.cell(cell, edges.size(), m.area, origin, centroidInDomain(proposed.sites, origin, m.centroid));
+      records.cell(cell, edges.size(), m.area, origin, centroidInDomain(proposed.sites, origin, m.centroid),
+                   spreadOf(m));
     }
   });
 }

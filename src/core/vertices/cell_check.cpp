@@ -48,7 +48,7 @@ class CellCheck {
           passes(batch_.cell(k), batch_.row(k), [&](std::size_t e) { return batch_.excess(k, e) > 0; });
       any = any || passed[k];
     }
-    if (any) batch_.measure();
+    if (any) measure();
     for (std::size_t k = 0; k < batch_.size(); ++k) {
       if (passed[k]) record(k);
     }
@@ -56,6 +56,20 @@ class CellCheck {
   }
 
  private:
+  void measure() {
+    if (records_.spread.empty()) {
+      batch_.measure();
+    } else {
+      batch_.measureSpread();
+    }
+  }
+
+  /// About the centroid, which stands at `centroid` from where the cell was measured.
+  [[nodiscard]] double spreadOf(std::size_t k, double area, Point centroid) const {
+    if (records_.spread.empty()) return 0;
+    return batch_.spread(k) / 12 - area * (centroid.x * centroid.x + centroid.y * centroid.y);
+  }
+
   void mark(std::int32_t neighbor) {
     if (neighbor < 0 || static_cast<std::size_t>(neighbor) >= sites_.size()) return;
     std::atomic_ref(suspect_[static_cast<std::size_t>(neighbor)]).store(1, std::memory_order_relaxed);
@@ -116,7 +130,8 @@ class CellCheck {
     if (!sites_.weight.empty()) markFlat(cell, area, perimeterOf(k));
     const double third = 1 / (3 * batch_.twiceArea(k));
     const auto origin = measuringOrigin(sites_, cell, batch_.placeOf(k, 0));
-    records_.cell(cell, batch_.row(k).size(), area, origin, {moment.x * third, moment.y * third});
+    const Point centroid{moment.x * third, moment.y * third};
+    records_.cell(cell, batch_.row(k).size(), area, origin, centroid, spreadOf(k, area, centroid));
   }
 
   void checkAlone(std::uint32_t cell, std::span<const std::int32_t> row) {
@@ -132,7 +147,7 @@ class CellCheck {
     const auto origin = measuringOrigin(sites_, cell, places_.front());
     const auto m = measureCell(origin, places_);
     if (!sites_.weight.empty()) markFlat(cell, m.area, m.perimeter);
-    records_.cell(cell, row.size(), m.area, origin, m.centroid);
+    records_.cell(cell, row.size(), m.area, origin, m.centroid, spreadOf(m));
   }
 
   const ProposedCells& proposed_;

@@ -64,6 +64,7 @@ struct Records {
   const SiteSet& sites;
   Unscale unscale;
   std::span<CellRecord> by_input;
+  std::span<double> spread{};  ///< by input index too, as CellMoments::spread; empty: not wanted
 
   /// Prefetches the record of `cell` for writing: stores retire in order, so that a miss would stall those
   /// after it.
@@ -76,9 +77,13 @@ struct Records {
   }
   void empty(std::size_t cell) const {
     by_input[sites.id[cell]] = {0, unscale(Point{sites.x[cell], sites.y[cell]}), 0, Status::empty};
+    if (!spread.empty()) spread[sites.id[cell]] = 0;
   }
-  /// `centroid` is relative to `origin`, as measuringOrigin has it.
-  void cell(std::size_t cell, std::size_t edges, double area, Point origin, Point centroid) const {
+  /// `centroid` is relative to `origin`, as measuringOrigin has it; `about_centroid` is the integral of the
+  /// squared distance to it, which is not read where spread is not wanted.
+  void cell(std::size_t cell, std::size_t edges, double area, Point origin, Point centroid,
+            double about_centroid) const {
+    if (!spread.empty()) spread[sites.id[cell]] = unscale(about_centroid, 4);
     by_input[sites.id[cell]] = {unscale(area, 2),
                                 unscale(Point{origin.x + centroid.x, origin.y + centroid.y}),
                                 static_cast<std::uint32_t>(edges), Status::ok};

@@ -133,8 +133,13 @@ void CornerBatch::takeOrigins() {
   }
 }
 
-FOR_WIDE_TOO void CornerBatch::measureAbout(const ByCell& x, const ByCell& y) {
-  for (std::size_t k = 0; k < cells_; ++k) twice_area_[k] = moment_x_[k] = moment_y_[k] = 0;
+/// Inlined into measure() and measureSpread().
+template <bool spread>
+[[gnu::always_inline]] inline void CornerBatch::measureAll(const ByCell& x, const ByCell& y) {
+  for (std::size_t k = 0; k < cells_; ++k) {
+    twice_area_[k] = moment_x_[k] = moment_y_[k] = 0;
+    if constexpr (spread) spread_[k] = 0;
+  }
   for (std::size_t e = 0; e < edges_; ++e) {
     const auto p = e * width_, q = after(e) * width_;
     for (std::size_t k = 0; k < cells_; ++k) {
@@ -146,14 +151,23 @@ FOR_WIDE_TOO void CornerBatch::measureAbout(const ByCell& x, const ByCell& y) {
       twice_area_[k] += cross;
       moment_x_[k] += cross * (ax + bx);
       moment_y_[k] += cross * (ay + by);
+      if constexpr (spread) {
+        spread_[k] += cross * ((ax * (ax + bx) + bx * bx) + (ay * (ay + by) + by * by));
+      }
     }
   }
 }
 
-void CornerBatch::measure() {
-  if (sites_.weight.empty()) return measureAbout(site_x_, site_y_);
+FOR_WIDE_TOO void CornerBatch::measure() {
+  if (sites_.weight.empty()) return measureAll<false>(site_x_, site_y_);
   takeOrigins();
-  measureAbout(origin_x_, origin_y_);
+  measureAll<false>(origin_x_, origin_y_);
+}
+
+FOR_WIDE_TOO void CornerBatch::measureSpread() {
+  if (sites_.weight.empty()) return measureAll<true>(site_x_, site_y_);
+  takeOrigins();
+  measureAll<true>(origin_x_, origin_y_);
 }
 
 }  // namespace vorpipe::core

@@ -36,6 +36,8 @@ class CornerBatch {
 
   /// Measures the cells about their sites; with weights, about their first corners.
   void measure();
+  /// The same, and second moments.
+  void measureSpread();
 
   [[nodiscard]] std::size_t size() const { return cells_; }
   [[nodiscard]] std::uint32_t cell(std::size_t k) const { return cell_[k]; }
@@ -49,6 +51,8 @@ class CornerBatch {
   /// After measure(): twice the area, and six times the first moments about where it was measured.
   [[nodiscard]] double twiceArea(std::size_t k) const { return twice_area_[k]; }
   [[nodiscard]] Point moment(std::size_t k) const { return {moment_x_[k], moment_y_[k]}; }
+  /// After measureSpread(): twelve times the integral of the squared distance to where it was measured.
+  [[nodiscard]] double spread(std::size_t k) const { return spread_[k]; }
 
  private:
   using ByCorner = std::array<double, most_corners>;
@@ -65,7 +69,8 @@ class CornerBatch {
   void placeUnsure();
   void measureFarEdges(double shorter_side);
   void takeOrigins();
-  void measureAbout(const ByCell& x, const ByCell& y);
+  template <bool spread>
+  void measureAll(const ByCell& x, const ByCell& y);
 
   const SiteSet& sites_;
   std::size_t cells_ = 0, edges_ = 0;  ///< of each cell
@@ -75,7 +80,7 @@ class CornerBatch {
   ByCell site_x_, site_y_, site_w_, origin_x_, origin_y_;  ///< weights and origins: where sites have weights
   ByCorner other_x_, other_y_, other_w_;                   ///< of the neighbor across each edge
   ByCorner base_x_, base_y_, rest_x_, rest_y_, sure_, excess_;
-  ByCell all_sure_, twice_area_, moment_x_, moment_y_;
+  ByCell all_sure_, twice_area_, moment_x_, moment_y_, spread_;
   CenterBatch unsure_;
 };
 
