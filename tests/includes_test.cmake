@@ -63,6 +63,7 @@ vorpipe_read_rooms(
 vorpipe_read_rooms(backend/cpu "vorpipe\\.h|base/.*|backend/[^/]*\\.h|(layout|bins|cell|grid|list)\\.glsl")
 vorpipe_read_rooms(backend/vulkan "vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl|shaders\\.h")
 vorpipe_read_rooms(backend/opengl "vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl|shaders\\.h")
+vorpipe_read_rooms(moving "vorpipe\\.h|base/.*|core/outline/edge_tree\\.h")
 vorpipe_read_rooms(io "vorpipe\\.h|geos\\.h|base/parallel\\.h")
 vorpipe_read_rooms(
   bench "vorpipe\\.h|base/.*|io/(text/json_text|sites/site_source)\\.h|core/(cells/cells_run|picture/picture)\\.h|backend/(backend|exact_tier|forwarding_backend|registry/registry)\\.h")
