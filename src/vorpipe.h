@@ -60,6 +60,8 @@ class Session {
   Session();
   struct State;
   std::unique_ptr<State> state_;
+  friend class KeptSites;
+  friend class MovingCells;
 };
 
 }  // namespace vorpipe

@@ -1,24 +1,85 @@
 #include <cmath>
+#include <new>
 #include <optional>
 #include <utility>
 
+#include "base/parallel.h"
 #include "core/cells/cell_mass.h"
-#include "vorpipe.h"
+#include "core/cells/cells_run.h"
+#include "core/moving/box_moments.h"
+#include "core/session/input_check.h"
+#include "core/session/session_state.h"
 
 namespace vorpipe {
 
+using namespace core;
+
 struct MovingCells::State {
-  Session* session;
+  Session::State* session;
   CellsOptions options;
-  Density density;  ///< apart from the options: mass and spread are measured together here
+  Density density{};  ///< apart from the options: mass and spread are measured together here
   std::optional<std::size_t> count{};
   CellMoments moments{};
   CellsThatMeet neighbors{};
+  bool has_neighbors = false;  ///< those of the last update are written
+  FoundBox found{};
   Report report{};
+
+  [[nodiscard]] bool needsPolygons() const {
+    return options.periodic != Periodic::none || !options.outline.empty() || !density.values.empty();
+  }
+
+  Result<void> findInBox(const Sites& sites);
+  Result<void> findPolygons(const Sites& sites);
+  void takePolygons(Diagram cells);
 };
 
+Result<void> MovingCells::State::findInBox(const Sites& sites) {
+  struct Done {
+    Report report;
+  };
+  auto done = session->device.run<Done>([&](Backend& backend) -> Result<Done> {
+    auto made = findMoments(session->with(backend), sites, options, found, moments);
+    if (!made) return tl::unexpected(made.error());
+    return Done{std::move(*made)};
+  });
+  if (!done) return tl::unexpected(done.error());
+  report = std::move(done->report);
+  return {};
+}
+
+/// Periods, outlines and densities are measured by polygons.
+Result<void> MovingCells::State::findPolygons(const Sites& sites) {
+  auto cells = session->device.run<Diagram>(
+      [&](Backend& backend) { return cellsOn(session->with(backend), sites, options); });
+  if (!cells) return tl::unexpected(cells.error());
+  takePolygons(std::move(*cells));
+  return {};
+}
+
+void MovingCells::State::takePolygons(Diagram cells) {
+  if (density.values.empty()) {
+    constexpr std::size_t grain = 1 << 14;
+    moments.spread.resize(cells.size());
+    parallelFor(cells.size(), grain, session->threads, [&](std::size_t begin, std::size_t end) {
+      for (auto i = begin; i < end; ++i) {
+        moments.spread[i] = cells.second_moments[i][0] + cells.second_moments[i][2];
+      }
+    });
+  } else {
+    measureMass(density, options.domain, options.periodic, session->threads, cells, &moments.spread);
+  }
+  moments.status = std::move(cells.status);
+  moments.area = std::move(cells.area);
+  moments.mass = cells.mass.empty() ? moments.area : std::move(cells.mass);
+  moments.centroid = cells.mass_centroid.empty() ? std::move(cells.centroid) : std::move(cells.mass_centroid);
+  neighbors = {std::move(cells.cell_offsets), std::move(cells.neighbors), std::move(cells.neighbor_shifts)};
+  has_neighbors = true;
+  report = std::move(cells.report);
+}
+
 MovingCells::MovingCells(Session& session, CellsOptions options)
-    : state_(std::make_unique<State>(State{&session, std::move(options), {}})) {
+    : state_(std::make_unique<State>(State{session.state_.get(), std::move(options)})) {
   state_->density = std::exchange(state_->options.density, {});
   state_->options.detail = Detail::polygons;
 }
@@ -31,34 +92,32 @@ Result<void> MovingCells::update(const Sites& sites) {
   if (s.count && *s.count != sites.size()) {
     return tl::unexpected(Error{ErrorCode::input, "as many sites as before are to move"});
   }
-  const bool has_density = !s.density.values.empty();
-  if (!s.count && has_density) {
-    if (auto checked = core::checkDensity(s.density); !checked) return checked;
-  }
-  auto cells = s.session->cells(sites, s.options);
-  if (!cells) return tl::unexpected(cells.error());
-  if (has_density) {
-    core::measureMass(s.density, s.options.domain, s.options.periodic, 0, *cells, &s.moments.spread);
-  } else {
-    s.moments.spread.resize(sites.size());
-    for (std::size_t i = 0; i < sites.size(); ++i) {
-      s.moments.spread[i] = cells->second_moments[i][0] + cells->second_moments[i][2];
+  try {
+    if (auto checked = checkOptions(sites, s.options); !checked) return checked;
+    if (!s.count && !s.density.values.empty()) {
+      if (auto checked = checkDensity(s.density); !checked) return checked;
     }
+    s.has_neighbors = false;
+    auto found = s.needsPolygons() ? s.findPolygons(sites) : s.findInBox(sites);
+    if (!found) return found;
+    s.count = sites.size();
+    return {};
+  } catch (const std::bad_alloc&) {
+    return tl::unexpected(outOfMemory());
   }
-  s.count = sites.size();
-  s.moments.status = std::move(cells->status);
-  s.moments.area = std::move(cells->area);
-  s.moments.mass = cells->mass.empty() ? s.moments.area : std::move(cells->mass);
-  s.moments.centroid =
-      cells->mass_centroid.empty() ? std::move(cells->centroid) : std::move(cells->mass_centroid);
-  s.neighbors = {std::move(cells->cell_offsets), std::move(cells->neighbors),
-                 std::move(cells->neighbor_shifts)};
-  s.report = std::move(cells->report);
-  return {};
 }
 
 const CellMoments& MovingCells::moments() const { return state_->moments; }
-const CellsThatMeet& MovingCells::neighbors() const { return state_->neighbors; }
+
+const CellsThatMeet& MovingCells::neighbors() const {
+  State& s = *state_;
+  if (!s.has_neighbors && s.found.cells) {
+    s.neighbors = neighborsOf(s.found, s.session->threads);
+    s.has_neighbors = true;
+  }
+  return s.neighbors;
+}
+
 const Report& MovingCells::report() const { return state_->report; }
 
 }  // namespace vorpipe

@@ -65,7 +65,7 @@ class CellCheck {
   }
 
   /// About the centroid, which stands at `centroid` from where the cell was measured.
-  [[nodiscard]] double spreadOf(std::size_t k, double area, Point centroid) const {
+  [[nodiscard]] double spreadInBatch(std::size_t k, double area, Point centroid) const {
     if (records_.spread.empty()) return 0;
     return batch_.spread(k) / 12 - area * (centroid.x * centroid.x + centroid.y * centroid.y);
   }
@@ -131,7 +131,7 @@ class CellCheck {
     const double third = 1 / (3 * batch_.twiceArea(k));
     const auto origin = measuringOrigin(sites_, cell, batch_.placeOf(k, 0));
     const Point centroid{moment.x * third, moment.y * third};
-    records_.cell(cell, batch_.row(k).size(), area, origin, centroid, spreadOf(k, area, centroid));
+    records_.cell(cell, batch_.row(k).size(), area, origin, centroid, spreadInBatch(k, area, centroid));
   }
 
   void checkAlone(std::uint32_t cell, std::span<const std::int32_t> row) {
