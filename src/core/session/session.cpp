@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <new>
 
+#include "backend/registry/registry.h"
 #include "core/cells/cell_mass.h"
 #include "core/cells/cells_run.h"
 #include "core/diagram/diagram_writer.h"
@@ -13,6 +14,10 @@
 namespace vorpipe {
 
 using namespace core;
+
+Error outOfMemory() {
+  return {ErrorCode::device, "out of memory; fewer sites or a smaller picture would fit"};
+}
 
 namespace {
 

@@ -1,8 +1,9 @@
-/// What a session holds; for those that work with a session again and again.
+/// What a session works with.
 #pragma once
 
 #include <memory>
 
+#include "backend/registry/registry.h"
 #include "core/judge/machine.h"
 #include "core/session/device_in_use.h"
 #include "vorpipe.h"
@@ -14,15 +15,14 @@ struct Session::State {
   std::unique_ptr<ExactTier> exact;
   int threads;
 
-  [[nodiscard]] core::Machine with(Backend& backend) const { return {backend, *exact, threads}; }
+  [[nodiscard]] core::Machine with(Backend& backend) const { return with(backend, *exact); }
+  /// With an exact tier of the caller's own.
+  [[nodiscard]] core::Machine with(Backend& backend, ExactTier& tier) const {
+    return {backend, tier, threads, &device.uploads()};
+  }
 };
 
-namespace core {
-
-inline Error outOfMemory() {
-  return {ErrorCode::device, "out of memory; fewer sites or a smaller picture would fit"};
-}
-
-}  // namespace core
+/// Why a run ended by std::bad_alloc.
+Error outOfMemory();
 
 }  // namespace vorpipe
