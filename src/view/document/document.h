@@ -26,6 +26,8 @@ class Document {
   [[nodiscard]] const Opened& opened() const { return *now_.opened; }
   /// Whether the sites are still, or again, those that were opened.
   [[nodiscard]] bool isAsOpened() const { return now_.revision == now_.opened_revision; }
+  /// Equal numbers are equal sites.
+  [[nodiscard]] std::uint64_t revision() const { return now_.revision; }
   [[nodiscard]] Point place(std::uint32_t site) const { return {now_.sites->x[site], now_.sites->y[site]}; }
   [[nodiscard]] double weight(std::uint32_t site) const;
   /// A place as the domain has it: where an axis repeats itself, inside.

@@ -7,19 +7,21 @@
 #include <new>
 #include <thread>
 #include <utility>
+#include <variant>
 
 #include "view/frames/painter.h"
 
 namespace vorpipe::view {
 
 struct Frames::State {
-  explicit State(std::function<void()> waker) : wake(std::move(waker)) {}
+  State(std::function<void()> waker, Load loader) : wake(std::move(waker)), load(std::move(loader)) {}
 
   std::function<void()> wake;
+  Load load;
   std::mutex mutex;  ///< of what follows, up to the answers
   std::condition_variable wanted;
   std::optional<Wish> wish{};
-  std::deque<Save> saves{};
+  std::deque<std::variant<Save, std::string>> files{};  ///< to write; or the path of one to load
   bool stops = false;
   std::deque<Answer> answers{};
   // What a computation asks, often, to learn whether it is still wanted.
@@ -34,6 +36,7 @@ struct Frames::State {
   void work();
   void fulfill(const Wish& next);
   void write(const Save& next);
+  void read(const std::string& path);
   void beIdle();
   void tell(Answer answer);
 };
@@ -69,6 +72,17 @@ void Frames::State::write(const Save& next) {
   tell(std::move(answer));
 }
 
+void Frames::State::read(const std::string& path) {
+  Answer answer{};
+  answer.loaded_path = path;
+  if (auto loaded = load(path); loaded) {
+    answer.loaded = std::move(*loaded);
+  } else {
+    answer.error = std::move(loaded.error());
+  }
+  tell(std::move(answer));
+}
+
 /// What is done while the window wants nothing else.
 void Frames::State::beIdle() {
   may_measure = false;
@@ -85,17 +99,21 @@ void Frames::State::beIdle() {
 void Frames::State::work() {
   std::unique_lock lock(mutex);
   for (;;) {
-    wanted.wait(lock, [&] { return stops || wish || !saves.empty() || may_measure; });
+    wanted.wait(lock, [&] { return stops || wish || !files.empty() || may_measure; });
     if (stops) return;
     if (wish) {
       const Wish next = std::move(*std::exchange(wish, std::nullopt));
       lock.unlock();
       fulfill(next);
-    } else if (!saves.empty()) {
-      const Save next = std::move(saves.front());
-      saves.pop_front();
+    } else if (!files.empty()) {
+      const auto next = std::move(files.front());
+      files.pop_front();
       lock.unlock();
-      write(next);
+      if (const auto* const save = std::get_if<Save>(&next)) {
+        write(*save);
+      } else {
+        read(std::get<std::string>(next));
+      }
     } else {
       lock.unlock();
       beIdle();
@@ -104,7 +122,8 @@ void Frames::State::work() {
   }
 }
 
-Frames::Frames(std::function<void()> wake) : state_(std::make_unique<State>(std::move(wake))) {
+Frames::Frames(std::function<void()> wake, Load load)
+    : state_(std::make_unique<State>(std::move(wake), std::move(load))) {
   state_->thread = std::thread([this] { state_->work(); });
 }
 
@@ -131,7 +150,15 @@ void Frames::wish(Wish wish) {
 void Frames::save(Save save) {
   {
     const std::scoped_lock lock(state_->mutex);
-    state_->saves.push_back(std::move(save));
+    state_->files.emplace_back(std::move(save));
+  }
+  state_->wanted.notify_all();
+}
+
+void Frames::load(std::string path) {
+  {
+    const std::scoped_lock lock(state_->mutex);
+    state_->files.emplace_back(std::move(path));
   }
   state_->wanted.notify_all();
 }

@@ -9,10 +9,13 @@
 
 namespace vorpipe::view {
 
+/// Reads a file. Called on the thread of Frames.
+using Load = std::function<Result<Loaded>(const std::string& path)>;
+
 class Frames {
  public:
   /// `wake` is called, from the other thread, when there is an answer.
-  explicit Frames(std::function<void()> wake);
+  Frames(std::function<void()> wake, Load load);
   /// Gives up what is being done.
   ~Frames();
   Frames(const Frames&) = delete;
@@ -20,8 +23,9 @@ class Frames {
 
   /// Takes the place of an earlier wish that was not begun.
   void wish(Wish wish);
-  /// Done between two wishes, in order.
+  /// What follows is done between two wishes, in order.
   void save(Save save);
+  void load(std::string path);
   /// The next answer, if there is one.
   std::optional<Answer> next();
 

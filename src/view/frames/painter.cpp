@@ -122,6 +122,11 @@ Answer Painter::paint(const Wish& wish, const Outdated& outdated) {
     answer.error = std::move(rendering.error());
     return answer;
   }
+  answer.validation = rendering->report.validation_messages;
+  if (frame.step) {
+    const auto& more = relaxation_->report().validation_messages;
+    answer.validation.insert(answer.validation.end(), more.begin(), more.end());
+  }
   frame.picture = painted_ = wish.picture;
   frame.rendering = std::make_shared<const Rendering>(std::move(*rendering));
   frame.milliseconds = watch.milliseconds();

@@ -1,10 +1,13 @@
+#include "io/files/extension.h"
 #include "io/files/output_file.h"
 #include "io/pictures/picture_file.h"
+#include "view/document/command.h"
 #include "view/frames/painter.h"
 
 namespace vorpipe::view {
 
 Result<void> Painter::save(const Save& save) {
+  if (lowerExtension(save.path) == ".csv") return writeSites(save.path, *save.sites);
   const auto format = pictureFormatOf(save.path);
   if (!format) return tl::unexpected(format.error());
   PictureOutput output{*save.sites, save.picture};

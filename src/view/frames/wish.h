@@ -48,12 +48,18 @@ struct Measures {
   std::vector<std::uint32_t> neighbors{};
 };
 
-/// A file that is to be written, of the sites or of the picture.
+/// A file that is to be written: a picture, or where it ends in .csv, the sites.
 struct Save {
   std::string path;
   FixedSites sites{};
   RenderOptions picture{};
   std::shared_ptr<const Rendering> rendering{};  ///< for pixels
+};
+
+/// What is in a file that was to be loaded: sites, or a density for relaxing.
+struct Loaded {
+  std::optional<Opened> opened{};
+  std::shared_ptr<const Density> density{};
 };
 
 /// Any of these.
@@ -65,6 +71,9 @@ struct Answer {
   std::vector<DeviceInfo> devices{};   ///< all there are
   std::optional<Error> error{};        ///< why there is no picture, or no file
   std::string saved{};                 ///< the path of a file
+  std::optional<Loaded> loaded{};
+  std::string loaded_path{};              ///< of `loaded`
+  std::vector<std::string> validation{};  ///< what the validation layers said
 };
 
 }  // namespace vorpipe::view

@@ -58,10 +58,16 @@ class FramesTest : public test::InTemporaryDirectory {
 
  protected:
   Frames frames{[this] {
-    const std::scoped_lock lock(mutex_);
-    woken_ = true;
-    changed_.notify_all();
-  }};
+                  const std::scoped_lock lock(mutex_);
+                  woken_ = true;
+                  changed_.notify_all();
+                },
+                [](const std::string& path) -> Result<Loaded> {
+                  if (path.empty()) return tl::unexpected(Error{ErrorCode::input, "there is no name"});
+                  Loaded loaded;
+                  loaded.opened = Opened{*randomSites(3)};
+                  return loaded;
+                }};
 };
 
 TEST_F(FramesTest, GiveThePictureThatRenderDraws) {
@@ -132,6 +138,15 @@ TEST_F(FramesTest, SavePictures) {
   }
   frames.save({path("none/a.png"), sites, answer.frame->picture, answer.frame->rendering});
   EXPECT_TRUE(await([](const Answer& one) { return one.error || !one.saved.empty(); }).error);
+}
+
+TEST_F(FramesTest, LoadFiles) {
+  frames.load("");
+  frames.load("three.csv");
+  EXPECT_TRUE(await([](const Answer& one) { return one.error.has_value(); }).error);
+  const Answer loaded = await([](const Answer& one) { return one.loaded_path == "three.csv"; });
+  ASSERT_TRUE(loaded.loaded && loaded.loaded->opened);
+  EXPECT_EQ(loaded.loaded->opened->sites.size(), 3U);
 }
 
 TEST(Painter, RelaxesStepByStep) {
