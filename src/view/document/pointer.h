@@ -28,6 +28,7 @@ class Pointer {
 
   /// Where it was last; none before it came.
   [[nodiscard]] const std::optional<Place>& place() const { return place_; }
+  [[nodiscard]] bool holdsSite() const { return held_ == Held::site && travelled_; }
   /// Lets go of what it holds: sites have changed by something else.
   void release() { held_ = Held::nothing; }
 

@@ -54,26 +54,37 @@ Result<void> Painter::open(const BackendOptions& backend, Answer& answer) {
   return {};
 }
 
+/// Whether the sites are where the relaxation has come to; or where it was before, of a wish that was made in
+/// the same gesture before its last step was known.
+bool Painter::isAt(const Wish& wish) const {
+  if (!relaxation_ || method_ != wish.method || density_ != wish.density) return false;
+  return wish.sites == relaxed_ || (wish.sites == relaxed_before_ && wish.gesture == relaxed_gesture_);
+}
+
+Result<void> Painter::begin(const Wish& wish) {
+  RelaxOptions options{};
+  options.domain = wish.picture.domain;
+  options.outline = wish.picture.outline;
+  options.periodic = wish.picture.periodic;
+  options.search = wish.picture.search;
+  options.method = wish.method;
+  if (wish.density) options.density = *wish.density;
+  options.iterations = std::numeric_limits<std::uint32_t>::max();
+  options.progress = progress();
+  relaxation_.reset();
+  auto begun = Relaxation::begin(*session_, *wish.sites, std::move(options));
+  if (!begun) return tl::unexpected(std::move(begun.error()));
+  relaxation_ = std::move(*begun);
+  relaxed_ = wish.sites;
+  relaxed_before_.reset();
+  method_ = wish.method;
+  density_ = wish.density;
+  return {};
+}
+
 Result<void> Painter::step(const Wish& wish, Frame& frame) {
-  const bool goes_on =
-      relaxation_ && relaxed_ == wish.sites && method_ == wish.method && density_ == wish.density;
-  if (!goes_on) {
-    RelaxOptions options{};
-    options.domain = wish.picture.domain;
-    options.outline = wish.picture.outline;
-    options.periodic = wish.picture.periodic;
-    options.search = wish.picture.search;
-    options.method = wish.method;
-    if (wish.density) options.density = *wish.density;
-    options.iterations = std::numeric_limits<std::uint32_t>::max();
-    options.progress = progress();
-    relaxation_.reset();
-    auto begun = Relaxation::begin(*session_, *wish.sites, std::move(options));
-    if (!begun) return tl::unexpected(std::move(begun.error()));
-    relaxation_ = std::move(*begun);
-    relaxed_ = wish.sites;
-    method_ = wish.method;
-    density_ = wish.density;
+  if (!isAt(wish)) {
+    if (auto begun = begin(wish); !begun) return begun;
   }
   const auto more = relaxation_->step();
   if (!more) {
@@ -83,11 +94,11 @@ Result<void> Painter::step(const Wish& wish, Frame& frame) {
   }
   frame.relaxed = !*more;
   frame.step = relaxation_->trace().back();
-  if (*more) {
-    frame.relaxed_from = wish.sites;
-    frame.sites = std::make_shared<const Sites>(relaxation_->sites());
-    relaxed_ = frame.sites;
-  }
+  frame.relaxed_from = frame.sites = relaxed_;
+  if (!*more) return {};
+  frame.sites = std::make_shared<const Sites>(relaxation_->sites());
+  relaxed_before_ = std::exchange(relaxed_, frame.sites);
+  relaxed_gesture_ = wish.gesture;
   return {};
 }
 

@@ -28,6 +28,8 @@ class Painter {
 
  private:
   Result<void> open(const BackendOptions& backend, Answer& answer);
+  [[nodiscard]] bool isAt(const Wish& wish) const;
+  Result<void> begin(const Wish& wish);
   Result<void> step(const Wish& wish, Frame& frame);
   Result<Rendering> render(const FixedSites& sites, RenderOptions options);
   [[nodiscard]] Progress progress() const;
@@ -40,7 +42,9 @@ class Painter {
   RenderOptions painted_{};  ///< the last picture
   FixedSites measured_{};
   std::optional<Relaxation> relaxation_;
-  FixedSites relaxed_{};  ///< where it has come to
+  FixedSites relaxed_{};         ///< where it has come to
+  FixedSites relaxed_before_{};  ///< a step earlier
+  std::uint64_t relaxed_gesture_ = 0;
   RelaxMethod method_ = RelaxMethod::lloyd;
   std::shared_ptr<const Density> density_{};
 };
