@@ -15,35 +15,11 @@ namespace {
 /// As many frames does the panel draw the times of.
 constexpr std::size_t history_length = 120;
 
-std::uint32_t blended(std::uint32_t over, std::uint32_t under) {
-  constexpr std::uint32_t opaque = 255;
-  const std::uint32_t alpha = over >> 24;
-  std::uint32_t color = opaque << 24;
-  for (unsigned shift = 0; shift < 24; shift += 8) {
-    const std::uint32_t a = over >> shift & opaque, b = under >> shift & opaque;
-    color |= (a * alpha + b * (opaque - alpha) + opaque / 2) / opaque << shift;
-  }
-  return color;
-}
-
 }  // namespace
-
-/// What a picture leaves open is the window's background.
-void Viewer::compose() {
-  const Image& image = frame_->rendering->image;
-  composed_.width = image.width;
-  composed_.height = image.height;
-  composed_.rgba = image.rgba;
-  for (std::uint32_t& pixel : composed_.rgba) {
-    if (pixel >> 24 != 255) pixel = blended(pixel, background);
-  }
-  ++shown_version_;
-}
 
 void Viewer::accept(Frame& frame) {
   if (frame.relaxed_from && frame.relaxed_from != frame.sites) {
-    const bool fits =
-        settings_.motion != Motion::rests && document_.relax(frame.relaxed_from, frame.sites);
+    const bool fits = settings_.motion != Motion::rests && document_.relax(frame.relaxed_from, frame.sites);
     // Sites have changed by something else while they moved: this is a picture of others.
     if (!fits) return;
     // What was wished meanwhile was of the sites before.
@@ -61,7 +37,7 @@ void Viewer::accept(Frame& frame) {
   if (history_.size() > history_length) history_.erase(history_.begin());
   ++pictures_;
   frame_ = std::move(frame);
-  compose();
+  ++shown_version_;
 }
 
 void Viewer::refuse(const Answer& answer) {
@@ -128,7 +104,7 @@ bool Viewer::takeAnswers() {
 
 Shown Viewer::shown() const {
   if (!frame_) return {};
-  return {&composed_, shown_version_, camera_.placementOf(*frame_->picture.view)};
+  return {&frame_->rendering->image, shown_version_, camera_.placementOf(*frame_->picture.view)};
 }
 
 std::uint32_t Viewer::ownerAt(Place place) const {
@@ -155,8 +131,12 @@ PanelInput Viewer::panelInput(const std::string& presenter, double present_milli
   if (frame_) {
     const Times& times = frame_->rendering->report.time_ms;
     const auto part = [](double time) { return std::max(time, 0.0); };
-    input.times = {frame_->milliseconds, part(times.order),    part(times.search) + part(times.cells),
-                   part(times.draw),     part(times.download), present_milliseconds,
+    input.times = {frame_->milliseconds,
+                   part(times.order),
+                   part(times.search) + part(times.cells),
+                   part(times.draw),
+                   part(times.download),
+                   present_milliseconds,
                    history_};
   }
   input.devices = devices_;

@@ -1,5 +1,5 @@
-/// What a window shows and does, apart from the window: events, the panel's changes and pictures come in; what
-/// is to be shown and told goes out.
+/// What a window shows and does, apart from the window: events, the panel's changes and pictures come in;
+/// what is to be shown and told goes out.
 #pragma once
 
 #include <cstdint>
@@ -22,9 +22,9 @@ struct ViewerOptions {
   Opened opened{};
   Settings settings{};  ///< colors and marks; its domain, outline, period, size and view are not read
   std::shared_ptr<const Density> density{};
-  Load load{};                                          ///< what is dropped
-  std::function<void(const std::string&)> copy{};       ///< to the clipboard
-  std::function<void(const std::string&)> print{};      ///< a command line
+  Load load{};                                      ///< what is dropped
+  std::function<void(const std::string&)> copy{};   ///< to the clipboard
+  std::function<void(const std::string&)> print{};  ///< a command line
 };
 
 class Viewer {
@@ -77,7 +77,6 @@ class Viewer {
   void accept(Frame& frame);
   void refuse(const Answer& answer);
   void open(Loaded loaded, const std::string& path);
-  void compose();
   void undoOrRedo(Action action);
   void nextBackend();
   void save(const char* extension);
@@ -99,7 +98,6 @@ class Viewer {
   std::uint64_t wished_ = 0, gesture_ = 0, answered_ = 0, pictures_ = 0;
   std::uint64_t shown_version_ = 0;
   std::optional<Frame> frame_{};
-  Image composed_{};  ///< the frame's picture, on the window's background
   std::shared_ptr<const Measures> measures_{};
   std::optional<RelaxStep> step_{};
   std::vector<float> history_{};
