@@ -68,7 +68,7 @@ vorpipe_read_rooms(
   bench "vorpipe\\.h|base/.*|io/(text/json_text|sites/site_source)\\.h|core/(cells/cells_run|picture/picture)\\.h|backend/(backend|exact_tier|forwarding_backend|registry/registry)\\.h")
 vorpipe_read_rooms(
   view "vorpipe\\.h|vorpipe/.*|base/(parallel|stopwatch)\\.h|io/.*|backend/(vulkan|opengl)/[a-z]+/.*|shaders\\.h")
-vorpipe_read_rooms(cli "vorpipe\\.h|vorpipe/selftest\\.h|selftest/selftest_json\\.h|base/(parallel|stopwatch)\\.h|io/.*|bench/.*")
+vorpipe_read_rooms(cli "vorpipe\\.h|vorpipe/selftest\\.h|selftest/selftest_json\\.h|base/(parallel|stopwatch)\\.h|io/.*|bench/.*|view/.*")
 
 # Headers, most of them a library's, and the only files that may include them.
 set(guarded_headers

@@ -14,5 +14,6 @@ void addRerun(CommandLine& line);
 void addDevices(CommandLine& line);
 void addBench(CommandLine& line);
 void addSelftest(CommandLine& line);
+void addView(CommandLine& line);
 
 }  // namespace vorpipe::cli

@@ -60,6 +60,31 @@ Prose ofCells() {
         {"vorpipe cells --sites random:1000 --periodic xy --check"}}}};
 }
 
+Prose ofView() {
+  return {
+      "view",
+      {"Drag to look around, turn the wheel to zoom; click to add a site, drag one to move it, click it with "
+       "the "
+       "right button to remove it, turn the wheel with Ctrl held to change its weight. `?` lists the keys. "
+       "What "
+       "is shown is what `vorpipe render` draws, and Ctrl+C copies the command line that draws it. Without "
+       "`--sites` there are a few random ones to begin with.",
+       "A script drives the window by a file, one event to a line: `move X Y`, `press left`, `release left`, "
+       "`scroll STEPS`, `key NAME`, each but the first with `shift`, `control` or `alt` after it; `text "
+       "...`, "
+       "`resize W H`, `minimize`, `restore`, `drop FILE`, `close`; `wait` goes on when the picture of all "
+       "that "
+       "came before is shown, `wait SECONDS` later; `screenshot FILE.png` saves what the window shows, "
+       "without "
+       "the panel, or with it where `panel` follows."},
+      {{"Look at the sites of a file:", {"vorpipe view --sites sites.csv --color area"}},
+       {"Save what the window shows, and close it:",
+        {"vorpipe view --sites random:1000 --edges --screenshot window.png"}},
+       {"Watch sites relax, and keep the film:",
+        {"vorpipe view --sites random:1000 --relax --record relax.mp4"}},
+       {"Play a script:", {"vorpipe view --sites random:1000 --script play.txt"}}}};
+}
+
 Prose ofDiff() {
   return {"diff",
           {"`vorpipe render --ids` writes id arrays. With `--sites`, and what else they were made with, a "
@@ -164,7 +189,7 @@ constexpr std::array<Row, 5> variables = {
 
 Prose proseOf(std::string_view subcommand) {
   for (const auto of :
-       {ofProgram, ofRender, ofCells, ofDiff, ofCompare, ofRerun, ofDevices, ofBench, ofSelftest}) {
+       {ofProgram, ofRender, ofCells, ofView, ofDiff, ofCompare, ofRerun, ofDevices, ofBench, ofSelftest}) {
     if (Prose prose = of(); prose.subcommand == subcommand) return prose;
   }
   return {subcommand, {}, {}};
