@@ -24,10 +24,12 @@ struct PictureOptions {
   std::optional<Fit> fit;
 };
 
-/// --size, --fit
+/// --size, --view, --fit
 void addSizeOptions(Options& options, PictureOptions& picture);
 /// --fit alone, for pictures that there are.
 Option addFitOption(Options& options, std::optional<Fit>& fit);
+/// --view alone.
+Option addViewOption(Options& options, std::optional<Box>& view);
 /// --color, --colormap, --color-scale, --color-range, --legend
 void addColorOptions(Options& options, RenderOptions& picture);
 /// --edges, --edge-width, --show-sites, --dot-size

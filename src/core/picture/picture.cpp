@@ -1,33 +1,24 @@
 #include "core/picture/picture.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <atomic>
+#include <utility>
 
-#include "base/inside.h"
-#include "base/parallel.h"
 #include "base/stopwatch.h"
-#include "core/cells/cells_run.h"
-#include "core/drawing/cell_drawing.h"
-#include "core/outline/edge_tree.h"
+#include "core/drawing/near_view.h"
 #include "core/outline/pixel_mask.h"
 #include "core/periodic/scene.h"
 #include "core/picture/colormap.h"
 #include "core/picture/draw_legend.h"
 #include "core/picture/frame.h"
 #include "core/picture/overlay.h"
-#include "core/picture/palette_index.h"
+#include "core/picture/shown_part.h"
 #include "core/picture/uncovered.h"
-#include "core/sites/bin_sort.h"
-#include "core/sites/weights.h"
+#include "vorpipe.h"
 
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 1 << 12;
-
-/// One view of a picture that is drawn in parts: its place in the image, rows from the bottom.
+/// A picture that is drawn in parts has several views: the place of one in the image, rows from the bottom.
 struct Part {
   int column, row, width, height;
 };
@@ -40,18 +31,6 @@ std::vector<Part> partsOf(int width, int height, int most) {
     }
   }
   return parts;
-}
-
-Box scaled(const Box& box, int exponent) {
-  const PowerOfTwo scale(exponent);
-  return {scale(box.xmin), scale(box.ymin), scale(box.xmax), scale(box.ymax)};
-}
-
-/// Seen from the corner of the domain.
-Box boxOf(const Part& part, const Box& domain, int width, int height) {
-  const auto x = [&](int column) { return (domain.xmax - domain.xmin) * column / width; };
-  const auto y = [&](int row) { return (domain.ymax - domain.ymin) * row / height; };
-  return {x(part.column), y(part.row), x(part.column + part.width), y(part.row + part.height)};
 }
 
 /// Copies a part, whose row 0 is the bottom, into the image, whose row 0 is the top.
@@ -67,50 +46,6 @@ void place(const Part& part, const std::vector<std::uint32_t>& from, const Image
   }
 }
 
-/// Whether all sites lie in the domain and inside the outline. Each position then has a cell of which the
-/// outline leaves something.
-bool areInside(const Sites& sites, const Box& domain, const Rings& rings, int exponent, int threads) {
-  const OutlineIndex index(rings);
-  const PowerOfTwo scale(exponent);
-  std::atomic<bool> all = true;
-  parallelFor(sites.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto i = begin; i < end && all; ++i) {
-      const double x = sites.x[i], y = sites.y[i];
-      if (!isInside(domain, x, y) || !index.contains({scale(x), scale(y)})) all = false;
-    }
-  });
-  return all;
-}
-
-/// Whether the cells are to be found as data: for measures that the colors follow, and to prove which cells
-/// weights and an outline leave.
-bool needsCells(const Machine& machine, const Sites& sites, const RenderOptions& options,
-                const Rings& rings) {
-  if (options.color == ColorBy::area || options.color == ColorBy::neighbors || hasWeights(sites)) return true;
-  return !options.outline.empty() &&
-         !areInside(sites, options.domain, rings, scaleExponent(options.domain), machine.threads);
-}
-
-/// What the picture is drawn from: the cells, or prepared sites alone.
-Result<FoundCells> findWhatToDraw(const Machine& machine, const Sites& sites, const RenderOptions& options,
-                                  const Rings& rings) {
-  if (needsCells(machine, sites, options, rings)) {
-    return findCells(machine, sites, cellsOptions(options), ImagesFor::pictures);
-  }
-  const Stopwatch watch;
-  FoundCells found;
-  auto scene = sceneOf(sites, options, machine.threads);
-  if (!scene) return tl::unexpected(scene.error());
-  found.scene = std::move(*scene);
-  const CallersSites callers{sites, [&](std::uint32_t i) { return found.scene.siteOf(i); },
-                             found.scene.picture};
-  auto run = beginRun(machine, found.scene.sitesOr(sites), found.scene.clip, &callers);
-  if (!run) return tl::unexpected(run.error());
-  found.run = std::move(*run);
-  found.diagram.report.time_ms.order = 1e3 * watch.seconds();
-  return found;
-}
-
 /// What was drawn of a picture, and how.
 struct Drawn {
   Image image;
@@ -118,21 +53,28 @@ struct Drawn {
   std::uint64_t uncovered = 0;  ///< pixels that the device left
 };
 
-/// `box` is what the picture shows, in the units of the set; `room` is how many pixels it will have.
-Result<Drawn> drawParts(Backend& backend, CellDrawing& drawing, const NearestSites& nearest, const Box& box,
-                        const Palette& palette, PictureSize size, std::size_t room) {
-  const auto [width, height] = size;
-  Drawn drawn{{width, height, {}, {}}};
+View viewOf(const ShownPart& shown, const Part& part, const Palette& palette) {
+  return {shown.boxOf(part.column, part.row, part.width, part.height),
+          part.width,
+          part.height,
+          palette,
+          {shown.box.xmin, shown.box.ymin}};
+}
+
+/// `room` is how many pixels the picture will have.
+Result<Drawn> drawParts(Backend& backend, CellDrawing& drawing, const NearestSites& nearest,
+                        const ShownPart& shown, const Palette& palette, std::size_t room) {
+  Drawn drawn{{shown.width, shown.height, {}, {}}};
   Image& image = drawn.image;
-  const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  const auto pixels = static_cast<std::size_t>(shown.width) * static_cast<std::size_t>(shown.height);
   image.rgba.reserve(room);
   image.ids.reserve(room);
   image.rgba.resize(pixels);
   image.ids.resize(pixels);
   std::vector<std::uint32_t> rgba;
   std::vector<std::uint32_t> ids;
-  for (const auto& part : partsOf(width, height, backend.info().max_view)) {
-    const View view{boxOf(part, box, width, height), part.width, part.height, palette, {box.xmin, box.ymin}};
+  for (const auto& part : partsOf(shown.width, shown.height, backend.info().max_view)) {
+    const View view = viewOf(shown, part, palette);
     if (auto done = drawing.draw(view); !done) return tl::unexpected(done.error());
     rgba.resize(static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height));
     ids.resize(rgba.size());
@@ -143,27 +85,31 @@ Result<Drawn> drawParts(Backend& backend, CellDrawing& drawing, const NearestSit
     place(part, ids, image, image.ids);
     drawn.download_seconds += watch.seconds();
   }
+  if (pixels == 0) {
+    if (auto found = drawing.findStatuses(); !found) return tl::unexpected(found.error());
+  }
   return drawn;
 }
 
-/// Palette indices by index in the set, from those by the caller's site.
-std::vector<std::uint8_t> indicesInSet(const SiteSet& set, const Scene& scene,
-                                       const std::vector<std::uint8_t>& by_site) {
-  std::vector<std::uint8_t> indices(set.size());
-  std::ranges::transform(set.id, indices.begin(),
-                         [&](std::uint32_t id) { return by_site[scene.siteOf(id)]; });
-  return indices;
-}
-
-/// Which sites of a set have no cell, if `cells` say it: a device does not see whether the cell of a site
-/// with weights is very small or empty.
-std::vector<std::uint8_t> hiddenSites(const SiteSet& set, const Scene& scene, const Diagram& cells) {
-  if (set.weight.empty()) return {};
-  std::vector<std::uint8_t> hidden(set.size());
-  std::transform(set.id.begin(), set.id.end(), hidden.begin(), [&](std::uint32_t id) {
-    return cells.status[scene.siteOf(id)] == Status::empty ? std::uint8_t{1} : std::uint8_t{0};
-  });
-  return hidden;
+/// Which cells are drawn, and by whom. To choose them pays where the others are as many at least.
+WhatToDraw whatToDraw(const SiteSet& set, const RenderOptions& options, const ShownPart& shown, int threads) {
+  WhatToDraw what;
+  if (!options.view) return what;
+  if (shown.width == 0) {
+    what.shown.emplace();
+    return what;
+  }
+  const View view = viewOf(shown, {0, 0, shown.width, shown.height}, {});
+  what.by_device = isForDevices(view);
+  if (!set.weight.empty()) return what;
+  const Box& box = view.box;
+  const Box in_set{view.corner.x + box.xmin, view.corner.y + box.ymin, view.corner.x + box.xmax,
+                   view.corner.y + box.ymax};
+  const Box& domain = set.domain;
+  const double part = (box.xmax - box.xmin) / (domain.xmax - domain.xmin) *
+                      ((box.ymax - box.ymin) / (domain.ymax - domain.ymin));
+  if (2 * part < 1 || !what.by_device) what.shown = sitesNear(set, in_set, threads);
+  return what;
 }
 
 /// A site has a cell if it or one of its images was drawn with one.
@@ -187,14 +133,51 @@ void countStatuses(const std::vector<Status>& status, Report& report) {
   }
 }
 
-/// Takes over what the cells took, to which the drawing adds.
-void beginReport(const Report& cells, Report& report) {
+/// Takes over what the cells took, to which the drawing adds; what was done for a picture before took
+/// nothing.
+void beginReport(const KeptPicture& kept, Report& report) {
+  const Report& cells = kept.found.diagram.report;
   report.hidden = cells.hidden;
+  if (kept.before.done) {
+    report.time_ms.order = 0;
+    return;
+  }
   report.retried = cells.retried;
   report.in_double = cells.in_double;
   report.exact = cells.exact;
   report.time_ms = cells.time_ms;
   report.validation_messages = cells.validation_messages;
+}
+
+/// Darkens edges in a part of an image alone: where the domain ends, cells do, but no other begins.
+void drawEdgesIn(const PictureFrame& part, double width, int threads, Image& image) {
+  if (part.width == image.width && part.height == image.height) return drawEdges(image, width, threads);
+  if (part.width == 0) return;
+  Image cut = partOf(image, part);
+  drawEdges(cut, width, threads);
+  putPart(cut, part, image);
+}
+
+/// Draws what lies over cells, masks what lies outside of the outline, and makes the picture as large as it
+/// is to be.
+void finish(const Sites& sites, const KeptPicture& kept, const RenderOptions& options, int threads,
+            Image& image) {
+  const Scene& scene = kept.found.scene;
+  const PictureFrame frame = shownFrame(options), shown = domainFrame(options);
+  const PictureFrame in_frame{shown.left - frame.left, shown.top - frame.top, shown.width, shown.height};
+  putIntoFrame(in_frame, frame.width, frame.height, image);
+  if (!options.outline.empty()) {
+    maskOutside(kept.rings, shownBox(options), kept.found.run->prepared.exponent, threads, image);
+  }
+  if (options.edges) drawEdgesIn(in_frame, options.edge_width, threads, image);
+  if (options.show_sites) {
+    drawSites(image, scene.sitesOr(sites), shownIn(scene, options), options.dot_size);
+  }
+  nameSites(scene, image.ids);
+  putIntoFrame(frame, options.width, options.height, image);
+  if (options.legend) {
+    drawLegend(legendOf(*kept.colors->key, options.colormap, options.width, options.height), image);
+  }
 }
 
 }  // namespace
@@ -218,60 +201,59 @@ CellsOptions cellsOptions(const RenderOptions& picture) {
 
 namespace vorpipe::core {
 
-Result<Rendering> renderOn(const Machine& machine, const Sites& sites, const RenderOptions& options) {
-  if (auto checked = checkPicture(options); !checked) return tl::unexpected(checked.error());
+Result<Rendering> renderKept(const Machine& machine, const Sites& sites, const RenderOptions& options,
+                             KeptPicture& kept) {
   const auto palette = paletteByName(options.colormap);
   if (!palette) return tl::unexpected(palette.error());
-  const auto rings = ringsOf(options.outline, scaleExponent(options.domain));
-  if (!rings) return tl::unexpected(rings.error());
-  auto found = findWhatToDraw(machine, sites, options, *rings);
-  if (!found) return tl::unexpected(found.error());
-  auto& [cells, run, scene] = *found;
-
   Rendering rendering;
-  auto& report = rendering.report;
-  auto& times = report.time_ms;
-  beginReport(cells.report, report);
+  Report& report = rendering.report;
+  beginReport(kept, report);
   const Stopwatch order_watch;
-  SiteSet& set = run->prepared.set;
-  auto colors = paletteIndices(sites, cells, options, machine.threads);
-  if (!colors) return tl::unexpected(colors.error());
-  rendering.key = std::move(colors->key);
-  const auto palette_indices = indicesInSet(set, scene, colors->index);
-  times.order += 1e3 * order_watch.seconds();
+  if (auto colored = colorPicture(sites, options, machine.threads, kept); !colored) {
+    return tl::unexpected(colored.error());
+  }
+  rendering.key = kept.colors->key;
+  auto& [cells, run, scene] = kept.found;
+  const SiteSet& set = run->prepared.set;
+  const auto& palette_indices = kept.colors->index;
+  const ShownPart shown = shownPart(scene, options, run->prepared.exponent);
+  WhatToDraw what = whatToDraw(set, options, shown, machine.threads);
+  report.time_ms.order += 1e3 * order_watch.seconds();
 
-  if (run->cells) set.hidden = hiddenSites(set, scene, cells);
   CellDrawing drawing({machine.backend, run->judge, set, options.search, machine.threads, options.progress},
-                      palette_indices, std::move(run->cells));
-  const Sites& drawn = scene.sitesOr(sites);
-  const NearestSites nearest{run->judge, set, palette_indices, drawn.size(), machine.threads};
-  const int exponent = run->prepared.exponent;
-  const PictureFrame frame = frameOf(options.domain, options.width, options.height, options.fit);
+                      palette_indices, std::move(what), kept.before);
+  const NearestSites nearest{run->judge, set, palette_indices, scene.sitesOr(sites).size(), machine.threads};
   const auto room = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
-  auto picture = drawParts(machine.backend, drawing, nearest, scaled(scene.picture, exponent), *palette,
-                           {frame.width, frame.height}, room);
+  auto picture = drawParts(machine.backend, drawing, nearest, shown, *palette, room);
   if (!picture) return tl::unexpected(picture.error());
   rendering.image = std::move(picture->image);
-  Image& image = rendering.image;
-  if (!options.outline.empty()) maskOutside(*rings, options.domain, exponent, machine.threads, image);
-  if (options.edges) drawEdges(image, options.edge_width, machine.threads);
-  if (options.show_sites) drawSites(image, drawn, scene.picture, options.dot_size);
-  nameSites(scene, image.ids);
-  putIntoFrame(frame, options.width, options.height, image);
-  if (options.legend) {
-    drawLegend(legendOf(*rendering.key, options.colormap, options.width, options.height), image);
-  }
+  finish(sites, kept, options, machine.threads, rendering.image);
 
-  times.download = 1e3 * picture->download_seconds;
+  report.time_ms.download = 1e3 * picture->download_seconds;
   report.pixels = picture->uncovered;
   drawing.describe(report);
-  const bool has_cells = !cells.status.empty();
-  rendering.status = has_cells ? std::move(cells.status) : drawnStatuses(set, scene, drawing.status());
+  rendering.status = kept.hasCells() ? cells.status : drawnStatuses(set, scene, kept.before.status);
   countStatuses(rendering.status, report);
-  rendering.owner = std::move(has_cells ? cells.owner : run->prepared.owner);
+  rendering.owner = kept.hasCells() ? cells.owner : run->prepared.owner;
   rendering.owner.resize(scene.imaged.count);
+  kept.before.done = true;
   nameDevice(machine.backend, report);
   return rendering;
+}
+
+Result<void> checkRender(const RenderOptions& options) {
+  if (auto checked = checkPicture(options); !checked) return checked;
+  if (const auto palette = paletteByName(options.colormap); !palette) return tl::unexpected(palette.error());
+  return {};
+}
+
+Result<Rendering> renderOn(const Machine& machine, const Sites& sites, const RenderOptions& options) {
+  if (auto checked = checkRender(options); !checked) return tl::unexpected(checked.error());
+  const auto with_cells = needsCells(sites, options, machine.threads);
+  if (!with_cells) return tl::unexpected(with_cells.error());
+  auto kept = findPicture(machine, sites, options, *with_cells);
+  if (!kept) return tl::unexpected(kept.error());
+  return renderKept(machine, sites, options, *kept);
 }
 
 }  // namespace vorpipe::core

@@ -2,10 +2,18 @@
 #pragma once
 
 #include "core/judge/machine.h"
+#include "core/picture/kept_picture.h"
 
 namespace vorpipe::core {
 
 /// What Session::render does; checkOptions found nothing to refuse.
 Result<Rendering> renderOn(const Machine& machine, const Sites& sites, const RenderOptions& options);
+
+/// Refuses what renderOn does, of the options alone.
+Result<void> checkRender(const RenderOptions& options);
+
+/// The same picture, from what another one was drawn from; checkRender found nothing to refuse.
+Result<Rendering> renderKept(const Machine& machine, const Sites& sites, const RenderOptions& options,
+                             KeptPicture& kept);
 
 }  // namespace vorpipe::core

@@ -29,7 +29,7 @@ Result<void> checkPicture(const RenderOptions& options) {
   if (!(options.dot_size >= 0 && options.dot_size <= widest)) {
     return refuse(fmt::format("dot size {}: must be 0 to {} pixels", options.dot_size, widest));
   }
-  return {};
+  return checkView(options);
 }
 
 }  // namespace vorpipe
