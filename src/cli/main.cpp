@@ -47,7 +47,7 @@ int parseAndRun(int count, char** arguments) {
   CommandLine line("vorpipe", "Voronoi diagrams of sites in the plane, on any GPU or without one",
                    fmt::format("vorpipe {}", version()));
   for (const auto add :
-       {addRender, addCells, addDiff, addCompare, addRerun, addDevices, addBench, addSelftest})
+       {addRender, addCells, addRelax, addDiff, addCompare, addRerun, addDevices, addBench, addSelftest})
     add(line);
   addExamples(line);
   const Invocation how{{arguments + std::min(count, 1), arguments + count}};
