@@ -65,13 +65,15 @@ struct PixelAxis {
 
 class Masses {
  public:
-  Masses(const Density& density, const Box& domain, Periodic periodic, Diagram& diagram)
+  Masses(const Density& density, const Box& domain, Periodic periodic, Diagram& diagram,
+         std::vector<double>* spread)
       : density_(density),
         x_{domain.xmin, (domain.xmax - domain.xmin) / density.width, density.width,
            periodic == Periodic::x || periodic == Periodic::xy},
         y_{domain.ymin, (domain.ymax - domain.ymin) / density.height, density.height,
            periodic == Periodic::y || periodic == Periodic::xy},
-        diagram_(diagram) {}
+        diagram_(diagram),
+        spread_(spread) {}
 
   void cell(std::size_t i) {
     diagram_.mass[i] = 0;
@@ -83,7 +85,11 @@ class Masses {
     const PixelRows::Range columns{x_.at(offset.x), x_.at(x_.pixelsTo(box.xmax))};
     const PixelRows::Range rows{y_.at(offset.y), y_.at(y_.pixelsTo(box.ymax))};
     if (columns.first == columns.last && rows.first == rows.last) {
-      diagram_.mass[i] = valueAt(rows.first, columns.first) * diagram_.area[i];
+      const double value = valueAt(rows.first, columns.first);
+      diagram_.mass[i] = value * diagram_.area[i];
+      if (spread_ != nullptr) {
+        (*spread_)[i] = value * (diagram_.second_moments[i][0] + diagram_.second_moments[i][2]);
+      }
       return;
     }
     rows_.begin(offset, (box.ymax - box.ymin) / y_.size, columns, rows);
@@ -94,14 +100,23 @@ class Masses {
       sum.area += value * pixel.area;
       sum.x += value * pixel.x;
       sum.y += value * pixel.y;
+      sum.xx += value * pixel.xx;
+      sum.yy += value * pixel.yy;
     });
     if (!(sum.area > 0)) return;
     diagram_.mass[i] = sum.area * x_.size * y_.size;
     diagram_.mass_centroid[i] = {box.xmin + sum.x / sum.area * x_.size,
                                  box.ymin + sum.y / sum.area * y_.size};
+    if (spread_ != nullptr) (*spread_)[i] = spreadOf(sum);
   }
 
  private:
+  /// About the center of mass, in the caller's units.
+  [[nodiscard]] double spreadOf(const PixelIntegrals& sum) const {
+    const double across = (sum.xx - sum.x * (sum.x / sum.area)) * x_.size * x_.size;
+    const double along = (sum.yy - sum.y * (sum.y / sum.area)) * y_.size * y_.size;
+    return std::max(0.0, across + along) * x_.size * y_.size;
+  }
   /// Of its vertices; of its centroid if it has none, because all its edges are ties.
   [[nodiscard]] Box boxAround(const CellRings& rings, Point centroid) const {
     const auto vertices = std::span(diagram_.vertices).subspan(rings.begin(), rings.end() - rings.begin());
@@ -119,6 +134,7 @@ class Masses {
   const Density& density_;
   PixelAxis x_, y_;
   Diagram& diagram_;
+  std::vector<double>* spread_;  ///< may be null
   PixelRows rows_;
 };
 
@@ -142,12 +158,13 @@ Result<void> checkDensity(const Density& density) {
                             pixel / width, pixel % width, *wrong));
 }
 
-void measureMass(const Density& density, const Box& domain, Periodic periodic, int threads,
-                 Diagram& diagram) {
+void measureMass(const Density& density, const Box& domain, Periodic periodic, int threads, Diagram& diagram,
+                 std::vector<double>* spread) {
+  if (spread != nullptr) spread->assign(diagram.status.size(), 0);
   diagram.mass.resize(diagram.status.size());
   diagram.mass_centroid.resize(diagram.status.size());
   parallelFor(diagram.status.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
-    Masses masses(density, domain, periodic, diagram);
+    Masses masses(density, domain, periodic, diagram, spread);
     for (auto i = begin; i < end; ++i) masses.cell(i);
   });
 }

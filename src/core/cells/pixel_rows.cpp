@@ -100,8 +100,13 @@ void PixelRows::addPiece(std::int64_t column, double xa, Height ya, double xb, H
   part.own.area += height * ((a + b) / 2);
   part.own.x += height * (a * a + a * b + b * b + 3 * left * (a + b)) / 6;
   part.own.y += height * (a * (2 * from + to) + b * (from + 2 * to)) / 6;
+  part.own.xx += height * (left * left * (a + b) / 2 + left * (a * a + a * b + b * b) / 3 +
+                           (a + b) * (a * a + b * b) / 12);
+  const double squares = from * from + to * to, product = 2 * from * to;
+  part.own.yy += height * (a * (squares + product + 2 * from * from) + b * (squares + product + 2 * to * to)) / 12;
   part.height += sign * (yb - ya);
   part.y_height += height * ((from + to) / 2);
+  part.yy_height += height * ((squares + product / 2) / 3);
 }
 
 PixelIntegrals PixelRows::pixelOf(std::int64_t column, std::int64_t row, Carry& carry) {
@@ -113,10 +118,14 @@ PixelIntegrals PixelRows::pixelOf(std::int64_t column, std::int64_t row, Carry& 
     const double height = real(carry.height);
     pixel.area += height * width;
     pixel.x += height * width * (left + width / 2);
-    pixel.y += (whole ? height * ((real(low_) + real(high_)) / 2) : carry.y_height) * width;
+    pixel.xx += height * width * (left * left + left * width + width * width / 3);
+    const double low = real(low_), high = real(high_);
+    pixel.y += (whole ? height * ((low + high) / 2) : carry.y_height) * width;
+    pixel.yy += (whole ? height * ((low * low + low * high + high * high) / 3) : carry.yy_height) * width;
   }
   carry.height += part.height;
   carry.y_height = carry.height != 0 ? carry.y_height + part.y_height : 0;
+  carry.yy_height = carry.height != 0 ? carry.yy_height + part.yy_height : 0;
   part = {};
   return pixel;
 }

@@ -9,9 +9,9 @@
 
 namespace vorpipe::core {
 
-/// Integrals of 1, x and y.
+/// Integrals of 1, x, y, and of the squares of x and y.
 struct PixelIntegrals {
-  double area = 0, x = 0, y = 0;
+  double area = 0, x = 0, y = 0, xx = 0, yy = 0;
 };
 
 /// Rings over a grid of pixels, whose lines of columns lie at column - offset.x, those of rows at row -
@@ -57,11 +57,12 @@ class PixelRows {
   struct Part {
     PixelIntegrals own;
     Height height = 0;
-    double y_height = 0;  ///< integral of y
+    double y_height = 0;   ///< integral of y
+    double yy_height = 0;  ///< integral of y's square
   };
   struct Carry {
     Height height = 0;
-    double y_height = 0;
+    double y_height = 0, yy_height = 0;
   };
 
   void beginRows();

@@ -1,48 +1,32 @@
-#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "base/stopwatch.h"
+#include "moving/relax/allowed_places.h"
+#include "moving/relax/block_sums.h"
+#include "moving/relax/lattice_energy.h"
+#include "moving/relax/lost_sites.h"
+#include "moving/relax/measured_sites.h"
+#include "moving/relax/quasi_newton.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
 
-struct Relaxation::State {
-  RelaxOptions options;
-  MovingCells cells;
-  Sites sites;
-  std::vector<RelaxStep> trace{};
-  RelaxEnd end = RelaxEnd::iterations;
-  Stopwatch watch{};
+using namespace moving;
 
-  Result<void> measure() {
-    if (auto done = cells.update(sites); !done) return done;
-    const CellMoments& m = cells.moments();
-    RelaxStep step{trace.size()};
-    double area = 0;
-    for (std::size_t i = 0; i < sites.size(); ++i) {
-      const double dx = m.centroid[i].x - sites.x[i], dy = m.centroid[i].y - sites.y[i];
-      if (m.status[i] != Status::ok) continue;
-      const double weight = sites.weight.empty() ? 0 : sites.weight[i];
-      step.energy += m.spread[i] + m.mass[i] * (dx * dx + dy * dy - weight);
-      step.farthest = std::max(step.farthest, std::hypot(dx, dy));
-      area += m.area[i];
-    }
-    const double count = static_cast<double>(cells.report().ok);
-    step.hexagonal = step.energy / (5 / (18 * std::sqrt(3.0)) * area * area / count);
-    step.farthest /= std::sqrt(area / count);
-    step.seconds = watch.seconds();
-    trace.push_back(step);
-    return {};
-  }
-};
+namespace {
 
-Relaxation::Relaxation() = default;
-Relaxation::Relaxation(Relaxation&&) noexcept = default;
-Relaxation& Relaxation::operator=(Relaxation&&) noexcept = default;
-Relaxation::~Relaxation() = default;
+/// Along a way of descent energy must fall by this part of what its slope promises (Armijo).
+constexpr double enough_fall = 1e-4;
+/// Energies that differ by less than this part of their terms are equal, for all that is known.
+constexpr double energy_rounding = 1e-15;
+/// Shorter steps are not tried.
+constexpr double least_step = 0x1p-12;
+/// So many diagrams without a gain are the end.
+constexpr int most_idle = 20;
 
-Result<Relaxation> Relaxation::begin(Session& session, Sites sites, RelaxOptions options) {
+CellsOptions cellsOptions(const RelaxOptions& options) {
   CellsOptions cells{};
   cells.domain = options.domain;
   cells.outline = options.outline;
@@ -50,29 +34,242 @@ Result<Relaxation> Relaxation::begin(Session& session, Sites sites, RelaxOptions
   cells.density = options.density;
   cells.search = options.search;
   cells.progress = options.progress;
+  return cells;
+}
+
+}  // namespace
+
+struct Relaxation::State {
+  State(Session& session, RelaxOptions from, Sites begin)
+      : options(std::move(from)),
+        cells(session, cellsOptions(options)),
+        allowed(options.domain, options.outline, options.periodic),
+        sites(std::move(begin)) {}
+
+  RelaxOptions options;
+  MovingCells cells;
+  AllowedPlaces allowed;
+  int threads = 0;
+  Stopwatch watch{};
+  double lattice = 0;  ///< energy of the hexagonal lattice, times its number of cells
+
+  Sites sites;  ///< that are the result so far
+  MeasuredSites at{};
+  std::vector<RelaxStep> trace{};
+  RelaxEnd end = RelaxEnd::iterations;
+  bool ended = false;
+  Report report{};
+  LostSites lost{};  ///< all that were given places so far
+
+  QuasiNewton newton{threads};
+  std::vector<double> direction{};
+  double step = 0;  ///< of the direction that is next; 0: a new direction is to be found
+  bool steepest = false;  ///< the direction is that of Lloyd's step
+  bool current = false;   ///< the moments are those of `sites`, not of a step that was taken back
+  double least_energy = std::numeric_limits<double>::infinity(), least_way = least_energy;
+  int idle = 0;
+
+  Result<MeasuredSites> measure(const Sites& where);
+  Result<bool> advance();
+  Result<bool> moveLost();
+  Result<bool> tryStep();
+  void findDirection();
+  void keep(Sites where, MeasuredSites measured);
+  [[nodiscard]] Result<Sites> moved(double length) const;
+  [[nodiscard]] Result<Sites> placed(Sites where) const;
+  [[nodiscard]] bool isAtRest();
+};
+
+/// Computes the diagram of sites that stand in `where`, and notes it.
+Result<MeasuredSites> Relaxation::State::measure(const Sites& where) {
+  if (auto done = cells.update(where); !done) return tl::unexpected(std::move(done.error()));
+  MeasuredSites measured = measureSites(where, cells.moments(), allowed, threads);
+  report = cells.report();
+  const auto count = static_cast<double>(measured.cells);
+  if (lattice == 0) lattice = latticeEnergy(measured.area);
+  RelaxStep step_done{trace.size()};
+  step_done.energy = measured.energy;
+  // What a lattice would have depends on the weights.
+  step_done.hexagonal = where.weight.empty() ? measured.energy * count / lattice : std::nan("");
+  step_done.farthest = measured.farthest / std::sqrt(measured.area / count);
+  step_done.seconds = watch.seconds();
+  trace.push_back(step_done);
+  return measured;
+}
+
+void Relaxation::State::keep(Sites where, MeasuredSites measured) {
+  sites = std::move(where);
+  at = std::move(measured);
+  current = true;
+}
+
+/// The sites as the domain takes them.
+Result<Sites> Relaxation::State::placed(Sites where) const {
+  if (options.periodic == Periodic::none) return where;
+  return wrapped(where, options.domain, options.periodic, threads);
+}
+
+/// The sites moved along the direction, and not out of the domain.
+Result<Sites> Relaxation::State::moved(double length) const {
+  const std::size_t count = sites.size();
+  Sites where = sites;
+  forAll(count, threads, [&](std::size_t i) {
+    const Point to{sites.x[i] + length * direction[i], sites.y[i] + length * direction[count + i]};
+    const Point place = at.inverse[i] > 0 ? allowed.nearestTo(to) : Point{sites.x[i], sites.y[i]};
+    where.x[i] = place.x;
+    where.y[i] = place.y;
+  });
+  return placed(std::move(where));
+}
+
+/// Whether nothing is left to gain but rounding: the last sites did not move, or neither energy nor what is
+/// left of their ways has become less for long.
+bool Relaxation::State::isAtRest() {
+  const Box& box = options.domain;
+  const double reach = std::max({std::abs(box.xmin), std::abs(box.xmax), std::abs(box.ymin), std::abs(box.ymax)});
+  if (at.farthest <= 4 * std::numeric_limits<double>::epsilon() * reach) return true;
+  const bool falls = at.energy < least_energy - energy_rounding * 10 * at.scale;
+  const bool nears = at.farthest < 0.9 * least_way;
+  least_energy = falls ? at.energy : least_energy;
+  least_way = nears ? at.farthest : least_way;
+  idle = falls || nears ? 0 : idle + 1;
+  return idle >= most_idle;
+}
+
+/// The direction of the next step. One that would lead a site out of the domain leads it where Lloyd's does.
+void Relaxation::State::findDirection() {
+  const std::size_t count = sites.size();
+  step = 1;
+  steepest = options.method == RelaxMethod::lloyd || newton.empty();
+  if (!steepest) {
+    newton.direction(at.gradient, at.inverse, direction);
+    forAll(count, threads, [&](std::size_t i) {
+      const Point to{sites.x[i] + direction[i], sites.y[i] + direction[count + i]};
+      if (allowed.contain(to) && at.inverse[i] > 0) return;
+      direction[i] = at.way[i];
+      direction[count + i] = at.way[count + i];
+    });
+    const double slope =
+        carefulSum(2 * count, threads, [&](std::size_t k) { return at.gradient[k] * direction[k]; });
+    steepest = !(slope < 0);
+  }
+  if (!steepest) return;
+  newton.clear();
+  direction = at.way;
+}
+
+/// A step of Lloyd's that also gives places to sites which own nothing.
+Result<bool> Relaxation::State::moveLost() {
+  direction = at.way;
+  auto where = moved(1);
+  if (!where) return tl::unexpected(std::move(where.error()));
+  const LostSites now = placeLostSites(sites, cells.moments(), allowed, *where);
+  lost.hidden = now.hidden;
+  if (!now.moved()) return false;
+  auto places = placed(std::move(*where));
+  if (!places) return tl::unexpected(std::move(places.error()));
+  auto measured = measure(*places);
+  if (!measured) return tl::unexpected(std::move(measured.error()));
+  lost.duplicates += now.duplicates;
+  lost.outside += now.outside;
+  lost.massless += now.massless;
+  keep(std::move(*places), std::move(*measured));
+  newton.clear();
+  step = 0;
+  return true;
+}
+
+/// One diagram of a line search. Whether a shorter step, or another direction, is left to be tried.
+Result<bool> Relaxation::State::tryStep() {
+  if (step == 0) findDirection();
+  const std::size_t count = sites.size();
+  auto where = moved(step);
+  if (!where) return tl::unexpected(std::move(where.error()));
+  auto measured = measure(*where);
+  if (!measured) return tl::unexpected(std::move(measured.error()));
+  const double slope =
+      carefulSum(2 * count, threads, [&](std::size_t k) { return at.gradient[k] * direction[k]; });
+  const bool lloyd = options.method == RelaxMethod::lloyd;
+  if (lloyd || measured->energy <= at.energy + enough_fall * step * slope + energy_rounding * at.scale) {
+    if (!lloyd) {
+      std::vector<double> way(2 * count), change(2 * count);
+      forAll(2 * count, threads, [&](std::size_t k) {
+        way[k] = step * direction[k];
+        change[k] = measured->gradient[k] - at.gradient[k];
+      });
+      newton.add(std::move(way), std::move(change));
+    }
+    keep(std::move(*where), std::move(*measured));
+    step = 0;
+    return true;
+  }
+  current = false;
+  step /= 2;
+  if (step >= least_step) return true;
+  step = 0;
+  newton.clear();
+  return !steepest;
+}
+
+Result<bool> Relaxation::State::advance() {
+  if (ended) return false;
+  const auto stop = [&](RelaxEnd why) {
+    end = why;
+    ended = true;
+    return false;
+  };
+  const double spacing = std::sqrt(at.area / static_cast<double>(at.cells));
+  if (options.tolerance > 0 && at.farthest <= options.tolerance * spacing && step == 0) {
+    return stop(RelaxEnd::tolerance);
+  }
+  if (trace.size() > options.iterations) return stop(RelaxEnd::iterations);
+  Result<bool> more = false;
+  if (step == 0 && at.has_lost && current) more = moveLost();
+  if (more && !*more) {
+    if (step == 0 && isAtRest()) return stop(RelaxEnd::stagnated);
+    more = tryStep();
+  }
+  if (more) return *more ? true : stop(RelaxEnd::stagnated);
+  if (more.error().code != ErrorCode::cancelled) return more;
+  return stop(RelaxEnd::cancelled);
+}
+
+Relaxation::Relaxation() = default;
+Relaxation::Relaxation(Relaxation&&) noexcept = default;
+Relaxation& Relaxation::operator=(Relaxation&&) noexcept = default;
+Relaxation::~Relaxation() = default;
+
+Result<Relaxation> Relaxation::begin(Session& session, Sites sites, RelaxOptions options) {
+  const auto cells = cellsOptions(options);
+  if (auto checked = checkInput(sites, cells); !checked) return tl::unexpected(std::move(checked.error()));
   Relaxation relaxation;
-  relaxation.state_ = std::make_unique<State>(
-      State{std::move(options), MovingCells(session, std::move(cells)), std::move(sites)});
-  if (auto done = relaxation.state_->measure(); !done) return tl::unexpected(done.error());
+  relaxation.state_ = std::make_unique<State>(session, std::move(options), std::move(sites));
+  State& state = *relaxation.state_;
+  auto places = state.placed(std::move(state.sites));
+  if (!places) return tl::unexpected(std::move(places.error()));
+  if (!state.options.density.values.empty()) {
+    const auto lattice = latticeEnergy(session, *places, cells);
+    if (!lattice) return tl::unexpected(lattice.error());
+    state.lattice = *lattice;
+  }
+  auto measured = state.measure(*places);
+  if (!measured) return tl::unexpected(std::move(measured.error()));
+  state.keep(std::move(*places), std::move(*measured));
   return relaxation;
 }
 
-Result<bool> Relaxation::step() {
-  State& s = *state_;
-  if (s.trace.size() > s.options.iterations) return false;
-  const CellMoments& m = s.cells.moments();
-  for (std::size_t i = 0; i < s.sites.size(); ++i) {
-    if (m.status[i] != Status::ok) continue;
-    s.sites.x[i] = m.centroid[i].x;
-    s.sites.y[i] = m.centroid[i].y;
-  }
-  if (auto done = s.measure(); !done) return tl::unexpected(done.error());
-  return true;
-}
+Result<bool> Relaxation::step() { return state_->advance(); }
 
 const Sites& Relaxation::sites() const { return state_->sites; }
 const std::vector<RelaxStep>& Relaxation::trace() const { return state_->trace; }
 RelaxEnd Relaxation::end() const { return state_->end; }
-const Report& Relaxation::report() const { return state_->cells.report(); }
+
+const Report& Relaxation::report() const {
+  State& state = *state_;
+  Report& report = state.report;
+  report.notes = state.cells.report().notes;
+  for (std::string& line : state.lost.notes()) report.notes.push_back(std::move(line));
+  return report;
+}
 
 }  // namespace vorpipe

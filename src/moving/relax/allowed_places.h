@@ -1,0 +1,36 @@
+/// Where sites may move to: the domain.
+#pragma once
+
+#include <memory>
+
+#include "vorpipe.h"
+
+namespace vorpipe::moving {
+
+/// A place beyond a box or an outline stands for the nearest one inside. That is what a site whose centroid
+/// lies outside is to move to: of the places in the domain it is the one with the least energy, since energy
+/// grows with the squared distance to the centroid. Along periodic axes all places are allowed.
+class AllowedPlaces {
+ public:
+  /// The domain is valid.
+  AllowedPlaces(const Box& domain, const Outline& outline, Periodic periodic);
+  AllowedPlaces(AllowedPlaces&&) noexcept;
+  AllowedPlaces& operator=(AllowedPlaces&&) noexcept;
+  ~AllowedPlaces();
+
+  /// Whether they are all of the plane, or a convex part of it: then what lies between two of them is allowed.
+  [[nodiscard]] bool areConvex() const { return shape_ == nullptr; }
+  [[nodiscard]] bool contain(Point place) const;
+  /// The place itself, or the nearest that is allowed.
+  [[nodiscard]] Point nearestTo(Point place) const;
+
+ private:
+  struct Shape;
+  [[nodiscard]] Point inBox(Point place) const;
+
+  Box domain_;
+  bool x_repeats_, y_repeats_;
+  std::unique_ptr<Shape> shape_;  ///< of an outline
+};
+
+}  // namespace vorpipe::moving

@@ -1,0 +1,62 @@
+/// Sums over many sites that do not depend on the number of threads: blocks of one size are added in order.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "base/parallel.h"
+
+namespace vorpipe::moving {
+
+/// Sites of a block.
+inline constexpr std::size_t sum_block = 1024;
+
+/// A sum that keeps what rounding takes from it (Neumaier 1974).
+class CarefulSum {
+ public:
+  void add(double term) {
+    const double sum = sum_ + term;
+    rest_ += std::abs(sum_) >= std::abs(term) ? (sum_ - sum) + term : (term - sum) + sum_;
+    sum_ = sum;
+  }
+  [[nodiscard]] double value() const { return sum_ + rest_; }
+
+ private:
+  double sum_ = 0, rest_ = 0;
+};
+
+/// Calls part(begin, end) for each block of [0, count), on several threads; returns what it returned, in order.
+template <class Value, class Part>
+std::vector<Value> byBlocks(std::size_t count, int threads, const Part& part) {
+  std::vector<Value> parts((count + sum_block - 1) / sum_block);
+  parallelFor(count, sum_block, threadsForSteps(count, threads), [&](std::size_t begin, std::size_t end) {
+    parts[begin / sum_block] = part(begin, end);
+  });
+  return parts;
+}
+
+/// The sum of term(i) over [0, count), good to the last bits.
+template <class Term>
+double carefulSum(std::size_t count, int threads, const Term& term) {
+  const auto parts = byBlocks<double>(count, threads, [&](std::size_t begin, std::size_t end) {
+    CarefulSum sum;
+    for (auto i = begin; i < end; ++i) sum.add(term(i));
+    return sum.value();
+  });
+  CarefulSum sum;
+  for (const double part : parts) sum.add(part);
+  return sum.value();
+}
+
+/// Calls each(i) for all of [0, count), on several threads.
+template <class Each>
+void forAll(std::size_t count, int threads, const Each& each) {
+  parallelFor(count, grainFor(count, std::size_t{1} << 14), threadsForSteps(count, threads),
+              [&](std::size_t begin, std::size_t end) {
+                for (auto i = begin; i < end; ++i) each(i);
+              });
+}
+
+}  // namespace vorpipe::moving
