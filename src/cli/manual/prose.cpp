@@ -63,20 +63,15 @@ Prose ofCells() {
 Prose ofView() {
   return {
       "view",
-      {"Drag to look around, turn the wheel to zoom; click to add a site, drag one to move it, click it with "
-       "the "
-       "right button to remove it, turn the wheel with Ctrl held to change its weight. `?` lists the keys. "
-       "What "
-       "is shown is what `vorpipe render` draws, and Ctrl+C copies the command line that draws it. Without "
-       "`--sites` there are a few random ones to begin with.",
-       "A script drives the window by a file, one event to a line: `move X Y`, `press left`, `release left`, "
-       "`scroll STEPS`, `key NAME`, each but the first with `shift`, `control` or `alt` after it; `text "
-       "...`, "
-       "`resize W H`, `minimize`, `restore`, `drop FILE`, `close`; `wait` goes on when the picture of all "
-       "that "
-       "came before is shown, `wait SECONDS` later; `screenshot FILE.png` saves what the window shows, "
-       "without "
-       "the panel, or with it where `panel` follows."},
+      {"Drag to look around, turn the wheel to zoom; click to add a site, drag one to move it, click it "
+       "with the right button to remove it, turn the wheel with Ctrl held to change its weight. `?` lists "
+       "the keys. What is shown is what `vorpipe render` draws, and Ctrl+C copies the command line that "
+       "draws it. Without `--sites` there are a few random ones to begin with.",
+       "A script has one event on a line: `move X Y`, `press BUTTON`, `release BUTTON`, `scroll STEPS`, "
+       "`key NAME`, `text ...`, `resize W H`, `minimize`, `restore`, `drop FILE` and `close`; `shift`, "
+       "`control` or `alt` after press, scroll and key are held. `wait` goes on when the picture of all "
+       "that came before is shown, `wait SECONDS` after a time. `screenshot FILE.png` saves what is shown, "
+       "without the panel, or with it where `panel` follows."},
       {{"Look at the sites of a file:", {"vorpipe view --sites sites.csv --color area"}},
        {"Save what the window shows, and close it:",
         {"vorpipe view --sites random:1000 --edges --screenshot window.png"}},
