@@ -19,7 +19,7 @@ trap end EXIT
 # The server writes its number when it is ready; it takes one that is free. Without -noreset it would begin anew
 # whenever its last window is closed.
 mkfifo "$folder/number" "$folder/ready"
-Xvfb -displayfd 3 -screen 0 1000x800x24 -noreset -nolisten tcp -fbdir "$folder" \
+Xvfb -displayfd 3 -screen 0 1600x1200x24 -noreset -nolisten tcp -fbdir "$folder" \
   3>"$folder/number" >"$folder/log" 2>&1 &
 server=$!
 if ! read -r number <"$folder/number"; then

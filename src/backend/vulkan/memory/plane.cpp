@@ -38,6 +38,7 @@ Result<Plane> createPlane(const Device& device, const PlaneKind& kind, VkExtent2
   view_info.image = plane.image.get();
   view_info.viewType = VK_IMAGE_VIEW_TYPE_2D;
   view_info.format = kind.format;
+  view_info.components = kind.components;
   view_info.subresourceRange = whole_plane;
   Result<Handle<VkImageView>> view =
       create(device.handle(), api.vkCreateImageView, api.vkDestroyImageView, view_info, "vkCreateImageView");
