@@ -78,6 +78,7 @@ set(guarded_headers
     "^(vulkan/|volk\\.h)"
     "^(epoxy|GL|GLES.|EGL|OpenGL)/"
     "^GLFW/"
+    "^imgui"
     "^glm/"
     "^flann/"
     "^csv\\.h$"
@@ -96,6 +97,7 @@ set(users
     "^(backend/vulkan/|view/window/(glfw\\.h|vulkan_.*|swapchain\\..*)$)"
     "^(backend/opengl/|view/window/opengl_)"
     "^view/window/glfw\\.h$"
+    "^view/panel/"
     "^backend/cpu/"
     "^core/search/flann_"
     "^io/text/csv_reader\\."
@@ -174,6 +176,7 @@ vorpipe_expect(FALSE cli/commands/render.cpp core/cells/cells_run.h TRUE)
 vorpipe_expect(TRUE view/window/vulkan_canvas.h backend/vulkan/memory/plane.h TRUE)
 vorpipe_expect(FALSE view/frames/painter.cpp backend/vulkan/memory/plane.h TRUE)
 vorpipe_expect(FALSE view/window/frame_parts.cpp volk.h FALSE)
+vorpipe_expect(FALSE view/app/viewer.cpp imgui.h FALSE)
 vorpipe_expect(FALSE vorpipe.h glm/vec2.hpp FALSE)
 vorpipe_expect(FALSE elsewhere/file.cpp vorpipe.h TRUE)
 

@@ -16,7 +16,7 @@ const std::array<std::string, 4> scale_names{"auto", "linear", "log", "quantile"
 
 void drawMaps(Widgets& widgets, RenderOptions& picture) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetFrameHeight();
+  const float height = ImGui::GetFrameHeight();
   const float pad = widgets.px(4), bar = widgets.px(70);
   // The closed list shows a bar over its own name, which stands to the right of it by spaces.
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -38,7 +38,16 @@ void drawMaps(Widgets& widgets, RenderOptions& picture) {
     if (swatch.name != picture.colormap) continue;
     drawSwatch(swatch.colors, {at.x + pad, at.y + pad}, {at.x + pad + bar, at.y + height - pad});
   }
-  static_cast<void>(width);
+}
+
+/// As keys do it: where colors stand for something else, the values and the scale of before mean nothing; and
+/// by site they have no legend.
+void colorBy(ColorBy color, RenderOptions& picture) {
+  if (color == picture.color) return;
+  picture.color = color;
+  picture.color_scale = ColorScale::automatic;
+  picture.color_range.reset();
+  if (color == ColorBy::site) picture.legend = false;
 }
 
 }  // namespace
@@ -48,19 +57,13 @@ void drawColor(PanelFrame& frame) {
   RenderOptions& picture = frame.answer.settings.picture;
   if (!widgets.group("Color")) return;
   const int color = widgets.choice("Color", color_names, static_cast<int>(picture.color));
-  if (color >= 0) picture.color = static_cast<ColorBy>(color);
+  if (color >= 0) colorBy(static_cast<ColorBy>(color), picture);
   const bool by_site = picture.color == ColorBy::site;
   widgets.row("Scale");
   const int scale = widgets.choice("Scale", scale_names, static_cast<int>(picture.color_scale), !by_site);
   if (scale >= 0) picture.color_scale = static_cast<ColorScale>(scale);
   widgets.row("Colors");
   drawMaps(widgets, picture);
-  // Colors by site have neither a scale nor a legend: a picture that is asked for one is refused.
-  if (by_site) {
-    picture.color_scale = ColorScale::automatic;
-    picture.color_range.reset();
-    picture.legend = false;
-  }
 }
 
 }  // namespace vorpipe::view

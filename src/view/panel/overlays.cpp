@@ -30,7 +30,7 @@ std::pair<float, float> freeOf(const PanelFrame& frame) {
 
 void drawTip(PanelFrame& frame) {
   const std::optional<Hovered>& cell = frame.input.hovered;
-  if (!cell) return;
+  if (!cell || !ImGui::IsMousePosValid()) return;
   ImGui::BeginTooltip();
   ImGui::TextUnformatted(fmt::format("site {}", cell->site).c_str());
   Widgets::dim(fmt::format("area {:.4g}\n{} neighbors", cell->area, cell->neighbors));

@@ -47,7 +47,8 @@ struct Panel::State {
   Place pointer{-1, -1};
   Holder holder = Holder::none;
   int pressed = 0;  ///< buttons
-  bool list_open = false, types = false;
+  bool list_open = false, help_open = false, types = false;
+  bool escapes = false;         ///< from what is open
   std::vector<float> energies;  ///< of the relaxation's steps
   std::uint64_t diagram = 0;
 
@@ -55,6 +56,7 @@ struct Panel::State {
   [[nodiscard]] bool covers(Place at) const;
   bool takePress();
   bool takeRelease();
+  bool takeEscape(const Key& key);
   void follow(const PanelInput& input);
   void drawHeader(PanelFrame& frame);
   void drawWindow(PanelFrame& frame);
@@ -85,6 +87,12 @@ bool Panel::State::takeRelease() {
   return mine;
 }
 
+bool Panel::State::takeEscape(const Key& key) {
+  if (key.name != "escape" || (!list_open && !help_open)) return false;
+  escapes = true;
+  return true;
+}
+
 void Panel::State::follow(const PanelInput& input) {
   if (!input.relaxed) {
     energies.clear();
@@ -94,6 +102,12 @@ void Panel::State::follow(const PanelInput& input) {
   if (!energies.empty() && step.diagram == diagram) return;
   if (step.diagram < diagram) energies.clear();
   diagram = step.diagram;
+  // More than there are pixels for: every other one tells as much.
+  if (energies.size() >= 1000) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < energies.size(); i += 2) energies[kept++] = energies[i];
+    energies.resize(kept);
+  }
   energies.push_back(static_cast<float>(step.hexagonal));
 }
 
@@ -149,8 +163,12 @@ void Panel::State::drawFrame(const PanelInput& input, PanelAnswer& answer) {
   widgets.covered.clear();
   ImGui::NewFrame();
   PanelFrame frame{input, answer, widgets};
+  if (escapes && !list_open) answer.settings.help = false;
+  widgets.closes_list = escapes && list_open;
+  escapes = false;
   if (answer.settings.panel) drawWindow(frame);
-  if (answer.settings.help) drawHelp(frame);
+  help_open = answer.settings.help;
+  if (help_open) drawHelp(frame);
   if (!input.message.empty()) drawMessage(frame);
   list_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   if (answer.settings.panel && holder == Holder::none && !list_open && !covers(pointer)) drawTip(frame);
@@ -193,7 +211,8 @@ bool Panel::take(const Event& event) {
         if constexpr (std::is_same_v<Told, Scroll>) {
           return state.holder == Holder::none ? over : state.holder == Holder::panel;
         }
-        if constexpr (std::is_same_v<Told, Key> || std::is_same_v<Told, Text>) return state.types;
+        if constexpr (std::is_same_v<Told, Key>) return state.types || state.takeEscape(told);
+        if constexpr (std::is_same_v<Told, Text>) return state.types;
         return false;
       },
       event);

@@ -50,8 +50,8 @@ struct PanelInput {
 };
 
 struct PanelAnswer {
-  Settings settings;  ///< as the panel has changed them
-  std::vector<Action> actions;
+  Settings settings;                               ///< as the panel has changed them
+  std::vector<Action> actions;                     ///< after the settings have changed
   bool takes_pointer = false, takes_keys = false;  ///< the window is not to have them
   bool new_texture = false;  ///< another scale: the presenter needs texture() before this frame is shown
 };

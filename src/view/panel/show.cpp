@@ -71,13 +71,13 @@ void drawShow(PanelFrame& frame) {
   widgets.toggle("Legend", Widgets::share(1), picture.legend, picture.color != ColorBy::site);
   if (picture.color == ColorBy::site) widgets.tooltip("Colors by site stand for nothing");
   drawSizes(widgets, picture);
-  widgets.row("Smooth");
+  widgets.row("Antialias");
   std::vector<int> counts{1, 2, 4, 8};
   auto place = std::lower_bound(counts.begin(), counts.end(), picture.antialias);
   if (place == counts.end() || *place != picture.antialias) place = counts.insert(place, picture.antialias);
   std::vector<std::string> labels;
   for (const int count : counts) labels.push_back(count == 1 ? "off" : fmt::format("{0}\u00d7{0}", count));
-  const int chosen = widgets.choice("Smooth", labels, static_cast<int>(place - counts.begin()));
+  const int chosen = widgets.choice("Antialias", labels, static_cast<int>(place - counts.begin()));
   if (chosen >= 0) picture.antialias = counts[static_cast<std::size_t>(chosen)];
 }
 

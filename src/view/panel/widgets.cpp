@@ -186,8 +186,10 @@ bool Widgets::beginList(std::string_view name, const char* preview, bool enabled
     return false;
   }
   const bool open = ImGui::BeginCombo(id.c_str(), preview, ImGuiComboFlags_HeightLarge);
-  if (open) cover();
-  return open;
+  if (!open) return false;
+  cover();
+  if (closes_list) ImGui::CloseCurrentPopup();
+  return true;
 }
 
 void Widgets::endList() { ImGui::EndCombo(); }

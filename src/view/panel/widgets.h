@@ -20,6 +20,7 @@ class Widgets {
   /// Where what was drawn stands, and the windows that keep the pointer from what is below.
   PanelPlaces places;
   std::vector<Placement> covered;
+  bool closes_list = false;  ///< the list that is open
 
   /// So many units of a usual screen, in pixels.
   [[nodiscard]] float px(float units) const;

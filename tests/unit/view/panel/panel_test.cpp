@@ -175,7 +175,7 @@ TEST_F(PanelTest, ColorsAreChosen) {
   EXPECT_EQ(input_.settings.picture.color, ColorBy::neighbors);
   click("Scale/log");
   EXPECT_EQ(input_.settings.picture.color_scale, ColorScale::log);
-  click("Smooth/4\u00d74");
+  click("Antialias/4\u00d74");
   EXPECT_EQ(input_.settings.picture.antialias, 4);
   for (const std::string& name : colormaps()) {
     click("Colormap");
@@ -307,6 +307,22 @@ TEST_F(PanelTest, HelpOpensAndCloses) {
   EXPECT_FALSE(input_.settings.help);
   draw();
   EXPECT_FALSE(panel_.take(Move{{780, 500}}));
+}
+
+TEST_F(PanelTest, EscapeClosesWhatIsOpen) {
+  const Key escape{"escape", {}};
+  EXPECT_FALSE(panel_.take(escape)) << "it is the window's";
+  draw();
+  click("Help");
+  click("Colormap");
+  EXPECT_TRUE(panel_.places().contains("Colormap/viridis"));
+  EXPECT_TRUE(panel_.take(escape));
+  EXPECT_TRUE(draw().settings.help);
+  EXPECT_FALSE(panel_.places().contains("Colormap/viridis"));
+  EXPECT_TRUE(panel_.take(escape));
+  input_.settings = draw().settings;
+  EXPECT_FALSE(input_.settings.help);
+  EXPECT_FALSE(panel_.take(escape));
 }
 
 TEST_F(PanelTest, GroupsClose) {
