@@ -37,8 +37,11 @@ class App {
   void takeEvents();
   Result<void> drawFrame();
   Result<void> recordUpToNow();
+  Result<void> recordShown();
   Result<void> countPictures();
   [[nodiscard]] bool isIdle() const { return to_draw_ == 0; }
+  /// Whether all that has happened is shown; where sites move, more always happens.
+  [[nodiscard]] bool isShown() const { return isIdle() || viewer_.settings().motion == Motion::runs; }
 
   Screen& screen_;
   AppOptions& options_;
@@ -51,6 +54,7 @@ class App {
   std::uint64_t counted_ = 0;
   Stopwatch watch_{};
   std::uint64_t recorded_ = 0;
+  Image last_shown_{};  ///< for a film of what a user does
 };
 
 Result<void> App::begin() {
@@ -91,25 +95,33 @@ Result<void> App::drawFrame() {
   if (auto drawn = stage_.draw(); !drawn) return drawn;
   // The panel may have changed something.
   viewer_.wish();
-  if (recorder_ && !player_) return recordUpToNow();
+  if (recorder_ && !player_) return recordShown();
+  return {};
+}
+
+/// Frames that are due, of what was shown up to now.
+Result<void> App::recordUpToNow() {
+  const auto due = static_cast<std::uint64_t>(watch_.seconds() * frame_rate);
+  for (; last_shown_.width > 0 && recorded_ < due; ++recorded_) {
+    if (auto added = recorder_->add(last_shown_); !added) return added;
+  }
   return {};
 }
 
 /// What a user does is recorded as it was: what is shown stays for as many frames as it took.
-Result<void> App::recordUpToNow() {
+Result<void> App::recordShown() {
   if (viewer_.frame() == nullptr || screen_.width() == 0) return {};
+  if (last_shown_.width == 0) watch_ = {};
+  if (auto recorded = recordUpToNow(); !recorded) return recorded;
   auto image = stage_.read(/*with_panel=*/true);
   if (!image) return tl::unexpected(std::move(image.error()));
-  const auto due = static_cast<std::uint64_t>(watch_.seconds() * frame_rate) + 1;
-  for (; recorded_ < due; ++recorded_) {
-    if (auto added = recorder_->add(*image); !added) return added;
-  }
+  last_shown_ = std::move(*image);
   return {};
 }
 
 /// Draws again until there were as many pictures as --frames says.
 Result<void> App::countPictures() {
-  if (options_.screenshot.empty() || player_ || !isIdle() || viewer_.pictures() == counted_) return {};
+  if (options_.screenshot.empty() || player_ || !isShown() || viewer_.pictures() == counted_) return {};
   counted_ = viewer_.pictures();
   if (counted_ < options_.frames) {
     viewer_.drawAgain();
@@ -134,7 +146,7 @@ Result<void> App::runOn() {
     if (viewer_.fault()) return tl::unexpected(*viewer_.fault());
     viewer_.wish();
     if (auto drawn = drawFrame(); !drawn) return drawn;
-    if (player_ && !player_->isOver() && isIdle()) {
+    if (player_ && !player_->isOver() && isShown()) {
       const bool waited = player_->waits();
       if (auto played = player_->goOn(); !played) return played;
       if (!player_->waits() || !waited) to_draw_ = frames_after_change;
@@ -144,7 +156,13 @@ Result<void> App::runOn() {
   return {};
 }
 
-Result<void> App::finish() { return recorder_ ? recorder_->finish() : Result<void>{}; }
+Result<void> App::finish() {
+  if (!recorder_) return {};
+  if (!player_) {
+    if (auto recorded = recordUpToNow(); !recorded) return recorded;
+  }
+  return recorder_->finish();
+}
 
 AppEnd App::end() {
   AppEnd end{viewer_.pictures(), viewer_.panelInput({}, 0).computed_by, viewer_.validation()};
