@@ -74,8 +74,13 @@ void App::takeEvents() {
   const bool scripted = player_ != nullptr && !player_->isOver();
   double seconds = isIdle() ? look_every : 0;
   if (scripted) seconds = std::min(seconds, player_->secondsLeft());
-  for (const Event& event : screen_.events(seconds)) {
+  const std::vector<Event> events = screen_.events(seconds);
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const Event& event = events[i];
     to_draw_ = frames_after_change;
+    // Of places that the pointer has passed the last one counts.
+    const bool passed = i + 1 < events.size() && std::holds_alternative<Move>(events[i + 1]);
+    if (passed && std::holds_alternative<Move>(event)) continue;
     const bool of_window = std::holds_alternative<Resize>(event) || std::holds_alternative<Minimize>(event) ||
                            std::holds_alternative<Restore>(event);
     if (of_window) continue;
