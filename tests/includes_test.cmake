@@ -27,7 +27,7 @@ set(may_include
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/opengl/.*|layout\\.glsl|shaders\\.h)$"
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl)$"
     "^(vorpipe\\.h|vorpipe/selftest\\.h|selftest/.*)$"
-    "^(vorpipe\\.h|vorpipe/selftest\\.h|vorpipe_c\\.h|c/.*|io/.*|selftest/selftest_json\\.h)$"
+    "^(vorpipe\\.h|vorpipe/(selftest|stipple)\\.h|vorpipe_c\\.h|c/.*|io/.*|selftest/selftest_json\\.h)$"
     "^(vorpipe\\.h|cli/.*)$")
 
 # Adds the rooms of a folder: a room may include itself, those that it uses, each of which comes before it, and
@@ -63,17 +63,22 @@ vorpipe_read_rooms(
 vorpipe_read_rooms(backend/cpu "vorpipe\\.h|base/.*|backend/[^/]*\\.h|(layout|bins|cell|grid|list)\\.glsl")
 vorpipe_read_rooms(backend/vulkan "vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl|shaders\\.h")
 vorpipe_read_rooms(backend/opengl "vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl|shaders\\.h")
-vorpipe_read_rooms(moving "vorpipe\\.h|base/.*|core/outline/edge_tree\\.h")
+vorpipe_read_rooms(moving "vorpipe\\.h|vorpipe/stipple\\.h|base/.*|core/outline/edge_tree\\.h")
 vorpipe_read_rooms(io "vorpipe\\.h|geos\\.h|base/parallel\\.h")
 vorpipe_read_rooms(
   bench "vorpipe\\.h|base/.*|io/(text/json_text|sites/site_source)\\.h|core/(cells/cells_run|picture/picture)\\.h|backend/(backend|exact_tier|forwarding_backend|registry/registry)\\.h")
-vorpipe_read_rooms(cli "vorpipe\\.h|vorpipe/selftest\\.h|selftest/selftest_json\\.h|base/(parallel|stopwatch)\\.h|io/.*|bench/.*")
+vorpipe_read_rooms(
+  view "vorpipe\\.h|vorpipe/.*|base/(parallel|stopwatch)\\.h|io/.*|backend/(vulkan|opengl)/[a-z]+/.*|shaders\\.h")
+vorpipe_read_rooms(cli "vorpipe\\.h|vorpipe/stipple\\.h|vorpipe/selftest\\.h|selftest/selftest_json\\.h|base/(parallel|stopwatch)\\.h|io/.*|bench/.*|view/.*")
 
 # Headers, most of them a library's, and the only files that may include them.
 set(guarded_headers
     "^backend/registry/"
+    "^backend/(vulkan|opengl)/[a-z]+/"
     "^(vulkan/|volk\\.h)"
     "^(epoxy|GL|GLES.|EGL|OpenGL)/"
+    "^GLFW/"
+    "^imgui"
     "^glm/"
     "^flann/"
     "^csv\\.h$"
@@ -88,8 +93,11 @@ set(guarded_headers
     "^(tbb|oneapi)/")
 set(users
     "^(core/locate/|core/session/|bench/|backend/registry/)"
-    "^backend/vulkan/"
-    "^backend/opengl/"
+    "^(backend/(vulkan|opengl)|view/window)/"
+    "^(backend/vulkan/|view/window/(glfw\\.h|vulkan_.*|swapchain\\..*)$)"
+    "^(backend/opengl/|view/window/opengl_)"
+    "^view/window/glfw\\.h$"
+    "^view/panel/"
     "^backend/cpu/"
     "^core/search/flann_"
     "^io/text/csv_reader\\."
@@ -165,6 +173,10 @@ vorpipe_expect(FALSE backend/cpu/cpu.cpp epoxy/gl.h FALSE)
 vorpipe_expect(FALSE io/pictures/png_file.cpp core/cells/cells_run.h TRUE)
 vorpipe_expect(FALSE cli/options/options.cpp cli/runs/input.h TRUE)
 vorpipe_expect(FALSE cli/commands/render.cpp core/cells/cells_run.h TRUE)
+vorpipe_expect(TRUE view/window/vulkan_canvas.h backend/vulkan/memory/plane.h TRUE)
+vorpipe_expect(FALSE view/frames/painter.cpp backend/vulkan/memory/plane.h TRUE)
+vorpipe_expect(FALSE view/window/frame_parts.cpp volk.h FALSE)
+vorpipe_expect(FALSE view/app/viewer.cpp imgui.h FALSE)
 vorpipe_expect(FALSE vorpipe.h glm/vec2.hpp FALSE)
 vorpipe_expect(FALSE elsewhere/file.cpp vorpipe.h TRUE)
 

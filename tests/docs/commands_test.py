@@ -23,6 +23,7 @@ PAGES += sorted(str(page.relative_to(ROOT)) for page in (ROOT / 'docs').glob('*.
 # Commands that cannot run here, with the reason. Each must stand in a document.
 BUILDS = 'it builds, or runs what only another preset or target builds'
 SELFTEST = 'it takes long on software drivers; the test cli_selftest runs the like of it'
+WINDOW = 'it opens a window; the test view plays the like of it'
 NOT_RUN = {
     './test': 'it is what runs this',
     './test -R conformance': 'it is what runs this',
@@ -35,6 +36,12 @@ NOT_RUN = {
     './run selftest --backend vulkan-compute --device 0 --seed 7': SELFTEST,
     './run selftest --quick --limit maxTexelBufferElements=4096': SELFTEST,
     'docs/gallery.sh': 'the test docs_gallery runs it',
+    './run view --sites random:10000 --edges': WINDOW,
+    './run view --sites random:2000 --relax': WINDOW,
+    './run view --sites random:1000 --script play.txt': WINDOW,
+    './run view --sites random:1000 --edges --screenshot window.png': WINDOW,
+    './run view --sites random:1000 --relax --frames 50 --screenshot relaxed.png': WINDOW,
+    './run view --sites random:500 --script play.txt --record frames': WINDOW,
     'cmake --preset dev && cmake --build --preset dev --target exact_cells': BUILDS,
     'build/dev/tests/conformance/exact_cells all': BUILDS,
     'build/dev/tests/conformance/exact_cells weighted --seed 7': BUILDS,

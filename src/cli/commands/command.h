@@ -7,6 +7,7 @@ namespace vorpipe::cli {
 
 void addRender(CommandLine& line);
 void addCells(CommandLine& line);
+void addRelax(CommandLine& line);
 void addDiff(CommandLine& line);
 void addCompare(CommandLine& line);
 /// `line` must stay where it is: it parses again.
@@ -14,5 +15,6 @@ void addRerun(CommandLine& line);
 void addDevices(CommandLine& line);
 void addBench(CommandLine& line);
 void addSelftest(CommandLine& line);
+void addView(CommandLine& line);
 
 }  // namespace vorpipe::cli

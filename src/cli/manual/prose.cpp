@@ -60,6 +60,49 @@ Prose ofCells() {
         {"vorpipe cells --sites random:1000 --periodic xy --check"}}}};
 }
 
+Prose ofView() {
+  return {
+      "view",
+      {"Drag to look around, turn the wheel to zoom; click to add a site, drag one to move it, click it "
+       "with the right button to remove it, turn the wheel with Ctrl held to change its weight. `?` lists "
+       "the keys. What is shown is what `vorpipe render` draws, and Ctrl+C copies the command line that "
+       "draws it. Without `--sites` there are a few random ones to begin with.",
+       "A script has one event on a line: `move X Y`, `press BUTTON`, `release BUTTON`, `scroll STEPS`, "
+       "`key NAME`, `text ...`, `resize W H`, `minimize`, `restore`, `drop FILE` and `close`; `shift`, "
+       "`control` or `alt` after press, scroll and key are held. `wait` goes on when the picture of all "
+       "that came before is shown, `wait SECONDS` after a time. `screenshot FILE.png` saves what is shown, "
+       "without the panel, or with it where `panel` follows."},
+      {{"Look at the sites of a file:", {"vorpipe view --sites sites.csv --color area"}},
+       {"Save what the window shows, and close it:",
+        {"vorpipe view --sites random:1000 --edges --screenshot window.png"}},
+       {"Watch sites relax, and keep the film:",
+        {"vorpipe view --sites random:1000 --relax --record relax.mp4"}},
+       {"Play a script:", {"vorpipe view --sites random:1000 --script play.txt"}}}};
+}
+
+Prose ofRelax() {
+  return {
+      "relax",
+      {"Each site moves to where the energy falls: the sum over all cells of the integral of the squared "
+       "distance to "
+       "the site. It is least where every site is the centroid of its cell. Areas become alike, and cells "
+       "nearly "
+       "regular hexagons, whose lattice no diagram is better than: the energy is printed as a part of the "
+       "lattice's.",
+       "Sites stay in the domain, and along periodic axes come back at the other side. A site at the place "
+       "of another "
+       "is set beside it, one outside of the domain is moved into it, and one that a density leaves without "
+       "mass is "
+       "moved into a cell that has much. Weights stay as they are.",
+       "After Ctrl-C the files have what was reached; a second one ends the program without."},
+      {{"Relax 10,000 random sites, and see how the energy fell:",
+        {"vorpipe relax --sites random:10000 -o relaxed.csv --trace trace.csv"}},
+       {"Make even cells of sites that repeat themselves, with a picture:",
+        {"vorpipe relax --sites random:500 --periodic xy --cells even.npz --picture even.png"}},
+       {"Take a few of Lloyd's steps, and keep all that is between:",
+        {"vorpipe relax --sites clusters:500 --method lloyd --iterations 4 --save-every 1 -o step.csv"}}}};
+}
+
 Prose ofDiff() {
   return {"diff",
           {"`vorpipe render --ids` writes id arrays. With `--sites`, and what else they were made with, a "
@@ -95,19 +138,19 @@ Prose ofCompare() {
 }
 
 Prose ofRerun() {
-  return {
-      "rerun",
-      {"`--stats` of `render`, `cells` and `compare` writes the arguments of a run, and for each file that "
-       "it read and wrote how many bytes it has and their hash, as `xxh128sum` prints it. Where an input "
-       "has changed since, that is refused. Else the run is done again, files are written where they "
-       "were written then, and their hashes are compared. Paths are relative to the current folder. The "
-       "file of `--stats` stays as it is.",
-       "Another version, revision, backend or device is told of on standard error; it may have another "
-       "result."},
-      {{"Run again, and see whether it comes to the same bytes:",
-        {"vorpipe cells --backend cpu --sites sites.csv -o cells.npz --stats run.json",
-         "vorpipe rerun run.json"}},
-       {"Get the command line:", {"vorpipe rerun --dry-run run.json"}}}};
+  return {"rerun",
+          {"`--stats` of `render`, `cells`, `relax` and `compare` writes the arguments of a run, and for "
+           "each file that "
+           "it read and wrote how many bytes it has and their hash, as `xxh128sum` prints it. Where an input "
+           "has changed since, that is refused. Else the run is done again, files are written where they "
+           "were written then, and their hashes are compared. Paths are relative to the current folder. The "
+           "file of `--stats` stays as it is.",
+           "Another version, revision, backend or device is told of on standard error; it may have another "
+           "result."},
+          {{"Run again, and see whether it comes to the same bytes:",
+            {"vorpipe cells --backend cpu --sites sites.csv -o cells.npz --stats run.json",
+             "vorpipe rerun run.json"}},
+           {"Get the command line:", {"vorpipe rerun --dry-run run.json"}}}};
 }
 
 Prose ofDevices() {
@@ -163,8 +206,8 @@ constexpr std::array<Row, 5> variables = {
 }  // namespace
 
 Prose proseOf(std::string_view subcommand) {
-  for (const auto of :
-       {ofProgram, ofRender, ofCells, ofDiff, ofCompare, ofRerun, ofDevices, ofBench, ofSelftest}) {
+  for (const auto of : {ofProgram, ofRender, ofCells, ofRelax, ofView, ofDiff, ofCompare, ofRerun, ofDevices,
+                        ofBench, ofSelftest}) {
     if (Prose prose = of(); prose.subcommand == subcommand) return prose;
   }
   return {subcommand, {}, {}};

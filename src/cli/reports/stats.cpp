@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -81,6 +82,17 @@ Json colorJson(const ColorKey& key) {
   return {{"by", by}, {"scale", scale}, {"range", {key.range.low, key.range.high}}};
 }
 
+Json relaxationJson(const RelaxFigures& figures) {
+  // Weights leave nothing to compare with.
+  const auto part = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
+  return {{"method", figures.method},
+          {"diagrams", figures.last.diagram + 1},
+          {"end", figures.end},
+          {"energy", {figures.first.energy, figures.last.energy}},
+          {"hexagonal", {part(figures.first.hexagonal), part(figures.last.hexagonal)}},
+          {"farthest", {figures.first.farthest, figures.last.farthest}}};
+}
+
 }  // namespace
 
 void addShape(nlohmann::ordered_json& json, const Input& input) {
@@ -134,6 +146,7 @@ std::string statsJson(const Stats& stats) {
   json["area_sum"] = stats.area_sum ? Json(*stats.area_sum) : Json(nullptr);
   json["mass_sum"] = stats.mass_sum ? Json(*stats.mass_sum) : Json(nullptr);
   json["color"] = stats.color ? colorJson(*stats.color) : Json(nullptr);
+  if (stats.relaxation) json["relaxation"] = relaxationJson(*stats.relaxation);
   json["time_ms"] = {
       {"read", time(stats.input.read_ms)}, {"order", time(times.order)},    {"upload", time(times.upload)},
       {"search", time(times.search)},      {"cells", time(times.cells)},    {"draw", time(times.draw)},

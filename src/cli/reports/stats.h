@@ -12,6 +12,12 @@
 
 namespace vorpipe::cli {
 
+/// What moved the sites, where a run did.
+struct RelaxFigures {
+  std::string method, end;
+  RelaxStep first, last;
+};
+
 struct Stats {
   std::string command;
   const Input& input;
@@ -22,6 +28,7 @@ struct Stats {
   std::optional<double> area_sum{};  ///< none where cells were only drawn
   std::optional<double> mass_sum{};  ///< none without a density
   std::optional<ColorKey> color{};   ///< of a picture; none by site
+  std::optional<RelaxFigures> relaxation{};
 };
 
 /// Adds what the domain is besides its box, and between which numbers the weights are: "outline", "periodic",

@@ -14,7 +14,9 @@ namespace vorpipe::cli {
 namespace {
 
 std::atomic<int> caught{0};
-std::atomic<bool> over{false};  ///< a handler ends the program, or ignoreSignals keeps all from it
+std::atomic<int> answered{0};       ///< the signal after which a run ended with what it had
+std::atomic<bool> has_time{false};  ///< a run that was asked to stop may take long
+std::atomic<bool> over{false};      ///< a handler ends the program, or ignoreSignals keeps all from it
 std::atomic<bool> bar_is_shown{false};
 bool ignoring = false;  ///< ignoreSignals was called; one thread alone calls it
 std::atomic<const std::vector<std::string>*> unfinished{nullptr};  ///< the files to remove
@@ -54,6 +56,7 @@ void endProgram(int signal) {
 void askToStop(int signal) {
   int none = 0;
   if (!caught.compare_exchange_strong(none, signal)) return endProgram(signal);
+  if (has_time) return;
   const itimerval grace{{0, 0}, {0, grace_microseconds}};
   setitimer(ITIMER_REAL, &grace, nullptr);
 }
@@ -71,12 +74,27 @@ void stopOnSignals() {
   install(SIGTERM, askToStop);
 }
 
-void removeOnSignals(std::span<const OutputFile> files) {
+void awaitResultOnSignals() { has_time = true; }
+
+bool takeSignal() {
+  has_time = false;
+  const int signal = caught.exchange(0);
+  if (signal != 0) answered = signal;
+  return signal != 0;
+}
+
+Progress untilSignal() {
+  return [](std::string_view, double) { return caught == 0; };
+}
+
+void removeOnSignals(std::span<const OutputFile> files, std::span<const OutputFile> more) {
   static std::vector<std::string> paths;
   unfinished = nullptr;
   paths.clear();
-  for (const OutputFile& file : files) {
-    if (!file.temporary().empty()) paths.push_back(file.temporary());
+  for (const auto& some : {files, more}) {
+    for (const OutputFile& file : some) {
+      if (!file.temporary().empty()) paths.push_back(file.temporary());
+    }
   }
   unfinished = &paths;
 }
@@ -89,7 +107,7 @@ void ignoreSignals() {
   ignoring = true;
 }
 
-int signalExitCode() { return killed_by_signal + caught; }
+int signalExitCode() { return killed_by_signal + (caught != 0 ? caught : answered); }
 
 Result<void> stopIfAsked() {
   if (caught != 0) return tl::unexpected(Error{ErrorCode::cancelled, "interrupted"});
@@ -121,13 +139,21 @@ void ProgressBar::draw(std::string_view stage, double fraction) {
   done = std::max(done, std::clamp(fraction, 0.0, 1.0));
   const auto now = std::chrono::steady_clock::now();
   if (drawn_ && stage == stage_ && now - last_ < redraw_after) return;
-  const int full = static_cast<int>(done * bar_width);
-  fmt::print(stderr, "\r\033[K{:<16} [{:#<{}}{:.<{}}] {:3.0f} %", stage, "", full, "", bar_width - full,
-             done * 100);
+  put(stage, done);
+  stage_ = stage;
+}
+
+void ProgressBar::show(std::string_view text, double fraction) {
+  if (shown_) put(text, std::clamp(fraction, 0.0, 1.0));
+}
+
+void ProgressBar::put(std::string_view text, double fraction) {
+  const int full = static_cast<int>(fraction * bar_width);
+  fmt::print(stderr, "\r\033[K{:<16} [{:#<{}}{:.<{}}] {:3.0f} %", text, "", full, "", bar_width - full,
+             fraction * 100);
   std::fflush(stderr);
   drawn_ = bar_is_shown = true;
-  stage_ = stage;
-  last_ = now;
+  last_ = std::chrono::steady_clock::now();
 }
 
 }  // namespace vorpipe::cli

@@ -21,8 +21,19 @@ void endOnSignals();
 /// removeOnSignals was called.
 void stopOnSignals();
 
-/// Removes what was written of these so far when a signal ends the program.
-void removeOnSignals(std::span<const OutputFile> files);
+/// After stopOnSignals: a run that ends with what it has reached is given the time to write it, until a
+/// second signal.
+void awaitResultOnSignals();
+
+/// Whether a signal has asked the run to end with what it has reached. From here on the next one counts as
+/// the first. signalExitCode() tells of the one that asked.
+bool takeSignal();
+
+/// False once a signal has asked to stop.
+Progress untilSignal();
+
+/// Removes what was written of these so far when a signal ends the program; and of `more`.
+void removeOnSignals(std::span<const OutputFile> files, std::span<const OutputFile> more = {});
 
 /// From now on signals do nothing: the run is over, or its files are being put in place.
 void ignoreSignals();
@@ -45,11 +56,14 @@ class ProgressBar {
 
   /// A callback that draws the bar and is false once a signal has asked to stop. It refers to this bar.
   Progress callback();
+  /// Draws the bar of a run that is one stage, with a text of its own.
+  void show(std::string_view text, double fraction);
   /// Takes the bar off the screen.
   void clear();
 
  private:
   void draw(std::string_view stage, double fraction);
+  void put(std::string_view text, double fraction);
 
   bool shown_;
   bool drawn_ = false;

@@ -1,4 +1,3 @@
-#include <charconv>
 #include <string>
 #include <utility>
 #include <vector>
@@ -7,26 +6,12 @@
 #include "io/cells/cell_records.h"
 #include "io/cells/cell_rings.h"
 #include "io/cells/cells_file.h"
+#include "io/geopackage/attribute_fields.h"
 #include "io/geopackage/geopackage.h"
 #include "io/text/field_text.h"
 
 namespace vorpipe {
 namespace {
-
-FieldType fieldType(AttributeType type) {
-  switch (type) {
-    case AttributeType::integer:
-      return FieldType::integer;
-    case AttributeType::real:
-      return FieldType::real;
-    case AttributeType::boolean:
-      return FieldType::boolean;
-    case AttributeType::text:
-    case AttributeType::json:
-      break;
-  }
-  return FieldType::text;
-}
 
 std::vector<LayerField> fieldsOf(const CellsOutput& output) {
   const Diagram& diagram = output.diagram;
@@ -50,30 +35,6 @@ std::vector<LayerField> fieldsOf(const CellsOutput& output) {
     fields.push_back({utf8Of(names[k]), fieldType(output.attributes[k].type())});
   }
   return fields;
-}
-
-template <class Number>
-Number numberOf(std::string_view text) {
-  Number number{};
-  std::from_chars(text.data(), text.data() + text.size(), number);
-  return number;
-}
-
-void addValue(FeatureRow& row, const Attribute& attribute, std::size_t site) {
-  const auto value = attribute.at(site);
-  if (!value) return row.addMissing();
-  switch (attribute.type()) {
-    case AttributeType::integer:
-      return row.add(numberOf<std::int64_t>(*value));
-    case AttributeType::real:
-      return row.add(numberOf<double>(*value));
-    case AttributeType::boolean:
-      return row.add(std::int64_t{*value == "true"});
-    case AttributeType::text:
-    case AttributeType::json:
-      break;
-  }
-  row.add(std::string_view(utf8Of(*value)));
 }
 
 /// The rows of the layer, filled in the order of fieldsOf().

@@ -41,6 +41,8 @@ std::string_view sqlType(FieldType type) {
 
 std::string_view typeName(GeometryType type) {
   switch (type) {
+    case GeometryType::point:
+      return "POINT";
     case GeometryType::line_string:
       return "LINESTRING";
     case GeometryType::polygon:

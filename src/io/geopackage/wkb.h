@@ -15,7 +15,7 @@
 namespace vorpipe {
 
 /// The codes of well-known binary.
-enum class GeometryType : std::uint32_t { line_string = 2, polygon = 3, multi_polygon = 6 };
+enum class GeometryType : std::uint32_t { point = 1, line_string = 2, polygon = 3, multi_polygon = 6 };
 
 /// A geometry while it is put together: types and counts in the order in which well-known binary has them.
 /// The box is that of all points so far.
@@ -27,6 +27,13 @@ class Wkb {
     bytes_.push_back(little_endian);
     append(static_cast<std::uint32_t>(type));
     append(static_cast<std::uint32_t>(count));
+  }
+  /// The whole geometry of a point.
+  void addPoint(const Point& point) {
+    constexpr char little_endian = 1;
+    bytes_.push_back(little_endian);
+    append(static_cast<std::uint32_t>(GeometryType::point));
+    add(point);
   }
   /// Begins a ring of `count` points.
   void beginRing(std::size_t count) { append(static_cast<std::uint32_t>(count)); }

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "view/document/action.h"
@@ -40,15 +43,23 @@ struct PanelInput {
   std::optional<RelaxStep> relaxed{};  ///< the last step
   bool can_undo = false, can_redo = false;
   int width = 0, height = 0;  ///< of the window
+  double scale = 1;           ///< of letters and all else: 2 where pixels are half as large as usual
+  std::string computed_by{};  ///< "vulkan-compute on llvmpipe": what drew the last picture, or empty
+  /// Each key with what it does: what the help lists.
+  std::vector<std::pair<std::string, std::string>> keys{};
 };
 
 struct PanelAnswer {
-  Settings settings;  ///< as the panel has changed them
-  std::vector<Action> actions;
+  Settings settings;                               ///< as the panel has changed them
+  std::vector<Action> actions;                     ///< after the settings have changed
   bool takes_pointer = false, takes_keys = false;  ///< the window is not to have them
+  bool new_texture = false;  ///< another scale: the presenter needs texture() before this frame is shown
 };
 
-/// Dear ImGui, without its windows and its graphics. One at a time.
+/// Where something stands in the window, by name: "Edges", "Color/area", "Run".
+using PanelPlaces = std::map<std::string, Placement, std::less<>>;
+
+/// Dear ImGui, without its windows and its graphics. Of one thread.
 class Panel {
  public:
   Panel();
@@ -57,9 +68,14 @@ class Panel {
   ~Panel();
 
   [[nodiscard]] const PanelTexture& texture() const;
-  void take(const Event& event);
-  /// The next frame. `triangles` is replaced, and empty where nothing is to be seen.
+  /// Whether it keeps the event to itself, as the panel stands since the last frame: the pointer is over it,
+  /// drags what began there, or closes a list; a key is typed into a field. All others are the window's.
+  bool take(const Event& event);
+  /// The next frame, of all that was taken. `triangles` is replaced, and empty where nothing is to be seen.
+  /// The same again is drawn in the same way: no time passes.
   PanelAnswer draw(const PanelInput& input, PanelTriangles& triangles);
+  /// What stood where in the last frame; what is scrolled out of sight may be beyond the window.
+  [[nodiscard]] const PanelPlaces& places() const;
 
  private:
   struct State;

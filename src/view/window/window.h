@@ -28,13 +28,16 @@ class Window {
   Window& operator=(Window&&) noexcept;
   ~Window();
 
-  /// What happened since the last call. With `seconds` above 0 it waits until something does, or so long.
+  /// What happened since the last call. With `seconds` above 0 it waits until something does, or so long; it
+  /// may return earlier without any. A Resize to the size that the window has means that the desktop has lost
+  /// what a part of it showed. A key that gives a character comes as Key, then as Text.
   std::vector<Event> events(double seconds);
   /// Ends a wait; from any thread.
   void wake();
 
-  /// Does what a script says about the window itself: Resize, Minimize, Restore, Close. Resize and Minimize
-  /// come back as events once the desktop has done them.
+  /// Does what a script says about the window itself: Resize, Minimize, Restore, Close. They come back as
+  /// events, Close at once, the others when the desktop has done them: without a window manager none is
+  /// minimized.
   void apply(const Event& event);
 
   /// In pixels of the framebuffer; 0 x 0 while it is minimized.

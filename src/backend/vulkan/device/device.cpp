@@ -9,7 +9,7 @@
 
 namespace vorpipe::vulkan {
 
-Result<Device> Device::open(const Physical& physical) {
+Result<Device> Device::open(const Physical& physical, std::span<const char* const> wanted) {
   const float priority = 1.0F;
   auto queue = structure<VkDeviceQueueCreateInfo>(VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO);
   queue.queueFamilyIndex = physical.queue_family;
@@ -19,7 +19,7 @@ Result<Device> Device::open(const Physical& physical) {
   features.geometryShader = physical.capabilities.geometry_shader ? VK_TRUE : VK_FALSE;
   features.vertexPipelineStoresAndAtomics =
       physical.capabilities.vertex_pipeline_stores_and_atomics ? VK_TRUE : VK_FALSE;
-  std::vector<const char*> extensions;
+  std::vector<const char*> extensions(wanted.begin(), wanted.end());
   if (physical.portability_subset) extensions.push_back("VK_KHR_portability_subset");
   auto info = structure<VkDeviceCreateInfo>(VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO);
   info.queueCreateInfoCount = 1;
@@ -85,7 +85,7 @@ Result<void> Device::prepare(std::uint32_t queue_family) {
   return {};
 }
 
-Result<void> Device::run(const std::function<void(VkCommandBuffer)>& record) {
+Result<void> Device::run(const std::function<void(VkCommandBuffer)>& record, const Semaphores& semaphores) {
   VORPIPE_TRY(check(api_->vkResetCommandPool(device_, pool_.get(), 0), "vkResetCommandPool"));
   auto begin = structure<VkCommandBufferBeginInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO);
   begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
@@ -102,6 +102,11 @@ Result<void> Device::run(const std::function<void(VkCommandBuffer)>& record) {
   auto submit = structure<VkSubmitInfo>(VK_STRUCTURE_TYPE_SUBMIT_INFO);
   submit.commandBufferCount = 1;
   submit.pCommandBuffers = &commands_;
+  submit.waitSemaphoreCount = semaphores.before != VK_NULL_HANDLE ? 1 : 0;
+  submit.pWaitSemaphores = &semaphores.before;
+  submit.pWaitDstStageMask = &semaphores.before_stage;
+  submit.signalSemaphoreCount = semaphores.after != VK_NULL_HANDLE ? 1 : 0;
+  submit.pSignalSemaphores = &semaphores.after;
   const VkFence fence = done_.get();
   VORPIPE_TRY(check(api_->vkResetFences(device_, 1, &fence), "vkResetFences"));
   VORPIPE_TRY(check(api_->vkQueueSubmit(queue_, 1, &submit, fence), "vkQueueSubmit"));

@@ -79,13 +79,13 @@ VkDebugUtilsMessengerCreateInfoEXT messengerInfo(MessageLog& log) {
 }
 
 // Creates the instance and loads its entry points.
-Result<VkInstance> createInstance(bool validation, MessageLog& log) {
+Result<VkInstance> createInstance(bool validation, std::span<const char* const> wanted, MessageLog& log) {
   auto application = structure<VkApplicationInfo>(VK_STRUCTURE_TYPE_APPLICATION_INFO);
   application.pApplicationName = "vorpipe";
   application.apiVersion = VK_API_VERSION_1_1;
   auto info = structure<VkInstanceCreateInfo>(VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO);
   info.pApplicationInfo = &application;
-  std::vector<const char*> extensions;
+  std::vector<const char*> extensions(wanted.begin(), wanted.end());
   if (hasExtension(nullptr, VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME)) {
     extensions.push_back(VK_KHR_PORTABILITY_ENUMERATION_EXTENSION_NAME);
     info.flags = VK_INSTANCE_CREATE_ENUMERATE_PORTABILITY_BIT_KHR;
@@ -129,14 +129,14 @@ std::vector<std::string> MessageLog::take() {
   return std::exchange(messages_, {});
 }
 
-Result<Instance> Instance::open(bool validation) {
+Result<Instance> Instance::open(bool validation, std::span<const char* const> extensions) {
   VORPIPE_TRY(loadVulkan());
   if (validation && !hasValidationLayer()) {
     return deviceError(std::string("the Vulkan layer ") + validation_layer +
                        " is not installed: install vulkan-validationlayers (Debian/Ubuntu)");
   }
   Instance opened;
-  Result<VkInstance> instance = createInstance(validation, *opened.log_);
+  Result<VkInstance> instance = createInstance(validation, extensions, *opened.log_);
   if (!instance) return tl::unexpected(std::move(instance).error());
   opened.instance_ = *instance;
   if (validation) {

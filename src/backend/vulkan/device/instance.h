@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <mutex>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,9 @@ class MessageLog {
 class Instance {
  public:
   /// Loads Vulkan 1.1. With validation, core and synchronization validation are on and every
-  /// warning and error goes to messages(). Errors (device): no loader, no driver, no layer.
-  static Result<Instance> open(bool validation);
+  /// warning and error goes to messages(). `extensions` are enabled besides, for those who show what they
+  /// draw. Errors (device): no loader, no driver, no layer, no such extension.
+  static Result<Instance> open(bool validation, std::span<const char* const> extensions = {});
   Instance(Instance&& other) noexcept;
   Instance& operator=(Instance&& other) noexcept;
   ~Instance();

@@ -206,6 +206,7 @@ Result<Physical> describe(VkPhysicalDevice handle, const Mask& mask, Pipeline pi
   }
   VORPIPE_TRY(applyMask(device.capabilities, mask));
   device.portability_subset = contains(*extensions, "VK_KHR_portability_subset");
+  device.swapchain = contains(*extensions, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
   const bool has_driver_name = current && contains(*extensions, VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME);
   device.info.backend = nameOf(pipeline);
   device.info.name = properties.deviceName;

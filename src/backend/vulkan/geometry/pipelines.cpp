@@ -128,7 +128,7 @@ struct FixedState {
 
 Result<Pipelines> Pipelines::create(const Device& device) {
   Pipelines pipelines;
-  Result<Handle<VkRenderPass>> target_pass = createRenderPass(device);
+  Result<Handle<VkRenderPass>> target_pass = createRenderPass(device, target_formats);
   if (!target_pass) return tl::unexpected(std::move(target_pass).error());
   pipelines.target_pass_ = std::move(*target_pass);
   Result<Handle<VkRenderPass>> empty_pass = createEmptyPass(device);

@@ -7,6 +7,7 @@
 
 #include "backend/vulkan/device/error.h"
 #include "backend/vulkan/device/structure.h"
+#include "backend/vulkan/kernels/triangle_pipeline.h"
 #include "shaders.h"
 
 namespace vorpipe::vulkan {
@@ -25,9 +26,6 @@ constexpr std::array<VkVertexInputAttributeDescription, 2> attributes = {{
     {1, 0, VK_FORMAT_R32G32_UINT, 2 * sizeof(float)},
 }};
 
-constexpr std::array<VkDynamicState, 2> dynamic_states = {VK_DYNAMIC_STATE_VIEWPORT,
-                                                          VK_DYNAMIC_STATE_SCISSOR};
-
 constexpr VkPipelineColorBlendAttachmentState write_all{VK_FALSE,
                                                         VK_BLEND_FACTOR_ZERO,
                                                         VK_BLEND_FACTOR_ZERO,
@@ -39,88 +37,17 @@ constexpr VkPipelineColorBlendAttachmentState write_all{VK_FALSE,
                                                             VK_COLOR_COMPONENT_B_BIT |
                                                             VK_COLOR_COMPONENT_A_BIT};
 
-Result<Handle<VkShaderModule>> createModule(const Device& device, std::span<const std::uint32_t> code) {
-  auto info = structure<VkShaderModuleCreateInfo>(VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO);
-  info.codeSize = code.size_bytes();
-  info.pCode = code.data();
-  return create(device.handle(), device.api().vkCreateShaderModule, device.api().vkDestroyShaderModule, info,
-                "vkCreateShaderModule");
-}
-
-VkPipelineShaderStageCreateInfo stageOf(VkShaderStageFlagBits stage, VkShaderModule module) {
-  auto info = structure<VkPipelineShaderStageCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO);
-  info.stage = stage;
-  info.module = module;
-  info.pName = "main";
-  return info;
-}
-
-// The stages make up the rest of the pipeline.
-Result<Handle<VkPipeline>> build(const Device& device, VkPipelineLayout layout, VkRenderPass pass,
-                                 std::span<const VkPipelineShaderStageCreateInfo> stages) {
-  auto input = structure<VkPipelineVertexInputStateCreateInfo>(
-      VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO);
-  input.vertexBindingDescriptionCount = 1;
-  input.pVertexBindingDescriptions = &vertices;
-  input.vertexAttributeDescriptionCount = static_cast<std::uint32_t>(attributes.size());
-  input.pVertexAttributeDescriptions = attributes.data();
-  auto assembly = structure<VkPipelineInputAssemblyStateCreateInfo>(
-      VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO);
-  assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
-  auto viewport =
-      structure<VkPipelineViewportStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_VIEWPORT_STATE_CREATE_INFO);
-  viewport.viewportCount = 1;
-  viewport.scissorCount = 1;
-  auto raster = structure<VkPipelineRasterizationStateCreateInfo>(
-      VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO);
-  raster.polygonMode = VK_POLYGON_MODE_FILL;
-  raster.cullMode = VK_CULL_MODE_NONE;
-  raster.lineWidth = 1.0F;
-  auto samples = structure<VkPipelineMultisampleStateCreateInfo>(
-      VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO);
-  samples.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
-  const std::array writes = {write_all, write_all};
-  auto blend = structure<VkPipelineColorBlendStateCreateInfo>(
-      VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO);
-  blend.attachmentCount = static_cast<std::uint32_t>(writes.size());
-  blend.pAttachments = writes.data();
-  auto dynamic =
-      structure<VkPipelineDynamicStateCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO);
-  dynamic.dynamicStateCount = static_cast<std::uint32_t>(dynamic_states.size());
-  dynamic.pDynamicStates = dynamic_states.data();
-  auto info = structure<VkGraphicsPipelineCreateInfo>(VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO);
-  info.stageCount = static_cast<std::uint32_t>(stages.size());
-  info.pStages = stages.data();
-  info.pVertexInputState = &input;
-  info.pInputAssemblyState = &assembly;
-  info.pViewportState = &viewport;
-  info.pRasterizationState = &raster;
-  info.pMultisampleState = &samples;
-  info.pColorBlendState = &blend;
-  info.pDynamicState = &dynamic;
-  info.layout = layout;
-  info.renderPass = pass;
-  VkPipeline pipeline = VK_NULL_HANDLE;
-  VORPIPE_TRY(check(
-      device.api().vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
-      "vkCreateGraphicsPipelines"));
-  return Handle<VkPipeline>(device.handle(), pipeline, device.api().vkDestroyPipeline);
-}
-
 }  // namespace
 
 Result<Painter> Painter::create(const Device& device) {
   Result<Bindings> bindings = Bindings::create(device, paint_bindings, 0);
   if (!bindings) return tl::unexpected(std::move(bindings).error());
-  Result<Handle<VkRenderPass>> pass = createRenderPass(device);
+  Result<Handle<VkRenderPass>> pass = createRenderPass(device, target_formats);
   if (!pass) return tl::unexpected(std::move(pass).error());
-  const Result<Handle<VkShaderModule>> vertex = createModule(device, shaders::polygon_vert());
-  if (!vertex) return tl::unexpected(vertex.error());
-  const Result<Handle<VkShaderModule>> fragment = createModule(device, shaders::cell_frag());
-  if (!fragment) return tl::unexpected(fragment.error());
-  const std::array stages = {stageOf(VK_SHADER_STAGE_VERTEX_BIT, vertex->get()),
-                             stageOf(VK_SHADER_STAGE_FRAGMENT_BIT, fragment->get())};
-  Result<Handle<VkPipeline>> pipeline = build(device, bindings->layout(), pass->get(), stages);
+  const std::array writes = {write_all, write_all};
+  Result<Handle<VkPipeline>> pipeline =
+      createTrianglePipeline(device, bindings->layout(), pass->get(),
+                             {shaders::polygon_vert(), shaders::cell_frag(), vertices, attributes, writes});
   if (!pipeline) return tl::unexpected(std::move(pipeline).error());
   return Painter(std::move(*bindings), std::move(*pass), std::move(*pipeline));
 }

@@ -104,6 +104,13 @@ void Bindings::setTexels(const Device& device, std::uint32_t binding, VkBufferVi
   device.api().vkUpdateDescriptorSets(device.handle(), 1, &write, 0, nullptr);
 }
 
+void Bindings::setSampled(const Device& device, std::uint32_t binding, VkSampler sampler, VkImageView image) {
+  const VkDescriptorImageInfo sampled{sampler, image, VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL};
+  VkWriteDescriptorSet write = writeTo(set_, binding, VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER);
+  write.pImageInfo = &sampled;
+  device.api().vkUpdateDescriptorSets(device.handle(), 1, &write, 0, nullptr);
+}
+
 void Bindings::setStorage(const Device& device, std::uint32_t binding, VkBuffer buffer, VkDeviceSize bytes) {
   const VkDescriptorBufferInfo part{buffer, 0, bytes};
   VkWriteDescriptorSet write = writeTo(set_, binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);

@@ -24,6 +24,8 @@ class Bindings {
   void setUniform(const Device& device, std::uint32_t binding, VkBuffer buffer);
   void setTexels(const Device& device, std::uint32_t binding, VkBufferView texels);
   void setStorage(const Device& device, std::uint32_t binding, VkBuffer buffer, VkDeviceSize bytes);
+  /// An image that is in VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL when it is read.
+  void setSampled(const Device& device, std::uint32_t binding, VkSampler sampler, VkImageView image);
 
   [[nodiscard]] VkPipelineLayout layout() const { return layout_.get(); }
   [[nodiscard]] VkDescriptorSet set() const { return set_; }

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstring>
 #include <utility>
+#include <vector>
 
 #include "backend/vulkan/device/error.h"
 #include "backend/vulkan/device/structure.h"
@@ -12,41 +13,6 @@
 
 namespace vorpipe::vulkan {
 namespace {
-
-constexpr VkImageSubresourceRange whole{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
-
-struct Use {
-  VkImageLayout layout;
-  VkPipelineStageFlags stage;
-  VkAccessFlags access;
-};
-
-constexpr Use drawn{VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_PIPELINE_STAGE_COLOR_ATTACHMENT_OUTPUT_BIT,
-                    VK_ACCESS_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_COLOR_ATTACHMENT_WRITE_BIT};
-constexpr Use cleared{VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_PIPELINE_STAGE_TRANSFER_BIT,
-                      VK_ACCESS_TRANSFER_WRITE_BIT};
-constexpr Use copied{VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_PIPELINE_STAGE_TRANSFER_BIT,
-                     VK_ACCESS_TRANSFER_READ_BIT};
-constexpr Use forgotten{VK_IMAGE_LAYOUT_UNDEFINED, drawn.stage, drawn.access};
-
-template <std::size_t count>
-void change(const VolkDeviceTable& api, VkCommandBuffer commands, const std::array<VkImage, count>& images,
-            const Use& from, const Use& to) {
-  std::array<VkImageMemoryBarrier, count> barriers{};
-  for (std::size_t k = 0; k < images.size(); k++) {
-    barriers[k].sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
-    barriers[k].srcAccessMask = from.access;
-    barriers[k].dstAccessMask = to.access;
-    barriers[k].oldLayout = from.layout;
-    barriers[k].newLayout = to.layout;
-    barriers[k].srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    barriers[k].dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    barriers[k].image = images[k];
-    barriers[k].subresourceRange = whole;
-  }
-  api.vkCmdPipelineBarrier(commands, from.stage, to.stage, 0, 0, nullptr, 0, nullptr,
-                           static_cast<std::uint32_t>(barriers.size()), barriers.data());
-}
 
 VkAttachmentDescription attachment(VkFormat format) {
   VkAttachmentDescription description{};
@@ -61,12 +27,18 @@ VkAttachmentDescription attachment(VkFormat format) {
   return description;
 }
 
+constexpr VkImageUsageFlags plane_usage =
+    VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+
 }  // namespace
 
-Result<Handle<VkRenderPass>> createRenderPass(const Device& device) {
-  const std::array attachments = {attachment(color_format), attachment(id_format)};
-  const std::array references = {VkAttachmentReference{0, drawn.layout},
-                                 VkAttachmentReference{1, drawn.layout}};
+Result<Handle<VkRenderPass>> createRenderPass(const Device& device, std::span<const VkFormat> formats) {
+  std::vector<VkAttachmentDescription> attachments;
+  std::vector<VkAttachmentReference> references;
+  for (const VkFormat format : formats) {
+    references.push_back({static_cast<std::uint32_t>(attachments.size()), drawn.layout});
+    attachments.push_back(attachment(format));
+  }
   VkSubpassDescription subpass{};
   subpass.pipelineBindPoint = VK_PIPELINE_BIND_POINT_GRAPHICS;
   subpass.colorAttachmentCount = static_cast<std::uint32_t>(references.size());
@@ -94,44 +66,6 @@ Result<Handle<VkRenderPass>> createRenderPass(const Device& device) {
                 "vkCreateRenderPass");
 }
 
-Result<Target::Plane> Target::createPlane(const Device& device, VkFormat format, VkExtent2D extent) {
-  const VolkDeviceTable& api = device.api();
-  auto info = structure<VkImageCreateInfo>(VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO);
-  info.imageType = VK_IMAGE_TYPE_2D;
-  info.format = format;
-  info.extent = {extent.width, extent.height, 1};
-  info.mipLevels = 1;
-  info.arrayLayers = 1;
-  info.samples = VK_SAMPLE_COUNT_1_BIT;
-  info.tiling = VK_IMAGE_TILING_OPTIMAL;
-  info.usage =
-      VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-  info.sharingMode = VK_SHARING_MODE_EXCLUSIVE;
-  info.initialLayout = VK_IMAGE_LAYOUT_UNDEFINED;
-  Result<Handle<VkImage>> image =
-      create(device.handle(), api.vkCreateImage, api.vkDestroyImage, info, "vkCreateImage");
-  if (!image) return tl::unexpected(std::move(image).error());
-  VkMemoryRequirements needed{};
-  api.vkGetImageMemoryRequirements(device.handle(), image->get(), &needed);
-  Result<Handle<VkDeviceMemory>> memory = allocate(device, needed, Placement::device, "an image");
-  if (!memory) return tl::unexpected(std::move(memory).error());
-  Plane plane;
-  plane.memory = std::move(*memory);
-  plane.image = std::move(*image);
-  VORPIPE_TRY(check(api.vkBindImageMemory(device.handle(), plane.image.get(), plane.memory.get(), 0),
-                    "vkBindImageMemory"));
-  auto view_info = structure<VkImageViewCreateInfo>(VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO);
-  view_info.image = plane.image.get();
-  view_info.viewType = VK_IMAGE_VIEW_TYPE_2D;
-  view_info.format = format;
-  view_info.subresourceRange = whole;
-  Result<Handle<VkImageView>> view =
-      create(device.handle(), api.vkCreateImageView, api.vkDestroyImageView, view_info, "vkCreateImageView");
-  if (!view) return tl::unexpected(std::move(view).error());
-  plane.view = std::move(*view);
-  return plane;
-}
-
 std::size_t Target::planeBytes() const {
   return std::size_t{extent_.width} * extent_.height * sizeof(std::uint32_t);
 }
@@ -144,7 +78,7 @@ Result<void> Target::resize(const Device& device, VkRenderPass pass, std::uint32
   color_ = {};
   id_ = {};
   for (const auto& [plane, format] : {std::pair(&color_, color_format), std::pair(&id_, id_format)}) {
-    Result<Plane> created = createPlane(device, format, extent_);
+    Result<Plane> created = createPlane(device, {format, plane_usage}, extent_);
     if (!created) return tl::unexpected(std::move(created).error());
     *plane = std::move(*created);
   }
@@ -171,9 +105,9 @@ Result<void> Target::clear(Device& device) const {
   return device.run([&](VkCommandBuffer commands) {
     change(api, commands, images, forgotten, cleared);
     VkClearColorValue nothing{};
-    api.vkCmdClearColorImage(commands, images[0], cleared.layout, &nothing, 1, &whole);
+    api.vkCmdClearColorImage(commands, images[0], cleared.layout, &nothing, 1, &whole_plane);
     std::ranges::fill(nothing.uint32, no_site);
-    api.vkCmdClearColorImage(commands, images[1], cleared.layout, &nothing, 1, &whole);
+    api.vkCmdClearColorImage(commands, images[1], cleared.layout, &nothing, 1, &whole_plane);
     change(api, commands, images, cleared, drawn);
   });
 }

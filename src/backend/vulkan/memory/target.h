@@ -3,6 +3,7 @@
 
 #include <volk.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -10,14 +11,18 @@
 #include "backend/vulkan/device/device.h"
 #include "backend/vulkan/device/handle.h"
 #include "backend/vulkan/memory/buffer.h"
+#include "backend/vulkan/memory/plane.h"
 
 namespace vorpipe::vulkan {
 
 inline constexpr VkFormat color_format = VK_FORMAT_R8G8B8A8_UNORM;
 inline constexpr VkFormat id_format = VK_FORMAT_R32_UINT;
 
-/// Draws onto a Target: color is attachment 0, id is attachment 1, and both keep what is there.
-Result<Handle<VkRenderPass>> createRenderPass(const Device& device);
+/// What a Target has: color is attachment 0, id is attachment 1.
+inline constexpr std::array target_formats = {color_format, id_format};
+
+/// Draws onto planes of these formats, in the layout of `drawn`; they keep what is there.
+Result<Handle<VkRenderPass>> createRenderPass(const Device& device, std::span<const VkFormat> formats);
 
 class Target {
  public:
@@ -32,13 +37,6 @@ class Target {
   [[nodiscard]] VkFramebuffer framebuffer() const { return framebuffer_.get(); }
 
  private:
-  struct Plane {
-    Handle<VkDeviceMemory> memory;
-    Handle<VkImage> image;
-    Handle<VkImageView> view;
-  };
-
-  static Result<Plane> createPlane(const Device& device, VkFormat format, VkExtent2D extent);
   Result<void> readPlane(Device& device, const Plane& plane, std::span<std::uint32_t> to);
   [[nodiscard]] std::size_t planeBytes() const;
 

@@ -1,0 +1,26 @@
+/// Pipelines that draw triangles with a vertex and a fragment shader.
+#pragma once
+
+#include <volk.h>
+
+#include <cstdint>
+#include <span>
+
+#include "backend/vulkan/device/device.h"
+#include "backend/vulkan/device/handle.h"
+
+namespace vorpipe::vulkan {
+
+/// In which they differ.
+struct TriangleParts {
+  std::span<const std::uint32_t> vertex, fragment;  ///< code
+  VkVertexInputBindingDescription vertices;
+  std::span<const VkVertexInputAttributeDescription> attributes;
+  std::span<const VkPipelineColorBlendAttachmentState> writes;  ///< for each attachment of the pass
+};
+
+/// Both sides are drawn; viewport and scissor are set when it is used.
+Result<Handle<VkPipeline>> createTrianglePipeline(const Device& device, VkPipelineLayout layout,
+                                                  VkRenderPass pass, const TriangleParts& parts);
+
+}  // namespace vorpipe::vulkan

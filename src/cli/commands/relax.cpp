@@ -1,0 +1,358 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numeric>
+
+#include "base/stopwatch.h"
+#include "bench/measured/driver_threads.h"
+#include "cli/commands/command.h"
+#include "cli/options/options.h"
+#include "cli/options/picture_options.h"
+#include "cli/options/relax_outputs.h"
+#include "cli/reports/stats.h"
+#include "cli/runs/drawn_input.h"
+#include "cli/runs/forecast.h"
+#include "cli/runs/input.h"
+#include "cli/runs/picture.h"
+#include "cli/runs/relax_files.h"
+#include "cli/runs/run_end.h"
+#include "cli/terminal/error_line.h"
+#include "cli/terminal/progress.h"
+#include "io/domain/density_file.h"
+#include "io/files/error.h"
+#include "io/forecast/forecast_files.h"
+#include "io/text/number.h"
+#include "vorpipe/stipple.h"
+
+namespace vorpipe::cli {
+namespace {
+
+struct RelaxCommand {
+  InputOptions input;
+  BackendOptions backend;
+  TalkOptions talk;
+  SearchOptions search;
+  PictureOptions picture;
+  RelaxMethod method = RelaxMethod::lbfgs;
+  std::uint64_t iterations = 50;
+  double tolerance = 0;
+  bool equal_masses = false;
+  RelaxTargets targets;
+  std::string density, stats;
+  std::optional<std::uint64_t> memory_limit;
+};
+
+std::vector<std::string> methodNames() { return {"lbfgs", "lloyd"}; }
+
+Parsed<RelaxMethod> parseMethod(std::string_view text) {
+  if (text == "lbfgs") return RelaxMethod::lbfgs;
+  if (text == "lloyd") return RelaxMethod::lloyd;
+  return tl::unexpected(fmt::format("{} is not {}", quoted(text), anyOf(methodNames())));
+}
+
+Parsed<double> parseTolerance(std::string_view text) {
+  const auto number = parseNumber(text);
+  if (!number) return tl::unexpected(number.error());
+  if (*number >= 0) return *number;
+  return tl::unexpected(fmt::format("{} is not a number of 0 or more", *number));
+}
+
+/// The output files that were asked for, in the order in which they are created.
+std::vector<std::string> outputPaths(const RelaxCommand& command) {
+  std::vector<std::string> paths = command.targets.paths();
+  if (!command.targets.trace.empty()) paths.push_back(command.targets.trace);
+  if (!command.stats.empty()) paths.push_back(command.stats);
+  return paths;
+}
+
+std::string_view wordOf(RelaxEnd end) {
+  constexpr std::array<std::string_view, 4> words{"iterations", "tolerance", "stagnated", "cancelled"};
+  return words[static_cast<std::size_t>(end)];
+}
+
+/// What a run takes: sites and steps beside the cells of a diagram, then what files take.
+PlanRun planOf(const RelaxCommand& command, std::uint64_t density_pixels) {
+  return [&command, density_pixels](MemoryPlan& plan, Workload work) {
+    constexpr std::uint64_t number = sizeof(double), steps_of_newton = 14, others = 12;
+    work.density_pixels = density_pixels;
+    if (density_pixels > 0) planDensity(plan, density_pixels);
+    planSession(plan, work);
+    const auto since = plan.next();
+    const bool newton = command.method == RelaxMethod::lbfgs;
+    plan.take("sites that move", (others + (newton ? steps_of_newton : 0)) * 2 * number * work.sites);
+    plan.drop(planCells(plan, work, Detail::polygons));
+    plan.dropSince(since);
+    const PictureSize size = sizeBefore(command.picture.size);
+    RenderOptions render = command.picture.render;
+    render.width = size.width;
+    render.height = size.height;
+    if (!command.targets.pictures.empty()) {
+      planDrawing(plan, work, render, needsOf(command.targets.pictures), false);
+    }
+    if (!command.targets.cells.empty()) planCells(plan, work, command.targets.detail());
+    for (const CellsTarget& target : command.targets.cells) planCellsFile(plan, work, *target.format);
+  };
+}
+
+/// A run that is under way.
+struct RelaxRun {
+  const RelaxCommand& command;
+  RelaxJob job;
+  RunLog& log;
+  std::vector<OutputFile> files{};
+};
+
+/// Writes the numbered files of a diagram.
+Result<void> saveNumbered(RelaxRun& run, Session& session, const Relaxation& relaxation) {
+  const auto parts = partsOf(session, run.job, relaxation.sites());
+  if (!parts) return tl::unexpected(parts.error());
+  const auto paths = run.job.targets.numberedPaths(relaxation.trace().back().diagram);
+  auto numbered = createOutputs(paths);
+  if (!numbered) return tl::unexpected(std::move(numbered.error()));
+  removeOnSignals(run.files, *numbered);
+  const auto writers = writersOf(run.job, *parts);
+  for (std::size_t k = 0; k < writers.size(); ++k) {
+    if (auto written = run.log.noteOutput((*numbered)[k], writers[k]); !written) return written;
+  }
+  auto committed = commitAll(*numbered);
+  removeOnSignals(run.files);
+  return committed;
+}
+
+/// "relax 12/50, 1.0334".
+std::string progressText(const RelaxStep& step, std::uint64_t iterations) {
+  const std::string at = fmt::format("relax {}/{}", step.diagram, iterations);
+  return std::isfinite(step.hexagonal) ? fmt::format("{}, {:.4f}", at, step.hexagonal)
+                                       : fmt::format("{}, {:.6g}", at, step.energy);
+}
+
+Result<Relaxed> relaxIn(RelaxRun& run, Session& session, RelaxOptions options) {
+  ProgressBar bar(run.command.talk.quiet);
+  const std::uint64_t every = run.job.targets.every;
+  const auto whole = static_cast<double>(std::max<std::uint64_t>(options.iterations, 1));
+  const auto iterations = options.iterations;
+  auto relaxation = Relaxation::begin(session, run.job.input.sites, std::move(options));
+  if (!relaxation) return tl::unexpected(std::move(relaxation.error()));
+  Result<bool> more = true;
+  while (more && *more) {
+    const RelaxStep& last = relaxation->trace().back();
+    bar.show(progressText(last, iterations), static_cast<double>(last.diagram) / whole);
+    if (every > 0 && last.diagram % every == 0) {
+      if (auto saved = saveNumbered(run, session, *relaxation); !saved) return tl::unexpected(saved.error());
+    }
+    more = relaxation->step();
+  }
+  if (!more) return tl::unexpected(more.error());
+  return Relaxed{relaxation->sites(), relaxation->trace(), relaxation->end(), relaxation->report()};
+}
+
+/// What is relaxed, but for the progress.
+RelaxOptions relaxOptions(const RelaxCommand& command, const Input& input, const Density& density) {
+  RelaxOptions options{};
+  options.domain = input.domain;
+  options.outline = input.outline;
+  options.periodic = input.periodic;
+  options.density = command.equal_masses ? forEqualMasses(density) : density;
+  options.search = command.search;
+  options.method = command.method;
+  options.iterations = command.iterations;
+  options.tolerance = command.tolerance;
+  options.progress = untilSignal();
+  return options;
+}
+
+std::string summaryOf(const Relaxed& relaxed) {
+  const RelaxStep &first = relaxed.trace.front(), &last = relaxed.trace.back();
+  std::string text = fmt::format("energy {:.6g} to {:.6g}", first.energy, last.energy);
+  if (std::isfinite(last.hexagonal)) {
+    text += fmt::format(" ({:.4f} to {:.4f} of the hexagonal lattice's)", first.hexagonal, last.hexagonal);
+  }
+  return text + fmt::format(" after {} diagrams ({})", last.diagram, wordOf(relaxed.end));
+}
+
+Result<void> writeFiles(RelaxRun& run, Session& session, const Relaxed& relaxed, std::uint64_t forecast,
+                        const Stopwatch& total) {
+  const Stopwatch watch;
+  const auto parts = partsOf(session, run.job, relaxed.sites);
+  if (!parts) return tl::unexpected(parts.error());
+  std::vector<Writer> writers = writersOf(run.job, *parts);
+  if (!run.job.targets.trace.empty()) {
+    writers.emplace_back([&](ByteSink& to) {
+      run.log.noteTimeless(traceText(relaxed.trace, false));
+      return to.write(traceText(relaxed.trace, true));
+    });
+  }
+  const auto json = [&] {
+    Stats stats{"relax", run.job.input, relaxed.report, run.log, watch.milliseconds(), total.milliseconds(),
+                forecast};
+    if (parts->cells) stats.area_sum = areaSum(*parts->cells);
+    if (parts->cells && !parts->cells->mass.empty()) {
+      stats.mass_sum = std::accumulate(parts->cells->mass.begin(), parts->cells->mass.end(), 0.0);
+    }
+    stats.relaxation =
+        RelaxFigures{run.command.method == RelaxMethod::lloyd ? "lloyd" : "lbfgs",
+                     std::string(wordOf(relaxed.end)), relaxed.trace.front(), relaxed.trace.back()};
+    return statsJson(stats);
+  };
+  return writeOutputs(run.files, writers, run.log, json);
+}
+
+/// Refuses options that nothing takes, and gives standard output its format.
+Result<void> checkCommand(RelaxCommand& command) {
+  if (outputPaths(command).empty()) {
+    return inputError(
+        "-o: name what to write, as in -o sites.csv (or give --cells, --picture, --trace or --stats)");
+  }
+  const bool given = !command.input.format.output.empty();
+  if (given && command.input.sites != "-" && !command.targets.useStandardOutput()) {
+    return inputError("--format: neither --sites - nor -o - is there to take it");
+  }
+  if (command.equal_masses && command.density.empty()) {
+    return inputError("--equal-masses: is for a --density; without one masses are areas");
+  }
+  return takeFormat(command.targets, command.input.format.output);
+}
+
+Result<Density> densityOf(const RelaxCommand& command) {
+  if (command.density.empty()) return {};
+  auto density = readDensity(command.density);
+  if (!density) return named("--density", std::move(density.error()));
+  return density;
+}
+
+/// Reads, generates or draws the sites; `options` are left as the rest of the run takes them.
+Result<Input> inputOf(const RelaxCommand& command, const Density& density, InputOptions& options) {
+  const auto drawn = drawnCount(options);
+  if (!drawn) return tl::unexpected(drawn.error());
+  if (*drawn) {
+    auto generator = asGenerator(options, **drawn, density);
+    if (!generator) return tl::unexpected(std::move(generator.error()));
+    options = std::move(*generator);
+  }
+  const auto fits = forecastGenerated(options, planOf(command, density.values.size()), command.memory_limit);
+  if (!fits) return tl::unexpected(fits.error());
+  auto input = loadInput(options);
+  if (input && *drawn) {
+    if (auto done = drawSites(*input, density, options.seed); !done)
+      return tl::unexpected(std::move(done.error()));
+  }
+  return input;
+}
+
+/// What can be refused before a backend is opened.
+Result<void> checkOptions(const RelaxCommand& command, const InputOptions& reading, const Input& input,
+                          const Density& density) {
+  CellsOptions cells{};
+  cells.domain = input.domain;
+  cells.outline = input.outline;
+  cells.periodic = input.periodic;
+  cells.density = density;
+  cells.search = command.search;
+  if (auto checked = checkInput(reading, input, cells, command.backend.threads); !checked) return checked;
+  if (command.targets.pictures.empty()) return {};
+  return pictureOf(command.picture, reading, input).map([](const RenderOptions&) {});
+}
+
+Result<ExitCode> relax(RelaxCommand& command, const Invocation& how) {
+  setDriverThreads(command.backend.threads);
+  const Stopwatch total;
+  RunLog log(how, !command.stats.empty());
+  log.search = command.search;
+  log.threads = command.backend.threads;
+  if (auto checked = checkCommand(command); !checked) return tl::unexpected(std::move(checked.error()));
+  const auto density = densityOf(command);
+  if (!density) return tl::unexpected(density.error());
+  InputOptions reading = command.input;
+  reading.reading.attributes = command.targets.carryAttributes();
+  const auto input = inputOf(command, *density, reading);
+  if (!input) return tl::unexpected(input.error());
+  RelaxOptions options = relaxOptions(command, *input, *density);
+  const auto checked = checkOptions(command, reading, *input, *density);
+  if (!checked) return tl::unexpected(checked.error());
+  printNotes(command.talk, *input);
+  const auto paths = outputPaths(command);
+  auto files = openOutputs(paths);
+  if (!files) return tl::unexpected(std::move(files.error()));
+  awaitResultOnSignals();
+  auto session = Session::open(command.backend);
+  if (!session) return tl::unexpected(std::move(session.error()));
+  log.choice = session->choice();
+  const auto forecast = forecastRun(reading, *input, ImagesFor::cells, session->device(), command.backend,
+                                    planOf(command, density->values.size()), command.memory_limit);
+  if (!forecast) return tl::unexpected(forecast.error());
+  RelaxRun run{
+      command,
+      {command.targets, reading, command.picture, *input, *density, command.search, command.backend.threads},
+      log,
+      std::move(*files)};
+  const auto relaxed = relaxIn(run, *session, std::move(options));
+  if (!relaxed) return asOption(relaxed.error(), reading);
+  const bool interrupted = takeSignal();
+  printNotes(command.talk, relaxed->report);
+  if (!validationIsSilent(relaxed->report)) return exit_device;
+  if (auto written = writeFiles(run, *session, *relaxed, *forecast, total); !written) {
+    return tl::unexpected(written.error());
+  }
+  printSummary(command.talk, paths,
+               fmt::format("{}, {}, {}\n", outcomeText(paths, relaxed->sites, relaxed->report),
+                           summaryOf(*relaxed), runText(relaxed->report, total.milliseconds(), false)));
+  if (command.talk.verbose && !log.choice.empty()) printNote(log.choice);
+  if (!interrupted) return exit_done;
+  printError(
+      fmt::format("interrupted: the files have the sites after {} diagrams", relaxed->trace.back().diagram));
+  return static_cast<ExitCode>(signalExitCode());
+}
+
+void addMethodOptions(Options& options, RelaxCommand& command) {
+  options.group("Relaxation");
+  addParsed(
+      options, "--method", command.method, "NAME",
+      "how sites move: lbfgs, which comes as far in 30 diagrams as Lloyd's steps in 200; or lloyd, each to "
+      "the centroid of its cell [lbfgs]",
+      parseMethod, {methodNames(), {}});
+  addParsed(options, "--iterations", command.iterations, "N",
+            "the most diagrams to compute after the first [50]",
+            [](std::string_view text) { return parseWhole(text, 0, UINT32_MAX); });
+  addParsed(options, "--tolerance", command.tolerance, "T",
+            "ends when no site would move farther than this part of the spacing, the square root of the mean "
+            "area [0: never]",
+            parseTolerance);
+  addAnyFile(
+      options, "--density", command.density, {".png", ".npy"},
+      "a density over the domain, .png (dark is dense) or .npy, pixels with row 0 at the top: sites gather "
+      "where it is high. --sites density:N draws N sites from it, as dense as it is, in the box of its "
+      "pixels "
+      "where no --domain is named");
+  options.addFlag(
+      "--equal-masses", command.equal_masses,
+      "relaxes under the square of the density: then cells come to have equal masses, as stippling "
+      "wants it; else sites are as dense as its square root");
+}
+
+}  // namespace
+
+void addRelax(CommandLine& line) {
+  auto command = std::make_shared<RelaxCommand>();
+  Options options = line.addSubcommand(
+      "relax", "moves sites until each is the centroid of its cell; under a density, as in stippling",
+      [command](const Invocation& how) { return relax(*command, how); });
+  addInputOptions(options, command->input).required();
+  addMethodOptions(options, *command);
+  options.group("Output");
+  addRelaxTargets(options, command->targets);
+  options.group("Picture");
+  addSizeOptions(options, command->picture);
+  addColorOptions(options, command->picture.render);
+  addMarkOptions(options, command->picture.render);
+  addBackendChoice(options, command->backend);
+  addSearchOptions(options, command->search);
+  addRunOptions(options, command->backend, command->memory_limit);
+  options.group("Output");
+  addStats(options, command->stats);
+  addTalkOptions(options, command->talk);
+}
+
+}  // namespace vorpipe::cli

@@ -1,0 +1,183 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "bench/measured/driver_threads.h"
+#include "cli/commands/command.h"
+#include "cli/options/options.h"
+#include "cli/options/picture_options.h"
+#include "cli/runs/drawing.h"
+#include "cli/runs/forecast.h"
+#include "cli/runs/input.h"
+#include "cli/runs/run_end.h"
+#include "cli/runs/view_input.h"
+#include "cli/terminal/error_line.h"
+#include "cli/terminal/progress.h"
+#include "io/domain/density_file.h"
+#include "io/files/error.h"
+#include "view/app/app.h"
+#include "view/app/window_screen.h"
+
+namespace vorpipe::cli {
+namespace {
+
+struct ViewCommand {
+  InputOptions input;
+  BackendOptions backend;
+  TalkOptions talk;
+  RenderOptions picture{};
+  PictureSize size{1280, 720};
+  std::optional<view::WindowApi> window;
+  std::string density, script, record, screenshot;
+  std::optional<std::uint64_t> frames;
+  bool relax = false;
+  std::optional<std::uint64_t> memory_limit;
+};
+
+std::vector<std::string> windowNames() { return {"vulkan", "opengl"}; }
+
+Parsed<view::WindowApi> parseWindow(std::string_view text) {
+  if (text == "vulkan") return view::WindowApi::vulkan;
+  if (text == "opengl") return view::WindowApi::opengl;
+  return tl::unexpected(fmt::format("{} is not {}", quoted(text), anyOf(windowNames())));
+}
+
+/// By what is asked for; else by the backend's own, or the first that works.
+Result<view::Window> openWindow(const ViewCommand& command) {
+  view::WindowOptions options;
+  options.width = command.size.width;
+  options.height = command.size.height;
+  options.device = command.backend.device;
+  options.validation = command.backend.validation;
+  const bool of_opengl = command.backend.name == "opengl";
+  options.api = command.window.value_or(of_opengl ? view::WindowApi::opengl : view::WindowApi::vulkan);
+  auto window = view::Window::open(options);
+  if (window || command.window || of_opengl) return window;
+  options.api = view::WindowApi::opengl;
+  auto other = view::Window::open(options);
+  if (other) return other;
+  return window;
+}
+
+PlanRun planOf(const ViewCommand& command) {
+  return [&command](MemoryPlan& plan, const Workload& work) {
+    planSession(plan, work);
+    RenderOptions options = command.picture;
+    options.width = command.size.width;
+    options.height = command.size.height;
+    planDrawing(plan, work, options, {.pixels = true, .cells = false}, /*checks=*/false);
+  };
+}
+
+/// Ends the window in order where a signal asks for it: films are finished.
+bool isInterrupted() {
+  if (stopIfAsked()) return false;
+  ignoreSignals();
+  return true;
+}
+
+Result<view::AppOptions> appOf(const ViewCommand& command) {
+  view::AppOptions options;
+  if (!command.script.empty()) {
+    auto script = view::readScript(command.script);
+    if (!script) return named("--script", std::move(script.error()));
+    options.script = std::move(*script);
+  }
+  if (!command.density.empty()) {
+    auto density = readDensity(command.density);
+    if (!density) return named("--density", std::move(density.error()));
+    options.viewer.density = std::make_shared<const Density>(std::move(*density));
+    options.viewer.settings.density_path = command.density;
+  }
+  auto opened = openForView(command.input, command.talk);
+  if (!opened) return tl::unexpected(std::move(opened.error()));
+  options.viewer.opened = std::move(*opened);
+  options.viewer.settings.picture = command.picture;
+  options.viewer.settings.backend = command.backend;
+  if (command.relax) options.viewer.settings.motion = view::Motion::runs;
+  options.viewer.load = [input = command.input](const std::string& path) { return loadForView(path, input); };
+  options.viewer.print = [](const std::string& line) {
+    fmt::print("{}\n", line);
+    std::fflush(stdout);
+  };
+  options.record = command.record;
+  options.screenshot = command.screenshot;
+  options.frames = command.frames.value_or(1);
+  options.is_stopped = isInterrupted;
+  return options;
+}
+
+Result<ExitCode> runView(const ViewCommand& command) {
+  setDriverThreads(command.backend.threads);
+  if (!command.input.sites.empty()) {
+    const auto fits = forecastGenerated(command.input, planOf(command), command.memory_limit);
+    if (!fits) return tl::unexpected(fits.error());
+  }
+  auto options = appOf(command);
+  if (!options) return tl::unexpected(std::move(options.error()));
+  auto window = openWindow(command);
+  if (!window) return tl::unexpected(std::move(window.error()));
+  view::WindowScreen screen(std::move(*window));
+  screen.setTitle(command.input.sites.empty() ? "vorpipe" : fmt::format("{} - vorpipe", command.input.sites));
+  options->viewer.copy = [&screen](const std::string& text) { screen.copyToClipboard(text); };
+  stopOnSignals();
+  const auto end = view::run(screen, std::move(*options));
+  if (!end) return asOption(end.error(), command.input);
+  if (const auto go_on = stopIfAsked(); !go_on) return tl::unexpected(go_on.error());
+  Report report{};
+  report.validation_messages = end->validation;
+  if (!validationIsSilent(report)) return exit_device;
+  if (command.talk.verbose) {
+    printNote(fmt::format("{} pictures, {}; shown by {}", end->pictures, end->computed_by,
+                          screen.presenter().name()));
+  }
+  return exit_done;
+}
+
+void addWindowOptions(Options& options, ViewCommand& command) {
+  options.group("Window");
+  addParsed(options, "--size", command.size, "WxH", "the window's size in pixels [1280x720]", parseSize);
+  addParsed(options, "--window", command.window, anyOf(windowNames()),
+            "what shows pictures [that of the backend, or the first that works]", parseWindow,
+            {windowNames(), {}});
+  addAnyFile(options, "--script", command.script, {".txt"},
+             "does what stands in a file, an event to a line: move 640 360, press left, release left, scroll "
+             "1, key e, resize 800 600, wait, screenshot FILE.png, close ...");
+  const Option record = addAnyFile(options, "--record", command.record, {".mp4"},
+                                   "what the window shows, as a film by ffmpeg, if that is on PATH, or in a "
+                                   "folder of frame-00001.png and so on");
+  Option screenshot = addFile(options, "--screenshot", command.screenshot, ".png",
+                              "saves the picture that the window shows, and closes it");
+  screenshot.excludes(record);
+  addParsed(options, "--frames", command.frames, "N",
+            "how many pictures are drawn before --screenshot; each is a step of --relax [1]",
+            [](std::string_view text) { return parseWhole(text, 1, UINT32_MAX); })
+      .needs(screenshot);
+  options.addFlag("--relax", command.relax, "has sites move to the centers of their cells from the start");
+  addAnyFile(options, "--density", command.density, {".png", ".npy"},
+             "what sites gather by when they relax: the darkness of a .png, or an array");
+}
+
+}  // namespace
+
+void addView(CommandLine& line) {
+  auto command = std::make_shared<ViewCommand>();
+  Options options =
+      line.addSubcommand("view", "opens a window to look at sites and their cells, and to change them",
+                         [command](const Invocation& /*how*/) { return runView(*command); });
+  addInputOptions(options, command->input);
+  options.group("Picture");
+  addColorOptions(options, command->picture);
+  addMarkOptions(options, command->picture);
+  addWindowOptions(options, *command);
+  addBackendChoice(options, command->backend);
+  addSearchOptions(options, command->picture.search);
+  addRunOptions(options, command->backend, command->memory_limit);
+  addTalkOptions(options, command->talk);
+}
+
+}  // namespace vorpipe::cli

@@ -1,0 +1,45 @@
+/// What `relax` writes: files of sites, of cells and of pictures, and the trace.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cli/options/cells_outputs.h"
+#include "cli/options/command_line.h"
+#include "cli/options/picture_files.h"
+#include "io/points/points_file.h"
+
+namespace vorpipe::cli {
+
+struct PointsTarget {
+  std::string path;
+  const PointsFormat* format;  ///< null for standard output until takeFormat()
+};
+
+struct RelaxTargets {
+  std::vector<PointsTarget> points;
+  std::vector<CellsTarget> cells;
+  std::vector<PictureFile> pictures;
+  std::string trace;        ///< empty: none is asked for
+  std::uint64_t every = 0;  ///< diagrams between two numbered files of each; 0: there are none
+
+  /// Those of sites, cells and pictures, in the order in which they are created; the trace comes after them.
+  [[nodiscard]] std::vector<std::string> paths() const;
+  /// The same with a number before each extension: sites-0010.csv.
+  [[nodiscard]] std::vector<std::string> numberedPaths(std::uint64_t diagram) const;
+  /// The parts of a Diagram that files of cells take.
+  [[nodiscard]] Detail detail() const;
+  [[nodiscard]] bool carryAttributes() const;
+  [[nodiscard]] bool useStandardOutput() const;
+};
+
+/// -o, --cells, --picture, --trace, --save-every
+void addRelaxTargets(Options& options, RelaxTargets& targets);
+
+/// Gives what goes to standard output its format, the extension `kind` without its dot, or csv; and refuses
+/// what contradicts itself. Errors (input): the kind is none of sites; standard output is named twice;
+/// --save-every has no file to number.
+Result<void> takeFormat(RelaxTargets& targets, const std::string& kind);
+
+}  // namespace vorpipe::cli

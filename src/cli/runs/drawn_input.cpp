@@ -1,0 +1,52 @@
+#include "cli/runs/drawn_input.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <utility>
+
+#include "io/files/error.h"
+#include "io/sites/sites_file.h"
+#include "vorpipe/stipple.h"
+
+namespace vorpipe::cli {
+namespace {
+
+constexpr std::string_view prefix = "density:";
+
+}  // namespace
+
+Result<std::optional<std::uint64_t>> drawnCount(const InputOptions& options) {
+  const std::string_view text = options.sites;
+  if (!text.starts_with(prefix)) return std::nullopt;
+  const auto count = parseWhole(text.substr(prefix.size()), 1, max_sites);
+  if (!count) return inputError(fmt::format("--sites: {}: {}", text, count.error()));
+  return *count;
+}
+
+Result<InputOptions> asGenerator(const InputOptions& options, std::uint64_t count, const Density& density) {
+  if (density.values.empty()) {
+    return inputError(
+        fmt::format("--sites: {} draws sites from a density; name it by --density", options.sites));
+  }
+  if (options.domain.hull) {
+    return inputError(
+        fmt::format("--domain: {} draws sites in a domain, and so has no hull before it", options.sites));
+  }
+  InputOptions generator = options;
+  generator.sites = fmt::format("random:{}", count);
+  if (!options.domain.box && options.domain.file.empty()) {
+    generator.domain.box = Box{0, 0, static_cast<double>(density.width), static_cast<double>(density.height)};
+  }
+  return generator;
+}
+
+Result<void> drawSites(Input& input, const Density& density, std::uint64_t seed) {
+  auto drawn = drawnFrom(density, input.domain, input.outline, input.sites.size(), seed);
+  if (!drawn) return named("--sites", std::move(drawn.error()));
+  input.sites.x = std::move(drawn->x);
+  input.sites.y = std::move(drawn->y);
+  return {};
+}
+
+}  // namespace vorpipe::cli

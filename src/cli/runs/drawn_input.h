@@ -1,0 +1,25 @@
+/// Sites drawn from a density, as `--sites density:N` asks for them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "cli/options/options.h"
+#include "cli/runs/input.h"
+#include "vorpipe.h"
+
+namespace vorpipe::cli {
+
+/// How many sites `density:N` asks for; none where the sites are named otherwise. Error (input): N is no
+/// number of sites.
+Result<std::optional<std::uint64_t>> drawnCount(const InputOptions& options);
+
+/// The options with a generator of as many sites in the place of `density:N`, and where no domain is named,
+/// the box of the density's pixels: what the rest of a run needs to know. Errors (input): there is no
+/// density; the domain is asked of the sites.
+Result<InputOptions> asGenerator(const InputOptions& options, std::uint64_t count, const Density& density);
+
+/// Draws the sites anew, in the domain of the input.
+Result<void> drawSites(Input& input, const Density& density, std::uint64_t seed);
+
+}  // namespace vorpipe::cli

@@ -1,0 +1,107 @@
+#include "cli/runs/relax_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "cli/runs/picture.h"
+
+namespace vorpipe::cli {
+namespace {
+
+/// The sites as the input had them: in degrees where it was projected.
+PlacedSites placedBack(const Input& input, const Sites& sites) {
+  PlacedSites placed;
+  placed.sites = sites;
+  placed.system = input.system;
+  placed.projection = input.projection;
+  placed.degrees = input.degrees;
+  if (!input.projection) return placed;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const Point degrees = input.projection->toDegrees({sites.x[i], sites.y[i]});
+    placed.longitudes.push_back(degrees.x);
+    placed.latitudes.push_back(degrees.y);
+  }
+  return placed;
+}
+
+CellsOptions cellsOptions(const RelaxJob& job) {
+  CellsOptions options{};
+  options.domain = job.input.domain;
+  options.outline = job.input.outline;
+  options.periodic = job.input.periodic;
+  options.density = job.density;
+  options.search = job.search;
+  options.detail = job.targets.detail();
+  return options;
+}
+
+}  // namespace
+
+DrawingNeeds needsOf(const std::vector<PictureFile>& pictures) {
+  const auto of_shapes = [](const PictureFile& file) { return file.format->of_shapes; };
+  return {!std::ranges::all_of(pictures, of_shapes), std::ranges::any_of(pictures, of_shapes)};
+}
+
+Result<RelaxedParts> partsOf(Session& session, const RelaxJob& job, const Sites& sites) {
+  RelaxedParts parts{sites};
+  if (!job.targets.pictures.empty()) {
+    auto render = pictureOf(job.picture, job.options, job.input);
+    if (!render) return tl::unexpected(std::move(render.error()));
+    parts.render = std::move(*render);
+    parts.render.search = job.search;
+    auto drawing = draw(session, sites, parts.render, needsOf(job.targets.pictures));
+    if (!drawing) return tl::unexpected(std::move(drawing.error()));
+    parts.drawing = std::move(*drawing);
+  }
+  Diagram none;
+  if (!job.targets.cells.empty()) {
+    auto cells = session.cells(sites, cellsOptions(job));
+    if (!cells) return tl::unexpected(std::move(cells.error()));
+    parts.cells = std::move(*cells);
+  }
+  parts.placed = placedBack(job.input, sites);
+  backToDegrees(parts.placed, parts.cells ? *parts.cells : none, job.threads);
+  return parts;
+}
+
+std::vector<Writer> writersOf(const RelaxJob& job, const RelaxedParts& parts) {
+  std::vector<Writer> writers;
+  for (const PointsTarget& target : job.targets.points) {
+    writers.emplace_back([&, format = target.format](ByteSink& to) {
+      return writePoints(to, {parts.placed.sites, job.input.attributes, parts.placed.system}, *format);
+    });
+  }
+  for (const CellsTarget& target : job.targets.cells) {
+    writers.emplace_back([&, format = target.format](ByteSink& to) {
+      return writeCells(to, {parts.placed.sites, *parts.cells, job.input.attributes, parts.placed.system},
+                        *format);
+    });
+  }
+  for (const PictureFile& file : job.targets.pictures) {
+    writers.emplace_back([&, format = file.format](ByteSink& to) {
+      const Drawing& drawing = *parts.drawing;
+      return format->write(to, {parts.plane, parts.render, drawing.pixels ? &drawing.pixels->image : nullptr,
+                                drawing.cells ? &*drawing.cells : nullptr, job.input.system, job.threads});
+    });
+  }
+  return writers;
+}
+
+std::string traceText(const std::vector<RelaxStep>& trace, bool with_times) {
+  std::string text = "diagram,energy,hexagonal,farthest,seconds\n";
+  const auto to = std::back_inserter(text);
+  for (const RelaxStep& step : trace) {
+    fmt::format_to(to, "{},{},", step.diagram, step.energy);
+    if (std::isfinite(step.hexagonal)) fmt::format_to(to, "{}", step.hexagonal);
+    fmt::format_to(to, ",{},", step.farthest);
+    if (with_times) fmt::format_to(to, "{:.6f}", step.seconds);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace vorpipe::cli

@@ -1,0 +1,15 @@
+#include "io/points/point_feature.h"
+
+namespace vorpipe {
+namespace {
+
+Result<void> write(ByteSink& sink, const PointsOutput& output) {
+  return writePointFeatures(sink, FeaturesAs::lines, output);
+}
+
+}  // namespace
+
+extern const PointsFormat geojsonl_points;
+const PointsFormat geojsonl_points{.extension = ".geojsonl", .write = write, .attributes = true};
+
+}  // namespace vorpipe

@@ -1,0 +1,22 @@
+#include "io/points/points_file.h"
+#include "io/text/print.h"
+
+namespace vorpipe {
+namespace {
+
+/// A site to a line: x, y, and its weight where it has one.
+Result<void> write(ByteSink& sink, const PointsOutput& output) {
+  const Sites& sites = output.sites;
+  return writeEach(sink, sites.size(), [&](Bytes& text, std::size_t site) {
+    print(text, FMT_COMPILE("{} {}"), sites.x[site], sites.y[site]);
+    if (!sites.weight.empty()) print(text, FMT_COMPILE(" {}"), sites.weight[site]);
+    text.push_back('\n');
+  });
+}
+
+}  // namespace
+
+extern const PointsFormat txt_points;
+const PointsFormat txt_points{.extension = ".txt", .write = write};
+
+}  // namespace vorpipe

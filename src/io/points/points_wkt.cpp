@@ -1,0 +1,19 @@
+#include "io/points/points_file.h"
+#include "io/text/print.h"
+
+namespace vorpipe {
+namespace {
+
+/// A POINT to a line.
+Result<void> write(ByteSink& sink, const PointsOutput& output) {
+  return writeEach(sink, output.sites.size(), [&](Bytes& text, std::size_t site) {
+    print(text, FMT_COMPILE("POINT ({} {})\n"), output.sites.x[site], output.sites.y[site]);
+  });
+}
+
+}  // namespace
+
+extern const PointsFormat wkt_points;
+const PointsFormat wkt_points{.extension = ".wkt", .write = write};
+
+}  // namespace vorpipe

@@ -1,0 +1,122 @@
+/// What a window shows and does, apart from the window: events, the panel's changes and pictures come in;
+/// what is to be shown and told goes out.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "view/document/camera.h"
+#include "view/document/document.h"
+#include "view/document/pointer.h"
+#include "view/document/settings.h"
+#include "view/frames/frames.h"
+#include "view/panel/panel.h"
+
+namespace vorpipe::view {
+
+struct ViewerOptions {
+  Opened opened{};
+  Settings settings{};  ///< colors and marks; its domain, outline, period, size and view are not read
+  std::shared_ptr<const Density> density{};
+  Load load{};                                      ///< what is dropped
+  std::function<void(const std::string&)> copy{};   ///< to the clipboard
+  std::function<void(const std::string&)> print{};  ///< a command line
+};
+
+class Viewer {
+ public:
+  /// `wake` is called, from any thread, when take() would find something.
+  Viewer(ViewerOptions options, int width, int height, std::function<void()> wake);
+
+  /// What the panel did not keep. Resize, Minimize and Restore are the window's to tell: see resize().
+  void take(const Event& event);
+  void act(Action action);
+  /// As the panel has changed them.
+  void change(const Settings& settings);
+  void resize(int width, int height);
+  /// Draws the same again, or takes the next step.
+  void drawAgain();
+
+  /// Wishes what has changed since the last call. Call after all that came at once.
+  void wish();
+  /// Takes pictures and all else that was computed; whether there was anything.
+  bool takeAnswers();
+
+  /// What is shown now; good until takeAnswers().
+  [[nodiscard]] Shown shown() const;
+  /// As the last picture has it, with its ids; null before the first.
+  [[nodiscard]] const Frame* frame() const { return frame_ ? &*frame_ : nullptr; }
+  [[nodiscard]] PanelInput panelInput(const std::string& presenter, double present_milliseconds) const;
+  [[nodiscard]] const Document& document() const { return document_; }
+  [[nodiscard]] const Settings& settings() const { return settings_; }
+
+  /// The number of the last wish, and of the last that was answered.
+  [[nodiscard]] std::uint64_t wished() const { return wished_; }
+  [[nodiscard]] std::uint64_t answered() const { return answered_; }
+  /// Whether what is shown is the sharp picture of all that was taken, up to that wish where sites relax, and
+  /// files are read and written that were asked for. While it is minimized nothing is drawn.
+  [[nodiscard]] bool isSettled(std::uint64_t wish) const;
+  /// Sharp pictures so far.
+  [[nodiscard]] std::uint64_t pictures() const { return pictures_; }
+
+  [[nodiscard]] bool closes() const { return closes_; }
+  /// What no picture can be had without: no backend works. None where there is nothing wrong.
+  [[nodiscard]] const std::optional<Error>& fault() const { return fault_; }
+  [[nodiscard]] const std::vector<std::string>& validation() const { return validation_; }
+
+ private:
+  enum class Wanted : std::uint8_t { nothing, same_gesture, other };
+
+  void want(Changed changed);
+  [[nodiscard]] RenderOptions picture() const;
+  void accept(Answer& answer);
+  void accept(Frame& frame);
+  void refuse(const Answer& answer);
+  void open(Loaded loaded, const std::string& path);
+  void undoOrRedo(Action action);
+  void nextBackend();
+  void save(const char* extension);
+  void saveWhatIsSettled();
+  void copyCommand();
+  void tellCommand();
+  [[nodiscard]] std::uint32_t ownerAt(Place place) const;
+  [[nodiscard]] std::optional<Hovered> hovered() const;
+
+  ViewerOptions given_;
+  Document document_;
+  Settings settings_;
+  std::shared_ptr<const Density> density_;
+  Camera camera_;
+  Pointer pointer_{};
+  bool minimized_ = false;
+
+  Wanted wanted_ = Wanted::other;
+  std::uint64_t wished_ = 0, gesture_ = 0, answered_ = 0, pictures_ = 0;
+  std::uint64_t shown_version_ = 0;
+  std::optional<Frame> frame_{};
+  std::shared_ptr<const Measures> measures_{};
+  std::optional<RelaxStep> step_{};
+  std::vector<float> history_{};
+  std::vector<DeviceInfo> devices_{};
+  std::optional<DeviceInfo> device_{};
+  Settings wished_settings_{}, drawn_settings_{};  ///< of the last wish, and of the last one that was drawn
+
+  std::vector<std::string> to_save_{};  ///< once the picture is settled
+  std::string command_sites_{};         ///< the file of `command_revision_`, once it is written
+  std::uint64_t command_revision_ = 0;
+  std::string command_{};
+  bool command_waits_ = false;
+  int files_ = 0;  ///< that are being read and written
+  std::string message_{};
+  std::optional<Error> fault_{};
+  std::vector<std::string> validation_{};
+  bool closes_ = false;
+
+  Frames frames_;  ///< last: its thread ends first
+};
+
+}  // namespace vorpipe::view

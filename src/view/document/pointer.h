@@ -1,0 +1,52 @@
+/// What the pointer does in the window: it pans and zooms, adds, drags and removes sites, changes weights.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "view/document/camera.h"
+#include "view/document/document.h"
+#include "view/events/event.h"
+
+namespace vorpipe::view {
+
+/// What has changed by an event.
+enum class Changed : std::uint8_t {
+  nothing,
+  view,   ///< what of the plane is shown
+  drag,   ///< a site, and it may go on
+  sites,  ///< sites, once
+};
+
+/// The site nearest to a place, if it is some pixels away at most; else no_site.
+std::uint32_t siteNear(const Document& document, const Camera& camera, Place place);
+
+class Pointer {
+ public:
+  /// `owner` is the site of the cell under the pointer, or no_site.
+  Changed take(const Event& event, Document& document, Camera& camera, std::uint32_t owner);
+
+  /// Where it was last; none before it came.
+  [[nodiscard]] const std::optional<Place>& place() const { return place_; }
+  [[nodiscard]] bool holdsSite() const { return held_ == Held::site && travelled_; }
+  /// Lets go of what it holds: sites have changed by something else.
+  void release() { held_ = Held::nothing; }
+
+ private:
+  enum class Held : std::uint8_t { nothing, site, view };
+
+  Changed press(const Press& press, Document& document, const Camera& camera, std::uint32_t owner);
+  Changed move(Place to, Document& document, Camera& camera);
+  Changed release(Button button, Document& document, const Camera& camera);
+  Changed scroll(const Scroll& scroll, Document& document, Camera& camera, std::uint32_t owner);
+
+  std::optional<Place> place_{};
+  Held held_ = Held::nothing;
+  Button button_ = Button::left;
+  Place pressed_{};         ///< where
+  bool travelled_ = false;  ///< so far since it was pressed that it is no click
+  std::uint32_t site_ = no_site;
+  Place grip_{};  ///< of the site, from the pointer
+};
+
+}  // namespace vorpipe::view

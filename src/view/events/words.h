@@ -1,0 +1,30 @@
+/// The words of a line.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+namespace vorpipe::view {
+
+struct Word {
+  std::string text;
+  std::size_t column = 1;  ///< of its first byte, from 1
+};
+
+struct WordProblem {
+  std::size_t column = 1;
+  std::string what;
+};
+
+/// The words of a line, which blanks separate. One in double quotes may have blanks; in it \" is a quote, and
+/// \\ a backslash. A word that begins with # ends the line.
+tl::expected<std::vector<Word>, WordProblem> wordsOf(std::string_view line);
+
+/// A word as wordsOf reads it: in quotes where it has to be.
+std::string wordFor(std::string_view text);
+
+}  // namespace vorpipe::view

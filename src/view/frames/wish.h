@@ -1,0 +1,79 @@
+/// What a window wants to show, and what it gets.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "view/document/document.h"
+#include "view/document/settings.h"
+#include "vorpipe/devices.h"
+#include "vorpipe/picture.h"
+#include "vorpipe/relax.h"
+
+namespace vorpipe::view {
+
+/// The latest is fulfilled; those before it need not be.
+struct Wish {
+  std::uint64_t number = 0;  ///< above that of all before
+  /// Wishes of one gesture (panning, zooming, dragging a site) have the same. A picture of an earlier gesture
+  /// is given up; one of the same is finished, so that pictures come while it goes on.
+  std::uint64_t gesture = 0;
+  FixedSites sites{};
+  RenderOptions picture{};  ///< with all that is drawn: domain, view, size; its progress is not read
+  BackendOptions backend{};
+  Motion motion = Motion::rests;  ///< sites take a step before the picture is drawn, unless they rest
+  RelaxMethod method = RelaxMethod::lloyd;
+  std::shared_ptr<const Density> density{};  ///< may be null
+};
+
+/// A sharp picture.
+struct Frame {
+  std::uint64_t wish = 0;
+  FixedSites sites{};         ///< that are drawn
+  FixedSites relaxed_from{};  ///< null: `sites` are those of the wish; else they moved one step from these
+  std::optional<RelaxStep> step{};
+  bool relaxed = false;  ///< there is nothing more to move
+  RenderOptions picture{};
+  std::shared_ptr<const Rendering> rendering{};
+  double milliseconds = 0;
+};
+
+/// What is told of the cell under the pointer.
+struct Measures {
+  FixedSites sites{};  ///< that they are of
+  std::vector<double> area{};
+  std::vector<std::uint32_t> neighbors{};
+};
+
+/// A file that is to be written: a picture, or where it ends in .csv, the sites.
+struct Save {
+  std::string path;
+  FixedSites sites{};
+  RenderOptions picture{};
+  std::shared_ptr<const Rendering> rendering{};  ///< for pixels
+};
+
+/// What is in a file that was to be loaded: sites, or a density for relaxing.
+struct Loaded {
+  std::optional<Opened> opened{};
+  std::shared_ptr<const Density> density{};
+};
+
+/// Any of these.
+struct Answer {
+  std::uint64_t wish = 0;  ///< that it answers; 0: none
+  std::optional<Frame> frame{};
+  std::shared_ptr<const Measures> measures{};
+  std::optional<DeviceInfo> device{};  ///< that computes from now on
+  std::vector<DeviceInfo> devices{};   ///< all there are
+  std::optional<Error> error{};        ///< why there is no picture, or no file
+  std::string saved{};                 ///< the path of a file
+  std::optional<Loaded> loaded{};
+  std::string loaded_path{};              ///< of `loaded`
+  std::vector<std::string> validation{};  ///< what the validation layers said
+};
+
+}  // namespace vorpipe::view

@@ -1,0 +1,69 @@
+#include <array>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "view/panel/groups.h"
+#include "view/panel/style.h"
+#include "view/panel/swatches.h"
+
+namespace vorpipe::view {
+namespace {
+
+// In the order of their enumerations.
+const std::array<std::string, 4> color_names{"site", "area", "neighbors", "weight"};
+const std::array<std::string, 4> scale_names{"auto", "linear", "log", "quantile"};
+
+void drawMaps(Widgets& widgets, RenderOptions& picture) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetFrameHeight();
+  const float pad = widgets.px(4), bar = widgets.px(70);
+  // The closed list shows a bar over its own name, which stands to the right of it by spaces.
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const bool open = widgets.beginList("Colormap", "");
+  list.AddText({at.x + bar + 3 * pad, at.y + ImGui::GetStyle().FramePadding.y}, look::text,
+               picture.colormap.c_str());
+  if (open) {
+    for (const Swatch& swatch : swatches()) {
+      const ImVec2 from = ImGui::GetCursorScreenPos();
+      const std::string name = fmt::format("Colormap/{}", swatch.name);
+      if (widgets.item(name, "", swatch.name == picture.colormap)) picture.colormap = swatch.name;
+      const float line = ImGui::GetTextLineHeight();
+      drawSwatch(swatch.colors, {from.x, from.y + 1}, {from.x + bar, from.y + line - 1});
+      ImGui::GetWindowDrawList()->AddText({from.x + bar + 2 * pad, from.y}, look::text, swatch.name.c_str());
+    }
+    widgets.endList();
+  }
+  for (const Swatch& swatch : swatches()) {
+    if (swatch.name != picture.colormap) continue;
+    drawSwatch(swatch.colors, {at.x + pad, at.y + pad}, {at.x + pad + bar, at.y + height - pad});
+  }
+}
+
+/// As keys do it: where colors stand for something else, the values and the scale of before mean nothing; and
+/// by site they have no legend.
+void colorBy(ColorBy color, RenderOptions& picture) {
+  if (color == picture.color) return;
+  picture.color = color;
+  picture.color_scale = ColorScale::automatic;
+  picture.color_range.reset();
+  if (color == ColorBy::site) picture.legend = false;
+}
+
+}  // namespace
+
+void drawColor(PanelFrame& frame) {
+  Widgets& widgets = frame.widgets;
+  RenderOptions& picture = frame.answer.settings.picture;
+  if (!widgets.group("Color")) return;
+  const int color = widgets.choice("Color", color_names, static_cast<int>(picture.color));
+  if (color >= 0) colorBy(static_cast<ColorBy>(color), picture);
+  const bool by_site = picture.color == ColorBy::site;
+  widgets.row("Scale");
+  const int scale = widgets.choice("Scale", scale_names, static_cast<int>(picture.color_scale), !by_site);
+  if (scale >= 0) picture.color_scale = static_cast<ColorScale>(scale);
+  widgets.row("Colors");
+  drawMaps(widgets, picture);
+}
+
+}  // namespace vorpipe::view

@@ -1,0 +1,11 @@
+/// The panel's letters.
+#pragma once
+
+#include <span>
+
+namespace vorpipe::view {
+
+/// The bytes of a TrueType font with Latin, Greek and Cyrillic letters.
+std::span<const unsigned char> fontFile();
+
+}  // namespace vorpipe::view

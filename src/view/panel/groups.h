@@ -1,0 +1,34 @@
+/// The groups of the panel.
+#pragma once
+
+#include <vector>
+
+#include "view/panel/panel.h"
+#include "view/panel/widgets.h"
+
+namespace vorpipe::view {
+
+/// A frame of the panel, as it is being drawn.
+struct PanelFrame {
+  const PanelInput& input;
+  PanelAnswer& answer;
+  Widgets& widgets;
+};
+
+void drawActions(PanelFrame& frame);  ///< what is done at once, and saved
+void drawCell(PanelFrame& frame);     ///< what is under the pointer
+void drawShow(PanelFrame& frame);     ///< which marks a picture has
+void drawColor(PanelFrame& frame);    ///< what colors stand for
+/// `energies` are those of the steps so far, over the hexagonal lattice's.
+void drawRelax(PanelFrame& frame, const std::vector<float>& energies);
+void drawDevice(PanelFrame& frame);  ///< what computes
+void drawTimes(PanelFrame& frame);   ///< what frames take
+
+/// The cell under the pointer, beside it.
+void drawTip(PanelFrame& frame);
+/// The keys, in the middle of the window.
+void drawHelp(PanelFrame& frame);
+/// The message, at the bottom of the window.
+void drawMessage(PanelFrame& frame);
+
+}  // namespace vorpipe::view

@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "view/panel/groups.h"
+#include "view/panel/style.h"
+
+namespace vorpipe::view {
+namespace {
+
+constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
+                                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing;
+
+/// What of the window's width the panel leaves free beside it, on the side where that is more.
+std::pair<float, float> freeOf(const PanelFrame& frame) {
+  float left = 0, right = static_cast<float>(frame.input.width);
+  if (const auto panel = frame.widgets.places.find("Panel"); panel != frame.widgets.places.end()) {
+    const auto begin = static_cast<float>(panel->second.left);
+    const float end = begin + static_cast<float>(panel->second.width);
+    (begin > right - end ? right : left) = begin > right - end ? begin : end;
+  }
+  return {left, right};
+}
+
+}  // namespace
+
+void drawTip(PanelFrame& frame) {
+  const std::optional<Hovered>& cell = frame.input.hovered;
+  if (!cell || !ImGui::IsMousePosValid()) return;
+  ImGui::BeginTooltip();
+  ImGui::TextUnformatted(fmt::format("site {}", cell->site).c_str());
+  Widgets::dim(fmt::format("area {:.4g}\n{} neighbors", cell->area, cell->neighbors));
+  if (cell->weight != 0) Widgets::dim(fmt::format("weight {:.4g}", cell->weight));
+  ImGui::EndTooltip();
+}
+
+void drawHelp(PanelFrame& frame) {
+  Widgets& widgets = frame.widgets;
+  const PanelInput& input = frame.input;
+  const ImVec2 window{static_cast<float>(input.width), static_cast<float>(input.height)};
+  const auto [from, to] = freeOf(frame);
+  ImGui::SetNextWindowPos({std::round((from + to) / 2), std::round(window.y / 2)}, ImGuiCond_Always,
+                          {0.5F, 0.5F});
+  ImGui::SetNextWindowSizeConstraints({0, 0}, {window.x - widgets.px(20), window.y - widgets.px(20)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{widgets.px(20), widgets.px(16)});
+  ImGui::Begin("##help", nullptr, fixed & ~ImGuiWindowFlags_NoScrollbar);
+  ImGui::PopStyleVar();
+  widgets.cover();
+  float widest = 0, widest_meaning = widgets.px(160);
+  for (const auto& [key, meaning] : input.keys) {
+    widest = std::max(widest, ImGui::CalcTextSize(key.c_str()).x);
+    widest_meaning = std::max(widest_meaning, ImGui::CalcTextSize(meaning.c_str()).x);
+  }
+  const float left = ImGui::GetCursorPosX(), cap = widgets.px(6);
+  const float second = left + widest + 2 * cap + widgets.px(14), right = second + widest_meaning;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Keys and pointer");
+  const float side = ImGui::GetFrameHeight();
+  ImGui::SameLine(right - side);
+  if (widgets.button("Close help", "\u00d7", side)) frame.answer.settings.help = false;
+  ImGui::Separator();
+  ImGui::Dummy({0, widgets.px(2)});
+  for (const auto& [key, meaning] : input.keys) {
+    const ImVec2 at = ImGui::GetCursorScreenPos(), size = ImGui::CalcTextSize(key.c_str());
+    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x + 2 * cap, at.y + size.y + widgets.px(3)},
+                                              look::field, ImGui::GetStyle().FrameRounding);
+    ImGui::SetCursorPosX(left + cap);
+    ImGui::TextUnformatted(key.c_str());
+    ImGui::SameLine(second);
+    Widgets::dim(meaning);
+    ImGui::Dummy({0, widgets.px(1)});
+  }
+  ImGui::End();
+}
+
+void drawMessage(PanelFrame& frame) {
+  Widgets& widgets = frame.widgets;
+  const PanelInput& input = frame.input;
+  const float margin = widgets.px(10), pad = widgets.px(12);
+  const auto [left, right] = freeOf(frame);
+  const float room = std::max(widgets.px(80), right - left - 2 * margin);
+  ImGui::SetNextWindowPos({std::round((left + right) / 2), static_cast<float>(input.height) - margin},
+                          ImGuiCond_Always, {0.5F, 1});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{pad, widgets.px(6)});
+  ImGui::Begin("##message", nullptr, fixed | ImGuiWindowFlags_NoInputs);
+  ImGui::PopStyleVar();
+  ImGui::PushTextWrapPos(room - pad);
+  ImGui::TextUnformatted(input.message.c_str());
+  ImGui::PopTextWrapPos();
+  widgets.note("Message");
+  ImGui::End();
+}
+
+}  // namespace vorpipe::view

@@ -1,0 +1,80 @@
+/// GLFW's functions, from its library, which is opened when the first window is: programs start without it.
+#pragma once
+
+#include <volk.h>
+// After Vulkan's header GLFW declares what it has for Vulkan.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <memory>
+#include <string>
+
+#include "vorpipe/result.h"
+
+/// Calls USE(member, function) for each function that is used.
+#define VORPIPE_GLFW_FUNCTIONS(USE)                                     \
+  USE(init, glfwInit)                                                   \
+  USE(terminate, glfwTerminate)                                         \
+  USE(getError, glfwGetError)                                           \
+  USE(windowHint, glfwWindowHint)                                       \
+  USE(windowHintString, glfwWindowHintString)                           \
+  USE(createWindow, glfwCreateWindow)                                   \
+  USE(destroyWindow, glfwDestroyWindow)                                 \
+  USE(setWindowUserPointer, glfwSetWindowUserPointer)                   \
+  USE(getWindowUserPointer, glfwGetWindowUserPointer)                   \
+  USE(setWindowShouldClose, glfwSetWindowShouldClose)                   \
+  USE(setWindowTitle, glfwSetWindowTitle)                               \
+  USE(setWindowSize, glfwSetWindowSize)                                 \
+  USE(getWindowSize, glfwGetWindowSize)                                 \
+  USE(getFramebufferSize, glfwGetFramebufferSize)                       \
+  USE(iconifyWindow, glfwIconifyWindow)                                 \
+  USE(restoreWindow, glfwRestoreWindow)                                 \
+  USE(setClipboardString, glfwSetClipboardString)                       \
+  USE(pollEvents, glfwPollEvents)                                       \
+  USE(waitEvents, glfwWaitEvents)                                       \
+  USE(waitEventsTimeout, glfwWaitEventsTimeout)                         \
+  USE(postEmptyEvent, glfwPostEmptyEvent)                               \
+  USE(getKey, glfwGetKey)                                               \
+  USE(getKeyName, glfwGetKeyName)                                       \
+  USE(setKeyCallback, glfwSetKeyCallback)                               \
+  USE(setCharCallback, glfwSetCharCallback)                             \
+  USE(setCursorPosCallback, glfwSetCursorPosCallback)                   \
+  USE(setMouseButtonCallback, glfwSetMouseButtonCallback)               \
+  USE(setScrollCallback, glfwSetScrollCallback)                         \
+  USE(setDropCallback, glfwSetDropCallback)                             \
+  USE(setWindowCloseCallback, glfwSetWindowCloseCallback)               \
+  USE(setWindowIconifyCallback, glfwSetWindowIconifyCallback)           \
+  USE(setWindowRefreshCallback, glfwSetWindowRefreshCallback)           \
+  USE(setFramebufferSizeCallback, glfwSetFramebufferSizeCallback)       \
+  USE(getCurrentContext, glfwGetCurrentContext)                         \
+  USE(makeContextCurrent, glfwMakeContextCurrent)                       \
+  USE(swapInterval, glfwSwapInterval)                                   \
+  USE(swapBuffers, glfwSwapBuffers)                                     \
+  USE(getRequiredInstanceExtensions, glfwGetRequiredInstanceExtensions) \
+  USE(createWindowSurface, glfwCreateWindowSurface)
+
+namespace vorpipe::view {
+
+struct Glfw {
+  Glfw() = default;
+  Glfw(const Glfw&) = delete;
+  Glfw& operator=(const Glfw&) = delete;
+  ~Glfw();
+
+  /// Opens the library and connects to the display; windows that are open at the same time share it. It ends
+  /// with the last of them. Of the thread that has the windows.
+  /// Errors (device): there is no such library, or no display.
+  static Result<std::shared_ptr<const Glfw>> start();
+
+  /// What GLFW said last, in one line.
+  [[nodiscard]] std::string lastError() const;
+
+#define VORPIPE_GLFW_MEMBER(member, function) decltype(&(function)) member = nullptr;
+  VORPIPE_GLFW_FUNCTIONS(VORPIPE_GLFW_MEMBER)
+#undef VORPIPE_GLFW_MEMBER
+
+ private:
+  bool started_ = false;
+};
+
+}  // namespace vorpipe::view

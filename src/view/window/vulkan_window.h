@@ -1,0 +1,48 @@
+/// A device that can show what it draws in a window.
+#pragma once
+
+#include <string>
+
+#include "backend/vulkan/device/device.h"
+#include "backend/vulkan/device/instance.h"
+#include "backend/vulkan/device/physical.h"
+#include "view/window/glfw.h"
+
+namespace vorpipe::view {
+
+/// What of a window Vulkan shows images on. The instance outlives it.
+class VulkanSurface {
+ public:
+  static Result<VulkanSurface> create(const Glfw& glfw, GLFWwindow* window, const vulkan::Instance& instance);
+  VulkanSurface(VulkanSurface&& other) noexcept;
+  VulkanSurface& operator=(VulkanSurface&&) = delete;
+  ~VulkanSurface();
+
+  [[nodiscard]] VkSurfaceKHR handle() const { return surface_; }
+
+  // These belong to the instance that has the extension; volk's are of whichever was opened last.
+  PFN_vkGetPhysicalDeviceSurfaceSupportKHR support = nullptr;
+  PFN_vkGetPhysicalDeviceSurfaceCapabilitiesKHR capabilities = nullptr;
+  PFN_vkGetPhysicalDeviceSurfaceFormatsKHR formats = nullptr;
+
+ private:
+  VulkanSurface() = default;
+
+  VkInstance instance_ = VK_NULL_HANDLE;
+  VkSurfaceKHR surface_ = VK_NULL_HANDLE;
+  PFN_vkDestroySurfaceKHR destroy_ = nullptr;
+};
+
+/// In this order, so that the device goes before the surface and the surface before the instance.
+struct VulkanWindow {
+  vulkan::Instance instance;
+  VulkanSurface surface;
+  vulkan::Physical physical;
+  vulkan::Device device;
+
+  /// `device` is as BackendOptions::device, among those that can show something in this window.
+  static Result<VulkanWindow> open(const Glfw& glfw, GLFWwindow* window, const std::string& device,
+                                   bool validation);
+};
+
+}  // namespace vorpipe::view

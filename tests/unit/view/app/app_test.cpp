@@ -1,0 +1,249 @@
+// The whole of `vorpipe view` but its window: scripts play on a screen that keeps what it is shown.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "io/pictures/png_file.h"
+#include "io/sites/sites_file.h"
+#include "unit/fixtures/temporary_directory.h"
+#include "view/app/app.h"
+
+namespace vorpipe::view {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
+
+/// Keeps the picture where it is sharp, and marks the first pixel where the panel is drawn over it.
+class KeepingPresenter final : public Presenter {
+ public:
+  Result<void> setTexture(const PanelTexture& /*texture*/) override { return {}; }
+  Result<void> show(const Shown& frame, int width, int height) override {
+    ++frames;
+    const bool sharp = frame.picture != nullptr && frame.placement.left == 0 && frame.placement.top == 0 &&
+                       frame.placement.width == width && frame.placement.height == height &&
+                       frame.picture->width == width;
+    const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    if (sharp) kept = *frame.picture;
+    if (!sharp) kept = {width, height, std::vector<std::uint32_t>(pixels, background), {}};
+    for (std::uint32_t& pixel : kept.rgba) {
+      if (pixel >> 24 == 0) pixel = background;
+    }
+    if (frame.panel != nullptr && !frame.panel->parts.empty()) kept.rgba[0] = panel_color;
+    return {};
+  }
+  Result<Image> read() override { return kept; }
+  [[nodiscard]] std::string name() const override { return "nothing"; }
+
+  static constexpr std::uint32_t panel_color = 0xFF123456;
+  Image kept{};
+  int frames = 0;
+};
+
+class FakeScreen final : public Screen {
+ public:
+  std::vector<Event> events(double seconds) override {
+    std::unique_lock lock(mutex_);
+    if (seconds > 0 && events_.empty()) {
+      changed_.wait_for(lock, std::chrono::duration<double>(seconds), [&] { return woken_; });
+    }
+    woken_ = false;
+    return std::exchange(events_, {});
+  }
+  void wake() override {
+    const std::scoped_lock lock(mutex_);
+    woken_ = true;
+    changed_.notify_all();
+  }
+  void apply(const Event& event) override {
+    const std::scoped_lock lock(mutex_);
+    if (const auto* const size = std::get_if<Resize>(&event)) {
+      if (refuses_sizes) return;
+      width_ = size->width;
+      height_ = size->height;
+    }
+    if (std::holds_alternative<Minimize>(event)) minimized_ = true;
+    if (std::holds_alternative<Restore>(event)) minimized_ = false;
+    events_.push_back(event);
+  }
+  [[nodiscard]] int width() const override { return minimized_ ? 0 : width_; }
+  [[nodiscard]] int height() const override { return minimized_ ? 0 : height_; }
+  void setTitle(const std::string& /*title*/) override {}
+  void copyToClipboard(const std::string& text) override { copied = text; }
+  [[nodiscard]] Presenter& presenter() override { return kept; }
+
+  KeepingPresenter kept{};
+  std::string copied{};
+  bool refuses_sizes = false;
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool woken_ = false, minimized_ = false;
+  std::vector<Event> events_{};
+  int width_ = 400, height_ = 300;
+};
+
+class AppTest : public test::InTemporaryDirectory {
+ protected:
+  AppTest() {
+    options.viewer.opened = {{{0.25, 0.5, 0.75}, {0.5, 0.5, 0.5}, {}}, {0, 0, 1, 1}};
+    options.viewer.settings.backend.name = "cpu";
+    options.viewer.settings.panel = false;
+    options.viewer.copy = [this](const std::string& text) { screen.copyToClipboard(text); };
+    options.viewer.load = [](const std::string& file) -> Result<Loaded> {
+      auto table = readSites(file);
+      if (!table) return tl::unexpected(table.error());
+      Loaded loaded;
+      loaded.opened = Opened{std::move(table->sites), {0, 0, 1, 1}, {}, Periodic::none, {"--sites", file}};
+      return loaded;
+    };
+    // What is saved goes to the current folder.
+    EXPECT_EQ(::chdir(directory().c_str()), 0);
+  }
+  ~AppTest() override { EXPECT_EQ(::chdir("/"), 0); }
+
+  Result<AppEnd> play(const std::string& text) {
+    auto script = parseScript("play.txt", text);
+    if (!script) return tl::unexpected(script.error());
+    options.script = std::move(*script);
+    return run(screen, options);
+  }
+
+  /// A place of the plane in the window as it is at first, which fits the domain by its height.
+  static std::string at(double x, double y) {
+    const double side = 300 / 1.04;
+    return std::to_string(200 + (x - 0.5) * side) + " " + std::to_string(150 - (y - 0.5) * side);
+  }
+  Image shot(const std::string& name) const {
+    auto image = readPng(path(name));
+    EXPECT_TRUE(image) << image.error().message;
+    return image ? std::move(*image) : Image{};
+  }
+
+  FakeScreen screen;
+  AppOptions options;
+};
+
+TEST_F(AppTest, EditsByAScriptAreWhatTheCommandLineDraws) {
+  const auto end =
+      play("move " + at(0.3, 0.9) + "\npress left\nrelease left\n" +                             // adds
+           "move " + at(0.5, 0.5) + "\npress left\nmove " + at(0.6, 0.2) + "\nrelease left\n" +  // drags
+           "wait\nmove " + at(0.9, 0.5) + "\npress right\nrelease right\n" +                     // removes
+           "wait\nscroll 3\nwait\nkey e\nscroll 2 control\nwait\n" +
+           "screenshot a.png\nkey c control\nwait\nclose\n");
+  ASSERT_TRUE(end) << end.error().message;
+  const auto sites = readSites(path("vorpipe-sites.csv"));
+  ASSERT_TRUE(sites) << sites.error().message;
+  ASSERT_THAT(sites->sites.x, SizeIs(3));
+  EXPECT_NEAR(sites->sites.x[1], 0.6, 1e-4);
+  EXPECT_NEAR(sites->sites.x[2], 0.3, 1e-4);
+  EXPECT_THAT(screen.copied, StartsWith("vorpipe render --sites vorpipe-sites.csv --domain 0,0,1,1 --view "));
+  EXPECT_THAT(screen.copied, HasSubstr(" --size 400x300 --fit stretch --edges --backend cpu -o picture.png"));
+  EXPECT_EQ(shot("a.png").rgba, screen.kept.kept.rgba);
+}
+
+TEST_F(AppTest, UndoesAndRelaxes) {
+  const auto end =
+      play("wait\nscreenshot a.png\nmove " + at(0.3, 0.9) +
+           "\npress left\nrelease left\nwait\nscreenshot b.png\nkey z control\nwait\n"
+           "screenshot c.png\nkey n\nwait\nscreenshot d.png\nkey space\nwait\nwait\nkey space\nwait\n"
+           "key z control\nkey z control\nwait\nscreenshot e.png\nclose\n");
+  ASSERT_TRUE(end) << end.error().message;
+  EXPECT_EQ(shot("a.png").rgba, shot("c.png").rgba);
+  EXPECT_EQ(shot("a.png").rgba, shot("e.png").rgba);
+  EXPECT_NE(shot("a.png").rgba, shot("b.png").rgba);
+  EXPECT_NE(shot("a.png").rgba, shot("d.png").rgba);
+}
+
+TEST_F(AppTest, ResizesMinimizesAndShowsThePanel) {
+  const auto end = play(
+      "wait\nresize 200 100\nwait\nscreenshot a.png\nminimize\nwait\nrestore\nwait\n"
+      "key tab\nwait\nscreenshot b.png\nscreenshot c.png panel\nclose\n");
+  ASSERT_TRUE(end) << end.error().message;
+  EXPECT_EQ(shot("a.png").width, 200);
+  EXPECT_EQ(shot("a.png").rgba, shot("b.png").rgba);
+  EXPECT_EQ(shot("c.png").rgba[0], KeepingPresenter::panel_color);
+}
+
+TEST_F(AppTest, OpensDroppedFilesAndSaves) {
+  write("one.csv", "x,y\n0.5,0.5\n");
+  const auto end = play(
+      "wait\ndrop one.csv\nwait\nkey s control\nkey s control shift\nkey e control\nwait\n"
+      "key c control\ndrop none.csv\nwait\nclose\n");
+  ASSERT_TRUE(end) << end.error().message;
+  EXPECT_THAT(screen.copied, StartsWith("vorpipe render --sites one.csv --view"));
+  EXPECT_EQ(contents(path("sites.csv")), "x,y\n0.5,0.5\n");
+  EXPECT_EQ(shot("vorpipe.png").width, 400);
+  EXPECT_THAT(contents(path("vorpipe.svg")), HasSubstr("<svg"));
+}
+
+TEST_F(AppTest, IsIdleWhereNothingHappens) {
+  const auto end = play("wait\nwait 0.3\nclose\n");
+  ASSERT_TRUE(end) << end.error().message;
+  EXPECT_LT(screen.kept.frames, 30);
+  EXPECT_LE(end->pictures, 2U);
+}
+
+TEST_F(AppTest, RecordsAFrameForEachEventAndThirtyASecond) {
+  options.record = path("film");
+  const auto end = play("wait\nkey e\nwait 0.2\nkey space\nwait 0.1\nclose\n");
+  ASSERT_TRUE(end) << end.error().message;
+  // One at the beginning, one each for the keys and close, 6 and 3 for the times.
+  EXPECT_TRUE(std::filesystem::exists(path("film/frame-00012.png")));
+  EXPECT_FALSE(std::filesystem::exists(path("film/frame-00013.png")));
+  EXPECT_NE(contents(path("film/frame-00010.png")), contents(path("film/frame-00011.png")));
+  EXPECT_THAT(play("close")->validation, SizeIs(0));
+}
+
+TEST_F(AppTest, DrawsSomeFramesAndSavesTheLast) {
+  options.screenshot = path("a.png");
+  options.frames = 5;
+  options.viewer.settings.motion = Motion::runs;
+  const auto end = run(screen, options);
+  ASSERT_TRUE(end) << end.error().message;
+  EXPECT_GE(end->pictures, 5U);
+  EXPECT_EQ(shot("a.png").height, 300);
+}
+
+TEST_F(AppTest, SaysWhatIsWrong) {
+  const auto bad = play("wait\nscreenshot none/a.png\n");
+  ASSERT_FALSE(bad);
+  EXPECT_THAT(bad.error().message, StartsWith("play.txt:2: none/a.png"));
+  options.viewer.settings.backend.device = "no device is called so";
+  const auto none = play("wait\nclose\n");
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().code, ErrorCode::device);
+  options.record = directory();
+  write("something", "");
+  EXPECT_THAT(play("close").error().message, HasSubstr("the folder holds something"));
+}
+
+TEST_F(AppTest, HandsFilmsToFfmpeg) {
+  const std::string old = std::getenv("PATH");
+  options.record = path("film.mp4");
+  std::filesystem::create_directory(path("bin"));
+  ::setenv("PATH", path("bin").c_str(), 1);
+  EXPECT_THAT(play("close").error().message, HasSubstr("ffmpeg, which is not on PATH"));
+  write("bin/ffmpeg",
+        "#!/bin/sh\nfor last; do :; done\necho \"$*\" >" + path("arguments") + "\n/bin/cat >\"$last\"\n");
+  std::filesystem::permissions(path("bin/ffmpeg"), std::filesystem::perms::owner_all);
+  const auto end = play("wait\nresize 200 100\nkey e\nclose\n");
+  ::setenv("PATH", old.c_str(), 1);
+  ASSERT_TRUE(end) << end.error().message;
+  EXPECT_EQ(std::filesystem::file_size(path("film.mp4")) % (400 * 300 * 4), 0U);
+  EXPECT_THAT(contents(path("arguments")), HasSubstr("-video_size 400x300 -framerate 30 -i -"));
+}
+
+}  // namespace
+}  // namespace vorpipe::view

@@ -1,0 +1,131 @@
+# `vorpipe view` in a real window, driven by scripts: view.sh VORPIPE. Each picture that it shows is the one that
+# the command line draws which it prints for it.
+source "$(dirname "$0")/../cli/harness.sh" "$1"
+
+mkdir bin && ln -s "$vorpipe" bin/vorpipe
+export PATH=$PWD/bin:$PATH
+
+# What a person may do. The view lies inside the domain, beyond which a window is dark and a picture empty.
+cat >play.txt <<'END'
+wait
+move 160 120
+scroll 3
+wait
+key e
+key s
+screenshot early.png
+wait
+screenshot 1.png
+key c control
+wait
+# Adds one, drags another, removes a third.
+move 60 50
+press left
+release left
+wait
+move 60 50
+press left
+move 75 62
+move 90 80
+release left
+wait
+move 230 180
+press right
+release right
+wait
+screenshot 2.png
+key c control
+wait
+# Weights, and other colors.
+move 160 120
+scroll 2 control
+wait
+key 4
+key m
+wait
+screenshot 3.png
+key c control
+wait
+key n
+wait
+screenshot 4.png
+key c control
+wait
+key z control
+wait
+screenshot 5.png
+key c control
+wait
+key y control
+resize 240 300
+wait
+screenshot 6.png
+key c control
+wait
+minimize
+restore
+wait
+screenshot 7.png
+key c control
+wait
+screenshot panel.png panel
+key tab
+wait
+screenshot 8.png panel
+key c control
+wait
+close
+END
+
+# same I LINE: the I-th picture is what the command line draws.
+same() {
+  local line=${2/-o picture.png/-o $1.drawn.png}
+  if ! bash -c "$line" >log/out 2>log/err; then
+    fail "the command line fails: $line"
+  elif ! vorpipe diff "$1.png" "$1.drawn.png" >log/out 2>log/err; then
+    fail "picture $1 is not what is drawn by: $line"
+  fi
+}
+
+# plays WINDOW BACKEND OPTION...
+plays() {
+  local window=$1 backend=$2
+  shift 2
+  name="a window by $window, drawn by $backend"
+  cases=$((cases + 1))
+  rm -f ./*.png ./*.csv
+  run 0 view --sites random:300 --seed 5 --window "$window" --backend "$backend" --size 320x240 --script play.txt "$@"
+  [ -s log/err ] && fail "something on standard error"
+  cp log/out commands
+  local i=0 line
+  while IFS= read -r line; do
+    i=$((i + 1))
+    same $i "$line"
+  done <commands
+  [ $i -eq 8 ] || fail "there are $i command lines"
+  cmp -s 6.png 7.png || fail "another picture after it was minimized"
+  cmp -s 7.png 8.png || fail "the panel does not go away"
+  cmp -s 3.png 5.png || fail "undo does not bring back what was before a step"
+  cmp -s 3.png 4.png && fail "a step of relaxation moves nothing"
+  cmp -s panel.png 7.png && fail "there is no panel"
+}
+plays vulkan cpu
+plays vulkan vulkan-compute
+plays opengl opengl
+
+name="a film of numbered pictures"
+cases=$((cases + 1))
+printf 'wait\nkey e\nwait 0.1\nclose\n' >film.txt
+run 0 view --sites square:9 --window opengl --backend cpu --size 64x48 --script film.txt --record film
+[ "$(ls film | xargs)" = "$(seq -f 'frame-%05g.png' 6 | xargs)" ] || fail "the folder has $(ls film | xargs)"
+
+name="some pictures of sites that relax"
+cases=$((cases + 1))
+run 0 view --sites random:50 --relax --window opengl --backend cpu --size 64x48 --frames 3 --screenshot relaxed.png
+[ -s relaxed.png ] || fail "there is no screenshot"
+
+# Before there is a window.
+echo jump >wrong.txt
+fails 2 "a script that is wrong" 'wrong.txt:1:1: "jump" is no event' view --script wrong.txt
+DISPLAY='' fails 3 "no display" display view --sites random:9
+finish

@@ -1,0 +1,385 @@
+// Windows on a real X server, by both ways to show something: what they show is read back, and compared with
+// what the server has on its screen.
+#include "view/window/window.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+#include <optional>
+#include <random>
+#include <string>
+#include <thread>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "view/screen.h"
+
+namespace vorpipe::view {
+namespace {
+
+using test::screenPart;
+
+constexpr double longest = 10;  // seconds, that a desktop may take
+
+Image randomPicture(int width, int height, unsigned seed = 1) {
+  std::mt19937 random(seed);
+  Image picture{width, height, {}, {}};
+  for (int pixel = 0; pixel < width * height; ++pixel)
+    picture.rgba.push_back(0xFF000000U | (random() & 0xFFFFFFU));
+  return picture;
+}
+
+Image plain(int width, int height, std::uint32_t color) {
+  return {
+      width,
+      height,
+      std::vector<std::uint32_t>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), color),
+      {}};
+}
+
+std::uint32_t at(const Image& image, int x, int y) {
+  return image.rgba.at(static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                       static_cast<std::size_t>(x));
+}
+
+class Windows : public testing::TestWithParam<WindowApi> {
+ protected:
+  Window open(int width, int height) {
+    WindowOptions options;
+    options.width = width;
+    options.height = height;
+    options.api = GetParam();
+    options.validation = true;
+    auto window = Window::open(options);
+    if (!window) {
+      ADD_FAILURE() << window.error().message;
+      std::abort();
+    }
+    return std::move(*window);
+  }
+
+  // Takes events until there is one of this kind.
+  template <class Kind>
+  static std::optional<Kind> wait(Window& window) {
+    const auto begun = std::chrono::steady_clock::now();
+    while (std::chrono::steady_clock::now() - begun < std::chrono::duration<double>(longest)) {
+      for (const Event& event : window.events(longest)) {
+        if (const auto* const found = std::get_if<Kind>(&event)) return *found;
+      }
+    }
+    return std::nullopt;
+  }
+
+  static Shown whole(const Image& picture, std::uint64_t version) {
+    Shown frame;
+    frame.picture = &picture;
+    frame.version = version;
+    frame.placement = {0, 0, static_cast<double>(picture.width), static_cast<double>(picture.height)};
+    return frame;
+  }
+
+  static Image shown(Window& window, const Shown& frame) {
+    const auto done = window.presenter().show(frame, window.width(), window.height());
+    EXPECT_TRUE(done.has_value()) << done.error().message;
+    auto read = window.presenter().read();
+    EXPECT_TRUE(read.has_value()) << read.error().message;
+    return read ? std::move(*read) : Image{};
+  }
+
+  // Drivers hand pictures to the server at their own pace.
+  static bool screenHas(Window& window, const Image& picture) {
+    const auto begun = std::chrono::steady_clock::now();
+    do {
+      if (screenPart(picture.width, picture.height).rgba == picture.rgba) return true;
+      window.events(0.01);
+    } while (std::chrono::steady_clock::now() - begun < std::chrono::duration<double>(longest));
+    return false;
+  }
+
+  static void expectSilence(Window& window) {
+    EXPECT_THAT(window.presenter().validationMessages(), testing::IsEmpty());
+  }
+};
+
+TEST_P(Windows, ShowASharpPictureInEveryPixel) {
+  Window window = open(400, 300);
+  std::cout << window.presenter().name() << '\n';
+  const Image picture = randomPicture(400, 300);
+  EXPECT_TRUE(shown(window, whole(picture, 1)).rgba == picture.rgba);
+  EXPECT_TRUE(screenHas(window, picture));
+  const Image other = randomPicture(400, 300, 2);
+  EXPECT_TRUE(shown(window, whole(other, 2)).rgba == other.rgba);
+  EXPECT_TRUE(screenHas(window, other));
+  expectSilence(window);
+}
+
+// Colors of what is drawn, opaque.
+constexpr std::uint32_t red = 0xFF0000FFU, green = 0xFF00FF00U, blue = 0xFFFF0000U, white = 0xFFFFFFFFU;
+
+TEST_P(Windows, ShowTheBackgroundWhereThereIsNoSite) {
+  Window window = open(60, 40);
+  Image picture = plain(60, 40, 0);
+  picture.rgba[0] = 0x80FFFFFFU;
+  const Image read = shown(window, whole(picture, 1));
+  // Half of white and half of 0x20, rounded.
+  EXPECT_EQ(at(read, 0, 0), 0xFF909090U);
+  EXPECT_EQ(at(read, 1, 0), background);
+  EXPECT_EQ(at(read, 59, 39), background);
+  EXPECT_TRUE(shown(window, {}).rgba == plain(60, 40, background).rgba);
+  expectSilence(window);
+}
+
+TEST_P(Windows, ShowAMovedPictureWhereItIsPlaced) {
+  Window window = open(200, 100);
+  const Image picture = plain(8, 4, red);
+  Shown frame = whole(picture, 1);
+  frame.placement = {10, 20, 100, 50};
+  const Image read = shown(window, frame);
+  for (int y = 0; y < 100; ++y) {
+    for (int x = 0; x < 200; ++x) {
+      const bool inside = x >= 10 && x < 110 && y >= 20 && y < 70;
+      ASSERT_EQ(at(read, x, y), inside ? red : background) << x << ' ' << y;
+    }
+  }
+  EXPECT_TRUE(screenHas(window, read));
+  // Far beyond the window on all sides: its middle shows, with the seam of the halves in the middle.
+  Image halves = plain(2, 1, white);
+  halves.rgba[0] = 0xFF000000U;
+  frame = whole(halves, 2);
+  frame.placement = {-10000, -5000, 20200, 10100};
+  const Image zoomed = shown(window, frame);
+  for (int x = 0; x < 200; ++x) {
+    const double expected = 255 * ((x + 0.5 + 10000) / 20200 * 2 - 0.5);
+    ASSERT_NEAR(at(zoomed, x, 50) & 0xFFU, expected, 2) << x;
+  }
+  // Shrunk to a quarter, beyond the left.
+  frame = whole(halves, 2);
+  frame.placement = {-10, 0, 20, 10};
+  const Image small = shown(window, frame);
+  EXPECT_EQ(at(small, 9, 9), white);
+  EXPECT_EQ(at(small, 10, 9), background);
+  EXPECT_EQ(at(small, 9, 10), background);
+  expectSilence(window);
+}
+
+// Two triangles that cover a rectangle, with one color and one place of the texture.
+void addRectangle(float left, float top, float right, float bottom, float u, std::uint32_t color,
+                  PanelTriangles& to) {
+  const auto first = static_cast<std::uint32_t>(to.vertices.size());
+  for (const auto& [x, y] :
+       {std::pair(left, top), std::pair(right, top), std::pair(right, bottom), std::pair(left, bottom)}) {
+    to.vertices.push_back({x, y, u, 0.5F, color});
+  }
+  for (const std::uint32_t corner : {0U, 1U, 2U, 0U, 2U, 3U}) to.indices.push_back(first + corner);
+}
+
+TEST_P(Windows, ShowThePanelOverThePicture) {
+  Window window = open(100, 80);
+  ASSERT_TRUE(window.presenter().setTexture({4, 1, {255, 255, 0, 0}}).has_value());
+  PanelTriangles panel;
+  addRectangle(10, 10, 50, 30, 0.25F, red, panel);          // filled
+  addRectangle(60, 10, 90, 30, 0.25F, 0x80FFFFFFU, panel);  // half of it shines through
+  addRectangle(10, 40, 50, 60, 0.75F, red, panel);          // no letter there
+  addRectangle(60, 40, 90, 60, 0.25F, green, panel);        // cut off
+  panel.parts = {{0, 18, 0, 0, 100, 80}, {18, 6, 70, 45, 500, 55}, {18, 6, -50, -50, -1, -1}};
+  const Image picture = plain(100, 80, blue);
+  Shown frame = whole(picture, 1);
+  frame.panel = &panel;
+  const Image read = shown(window, frame);
+  for (int y = 0; y < 80; ++y) {
+    for (int x = 0; x < 100; ++x) {
+      std::uint32_t expected = blue;
+      if (x >= 10 && x < 50 && y >= 10 && y < 30) expected = red;
+      if (x >= 60 && x < 90 && y >= 10 && y < 30) expected = 0xFFFF8080U;
+      if (x >= 70 && x < 90 && y >= 45 && y < 55) expected = green;
+      ASSERT_EQ(at(read, x, y), expected) << x << ' ' << y;
+    }
+  }
+  EXPECT_TRUE(screenHas(window, read));
+  // The same over a moved picture, with another texture.
+  ASSERT_TRUE(window.presenter().setTexture({1, 2, {255, 255}}).has_value());
+  frame.placement = {0, 0, 50, 80};
+  const Image moved = shown(window, frame);
+  EXPECT_EQ(at(moved, 30, 50), red);
+  EXPECT_EQ(at(moved, 49, 70), blue);
+  EXPECT_EQ(at(moved, 50, 70), background);
+  EXPECT_EQ(at(moved, 80, 50), green);
+  expectSilence(window);
+}
+
+TEST_P(Windows, FollowTheirSize) {
+  Window window = open(300, 200);
+  const Image first = randomPicture(300, 200);
+  shown(window, whole(first, 1));
+  std::uint64_t version = 1;
+  for (const auto& [width, height] :
+       {std::pair(500, 350), std::pair(120, 333), std::pair(640, 90), std::pair(301, 201)}) {
+    window.apply(Resize{width, height});
+    std::optional<Resize> told;
+    do {
+      told = wait<Resize>(window);
+    } while (told && told->width != width);
+    ASSERT_TRUE(told.has_value());
+    EXPECT_EQ(std::pair(told->width, told->height), std::pair(width, height));
+    EXPECT_EQ(std::pair(window.width(), window.height()), std::pair(width, height));
+    // The old picture, until there is a sharp one.
+    shown(window, whole(first, 1));
+    const Image sharp = randomPicture(width, height, static_cast<unsigned>(width));
+    EXPECT_TRUE(shown(window, whole(sharp, ++version)).rgba == sharp.rgba);
+    EXPECT_TRUE(screenHas(window, sharp)) << width << " x " << height;
+  }
+  // The desktop has another size than the one that is told.
+  window.apply(Resize{200, 100});
+  const Image late = randomPicture(301, 201, 9);
+  ASSERT_TRUE(window.presenter().show(whole(late, ++version), 301, 201).has_value());
+  wait<Resize>(window);
+  ASSERT_TRUE(window.presenter().show(whole(late, version), 301, 201).has_value());
+  expectSilence(window);
+}
+
+TEST_P(Windows, AreMinimizedAndRestored) {
+  Window window = open(300, 200);
+  const Image picture = randomPicture(300, 200);
+  shown(window, whole(picture, 1));
+  EXPECT_TRUE(screenHas(window, picture));
+  window.apply(Minimize{});
+  ASSERT_TRUE(wait<Minimize>(window).has_value());
+  EXPECT_EQ(std::pair(window.width(), window.height()), std::pair(0, 0));
+  const Image other = randomPicture(300, 200, 2);
+  ASSERT_TRUE(window.presenter().show(whole(other, 2), 0, 0).has_value());
+  EXPECT_TRUE(window.presenter().read()->rgba == picture.rgba);
+  window.apply(Restore{});
+  ASSERT_TRUE(wait<Restore>(window).has_value());
+  EXPECT_EQ(std::pair(window.width(), window.height()), std::pair(300, 200));
+  EXPECT_TRUE(shown(window, whole(other, 2)).rgba == other.rgba);
+  EXPECT_TRUE(screenHas(window, other));
+  window.apply(Close{});
+  EXPECT_TRUE(wait<Close>(window).has_value());
+  expectSilence(window);
+}
+
+TEST_P(Windows, AreTwoAtATime) {
+  Window one = open(100, 100), two = open(80, 90);
+  const Image first = randomPicture(100, 100), second = randomPicture(80, 90);
+  const Image of_one = shown(one, whole(first, 1)), of_two = shown(two, whole(second, 1));
+  EXPECT_TRUE(of_one.rgba == first.rgba);
+  EXPECT_TRUE(of_two.rgba == second.rgba);
+  two = open(50, 50);
+  EXPECT_TRUE(one.presenter().read()->rgba == first.rgba);
+  expectSilence(one);
+}
+
+std::string words(const Modifiers& with) {
+  return std::string(with.shift ? " shift" : "") + (with.control ? " control" : "") +
+         (with.alt ? " alt" : "");
+}
+
+// An event as one line; empty for what a desktop may tell at any time.
+std::string line(const Event& event) {
+  const auto number = [](double value) { return std::to_string(static_cast<int>(value)); };
+  const auto button = [](Button which) { return std::to_string(static_cast<int>(which)); };
+  if (const auto* const move = std::get_if<Move>(&event))
+    return "move " + number(move->to.x) + ' ' + number(move->to.y);
+  if (const auto* const press = std::get_if<Press>(&event))
+    return "press " + button(press->button) + words(press->with);
+  if (const auto* const release = std::get_if<Release>(&event)) return "release " + button(release->button);
+  if (const auto* const scroll = std::get_if<Scroll>(&event))
+    return "scroll " + number(scroll->by) + words(scroll->with);
+  if (const auto* const key = std::get_if<Key>(&event)) return "key " + key->name + words(key->with);
+  if (const auto* const text = std::get_if<Text>(&event)) return "text " + text->utf8;
+  if (std::holds_alternative<Close>(event)) return "close";
+  return {};
+}
+
+TEST(Input, TellsWhatAUserDoes) {
+  WindowOptions options;
+  options.title = "input";
+  options.width = 300;
+  options.height = 200;
+  auto window = Window::open(options);
+  ASSERT_TRUE(window.has_value()) << window.error().message;
+  while (!window->events(0.05).empty()) {
+  }
+  const std::string command =
+      std::string(std::getenv("VORPIPE_TEST_PYTHON")) + " " + VORPIPE_SEND_INPUT +
+      " input move:30,40 press:1 move:50,60 release:1 press:3 release:3 press:4 release:4"
+      " hold:Shift_L press:5 release:5 key:a key:slash let:Shift_L key:a key:plus key:space"
+      " hold:Control_L key:z hold:Shift_L key:z let:Shift_L let:Control_L"
+      " key:F1 key:Left key:Prior key:Tab key:Escape key:bracketleft close";
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  std::vector<std::string> told;
+  const auto begun = std::chrono::steady_clock::now();
+  while ((told.empty() || told.back() != "close") &&
+         std::chrono::steady_clock::now() - begun < std::chrono::duration<double>(longest)) {
+    for (const Event& event : window->events(longest)) {
+      if (std::string one = line(event); !one.empty()) told.push_back(std::move(one));
+    }
+  }
+  EXPECT_EQ(told, (std::vector<std::string>{
+                      "move 30 40",  "press 0",          "move 50 60",    "release 0",
+                      "press 1",     "release 1",        "scroll 1",      "scroll -1 shift",
+                      "key a shift", "text A",           "key question",  "text ?",
+                      "key a",       "text a",           "key equal",     "text =",
+                      "key space",   "text  ",           "key z control", "key z shift control",
+                      "key f1",      "key left",         "key page_up",   "key tab",
+                      "key escape",  "key left_bracket", "text [",        "close"}));
+}
+
+TEST_P(Windows, WaitUntilTheyAreWoken) {
+  Window window = open(100, 100);
+  while (!window.events(0.05).empty()) {
+  }
+  const auto begun = std::chrono::steady_clock::now();
+  std::thread other([&] { window.wake(); });
+  window.events(longest);
+  other.join();
+  EXPECT_LT(std::chrono::steady_clock::now() - begun, std::chrono::duration<double>(longest / 2));
+}
+
+TEST_P(Windows, SayThatThereIsNoDisplay) {
+  const std::string display = std::getenv("DISPLAY");
+  for (const char* const none : {"", ":60999"}) {
+    ::setenv("DISPLAY", none, 1);
+    WindowOptions options;
+    options.api = GetParam();
+    const auto window = Window::open(options);
+    ::setenv("DISPLAY", display.c_str(), 1);
+    ASSERT_FALSE(window.has_value());
+    EXPECT_EQ(window.error().code, ErrorCode::device);
+    EXPECT_THAT(window.error().message, testing::StartsWith("no display: "));
+    EXPECT_THAT(window.error().message, testing::Not(testing::HasSubstr("\n")));
+  }
+}
+
+TEST(VulkanWindow, SaysThatThereIsNoSuchDevice) {
+  WindowOptions options;
+  options.device = "none of this name";
+  const auto window = Window::open(options);
+  ASSERT_FALSE(window.has_value());
+  EXPECT_EQ(window.error().code, ErrorCode::device);
+  EXPECT_THAT(window.error().message, testing::HasSubstr("no Vulkan device 'none of this name'"));
+}
+
+// Run with hide_glfw.cpp.
+TEST(WithoutGlfw, AWindowSaysWhatToInstall) {
+  const auto window = Window::open({});
+  ASSERT_FALSE(window.has_value());
+  EXPECT_EQ(window.error().code, ErrorCode::device);
+  EXPECT_EQ(
+      window.error().message,
+      "a window needs GLFW, and libglfw.so.3 cannot be loaded: install libglfw3 (Debian, Ubuntu) or glfw "
+      "(Fedora, Arch, Homebrew)");
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, Windows, testing::Values(WindowApi::vulkan, WindowApi::opengl),
+                         [](const auto& api) {
+                           return api.param == WindowApi::vulkan ? "Vulkan" : "OpenGL";
+                         });
+
+}  // namespace
+}  // namespace vorpipe::view
