@@ -32,28 +32,33 @@ const std::vector<Box> boxes = {{0.2, 0.3, 0.4, 0.5},       {0, 0.9, 0.1, 1},
 
 TEST(NearView, HasTheNearestSiteOfEveryPixel) {
   for (const auto pattern : {Pattern::random, Pattern::clusters, Pattern::circle, Pattern::square}) {
-    for (const std::uint64_t n : {1u, 5u, 400u, 20000u}) {
-      const SiteSet set = setOf(generate(pattern, n, 3));
-      for (const Box& box : boxes) {
-        const auto near = sitesNear(set, box, 2);
-        EXPECT_TRUE(std::ranges::is_sorted(near));
-        const View view = viewOf(box, 40, 30);
-        std::vector<std::uint32_t> pixels(40 * 30), found(pixels.size());
-        for (std::uint32_t k = 0; k < pixels.size(); ++k) pixels[k] = k;
-        const auto exact = openExactTier(2);
-        exact->take(set);
-        exact->nearest(view, pixels, found);
-        for (const auto site : found) ASSERT_TRUE(std::ranges::binary_search(near, site));
+    for (const std::uint64_t n : {1u, 5u, 400u, 3000u})
+      for (const double weight : {0.0, 1e-5, 1e-2}) {
+        Sites sites = generate(pattern, n, 3);
+        if (weight > 0) sites.weight = generate(Pattern::random, sites.size(), 5).x;
+        for (double& each : sites.weight) each = weight * each * each;
+        if (weight > 0) sites.weight.front() = 0.1;
+        const SiteSet set = setOf(sites);
+        for (const Box& box : boxes) {
+          const auto near = sitesNear(set, box);
+          EXPECT_TRUE(std::ranges::is_sorted(near));
+          const View view = viewOf(box, 40, 30);
+          std::vector<std::uint32_t> pixels(40 * 30), found(pixels.size());
+          for (std::uint32_t k = 0; k < pixels.size(); ++k) pixels[k] = k;
+          const auto exact = openExactTier(2);
+          exact->take(set);
+          exact->nearest(view, pixels, found);
+          for (const auto site : found) ASSERT_TRUE(std::ranges::binary_search(near, site));
+        }
       }
-    }
   }
 }
 
 TEST(NearView, LeavesOutWhatIsFar) {
   const SiteSet set = setOf(generate(Pattern::random, 100000, 3));
-  EXPECT_LT(sitesNear(set, {0.5, 0.5, 0.51, 0.51}, 2).size(), 100u);
-  EXPECT_LT(sitesNear(set, {0.2, 0.2, 0.3, 0.3}, 2).size(), 2000u);
-  EXPECT_LT(sitesNear(set, {0.5, 0.5, 0.5 + 1e-9, 0.5 + 1e-9}, 2).size(), 20u);
+  EXPECT_LT(sitesNear(set, {0.5, 0.5, 0.51, 0.51}).size(), 100u);
+  EXPECT_LT(sitesNear(set, {0.2, 0.2, 0.3, 0.3}).size(), 2000u);
+  EXPECT_LT(sitesNear(set, {0.5, 0.5, 0.5 + 1e-9, 0.5 + 1e-9}).size(), 20u);
 }
 
 TEST(NearView, PixelsOfTheCpuAreTheJudges) {
