@@ -72,6 +72,17 @@ succeeds "a map keeps its aspect" render --backend cpu --sites in/map.csv --doma
 succeeds "its ids are compared where they lie" diff out/map.npy out/map.npy --sites in/map.csv --domain 0,0,4,2
 succeeds "a map is stretched on request" render --backend cpu --sites in/map.csv --domain 0,0,4,2 --size 40x40 --fit stretch --check
 
+succeeds "a view" render --backend cpu --sites random:300 --view 0.25,0.25,0.75,0.5 --ids out/view.npy -o out/view.png --size 80 --check --stats out/view.json
+expect "80x40"
+succeeds "a view again" rerun out/view.json
+succeeds "ids of a view" diff out/view.npy out/view.npy --sites random:300 --view 0.25,0.25,0.75,0.5
+succeeds "more than the domain" render --backend cpu --sites random:300 --view=-1,-1,2,2 --size 30x30 --ids out/more.npy --check
+[ "$(tail -c 3600 out/more.npy | head -c 1200 | tr -d '\377' | wc -c)" -eq 0 ] || fail "pixels above it have a site"
+[ "$(tail -c 2400 out/more.npy | head -c 1200 | tr -dc '\377' | wc -c)" -eq 800 ] || fail "not those beside it have none"
+refuses "a view that is no box" '--view: "0,0,1" is not XMIN,YMIN,XMAX,YMAX' --sites random:9 --view 0,0,1
+refuses "a view turned around" "--view: xmin 1 is not below xmax 0" --sites random:9 --view 1,0,0,1
+refuses "a view beyond doubles" "--view: the view 0.5,0.5,0.5000000000001,0.5000000000001 is too small" --sites random:9 --view 0.5,0.5,0.5000000000001,0.5000000000001
+
 printf 'y,x,weight\n1,0,5\n2,3,6\n1,0,7\n' >in/good.csv
 succeeds "file with weights" render --backend cpu --sites in/good.csv --color weight --size 30x30 -o out/h.png
 expect "2 weighted cells (0 empty, 1 duplicate)"

@@ -9,6 +9,7 @@
 
 #include "backend/cpu/clip/batch_cells.h"
 #include "backend/cpu/lanes/grid_cells.h"
+#include "backend/cpu/pixels/grid_pixels.h"
 #include "backend/cpu/pixels/picture.h"
 #include "backend/view_uniform.h"
 #include "base/parallel.h"
@@ -87,8 +88,13 @@ class CpuBackend final : public Backend {
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override {
     assert(ids.size() == rgba.size());
     assert(sites_ != nullptr);
-    if (!nearest_) nearest_.emplace(*sites_, threads_);
-    cpu::nearestSites(*nearest_, view_, threads_, ids);
+    const std::vector<std::uint32_t> left = cpu::nearestOnGrid(*sites_, view_, threads_, ids);
+    if (!left.empty()) {
+      if (!nearest_) nearest_.emplace(*sites_, threads_);
+      std::vector<std::uint32_t> found(left.size());
+      cpu::nearestSites(*nearest_, view_, left, threads_, found);
+      for (std::size_t k = 0; k < left.size(); ++k) ids[left[k]] = found[k];
+    }
     parallelFor(ids.size(), 1 << 16, threads_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         rgba[i] = ids[i] == no_site ? 0 : view_.palette[palette_index_[ids[i]]];

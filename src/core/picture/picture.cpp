@@ -92,7 +92,7 @@ Result<Drawn> drawParts(Backend& backend, CellDrawing& drawing, const NearestSit
 }
 
 /// Which cells are drawn, and by whom. To choose them pays where the others are as many at least.
-WhatToDraw whatToDraw(const SiteSet& set, const RenderOptions& options, const ShownPart& shown, int threads) {
+WhatToDraw whatToDraw(const SiteSet& set, const RenderOptions& options, const ShownPart& shown) {
   WhatToDraw what;
   if (!options.view) return what;
   if (shown.width == 0) {
@@ -101,14 +101,13 @@ WhatToDraw whatToDraw(const SiteSet& set, const RenderOptions& options, const Sh
   }
   const View view = viewOf(shown, {0, 0, shown.width, shown.height}, {});
   what.by_device = isForDevices(view);
-  if (!set.weight.empty()) return what;
   const Box& box = view.box;
   const Box in_set{view.corner.x + box.xmin, view.corner.y + box.ymin, view.corner.x + box.xmax,
                    view.corner.y + box.ymax};
   const Box& domain = set.domain;
   const double part = (box.xmax - box.xmin) / (domain.xmax - domain.xmin) *
                       ((box.ymax - box.ymin) / (domain.ymax - domain.ymin));
-  if (2 * part < 1 || !what.by_device) what.shown = sitesNear(set, in_set, threads);
+  if (2 * part < 1 || !what.by_device) what.shown = sitesNear(set, in_set);
   return what;
 }
 
@@ -217,7 +216,7 @@ Result<Rendering> renderKept(const Machine& machine, const Sites& sites, const R
   const SiteSet& set = run->prepared.set;
   const auto& palette_indices = kept.colors->index;
   const ShownPart shown = shownPart(scene, options, run->prepared.exponent);
-  WhatToDraw what = whatToDraw(set, options, shown, machine.threads);
+  WhatToDraw what = whatToDraw(set, options, shown);
   report.time_ms.order += 1e3 * order_watch.seconds();
 
   CellDrawing drawing({machine.backend, run->judge, set, options.search, machine.threads, options.progress},

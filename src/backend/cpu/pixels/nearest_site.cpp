@@ -49,16 +49,6 @@ class Cloud {
 /// Squared distances that differ by less than this part of themselves may be in either order.
 constexpr double near_tie = 1e-14;
 
-/// Where sites and places are counted from: the domain's corner, along an axis where no difference to it is
-/// rounded, of sites in the domain and beside it.
-Point baseOf(const Box& domain) {
-  const auto along = [](double low, double high) {
-    const bool exact = std::min(std::abs(low), std::abs(high)) >= 2 * (high - low);
-    return exact && (low > 0) == (high > 0) ? low : 0.0;
-  };
-  return {along(domain.xmin, domain.xmax), along(domain.ymin, domain.ymax)};
-}
-
 /// By how much the power of a place to a is larger than to b, in twice the precision.
 DoubleDouble wideLead(const SiteSet& s, std::uint32_t b, std::uint32_t a, Point base, Point p) {
   const auto towards = [](double at_base, double at, double of_a, double of_b) {
@@ -231,8 +221,16 @@ class CloudTree {
 
 }  // namespace
 
+Point countedFrom(const Box& domain) {
+  const auto along = [](double low, double high) {
+    const bool exact = std::min(std::abs(low), std::abs(high)) >= 2 * (high - low);
+    return exact && (low > 0) == (high > 0) ? low : 0.0;
+  };
+  return {along(domain.xmin, domain.xmax), along(domain.ymin, domain.ymax)};
+}
+
 struct NearestSite::Tree {
-  Tree(const SiteSet& set, int threads) : sites(set), base(baseOf(set.domain)) {
+  Tree(const SiteSet& set, int threads) : sites(set), base(countedFrom(set.domain)) {
     if (sites.weight.empty()) {
       flat.emplace(sites, base, threads);
     } else {

@@ -7,6 +7,10 @@
 
 namespace vorpipe::cpu {
 
+/// Where sites and places are counted from: the domain's corner, along an axis where no difference to it is
+/// rounded, of sites in the domain and beside it.
+Point countedFrom(const Box& domain);
+
 /// Finds nearest sites. Independent of the clipping: a kd-tree over the sites.
 class NearestSite {
  public:
