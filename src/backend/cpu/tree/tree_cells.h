@@ -60,8 +60,7 @@ class CellFinder {
     const auto& edges = found_.edges;
     if (edges.empty()) return CellStatus::empty;
     if (mayBeEmpty(edges, origin_offset_)) return decide ? CellStatus::empty : CellStatus::open;
-    if (!isSure(edges, origin_offset_, found_.blur, shorterSide(sites_)) && !decide)
-      return CellStatus::open;
+    if (!isSure(edges, origin_offset_, found_.blur, shorterSide(sites_)) && !decide) return CellStatus::open;
     return CellStatus::certified;
   }
 
