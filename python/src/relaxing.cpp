@@ -21,7 +21,7 @@ constexpr Choices<RelaxEnd, 4> end_choices = {{{"iterations", RelaxEnd::iteratio
                                                {"tolerance", RelaxEnd::tolerance},
                                                {"stagnated", RelaxEnd::stagnated},
                                                {"cancelled", RelaxEnd::cancelled}}};
-using Shared = std::shared_ptr<RelaxResult>;
+using SharedRelaxed = std::shared_ptr<RelaxResult>;
 
 /// The sites as the caller has them: in degrees where they are projected.
 Sites shownSites(const RelaxResult& result) {
@@ -35,7 +35,7 @@ Sites shownSites(const RelaxResult& result) {
   return sites;
 }
 
-py::array points(const RelaxResult& result) {
+py::array relaxedPoints(const RelaxResult& result) {
   const Sites sites = shownSites(result);
   std::vector<Point> rows;
   for (std::size_t i = 0; i < sites.size(); ++i) rows.push_back({sites.x[i], sites.y[i]});
@@ -51,7 +51,7 @@ auto traced(double RelaxStep::*member) {
   };
 }
 
-void save(const RelaxResult& result, const std::string& path) {
+void savePoints(const RelaxResult& result, const std::string& path) {
   const PointsFormat& format = *valueOf(pointsFormatOf(path));
   const Sites sites = shownSites(result);
   const Input& input = *result.input;
@@ -70,8 +70,8 @@ Density densityFrom(const py::array_t<double>& values) {
   return density;
 }
 
-py::array drawnPoints(const py::array_t<double>& values, const std::array<double, 4>& box, std::uint64_t count,
-                      std::uint64_t seed) {
+py::array drawnPoints(const py::array_t<double>& values, const std::array<double, 4>& box,
+                      std::uint64_t count, std::uint64_t seed) {
   const Sites sites =
       valueOf(drawnFrom(densityFrom(values), {box[0], box[1], box[2], box[3]}, {}, count, seed));
   std::vector<Point> rows;
@@ -99,19 +99,21 @@ void defineRelaxing(py::module_& module) {
       .def(py::init<std::string, std::uint64_t, double, bool, std::string, int>(), py::arg("method"),
            py::arg("iterations"), py::arg("tolerance"), py::arg("equal_masses"), py::arg("search"),
            py::arg("neighbors"));
-  py::class_<RelaxResult, Shared>(module, "Relaxed", "Sites that have moved.")
-      .def_property_readonly("points", &points)
+  py::class_<RelaxResult, SharedRelaxed>(module, "Relaxed", "Sites that have moved.")
+      .def_property_readonly("points", &relaxedPoints)
       .def_property_readonly("energy", traced(&RelaxStep::energy))
       .def_property_readonly("hexagonal", traced(&RelaxStep::hexagonal))
       .def_property_readonly("farthest", traced(&RelaxStep::farthest))
       .def_property_readonly("seconds", traced(&RelaxStep::seconds))
       .def_property_readonly(
           "end", [](const RelaxResult& result) { return nameIn(end_choices, result.relaxed.end); })
-      .def_property_readonly(
-          "report", [](const Shared& result) { return std::shared_ptr<Report>(result, &result->relaxed.report); })
+      .def_property_readonly("report",
+                             [](const SharedRelaxed& result) {
+                               return std::shared_ptr<Report>(result, &result->relaxed.report);
+                             })
       .def_property_readonly(
           "input", [](const RelaxResult& result) { return std::const_pointer_cast<Input>(result.input); })
-      .def("save", &save, py::arg("path"));
+      .def("save", &savePoints, py::arg("path"));
   module.def("drawn_points", &drawnPoints, py::arg("density"), py::arg("box"), py::arg("n"), py::arg("seed"));
 }
 

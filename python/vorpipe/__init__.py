@@ -2,10 +2,9 @@
 
     diagram = vorpipe.cells(points)
 
-`cells` computes them as data, a `Diagram`; `render` draws a `Picture`, `draw` a file of shapes; `relax` moves
-points to where cells are alike. `read` has the points
-of a file, with all that it says of them. `Session` keeps a device for many runs.
-`vorpipe.compat` has scipy.spatial's Voronoi and Delaunay. Lengths are in the points' own units, areas in their
+`cells` computes them as data, a `Diagram`; `render` draws a `Picture`, `draw` a file of shapes; `relax` moves points
+to where cells are alike. `read` has the points of a file, with all that it says of them. `Session` keeps a device for
+many runs. `vorpipe.compat` has scipy.spatial's Voronoi and Delaunay. Lengths are in the points' own units, areas in their
 squares.
 """
 from ._cell import Cell

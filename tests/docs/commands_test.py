@@ -35,6 +35,8 @@ NOT_RUN = {
     './run selftest --backend vulkan-compute --device 0 --seed 7': SELFTEST,
     './run selftest --quick --limit maxTexelBufferElements=4096': SELFTEST,
     'docs/gallery.sh': 'the test docs_gallery runs it',
+    './run relax --sites density:20000 --density spheres.png --equal-masses --iterations 100 -o stipple.csv '
+    '--cells stipple.npz': 'it takes long; the test cli_relax runs the like of it',
     'cmake --preset dev && cmake --build --preset dev --target exact_cells': BUILDS,
     'build/dev/tests/conformance/exact_cells all': BUILDS,
     'build/dev/tests/conformance/exact_cells weighted --seed 7': BUILDS,
