@@ -25,6 +25,7 @@ PYBIND11_MODULE(_vorpipe, module) {
   defineLook(module);
   definePicture(module);
   defineDevices(module);
+  defineRelaxing(module);
   defineSession(module);
   defineJudgment(module);
   defineForecast(module);

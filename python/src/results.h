@@ -3,6 +3,8 @@
 
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "input.h"
 #include "io/cells/cells_file.h"
@@ -40,6 +42,31 @@ struct PictureResult {
   Rendering rendering;
 };
 
+struct RelaxResult {
+  std::shared_ptr<const Input> input;  ///< as the sites were given
+  Relaxed relaxed;
+};
+
+/// How sites are to move; by name what is chosen.
+struct RelaxArguments {
+  RelaxArguments(std::string by, std::uint64_t most, double near, bool equal, std::string found, int count)
+      : method(std::move(by)),
+        iterations(most),
+        tolerance(near),
+        equal_masses(equal),
+        search(std::move(found)),
+        neighbors(count) {}
+  std::string method;
+  std::uint64_t iterations;
+  double tolerance;
+  bool equal_masses;
+  std::string search;
+  int neighbors;
+};
+
+/// Throws InputError for a name that there is not.
+RelaxOptions relaxOptionsOf(const Input& input, const RelaxArguments& given);
+
 /// The options that follow from the input.
 CellsOptions cellsOptionsOf(const Input& input);
 
@@ -55,6 +82,8 @@ const PictureFormat& shapesFormatOf(const std::string& path);
 
 void defineReport(py::module_& module);
 void defineCells(py::module_& module);
+/// Sites that move.
+void defineRelaxing(py::module_& module);
 /// What is found in cells once they are there.
 void defineReading(py::module_& module);
 void definePicture(py::module_& module);

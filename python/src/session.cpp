@@ -110,6 +110,24 @@ std::shared_ptr<CellsResult> SharedSession::shapes(const std::shared_ptr<const I
   return find(input, std::move(options), progress);
 }
 
+std::shared_ptr<RelaxResult> SharedSession::relax(const std::shared_ptr<const Input>& input,
+                                                  const RelaxArguments& given, const py::object& progress) {
+  return use<std::shared_ptr<RelaxResult>>(
+      progress,
+      [input, options = relaxOptionsOf(*input, given)](
+          Session& session, const Progress& heard) mutable -> Result<std::shared_ptr<RelaxResult>> {
+        const auto most = static_cast<double>(std::max<std::uint64_t>(options.iterations, 1));
+        double done = 0;
+        options.progress = [&](std::string_view, double) { return heard("relax", done); };
+        auto relaxed = vorpipe::relax(session, input->sites, options, [&](const Relaxation& relaxation) {
+          done = static_cast<double>(relaxation.trace().size() - 1) / most;
+          return true;
+        });
+        if (!relaxed) return tl::unexpected(std::move(relaxed.error()));
+        return std::make_shared<RelaxResult>(RelaxResult{input, std::move(*relaxed)});
+      });
+}
+
 Arithmetic SharedSession::arithmetic() {
   return use<Arithmetic>(py::none(), [](Session& session, const Progress&) { return session.arithmetic(); });
 }
@@ -169,6 +187,11 @@ void defineSession(py::module_& module) {
           [](SharedSession& session, const Shared& input, const Look& look, const std::string& path,
              const py::object& progress) { return session.shapes(input, look, path, progress); },
           py::arg("input"), py::arg("look"), py::arg("path"), py::arg("progress"))
+      .def(
+          "relax",
+          [](SharedSession& session, const Shared& input, const RelaxArguments& given,
+             const py::object& progress) { return session.relax(input, given, progress); },
+          py::arg("input"), py::arg("arguments"), py::arg("progress"))
       .def("arithmetic", &SharedSession::arithmetic)
       .def("device", &SharedSession::device)
       .def("choice", &SharedSession::choice)

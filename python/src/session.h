@@ -33,6 +33,8 @@ class SharedSession : public std::enable_shared_from_this<SharedSession> {
   /// such file.
   std::shared_ptr<CellsResult> shapes(const std::shared_ptr<const Input>& input, const Look& look,
                                       const std::string& path, const py::object& progress);
+  std::shared_ptr<RelaxResult> relax(const std::shared_ptr<const Input>& input, const RelaxArguments& given,
+                                     const py::object& progress);
   Arithmetic arithmetic();
   DeviceInfo device();
   std::string choice();

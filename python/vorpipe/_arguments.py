@@ -178,6 +178,12 @@ def threads_of(value: Optional[int]) -> int:
     return int(value)
 
 
+def iterations_of(value: int) -> int:
+    if value != int(value) or value < 0:
+        raise refuse('iterations', f'{value!r} is no number of diagrams')
+    return int(value)
+
+
 def mask_of(disabled: Sequence[str], limits: Optional[Mapping[str, int]]) -> Mask:
     for name in disabled:
         if name not in _vorpipe.feature_names():

@@ -12,6 +12,7 @@ from ._diagram import Diagram
 from ._errors import CheckError
 from ._picture import Picture
 from ._points import table_of
+from ._relaxed import Relaxed
 from ._warnings import warn
 
 Progress = Callable[[str, float], Optional[bool]]
@@ -113,6 +114,20 @@ class Session:
             raise_broken(diagram.check(self._threads or None))
         _vorpipe.save_shapes(cells, look, os.fspath(path), self._threads)
         return diagram
+
+    def relax(self, points: Any, weights: Any = None, domain: Any = None, *,
+              periodic: Union[None, bool, str] = None, density: Any = None, outline: Any = None,
+              method: str = 'lbfgs', iterations: int = 50, tolerance: float = 0, equal_masses: bool = False,
+              search: str = 'grid', progress: Optional[Progress] = None,
+              attributes: Optional[Mapping[str, Any]] = None, project: Project = None, margin: Margin = None,
+              repair: bool = False, crs: Any = None) -> Relaxed:
+        """As `vorpipe.relax`."""
+        wanted = _arguments.domain_of(domain, outline, margin, repair, project)
+        given = input_of(points, weights, wanted, periodic, density, attributes, crs)
+        found, neighbors = _arguments.search_of(search)
+        most = _arguments.iterations_of(iterations)
+        arguments = _vorpipe.RelaxArguments(method, most, float(tolerance), equal_masses, found, neighbors)
+        return Relaxed(self._session.relax(given, arguments, progress))
 
     @property
     def device(self) -> _vorpipe.DeviceInfo:

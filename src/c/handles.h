@@ -1,6 +1,7 @@
 /// What is behind the opaque types of vorpipe_c.h.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -68,6 +69,14 @@ struct vorpipe_diagram {
 struct vorpipe_locator {
   vorpipe::Locator locator;
   std::optional<vorpipe::Projection> projection;  ///< of places in degrees
+};
+
+struct vorpipe_relaxation {
+  std::shared_ptr<const vorpipe::c::PlacedInput> placed;  ///< as the sites were given
+  vorpipe_input input;                                    ///< what else was
+  vorpipe::Relaxation relaxation;
+  mutable std::vector<vorpipe::Point> shown{};  ///< the sites, when they were last asked for
+  mutable std::vector<std::array<double, 5>> trace{};
 };
 
 struct vorpipe_picture {

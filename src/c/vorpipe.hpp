@@ -258,6 +258,7 @@ class Input {
   [[nodiscard]] vorpipe_input* get() const { return input_.get(); }
 
  private:
+  friend class Relaxation;
   explicit Input(vorpipe_input* input) : input_(input) {}
   Owned<vorpipe_input, vorpipe_input_free> input_;
 };
@@ -439,6 +440,54 @@ class Picture {
   Owned<vorpipe_picture, vorpipe_picture_free> picture_;
 };
 
+/// Sites that move; the session outlives it.
+class Relaxation {
+ public:
+  explicit Relaxation(vorpipe_relaxation* relaxation) : relaxation_(relaxation) {}
+
+  /// Computes the next diagram; false: there is none.
+  bool step() {
+    std::int32_t more = 0;
+    done(vorpipe_relaxation_step(relaxation_.get(), &more));
+    return more != 0;
+  }
+  /// Where the sites are; good until the next step.
+  [[nodiscard]] View<Point> sites() const { return view<Point>(VORPIPE_RELAXED_SITES); }
+  /// By diagram: its number, the energy, that as a part of the hexagonal lattice's, the longest way of a
+  /// site, seconds.
+  [[nodiscard]] View<std::array<double, 5>> trace() const {
+    return view<std::array<double, 5>>(VORPIPE_RELAXED_TRACE);
+  }
+  [[nodiscard]] vorpipe_relax_end end() const { return vorpipe_relaxation_end(get()); }
+  [[nodiscard]] vorpipe_report report() const {
+    vorpipe_report report = {};
+    report.struct_size = sizeof report;
+    done(vorpipe_relaxation_report(get(), &report));
+    return report;
+  }
+  /// The sites where they are, in the same domain.
+  [[nodiscard]] Input input() const {
+    vorpipe_input* input = nullptr;
+    done(vorpipe_relaxation_input(get(), &input));
+    return Input(input);
+  }
+  void write(const std::string& format, const Write& write) const {
+    Callback<Write> callback(write);
+    callback.finish(vorpipe_relaxation_write(get(), format.c_str(), Callback<Write>::write, callback.user()));
+  }
+  void save(const std::string& path) const { done(vorpipe_relaxation_save(get(), path.c_str())); }
+  [[nodiscard]] const vorpipe_relaxation* get() const { return relaxation_.get(); }
+
+ private:
+  template <class Element>
+  [[nodiscard]] View<Element> view(vorpipe_relaxation_field field) const {
+    vorpipe_array array = {};
+    done(vorpipe_relaxation_array(get(), field, &array));
+    return View<Element>(array);
+  }
+  Owned<vorpipe_relaxation, vorpipe_relaxation_free> relaxation_;
+};
+
 class Session {
  public:
   explicit Session(const std::string& backend = "auto", int threads = 0) {
@@ -460,6 +509,20 @@ class Session {
     vorpipe_picture* picture = nullptr;
     run(options, progress, [&] { return vorpipe_render(get(), input.get(), &options, &picture); });
     return Picture(picture);
+  }
+
+  /// Sites that move until nothing is left to do.
+  Relaxation relax(const Input& input, vorpipe_relax_options options = {}, const Progress& progress = {}) {
+    vorpipe_relaxation* relaxation = nullptr;
+    run(options, progress, [&] { return vorpipe_relax(get(), input.get(), &options, &relaxation); });
+    return Relaxation(relaxation);
+  }
+  /// The same step by step: `options.progress` must be good for all of them.
+  Relaxation relaxBegin(const Input& input, vorpipe_relax_options options = {}) {
+    vorpipe_relaxation* relaxation = nullptr;
+    options.struct_size = sizeof options;
+    done(vorpipe_relax_begin(get(), input.get(), &options, &relaxation));
+    return Relaxation(relaxation);
   }
 
   /// A picture as shapes, "svg" or "pdf"; or into a file of such an extension.

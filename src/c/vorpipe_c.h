@@ -551,6 +551,76 @@ VORPIPE_API const char* vorpipe_picture_note(const vorpipe_picture* picture, siz
 VORPIPE_API const char* vorpipe_diagram_validation(const vorpipe_diagram* diagram, size_t index);
 VORPIPE_API const char* vorpipe_picture_validation(const vorpipe_picture* picture, size_t index);
 
+/* ---- Relaxation ---- */
+
+/* How sites move. */
+typedef int32_t vorpipe_relax_method;
+enum {
+  VORPIPE_RELAX_LBFGS = 0, /* accelerated: as far after 35 diagrams as Lloyd's steps after 200 */
+  VORPIPE_RELAX_LLOYD = 1  /* each to the centroid of its cell */
+};
+
+typedef struct vorpipe_relax_options {
+  uint32_t struct_size;
+  vorpipe_relax_method method;
+  uint64_t iterations;  /* the most diagrams after the first; 0: 50 */
+  double tolerance;     /* ends when no site would move by this part of the spacing; 0: never */
+  int32_t equal_masses; /* not 0: relaxes under the square of the density, so that cells get equal masses */
+  vorpipe_search search;
+  int32_t search_neighbors;
+  vorpipe_progress progress; /* of each diagram; saying stop ends the relaxation with what was reached */
+  void* progress_user;
+} vorpipe_relax_options;
+
+/* Sites that move until each is the centroid of its cell: under the input's density, in its domain. The
+ * session outlives it. */
+typedef struct vorpipe_relaxation vorpipe_relaxation;
+/* Computes the first diagram. `options` may be NULL. */
+VORPIPE_API vorpipe_code vorpipe_relax_begin(vorpipe_session* session, const vorpipe_input* input,
+                                             const vorpipe_relax_options* options,
+                                             vorpipe_relaxation** relaxation);
+/* Computes the next one. `more`, which may be NULL, gets whether there was one: 0 at the end. */
+VORPIPE_API vorpipe_code vorpipe_relaxation_step(vorpipe_relaxation* relaxation, int32_t* more);
+/* All of them. */
+VORPIPE_API vorpipe_code vorpipe_relax(vorpipe_session* session, const vorpipe_input* input,
+                                       const vorpipe_relax_options* options, vorpipe_relaxation** relaxation);
+VORPIPE_API void vorpipe_relaxation_free(vorpipe_relaxation* relaxation);
+
+typedef int32_t vorpipe_relaxation_field;
+enum {
+  VORPIPE_RELAXED_SITES = 1, /* by site: 2 doubles, in degrees where the input is projected */
+  /* by diagram: 5 doubles: its number, the energy, that as a part of the hexagonal lattice's (NaN with
+   * weights), the longest way of a site in spacings, seconds since the first; a diagram whose energy is above
+   * an earlier one's was a step that was taken back */
+  VORPIPE_RELAXED_TRACE = 2
+};
+/* Good until the next step. */
+VORPIPE_API vorpipe_code vorpipe_relaxation_array(const vorpipe_relaxation* relaxation,
+                                                  vorpipe_relaxation_field field, vorpipe_array* array);
+
+/* Why a relaxation ended. */
+typedef int32_t vorpipe_relax_end;
+enum {
+  VORPIPE_RELAX_ITERATIONS = 0,
+  VORPIPE_RELAX_TOLERANCE = 1,
+  VORPIPE_RELAX_STAGNATED = 2, /* nothing was left to gain but rounding */
+  VORPIPE_RELAX_CANCELLED = 3
+};
+VORPIPE_API vorpipe_relax_end vorpipe_relaxation_end(const vorpipe_relaxation* relaxation);
+/* Of the last diagram. */
+VORPIPE_API vorpipe_code vorpipe_relaxation_report(const vorpipe_relaxation* relaxation,
+                                                   vorpipe_report* report);
+VORPIPE_API const char* vorpipe_relaxation_note(const vorpipe_relaxation* relaxation, size_t index);
+/* The sites where they are, as an input: same domain, weights, density and attributes. For the caller to
+ * free. */
+VORPIPE_API vorpipe_code vorpipe_relaxation_input(const vorpipe_relaxation* relaxation,
+                                                  vorpipe_input** input);
+/* The sites as a file that sites are read from: "csv", "txt", "npy", "geojson", "geojsonl", "gpkg" or "wkt".
+ */
+VORPIPE_API vorpipe_code vorpipe_relaxation_write(const vorpipe_relaxation* relaxation, const char* format,
+                                                  vorpipe_write write, void* user);
+VORPIPE_API vorpipe_code vorpipe_relaxation_save(const vorpipe_relaxation* relaxation, const char* path);
+
 /* ---- Memory ---- */
 
 /* Bytes that a program takes at the peak which does nothing but this run, and keeps what it returns. */

@@ -3,7 +3,8 @@
 
 #include <cstdint>
 
-#include "vorpipe.h"
+#include "vorpipe/result.h"
+#include "vorpipe/sites.h"
 
 namespace vorpipe {
 

@@ -42,6 +42,8 @@ NOT_RUN = {
     './run view --sites random:1000 --edges --screenshot window.png': WINDOW,
     './run view --sites random:1000 --relax --frames 50 --screenshot relaxed.png': WINDOW,
     './run view --sites random:500 --script play.txt --record frames': WINDOW,
+    './run relax --sites density:20000 --density spheres.png --equal-masses --iterations 100 -o stipple.csv '
+    '--cells stipple.npz': 'it takes long; the test cli_relax runs the like of it',
     'cmake --preset dev && cmake --build --preset dev --target exact_cells': BUILDS,
     'build/dev/tests/conformance/exact_cells all': BUILDS,
     'build/dev/tests/conformance/exact_cells weighted --seed 7': BUILDS,

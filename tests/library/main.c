@@ -18,6 +18,7 @@ int main(void) {
   files_promises(session);
   pictures_promises(session);
   looks_promises(session);
+  relaxing_promises(session);
   refusals(session);
   vorpipe_session_free(session);
   vorpipe_session_free(NULL);

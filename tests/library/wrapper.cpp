@@ -54,6 +54,11 @@ int main() {
   const vorpipe::Picture picture = session.render(random);
   promise(picture.width() == 1000 && picture.ids().size() == 1000000 && picture.check(), "pictures");
 
+  auto relaxed = session.relaxBegin(random);
+  promise(relaxed.step() && relaxed.trace().size() == 2 && relaxed.trace()[1][1] < relaxed.trace()[0][1],
+          "energy falls");
+  promise(session.cells(relaxed.input()).size() == 2000 && relaxed.sites().size() == 2000, "moved sites");
+
   const auto found = vorpipe::Locator(input).find({{0.1, 0.1}, {0.9, 0.1}, {3, 3}});
   promise(found[0] == 0 && found[1] == 1 && found[2] == VORPIPE_NO_SITE, "places");
   promise(cells.edgeCells().size() == cells.sharedVertices().size() + 1,

@@ -103,7 +103,8 @@ void PixelRows::addPiece(std::int64_t column, double xa, Height ya, double xb, H
   part.own.xx += height * (left * left * (a + b) / 2 + left * (a * a + a * b + b * b) / 3 +
                            (a + b) * (a * a + b * b) / 12);
   const double squares = from * from + to * to, product = 2 * from * to;
-  part.own.yy += height * (a * (squares + product + 2 * from * from) + b * (squares + product + 2 * to * to)) / 12;
+  part.own.yy +=
+      height * (a * (squares + product + 2 * from * from) + b * (squares + product + 2 * to * to)) / 12;
   part.height += sign * (yb - ya);
   part.y_height += height * ((from + to) / 2);
   part.yy_height += height * ((squares + product / 2) / 3);

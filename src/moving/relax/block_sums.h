@@ -27,13 +27,13 @@ class CarefulSum {
   double sum_ = 0, rest_ = 0;
 };
 
-/// Calls part(begin, end) for each block of [0, count), on several threads; returns what it returned, in order.
+/// Calls part(begin, end) for each block of [0, count), on several threads; returns what it returned, in
+/// order.
 template <class Value, class Part>
 std::vector<Value> byBlocks(std::size_t count, int threads, const Part& part) {
   std::vector<Value> parts((count + sum_block - 1) / sum_block);
-  parallelFor(count, sum_block, threadsForSteps(count, threads), [&](std::size_t begin, std::size_t end) {
-    parts[begin / sum_block] = part(begin, end);
-  });
+  parallelFor(count, sum_block, threadsForSteps(count, threads),
+              [&](std::size_t begin, std::size_t end) { parts[begin / sum_block] = part(begin, end); });
   return parts;
 }
 

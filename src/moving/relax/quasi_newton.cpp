@@ -27,10 +27,10 @@ double dot(const double* a, const double* b, std::size_t count) {
 /// All products that the two loops of the method need, so that they run over numbers instead of vectors: each
 /// vector is read once.
 struct QuasiNewton::Products {
-  std::array<double, most> step_gradient{};            ///< s_i . g
-  std::array<double, most> change_gradient{};          ///< y_i . D g
-  std::array<std::array<double, most>, most> mixed{};  ///< s_i . y_j
-  std::array<std::array<double, most>, most> change{}; ///< y_i . D y_j
+  std::array<double, most> step_gradient{};             ///< s_i . g
+  std::array<double, most> change_gradient{};           ///< y_i . D g
+  std::array<std::array<double, most>, most> mixed{};   ///< s_i . y_j
+  std::array<std::array<double, most>, most> change{};  ///< y_i . D y_j
 
   void add(const Products& other) {
     for (std::size_t i = 0; i < most; ++i) {
@@ -66,7 +66,8 @@ QuasiNewton::Products QuasiNewton::productsOf(const std::vector<double>& gradien
       part.change_gradient[i] = dot(scaled.data(), gradient.data() + begin, count);
       for (std::size_t j = 0; j < kept; ++j) {
         part.mixed[j][i] = dot(pairs_[j].step.data() + begin, change, count);
-        if (j <= i) part.change[i][j] = part.change[j][i] = dot(scaled.data(), pairs_[j].change.data() + begin, count);
+        if (j <= i)
+          part.change[i][j] = part.change[j][i] = dot(scaled.data(), pairs_[j].change.data() + begin, count);
       }
     }
     return part;

@@ -15,8 +15,8 @@ Result<Relaxed> relax(Session& session, Sites sites, const RelaxOptions& options
     if (!*more) break;
     stopped = watcher && !watcher(*relaxation);
   }
-  return Relaxed{relaxation->sites(), relaxation->trace(),
-                 stopped ? RelaxEnd::cancelled : relaxation->end(), relaxation->report()};
+  return Relaxed{relaxation->sites(), relaxation->trace(), stopped ? RelaxEnd::cancelled : relaxation->end(),
+                 relaxation->report()};
 }
 
 }  // namespace vorpipe

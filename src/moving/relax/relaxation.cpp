@@ -63,7 +63,7 @@ struct Relaxation::State {
 
   QuasiNewton newton{threads};
   std::vector<double> direction{};
-  double step = 0;  ///< of the direction that is next; 0: a new direction is to be found
+  double step = 0;        ///< of the direction that is next; 0: a new direction is to be found
   bool steepest = false;  ///< the direction is that of Lloyd's step
   bool current = false;   ///< the moments are those of `sites`, not of a step that was taken back
   double least_energy = std::numeric_limits<double>::infinity(), least_way = least_energy;
@@ -126,7 +126,8 @@ Result<Sites> Relaxation::State::moved(double length) const {
 /// left of their ways has become less for long.
 bool Relaxation::State::isAtRest() {
   const Box& box = options.domain;
-  const double reach = std::max({std::abs(box.xmin), std::abs(box.xmax), std::abs(box.ymin), std::abs(box.ymax)});
+  const double reach =
+      std::max({std::abs(box.xmin), std::abs(box.xmax), std::abs(box.ymin), std::abs(box.ymax)});
   if (at.farthest <= 4 * std::numeric_limits<double>::epsilon() * reach) return true;
   const bool falls = at.energy < least_energy - energy_rounding * 10 * at.scale;
   const bool nears = at.farthest < 0.9 * least_way;

@@ -255,7 +255,8 @@ TEST(Stipple, EachPieceOfTheMassGetsASite) {
   const Sites sites = drawnFrom(density, domain, {}, 800, 1).value();
   std::vector<int> count(8);
   for (std::size_t i = 0; i < sites.size(); ++i) {
-    const auto column = static_cast<std::size_t>(sites.x[i] - 10), row = static_cast<std::size_t>(22 - sites.y[i]);
+    const auto column = static_cast<std::size_t>(sites.x[i] - 10),
+               row = static_cast<std::size_t>(22 - sites.y[i]);
     ++count.at(4 * row + column);
   }
   for (std::size_t k = 0; k < count.size(); ++k) EXPECT_NEAR(count[k], 100 * density.values[k], 1) << k;
@@ -280,7 +281,8 @@ TEST(Stipple, CellsComeToHaveEqualMasses) {
   const Diagram diagram = session.cells(done.sites, cells).value();
   double mean = 0;
   for (const double mass : diagram.mass) mean += mass / 1000;
-  const auto near = std::ranges::count_if(diagram.mass, [&](double m) { return std::abs(m / mean - 1) < 0.15; });
+  const auto near =
+      std::ranges::count_if(diagram.mass, [&](double m) { return std::abs(m / mean - 1) < 0.15; });
   EXPECT_GT(near, 950);
 }
 

@@ -1,0 +1,120 @@
+/// Sites that move, and sites that are drawn from a density.
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <utility>
+
+#include "arrays.h"
+#include "choices.h"
+#include "errors.h"
+#include "io/points/points_file.h"
+#include "saving.h"
+#include "session.h"
+#include "vorpipe/stipple.h"
+
+namespace vorpipe::python {
+namespace {
+
+constexpr Choices<RelaxMethod, 2> method_choices = {
+    {{"lbfgs", RelaxMethod::lbfgs}, {"lloyd", RelaxMethod::lloyd}}};
+constexpr Choices<RelaxEnd, 4> end_choices = {{{"iterations", RelaxEnd::iterations},
+                                               {"tolerance", RelaxEnd::tolerance},
+                                               {"stagnated", RelaxEnd::stagnated},
+                                               {"cancelled", RelaxEnd::cancelled}}};
+using SharedRelaxed = std::shared_ptr<RelaxResult>;
+
+/// The sites as the caller has them: in degrees where they are projected.
+Sites shownSites(const RelaxResult& result) {
+  Sites sites = result.relaxed.sites;
+  const auto& projection = result.input->projection;
+  for (std::size_t i = 0; projection && i < sites.size(); ++i) {
+    const Point degrees = projection->toDegrees({sites.x[i], sites.y[i]});
+    sites.x[i] = degrees.x;
+    sites.y[i] = degrees.y;
+  }
+  return sites;
+}
+
+py::array relaxedPoints(const RelaxResult& result) {
+  const Sites sites = shownSites(result);
+  std::vector<Point> rows;
+  for (std::size_t i = 0; i < sites.size(); ++i) rows.push_back({sites.x[i], sites.y[i]});
+  return arrayOf<double>(std::move(rows));
+}
+
+/// A column of the trace.
+auto traced(double RelaxStep::*member) {
+  return [member](const RelaxResult& result) {
+    std::vector<double> values;
+    for (const RelaxStep& step : result.relaxed.trace) values.push_back(step.*member);
+    return arrayOf<double>(std::move(values));
+  };
+}
+
+void savePoints(const RelaxResult& result, const std::string& path) {
+  const PointsFormat& format = *valueOf(pointsFormatOf(path));
+  const Sites sites = shownSites(result);
+  const Input& input = *result.input;
+  PointsOutput output{sites, {}, input.projection ? input.degrees : input.system};
+  if (input.attributes) output.attributes = input.attributes->columns;
+  saveFile(path, [&](ByteSink& sink) { return writePoints(sink, output, format); });
+}
+
+Density densityFrom(const py::array_t<double>& values) {
+  const auto pixels = values.unchecked<2>();
+  Density density{static_cast<int>(pixels.shape(1)), static_cast<int>(pixels.shape(0)), {}};
+  for (py::ssize_t row = 0; row < pixels.shape(0); ++row) {
+    for (py::ssize_t column = 0; column < pixels.shape(1); ++column)
+      density.values.push_back(pixels(row, column));
+  }
+  return density;
+}
+
+py::array drawnPoints(const py::array_t<double>& values, const std::array<double, 4>& box,
+                      std::uint64_t count, std::uint64_t seed) {
+  const Sites sites =
+      valueOf(drawnFrom(densityFrom(values), {box[0], box[1], box[2], box[3]}, {}, count, seed));
+  std::vector<Point> rows;
+  for (std::size_t i = 0; i < sites.size(); ++i) rows.push_back({sites.x[i], sites.y[i]});
+  return arrayOf<double>(std::move(rows));
+}
+
+}  // namespace
+
+RelaxOptions relaxOptionsOf(const Input& input, const RelaxArguments& given) {
+  RelaxOptions options{};
+  options.domain = input.domain;
+  options.outline = input.outline;
+  options.periodic = input.periodic;
+  options.density = given.equal_masses ? forEqualMasses(input.density) : input.density;
+  options.search = {chosen("search", search_choices, given.search), given.neighbors};
+  options.method = chosen("method", method_choices, given.method);
+  options.iterations = given.iterations;
+  options.tolerance = given.tolerance;
+  return options;
+}
+
+void defineRelaxing(py::module_& module) {
+  py::class_<RelaxArguments>(module, "RelaxArguments", "How sites move.")
+      .def(py::init<std::string, std::uint64_t, double, bool, std::string, int>(), py::arg("method"),
+           py::arg("iterations"), py::arg("tolerance"), py::arg("equal_masses"), py::arg("search"),
+           py::arg("neighbors"));
+  py::class_<RelaxResult, SharedRelaxed>(module, "Relaxed", "Sites that have moved.")
+      .def_property_readonly("points", &relaxedPoints)
+      .def_property_readonly("energy", traced(&RelaxStep::energy))
+      .def_property_readonly("hexagonal", traced(&RelaxStep::hexagonal))
+      .def_property_readonly("farthest", traced(&RelaxStep::farthest))
+      .def_property_readonly("seconds", traced(&RelaxStep::seconds))
+      .def_property_readonly(
+          "end", [](const RelaxResult& result) { return nameIn(end_choices, result.relaxed.end); })
+      .def_property_readonly("report",
+                             [](const SharedRelaxed& result) {
+                               return std::shared_ptr<Report>(result, &result->relaxed.report);
+                             })
+      .def_property_readonly(
+          "input", [](const RelaxResult& result) { return std::const_pointer_cast<Input>(result.input); })
+      .def("save", &savePoints, py::arg("path"));
+  module.def("drawn_points", &drawnPoints, py::arg("density"), py::arg("box"), py::arg("n"), py::arg("seed"));
+}
+
+}  // namespace vorpipe::python

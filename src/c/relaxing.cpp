@@ -1,0 +1,187 @@
+/// Sites that move.
+#include <utility>
+
+#include "c/array.h"
+#include "c/failure.h"
+#include "c/files.h"
+#include "c/handles.h"
+#include "c/options.h"
+#include "c/placed_input.h"
+#include "c/structs.h"
+#include "io/points/points_file.h"
+#include "vorpipe/stipple.h"
+
+namespace vorpipe::c {
+namespace {
+
+Result<RelaxOptions> relaxOptions(const vorpipe_input& input, const PlacedInput& placed,
+                                  const vorpipe_relax_options* given) {
+  const auto wanted = taken(given, "vorpipe_relax_options");
+  if (!wanted) return tl::unexpected(wanted.error());
+  constexpr std::array methods{RelaxMethod::lbfgs, RelaxMethod::lloyd};
+  const auto method = chosen(methods, wanted->method, "method");
+  if (!method) return tl::unexpected(method.error());
+  vorpipe_cells_options search{};
+  search.struct_size = sizeof(search);
+  search.search = wanted->search;
+  search.search_neighbors = wanted->search_neighbors;
+  const auto cells = cellsOptions(input, placed, &search);
+  if (!cells) return tl::unexpected(cells.error());
+  RelaxOptions options{};
+  options.domain = cells->domain;
+  options.outline = cells->outline;
+  options.periodic = cells->periodic;
+  options.density = wanted->equal_masses != 0 ? forEqualMasses(cells->density) : cells->density;
+  options.search = cells->search;
+  options.method = *method;
+  if (wanted->iterations != 0) options.iterations = wanted->iterations;
+  options.tolerance = wanted->tolerance;
+  options.progress = progressOf(wanted->progress, wanted->progress_user);
+  return options;
+}
+
+vorpipe_code begin(vorpipe_session& session, const vorpipe_input& input, const vorpipe_relax_options* given,
+                   vorpipe_relaxation** relaxation) {
+  const auto placed = placedInput(input);
+  if (!placed) return fail(placed.error());
+  auto options = relaxOptions(input, **placed, given);
+  if (!options) return fail(options.error());
+  auto begun = Relaxation::begin(session.session, *(*placed)->sites, std::move(*options));
+  if (!begun) return fail(begun.error());
+  *relaxation = new vorpipe_relaxation{*placed, input, std::move(*begun)};
+  return VORPIPE_DONE;
+}
+
+/// The sites where they are, as files have them.
+Sites shownSites(const vorpipe_relaxation& relaxation) {
+  Sites sites = relaxation.relaxation.sites();
+  const auto& projection = relaxation.placed->domain.projection;
+  for (std::size_t i = 0; projection && i < sites.size(); ++i) {
+    const Point degrees = projection->toDegrees({sites.x[i], sites.y[i]});
+    sites.x[i] = degrees.x;
+    sites.y[i] = degrees.y;
+  }
+  return sites;
+}
+
+Result<vorpipe_array> arrayOf(const vorpipe_relaxation& relaxation, vorpipe_relaxation_field field) {
+  if (field == VORPIPE_RELAXED_SITES) {
+    const Sites sites = shownSites(relaxation);
+    relaxation.shown.clear();
+    for (std::size_t i = 0; i < sites.size(); ++i) relaxation.shown.push_back({sites.x[i], sites.y[i]});
+    return array(relaxation.shown, VORPIPE_DOUBLE);
+  }
+  if (field != VORPIPE_RELAXED_TRACE) return noField(field);
+  relaxation.trace.clear();
+  for (const RelaxStep& step : relaxation.relaxation.trace()) {
+    relaxation.trace.push_back(
+        {static_cast<double>(step.diagram), step.energy, step.hexagonal, step.farthest, step.seconds});
+  }
+  return array(relaxation.trace, VORPIPE_DOUBLE);
+}
+
+Result<void> writeAs(ByteSink& to, const vorpipe_relaxation& relaxation, const PointsFormat& format) {
+  return writePoints(to, {shownSites(relaxation), *relaxation.input.attributes, systemOf(*relaxation.placed)},
+                     format);
+}
+
+}  // namespace
+}  // namespace vorpipe::c
+
+using namespace vorpipe;
+using namespace vorpipe::c;
+
+vorpipe_code vorpipe_relax_begin(vorpipe_session* session, const vorpipe_input* input,
+                                 const vorpipe_relax_options* options, vorpipe_relaxation** relaxation) {
+  if (session == nullptr) return missing("session");
+  if (input == nullptr) return missing("input");
+  if (relaxation == nullptr) return missing("relaxation");
+  return guarded([&] { return begin(*session, *input, options, relaxation); });
+}
+
+vorpipe_code vorpipe_relaxation_step(vorpipe_relaxation* relaxation, int32_t* more) {
+  if (relaxation == nullptr) return missing("relaxation");
+  return guarded([&]() -> vorpipe_code {
+    const auto stepped = relaxation->relaxation.step();
+    if (!stepped) return fail(stepped.error());
+    if (more != nullptr) *more = *stepped ? 1 : 0;
+    return VORPIPE_DONE;
+  });
+}
+
+vorpipe_code vorpipe_relax(vorpipe_session* session, const vorpipe_input* input,
+                           const vorpipe_relax_options* options, vorpipe_relaxation** relaxation) {
+  vorpipe_code code = vorpipe_relax_begin(session, input, options, relaxation);
+  int32_t more = code == VORPIPE_DONE ? 1 : 0;
+  while (more != 0) {
+    code = vorpipe_relaxation_step(*relaxation, &more);
+    if (code == VORPIPE_DONE) continue;
+    vorpipe_relaxation_free(std::exchange(*relaxation, nullptr));
+    more = 0;
+  }
+  return code;
+}
+
+void vorpipe_relaxation_free(vorpipe_relaxation* relaxation) { delete relaxation; }
+
+vorpipe_code vorpipe_relaxation_array(const vorpipe_relaxation* relaxation, vorpipe_relaxation_field field,
+                                      vorpipe_array* array) {
+  if (relaxation == nullptr) return missing("relaxation");
+  if (array == nullptr) return missing("array");
+  return guarded([&] { return give(arrayOf(*relaxation, field), array); });
+}
+
+vorpipe_relax_end vorpipe_relaxation_end(const vorpipe_relaxation* relaxation) {
+  return relaxation == nullptr ? VORPIPE_RELAX_ITERATIONS
+                               : static_cast<vorpipe_relax_end>(relaxation->relaxation.end());
+}
+
+vorpipe_code vorpipe_relaxation_report(const vorpipe_relaxation* relaxation, vorpipe_report* report) {
+  if (relaxation == nullptr) return missing("relaxation");
+  if (report == nullptr) return missing("report");
+  return guarded(
+      [&] { return codeOf(give(reportOf(relaxation->relaxation.report()), report, "vorpipe_report")); });
+}
+
+const char* vorpipe_relaxation_note(const vorpipe_relaxation* relaxation, size_t index) {
+  return relaxation == nullptr ? nullptr : textAt(relaxation->relaxation.report().notes, index);
+}
+
+vorpipe_code vorpipe_relaxation_input(const vorpipe_relaxation* relaxation, vorpipe_input** input) {
+  if (relaxation == nullptr) return missing("relaxation");
+  if (input == nullptr) return missing("input");
+  return guarded([&]() -> vorpipe_code {
+    auto made = std::make_unique<vorpipe_input>(relaxation->input);
+    made->sites = std::make_shared<const Sites>(shownSites(*relaxation));
+    // The domain stays as it was found, even where it was that of the sites.
+    PlacedInput placed = *relaxation->placed;
+    placed.sites = std::make_shared<const Sites>(relaxation->relaxation.sites());
+    placed.given = made->sites;
+    made->placed = std::make_shared<const PlacedInput>(std::move(placed));
+    *input = made.release();
+    return VORPIPE_DONE;
+  });
+}
+
+vorpipe_code vorpipe_relaxation_write(const vorpipe_relaxation* relaxation, const char* format,
+                                      vorpipe_write write, void* user) {
+  if (relaxation == nullptr) return missing("relaxation");
+  if (format == nullptr) return missing("format");
+  if (write == nullptr) return missing("write");
+  return guarded([&] {
+    const auto known = pointsFormatOf(std::string("sites.") + format);
+    if (!known) return fail(known.error());
+    auto sink = sinkOf(format, write, user);
+    return codeOf(writeAs(sink, *relaxation, **known));
+  });
+}
+
+vorpipe_code vorpipe_relaxation_save(const vorpipe_relaxation* relaxation, const char* path) {
+  if (relaxation == nullptr) return missing("relaxation");
+  if (path == nullptr) return missing("path");
+  return guarded([&] {
+    const auto known = pointsFormatOf(path);
+    if (!known) return fail(known.error());
+    return codeOf(save(path, [&](ByteSink& to) { return writeAs(to, *relaxation, **known); }));
+  });
+}

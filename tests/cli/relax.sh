@@ -1,0 +1,87 @@
+#!/usr/bin/env bash
+# Sites that move: methods, files on the way and at the end, what is refused, what Ctrl-C leaves.
+# Usage: relax.sh VORPIPE SPHERES.PY
+spheres=$2
+source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
+
+# -- Methods --------------------------------------------------------------------------------------------
+for backend in $backends; do
+  succeeds "relax on $backend" relax --backend $backend --sites random:500 --iterations 5 -o out/$backend.csv
+  expect "out/$backend.csv: 500 unweighted cells (0 empty, 0 duplicate), energy "
+  expect " after 5 diagrams (iterations), $backend on "
+done
+succeeds "Lloyd's steps" relax --backend cpu --sites random:500 --method lloyd --iterations 5 --trace out/trace.csv
+[ "$(head -n 1 out/trace.csv)" = diagram,energy,hexagonal,farthest,seconds ] || fail "the header of the trace"
+[ "$(wc -l <out/trace.csv)" -eq 7 ] || fail "not one row for each diagram"
+awk -F, 'NR > 2 && $2 >= before { exit 1 } { before = $2 }' out/trace.csv || fail "the energy rises"
+succeeds "a tolerance" relax --backend cpu --sites hex:500 --periodic x --tolerance 0.9 -o out/hex.csv
+expect " after 0 diagrams (tolerance)"
+
+# -- Files ----------------------------------------------------------------------------------------------
+files="-o out/a.csv -o out/a.txt -o out/a.npy -o out/a.geojson -o out/a.geojsonl -o out/a.gpkg -o out/a.wkt"
+printf 'name,x,y,weight\nEast,3,1,0\n"West, far",0,0,0.5\nNorth,1,4,0\n' >in/named.csv
+succeeds "every kind of file" relax --backend cpu --sites in/named.csv --domain 0,0,4,5 $files --cells out/a.npz --cells out/a-cells.csv \
+  --picture out/a.png --picture out/a.svg --stats out/a.json --trace out/a-trace.csv
+[ "$(head -n 1 out/a.csv)" = x,y,weight,name ] || fail "the header of a.csv"
+grep -q ',0.5,"West, far"$' out/a.csv || fail "a.csv has not the attributes"
+grep -q '"end": "iterations"' out/a.json || grep -q '"end": "stagnated"' out/a.json || fail "the stats have no end"
+mkdir twice && cp -r out/. twice
+succeeds "again" rerun --quiet out/a.json
+cmp out/a.npz twice/a.npz || fail "a run that is done again differs"
+for kind in csv txt npy geojson geojsonl gpkg; do
+  name="a.$kind is read back"
+  cases=$((cases + 1))
+  run 0 cells --backend cpu --sites out/a.$kind --domain 0,0,4,5 -o out/back-$kind.npz
+  cmp -s out/a.npz out/back-$kind.npz || fail "other cells than those of the run"
+done
+succeeds "threads" relax --backend cpu --threads 1 --sites clusters:2000 --iterations 6 -o out/one.npy
+succeeds "more threads" relax --backend cpu --threads 3 --sites clusters:2000 --iterations 6 -o out/three.npy
+cmp out/one.npy out/three.npy || fail "threads change places"
+succeeds "files on the way" relax --backend cpu --sites random:50 --iterations 4 --save-every 2 -o out/way.csv --picture out/way.png --size 50
+for number in 0000 0002 0004; do
+  [ -s out/way-$number.csv ] && [ -s out/way-$number.png ] || fail "there is no number $number"
+done
+[ -e out/way-0003.csv ] && fail "a number that was not asked for"
+cmp -s out/way.csv out/way-0004.csv || fail "the last numbered file is another"
+run 0 relax --backend cpu --sites random:5 --iterations 1 -o -
+[ "$(wc -l <log/out)" -eq 6 ] || fail "standard output has not the sites"
+
+# -- Densities ------------------------------------------------------------------------------------------
+python3 "$spheres" in/spheres.png 2>log/err || "$python" "$spheres" in/spheres.png || fail "there is no picture"
+succeeds "a stipple" relax --backend cpu --sites density:800 --density in/spheres.png --equal-masses --iterations 30 --cells out/mass.csv
+awk -F, 'NR > 1 { mass[NR] = $12; sum += $12 } END { for (k in mass) { part = mass[k] * (NR - 1) / sum; if (part > 0.85 && part < 1.15) near++ }
+  exit near < 0.9 * (NR - 1) }' out/mass.csv || fail "masses are not equal"
+
+# -- Refusals -------------------------------------------------------------------------------------------
+wrong() {
+  local what=$1 text=$2
+  shift 2
+  fails 2 "$what" "$text" relax --backend cpu "$@"
+}
+wrong "nothing to write" "-o: name what to write" --sites random:9
+wrong "a picture as sites" "--picture out/old.png" --sites random:9 -o out/old.png
+wrong "cells as sites" "--cells out/old.npz" --sites random:9 -o out/old.npz
+wrong "numbers of nothing" "--save-every: there is no" --sites random:9 --save-every 2 --trace out/old.csv
+wrong "numbers of standard output" "--save-every: standard output" --sites random:9 --save-every 2 -o -
+wrong "a method" '--method: "newton" is not lbfgs or lloyd' --sites random:9 --method newton -o out/old.csv
+wrong "a tolerance" "--tolerance: -1" --sites random:9 --tolerance -1 -o out/old.csv
+wrong "no density to draw from" "--density" --sites density:9 -o out/old.csv
+wrong "no number" "density:x" --sites density:x --density in/spheres.png -o out/old.csv
+wrong "masses of nothing" "--equal-masses: is for a --density" --sites random:9 --equal-masses -o out/old.csv
+wrong "too little memory" "--memory-limit" --sites random:100000 --memory-limit 20MB -o out/old.csv
+
+# -- Ctrl-C ---------------------------------------------------------------------------------------------
+name="Ctrl-C leaves what was reached"
+cases=$((cases + 1))
+"$vorpipe" relax --backend cpu --sites random:3000 --method lloyd --iterations 100000 --save-every 1 -o out/cut.csv >log/out 2>log/err &
+pid=$!
+while [ ! -e out/cut-0002.csv ] && kill -0 $pid 2>/dev/null; do :; done
+kill -INT $pid
+wait $pid
+[ $? -eq 130 ] || fail "not the exit code of an interrupted run"
+one_line
+grep -q 'interrupted: the files have the sites after' log/err || fail "it does not say what the files have"
+[ "$(wc -l <out/cut.csv)" -eq 3001 ] || fail "the file is not whole"
+[ -z "$(find out -name '.vorpipe-*')" ] || fail "a temporary file is left"
+
+finish
