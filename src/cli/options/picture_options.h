@@ -22,6 +22,8 @@ struct PictureOptions {
   RenderOptions render{};
   SizeChoice size;
   std::optional<Fit> fit;
+  std::optional<double> edge_width;
+  bool no_fill = false;
 };
 
 /// --size, --fit
@@ -30,8 +32,8 @@ void addSizeOptions(Options& options, PictureOptions& picture);
 Option addFitOption(Options& options, std::optional<Fit>& fit);
 /// --color, --colormap, --color-scale, --color-range, --legend
 void addColorOptions(Options& options, RenderOptions& picture);
-/// --edges, --edge-width, --show-sites, --dot-size
-void addMarkOptions(Options& options, RenderOptions& picture);
+/// --edges, --dual, --edge-width, --show-sites, --dot-size, --labels, --label-size, --no-fill, --antialias
+void addMarkOptions(Options& options, PictureOptions& picture);
 
 /// The size that is known before the sites are; 1 x 1 where it is not.
 PictureSize sizeBefore(const SizeChoice& size);

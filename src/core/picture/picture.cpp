@@ -15,8 +15,8 @@
 #include "core/periodic/scene.h"
 #include "core/picture/colormap.h"
 #include "core/picture/draw_legend.h"
+#include "core/picture/draw_marks.h"
 #include "core/picture/frame.h"
-#include "core/picture/overlay.h"
 #include "core/picture/palette_index.h"
 #include "core/picture/uncovered.h"
 #include "core/sites/bin_sort.h"
@@ -95,7 +95,9 @@ bool needsCells(const Machine& machine, const Sites& sites, const RenderOptions&
 Result<FoundCells> findWhatToDraw(const Machine& machine, const Sites& sites, const RenderOptions& options,
                                   const Rings& rings) {
   if (needsCells(machine, sites, options, rings)) {
-    return findCells(machine, sites, cellsOptions(options), ImagesFor::pictures);
+    CellsOptions cells = cellsOptions(options);
+    cells.detail = marksDetail(options);
+    return findCells(machine, sites, cells, ImagesFor::pictures);
   }
   const Stopwatch watch;
   FoundCells found;
@@ -109,6 +111,20 @@ Result<FoundCells> findWhatToDraw(const Machine& machine, const Sites& sites, co
   found.run = std::move(*run);
   found.diagram.report.time_ms.order = 1e3 * watch.seconds();
   return found;
+}
+
+/// What is drawn over cells as data. Cells that the picture is not drawn from are found apart, so that marks
+/// change no pixel's site.
+Result<Marks> findMarks(const Machine& machine, const Sites& sites, const RenderOptions& options,
+                        FoundCells& found) {
+  if (!marksNeedCells(options)) return Marks{};
+  if (!found.diagram.status.empty()) return marksOf(sites, found.diagram, options, machine.threads);
+  CellsOptions cells = cellsOptions(options);
+  cells.detail = marksDetail(options);
+  const auto diagram = cellsOn(machine, sites, cells);
+  if (!diagram) return tl::unexpected(diagram.error());
+  found.diagram.report.time_ms.cells = diagram->report.time_ms.cells;
+  return marksOf(sites, *diagram, options, machine.threads);
 }
 
 /// What was drawn of a picture, and how.
@@ -144,6 +160,13 @@ Result<Drawn> drawParts(Backend& backend, CellDrawing& drawing, const NearestSit
     drawn.download_seconds += watch.seconds();
   }
   return drawn;
+}
+
+/// Of cells without fill.
+Palette whitePalette() {
+  Palette palette;
+  palette.fill(white);
+  return palette;
 }
 
 /// Palette indices by index in the set, from those by the caller's site.
@@ -220,12 +243,14 @@ namespace vorpipe::core {
 
 Result<Rendering> renderOn(const Machine& machine, const Sites& sites, const RenderOptions& options) {
   if (auto checked = checkPicture(options); !checked) return tl::unexpected(checked.error());
-  const auto palette = paletteByName(options.colormap);
-  if (!palette) return tl::unexpected(palette.error());
+  const auto colormap = paletteByName(options.colormap);
+  if (!colormap) return tl::unexpected(colormap.error());
   const auto rings = ringsOf(options.outline, scaleExponent(options.domain));
   if (!rings) return tl::unexpected(rings.error());
   auto found = findWhatToDraw(machine, sites, options, *rings);
   if (!found) return tl::unexpected(found.error());
+  auto marks = findMarks(machine, sites, options, *found);
+  if (!marks) return tl::unexpected(marks.error());
   auto& [cells, run, scene] = *found;
 
   Rendering rendering;
@@ -248,16 +273,28 @@ Result<Rendering> renderOn(const Machine& machine, const Sites& sites, const Ren
   const int exponent = run->prepared.exponent;
   const PictureFrame frame = frameOf(options.domain, options.width, options.height, options.fit);
   const auto room = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
-  auto picture = drawParts(machine.backend, drawing, nearest, scaled(scene.picture, exponent), *palette,
-                           {frame.width, frame.height}, room);
+  const Palette palette = options.fill ? *colormap : whitePalette();
+  const auto draw_cells = [&](const Box& box, PictureSize size, std::size_t pixels) -> Result<Drawn> {
+    auto cells_drawn =
+        drawParts(machine.backend, drawing, nearest, scaled(box, exponent), palette, size, pixels);
+    if (cells_drawn && !options.outline.empty()) {
+      maskOutside(*rings, box, exponent, machine.threads, cells_drawn->image);
+    }
+    return cells_drawn;
+  };
+  auto picture = draw_cells(scene.picture, {frame.width, frame.height}, room);
   if (!picture) return tl::unexpected(picture.error());
   rendering.image = std::move(picture->image);
   Image& image = rendering.image;
-  if (!options.outline.empty()) maskOutside(*rings, options.domain, exponent, machine.threads, image);
-  if (options.edges) drawEdges(image, options.edge_width, machine.threads);
-  if (options.show_sites) drawSites(image, drawn, scene.picture, options.dot_size);
+  const auto draw_places = [&](const Box& box, PictureSize size) {
+    return draw_cells(box, size, 0).map([](Drawn&& places) { return std::move(places.image); });
+  };
+  const Overlays overlays{options, *marks, drawn, scene.picture, machine.threads};
+  if (auto over = drawOverlays(overlays, draw_places, image); !over) return tl::unexpected(over.error());
   nameSites(scene, image.ids);
   putIntoFrame(frame, options.width, options.height, image);
+  drawLabels(
+      *marks, options, [&](std::uint32_t site) { return palette[colors->index[site]]; }, image);
   if (options.legend) {
     drawLegend(legendOf(*rendering.key, options.colormap, options.width, options.height), image);
   }
