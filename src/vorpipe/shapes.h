@@ -95,7 +95,7 @@ std::uint32_t inkOn(std::uint32_t rgba);
 /// The space around a label's digits that keeps them apart from lines, in pixels.
 double labelMargin(const RenderOptions& options);
 
-inline constexpr std::uint32_t edge_color = 0xFF181818u, dual_color = 0xFF2A16C8u, white = 0xFFFFFFFFu,
+inline constexpr std::uint32_t edge_color = 0xFF181818u, dual_color = 0xFF1E32E6u, white = 0xFFFFFFFFu,
                                black = 0xFF000000u;
 
 /// Rows of pixels whose places are looked at together, where each pixel has several.
