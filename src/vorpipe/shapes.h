@@ -100,7 +100,7 @@ inline constexpr std::uint32_t edge_color = 0xFF181818u, dual_color = 0xFF1E32E6
 
 /// Rows of pixels whose places are looked at together, where each pixel has several.
 inline int rowsAtOnce(int width, int antialias) {
-  constexpr std::uint64_t places_at_once = std::uint64_t{1} << 24;
+  constexpr std::uint64_t places_at_once = std::uint64_t{1} << 22;
   const auto places = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(antialias * antialias);
   return static_cast<int>(std::clamp<std::uint64_t>(places_at_once / places, 1, largest_side));
 }
