@@ -24,6 +24,7 @@
 #include "vorpipe/run.h"
 #include "vorpipe/sites.h"
 #include "vorpipe/topology.h"
+#include "vorpipe/view.h"
 #include "vorpipe/wall.h"
 
 namespace vorpipe {
@@ -57,6 +58,7 @@ class Session {
   [[nodiscard]] const std::string& choice() const;
 
  private:
+  friend class KeptSites;
   Session();
   struct State;
   std::unique_ptr<State> state_;

@@ -193,6 +193,12 @@ Result<IdDiff> diffIds(std::span<const std::uint32_t> a, std::span<const std::ui
                        int height, const Sites& sites, const Box& domain, Periodic periodic = Periodic::none,
                        Fit fit = Fit::stretch);
 
+/// The same for pictures that these options draw: of their size, domain, period, fit and view.
+///
+/// Errors (input): the same; a view that checkView() refuses.
+Result<IdDiff> diffIds(std::span<const std::uint32_t> a, std::span<const std::uint32_t> b, const Sites& sites,
+                       const RenderOptions& options);
+
 /// Where and how much two pictures differ; rows and columns are inclusive and only set when different > 0.
 struct ImageDiff {
   std::uint64_t different = 0;  ///< pixels

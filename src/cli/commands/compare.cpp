@@ -194,7 +194,7 @@ Result<ExitCode> compare(const CompareCommand& command, const Invocation& how) {
   const BackendRun& first = runs->front();
   printMissingCells(command.talk, *input, first.cells.status, first.cells.report);
   log.choice = choiceOf(*runs);
-  auto pairs = comparePairs(*runs, *input, options->fit);
+  auto pairs = comparePairs(*runs, *input, *options);
   if (!pairs) return tl::unexpected(std::move(pairs.error()));
   const Comparison comparison{std::move(*runs), std::move(*pairs)};
   const auto written = writeFiles(command, comparison, *input, log, *forecast, *files, total);

@@ -27,6 +27,7 @@ struct DiffCommand {
   std::string a, b, png;
   InputOptions input;
   std::optional<Fit> fit;
+  std::optional<Box> view;
   TalkOptions talk;
 };
 
@@ -47,8 +48,15 @@ Result<IdDiff> idDiff(const DiffCommand& command, const Image& a, const Image& b
   const auto input = loadInput(command.input);
   if (!input) return tl::unexpected(input.error());
   printNotes(command.talk, *input);
-  auto diff = diffIds(a.ids, b.ids, a.width, a.height, input->sites, input->domain, input->periodic,
-                      command.fit.value_or(usualFit(*input)));
+  RenderOptions options{};
+  options.domain = input->domain;
+  options.periodic = input->periodic;
+  options.width = a.width;
+  options.height = a.height;
+  options.view = command.view;
+  options.fit = command.fit.value_or(usualFit(*input));
+  if (auto checked = checkView(options); !checked) return inputError("--view: " + checked.error().message);
+  auto diff = diffIds(a.ids, b.ids, input->sites, options);
   return diff ? diff : asOption(std::move(diff.error()), command.input);
 }
 
@@ -145,6 +153,7 @@ void addDiff(CommandLine& line) {
   addFile(options, "-o", command->png, ".png", "a picture of where they differ: red is wrong, yellow a tie");
   const Option sites = addInputOptions(options, command->input);
   addFitOption(options, command->fit).needs(sites);
+  addViewOption(options, command->view).needs(sites);
   addTalkOptions(options, command->talk);
 }
 

@@ -62,27 +62,6 @@ auto valueIn(const Table& table, std::string_view text) -> Parsed<decltype(table
   });
 }
 
-Parsed<Box> parseBox(std::string_view text) {
-  constexpr std::array<std::string_view, 4> names = {"xmin", "ymin", "xmax", "ymax"};
-  const auto parts = split(text, ',');
-  if (parts.size() != names.size()) {
-    return bad(fmt::format("{} is neither XMIN,YMIN,XMAX,YMAX nor hull nor a {} file", quoted(text),
-                           anyOf(outlineExtensions())));
-  }
-  std::array<double, 4> values{};
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const auto value = parseNumber(parts[i]);
-    if (!value) return bad(fmt::format("{}: {}", names[i], value.error()));
-    values[i] = *value;
-  }
-  const Box box{values[0], values[1], values[2], values[3]};
-  if (!(box.xmin < box.xmax)) return bad(fmt::format("xmin {} is not below xmax {}", box.xmin, box.xmax));
-  if (!(box.ymin < box.ymax)) return bad(fmt::format("ymin {} is not below ymax {}", box.ymin, box.ymax));
-  if (!std::isfinite(box.xmax - box.xmin)) return bad("xmax - xmin is too large for a double");
-  if (!std::isfinite(box.ymax - box.ymin)) return bad("ymax - ymin is too large for a double");
-  return box;
-}
-
 }  // namespace
 
 std::string anyOf(std::span<const std::string> words) {
@@ -105,11 +84,33 @@ Parsed<std::uint64_t> parseWhole(std::string_view text, std::uint64_t low, std::
   return value;
 }
 
+Parsed<Box> parseBox(std::string_view text) {
+  constexpr std::array<std::string_view, 4> names = {"xmin", "ymin", "xmax", "ymax"};
+  const auto parts = split(text, ',');
+  if (parts.size() != names.size()) return bad(fmt::format("{} is not XMIN,YMIN,XMAX,YMAX", quoted(text)));
+  std::array<double, 4> values{};
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const auto value = parseNumber(parts[i]);
+    if (!value) return bad(fmt::format("{}: {}", names[i], value.error()));
+    values[i] = *value;
+  }
+  const Box box{values[0], values[1], values[2], values[3]};
+  if (!(box.xmin < box.xmax)) return bad(fmt::format("xmin {} is not below xmax {}", box.xmin, box.xmax));
+  if (!(box.ymin < box.ymax)) return bad(fmt::format("ymin {} is not below ymax {}", box.ymin, box.ymax));
+  if (!std::isfinite(box.xmax - box.xmin)) return bad("xmax - xmin is too large for a double");
+  if (!std::isfinite(box.ymax - box.ymin)) return bad("ymax - ymin is too large for a double");
+  return box;
+}
+
 Parsed<DomainChoice> parseDomain(std::string_view text) {
   if (text == "hull") return DomainChoice{std::nullopt, {}, /*hull=*/true};
   const auto outlines = outlineExtensions();
   if (std::ranges::find(outlines, lowerExtension(std::string(text))) != outlines.end()) {
     return DomainChoice{std::nullopt, std::string(text), /*hull=*/false};
+  }
+  if (split(text, ',').size() != 4) {
+    return bad(fmt::format("{} is neither XMIN,YMIN,XMAX,YMAX nor hull nor a {} file", quoted(text),
+                           anyOf(outlines)));
   }
   return parseBox(text).map([](const Box& box) { return DomainChoice{box, {}, /*hull=*/false}; });
 }

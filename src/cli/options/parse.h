@@ -42,6 +42,9 @@ struct DomainChoice {
 /// powers of 1024.
 Parsed<std::uint64_t> parseBytes(std::string_view text);
 
+/// `XMIN,YMIN,XMAX,YMAX`, a valid box.
+Parsed<Box> parseBox(std::string_view text);
+
 /// `XMIN,YMIN,XMAX,YMAX`, a valid box, `hull`, or a file name that ends in .geojson, .json or .wkt.
 Parsed<DomainChoice> parseDomain(std::string_view text);
 

@@ -80,10 +80,20 @@ Option addFitOption(Options& options, std::optional<Fit>& fit) {
       parseFit, {fitNames(), {}});
 }
 
+Option addViewOption(Options& options, std::optional<Box>& view) {
+  return addParsed(
+      options, "--view", view, "XMIN,YMIN,XMAX,YMAX",
+      "what is drawn where that is not the whole domain: a part of it, or more, with no site beyond it; "
+      "cells and colors stay as they are [the domain]",
+      parseBox);
+}
+
 void addSizeOptions(Options& options, PictureOptions& picture) {
   addParsed(options, "--size", picture.size, "N or WxH",
-            "pixels of the longer side, the other by the domain's aspect, or width and height [1000]",
+            "pixels of the longer side, the other by the aspect of the domain or --view, or width and height "
+            "[1000]",
             parseSizeChoice);
+  addViewOption(options, picture.render.view);
   addFitOption(options, picture.fit);
 }
 

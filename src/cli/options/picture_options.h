@@ -26,10 +26,12 @@ struct PictureOptions {
   bool no_fill = false;
 };
 
-/// --size, --fit
+/// --size, --view, --fit
 void addSizeOptions(Options& options, PictureOptions& picture);
 /// --fit alone, for pictures that there are.
 Option addFitOption(Options& options, std::optional<Fit>& fit);
+/// --view alone.
+Option addViewOption(Options& options, std::optional<Box>& view);
 /// --color, --colormap, --color-scale, --color-range, --legend
 void addColorOptions(Options& options, RenderOptions& picture);
 /// --edges, --dual, --edge-width, --show-sites, --dot-size, --labels, --label-size, --no-fill, --antialias

@@ -135,13 +135,13 @@ std::string choiceOf(std::span<const BackendRun> runs) {
   return fmt::to_string(fmt::join(choices, "; "));
 }
 
-Result<std::vector<PairDiff>> comparePairs(const std::vector<BackendRun>& runs, const Input& input, Fit fit) {
+Result<std::vector<PairDiff>> comparePairs(const std::vector<BackendRun>& runs, const Input& input,
+                                           const RenderOptions& options) {
   std::vector<PairDiff> pairs;
   for (std::size_t a = 0; a < runs.size(); ++a) {
     for (std::size_t b = a + 1; b < runs.size(); ++b) {
       const Rendering &left = runs[a].rendering, &right = runs[b].rendering;
-      auto pixels = diffIds(left.image.ids, right.image.ids, left.image.width, left.image.height, input.sites,
-                            input.domain, input.periodic, fit);
+      auto pixels = diffIds(left.image.ids, right.image.ids, input.sites, options);
       if (!pixels) return tl::unexpected(std::move(pixels.error()));
       auto cells = diffCells(runs[a].cells, runs[b].cells);
       if (!cells) return tl::unexpected(std::move(cells.error()));

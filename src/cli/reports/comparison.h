@@ -34,7 +34,8 @@ struct Comparison {
 };
 
 /// Compares every pair of runs; all are pictures of the same size and cells of the input's domain.
-Result<std::vector<PairDiff>> comparePairs(const std::vector<BackendRun>& runs, const Input& input, Fit fit);
+Result<std::vector<PairDiff>> comparePairs(const std::vector<BackendRun>& runs, const Input& input,
+                                           const RenderOptions& options);
 
 /// The tables for people.
 std::string comparisonTable(const Comparison& comparison);

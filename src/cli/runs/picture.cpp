@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "io/files/error.h"
+#include "vorpipe.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -53,8 +54,9 @@ Result<RenderOptions> pictureOf(const PictureOptions& picture, const InputOption
   options.outline = input.outline;
   options.periodic = input.periodic;
   const int longer_side = picture.size.longer_side;
-  const PictureSize size = picture.size.sides.value_or(longer_side > 0 ? sizeFor(input.domain, longer_side)
-                                                                       : defaultSize(input.domain));
+  const Box& shown = shownBox(options);
+  const PictureSize size =
+      picture.size.sides.value_or(longer_side > 0 ? sizeFor(shown, longer_side) : defaultSize(shown));
   options.width = size.width;
   options.height = size.height;
   options.fit = picture.fit.value_or(usualFit(input));
@@ -63,6 +65,7 @@ Result<RenderOptions> pictureOf(const PictureOptions& picture, const InputOption
     if (!options.edges && !options.dual) return inputError("--edge-width: needs --edges or --dual");
     options.edge_width = *picture.edge_width;
   }
+  if (auto checked = checkView(options); !checked) return inputError("--view: " + checked.error().message);
   if (auto checked = checkPicture(options, sites, input); !checked) return tl::unexpected(checked.error());
   return options;
 }
@@ -70,11 +73,12 @@ Result<RenderOptions> pictureOf(const PictureOptions& picture, const InputOption
 std::string stretchNote(const PictureOptions& picture, const RenderOptions& options) {
   if (picture.fit || options.fit != Fit::stretch || !picture.size.sides) return {};
   const auto [width, height] = *picture.size.sides;
-  const PictureFrame kept = frameOf(options.domain, width, height, Fit::letterbox);
+  const Box& shown = shownBox(options);
+  const PictureFrame kept = frameOf(shown, width, height, Fit::letterbox);
   if (kept.width == width && kept.height == height) return {};
-  return fmt::format("--size {}x{} stretches the domain of {:.6g} x {:.6g}; --size {} keeps its aspect",
-                     width, height, options.domain.xmax - options.domain.xmin,
-                     options.domain.ymax - options.domain.ymin, std::max(width, height));
+  return fmt::format("--size {}x{} stretches the {} of {:.6g} x {:.6g}; --size {} keeps its aspect", width,
+                     height, options.view ? "view" : "domain", shown.xmax - shown.xmin,
+                     shown.ymax - shown.ymin, std::max(width, height));
 }
 
 }  // namespace vorpipe::cli

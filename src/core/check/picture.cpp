@@ -4,6 +4,7 @@
 #include <new>
 
 #include "core/check/outline.h"
+#include "vorpipe.h"
 
 namespace vorpipe::core::checks {
 namespace {
@@ -12,8 +13,18 @@ constexpr std::uint64_t sampled_pixels = std::uint64_t{1} << 22;
 
 /// The pixels of a picture, and those of them that show the domain.
 struct Pixels {
-  Pixels(const RenderOptions& options, const Image& of)
-      : image(of), frame(frameOf(options.domain, options.width, options.height, options.fit)) {}
+  Pixels(const CheckedSites& run, const RenderOptions& options, const Image& of)
+      : image(of), frame(shownFrame(options)), of_domain(domainFrame(options)) {
+    if (!options.view) {
+      shown = run.domain;
+      return;
+    }
+    const Box &view = *options.view, &domain = options.domain;
+    shown.xmin = run.domain.xmin + (view.xmin - domain.xmin) * run.scale;
+    shown.ymax = run.domain.ymax + (view.ymax - domain.ymax) * run.scale;
+    shown.xmax = shown.xmin + (view.xmax - view.xmin) * run.scale;
+    shown.ymin = shown.ymax - (view.ymax - view.ymin) * run.scale;
+  }
   [[nodiscard]] int row(std::size_t pixel) const {
     return static_cast<int>(pixel / static_cast<std::size_t>(image.width));
   }
@@ -21,19 +32,20 @@ struct Pixels {
     return static_cast<int>(pixel % static_cast<std::size_t>(image.width));
   }
   [[nodiscard]] bool showsDomain(std::size_t pixel) const {
-    const int down = row(pixel) - frame.top, right = column(pixel) - frame.left;
-    return down >= 0 && down < frame.height && right >= 0 && right < frame.width;
+    const int down = row(pixel) - of_domain.top, right = column(pixel) - of_domain.left;
+    return down >= 0 && down < of_domain.height && right >= 0 && right < of_domain.width;
   }
   /// As run.site counts places.
-  [[nodiscard]] Point centerOf(const CheckedSites& run, std::size_t pixel) const {
+  [[nodiscard]] Point centerOf(std::size_t pixel) const {
     const double right = (column(pixel) - frame.left + 0.5) / frame.width;
     const double down = (row(pixel) - frame.top + 0.5) / frame.height;
-    const Box& box = run.domain;
-    return {box.xmin + right * (box.xmax - box.xmin), box.ymax - down * (box.ymax - box.ymin)};
+    return {shown.xmin + right * (shown.xmax - shown.xmin), shown.ymax - down * (shown.ymax - shown.ymin)};
   }
 
   const Image& image;
-  PictureFrame frame;
+  PictureFrame frame;      ///< what shows the view
+  PictureFrame of_domain;  ///< and of that the domain
+  Box shown{};             ///< in the frame, as run.site counts places
 };
 
 /// Of coordinates in the domain.
@@ -52,7 +64,7 @@ bool isSampled(std::size_t pixel, std::size_t pixels) {
 std::uint32_t trueId(const CheckedSites& run, const Pixels& pixels, const Rendering& rendering,
                      const NearestSite& nearest, std::size_t pixel) {
   const std::uint32_t id = rendering.image.ids[pixel];
-  const Point p = pixels.centerOf(run, pixel);
+  const Point p = pixels.centerOf(pixel);
   const NearImage near = nearestImage(run, nearest, p);
   const NearImage own = imageNear(run, id, p);
   const Point way = wayTo(run, own, near);
@@ -80,7 +92,7 @@ void checkOutside(const CheckedSites& run, const Pixels& pixels, Broken& broken)
   broken.expect("pixels", image.ids.size(), run.threads, [&](std::size_t pixel) -> std::string {
     const bool outside = image.ids[pixel] == no_site;
     if (!isSampled(pixel, image.ids.size()) || !pixels.showsDomain(pixel)) return {};
-    if (mayBeOutside(run, outline, pixels.centerOf(run, pixel), outside)) return {};
+    if (mayBeOutside(run, outline, pixels.centerOf(pixel), outside)) return {};
     return fmt::format("row {}, column {} has {} site, but lies {} the outline", pixels.row(pixel),
                        pixels.column(pixel), outside ? "no" : "a", outside ? "inside" : "outside");
   });
@@ -121,8 +133,7 @@ std::vector<std::uint32_t> trueIds(const CheckedSites& run, const Pixels& pixels
 void checkPixels(const CheckedSites& run, const Pixels& pixels, const RenderOptions& options,
                  const Rendering& rendering, Broken& broken) {
   const Image& image = rendering.image;
-  const auto diff = diffIds(image.ids, trueIds(run, pixels, rendering), image.width, image.height, run.sites,
-                            options.domain, options.periodic, options.fit);
+  const auto diff = diffIds(image.ids, trueIds(run, pixels, rendering), run.sites, options);
   if (!diff) {
     broken.add("pixels", diff.error().message);
   } else if (diff->wrong > 0) {
@@ -148,7 +159,7 @@ std::vector<std::string> brokenBy(const CheckedSites& run, const RenderOptions& 
       image.rgba.size() != pixels) {
     broken.add("pixels", fmt::format("there are {} ids and {} colors for {}x{}", image.ids.size(),
                                      image.rgba.size(), options.width, options.height));
-  } else if (const Pixels shown(options, image); owned && checkCovered(run, shown, rendering, broken)) {
+  } else if (const Pixels shown(run, options, image); owned && checkCovered(run, shown, rendering, broken)) {
     checkPixels(run, shown, options, rendering, broken);
   }
   return broken.take();
@@ -162,6 +173,7 @@ namespace vorpipe {
 Result<std::vector<std::string>> check(const Sites& sites, const RenderOptions& options,
                                        const Rendering& rendering, int threads) {
   try {
+    if (auto checked = checkView(options); !checked) return tl::unexpected(checked.error());
     const auto inside = core::checks::insideOf(sites, options.domain, options.periodic, threads);
     if (!inside) return tl::unexpected(inside.error());
     core::checks::CheckedSites run(inside->of(sites), options.domain, options.periodic, threads);

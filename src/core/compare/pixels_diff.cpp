@@ -148,7 +148,7 @@ void addWrong(IdDiff& diff, const IdDifference& place) {
 /// differing pixel of the frame, as BisectorDistance does.
 template <class Distance>
 IdDiff compare(Ids a, Ids b, Grid pictures, Grid frame, const Distance& distance) {
-  assert(frame.width > 0 && frame.height > 0 && a.size() == pictures.size() && b.size() == pictures.size());
+  assert(a.size() == pictures.size() && b.size() == pictures.size());
   IdDiff diff;
   diff.pixels.assign(pictures.size(), PixelMatch::equal);
   for (int row = 0; row < pictures.height; ++row) {
@@ -202,22 +202,41 @@ IdDiff diffIds(Ids a, Ids b, int width, int height) {
 
 Result<IdDiff> diffIds(Ids a, Ids b, int width, int height, const Sites& sites, const Box& domain,
                        Periodic periodic, Fit fit) {
+  RenderOptions options{};
+  options.domain = domain;
+  options.periodic = periodic;
+  options.width = width;
+  options.height = height;
+  options.fit = fit;
+  return diffIds(a, b, sites, options);
+}
+
+Result<IdDiff> diffIds(Ids a, Ids b, const Sites& sites, const RenderOptions& options) {
+  const Box& domain = options.domain;
   const bool valid = std::isfinite(domain.xmax - domain.xmin) && domain.xmin < domain.xmax &&
                      std::isfinite(domain.ymax - domain.ymin) && domain.ymin < domain.ymax;
   if (!valid) {
     return tl::unexpected(refusalOf(Subject::domain, "needs finite xmin < xmax and ymin < ymax"));
   }
-  const Grid pictures{width, height};
-  const PictureFrame frame = frameOf(domain, width, height, fit);
-  const Grid grid{frame.width, frame.height, width, frame.top, frame.left};
-  if (periodic == Periodic::none) {
-    return compare(a, b, pictures, grid, BisectorDistance(sites, domain, grid));
-  }
-  const auto inside = wrapped(sites, domain, periodic);
+  if (auto checked = checkView(options); !checked) return tl::unexpected(checked.error());
+  const Grid pictures{options.width, options.height};
+  const PictureFrame frame = shownFrame(options), shown = domainFrame(options);
+  const Grid grid{shown.width, shown.height, options.width, shown.top, shown.left};
+  const Grid of_view{frame.width, frame.height};
+  // Pixels of the domain, counted where the view begins.
+  const auto compareBy = [&](const BisectorDistance& distance) {
+    const int down = shown.top - frame.top, right = shown.left - frame.left;
+    return compare(a, b, pictures, grid, [&](int row, int column, std::uint32_t of_a, std::uint32_t of_b) {
+      return distance(row + down, column + right, of_a, of_b);
+    });
+  };
+  const Box& box = shownBox(options);
+  if (options.periodic == Periodic::none) return compareBy(BisectorDistance(sites, box, of_view));
+  const auto inside = wrapped(sites, domain, options.periodic);
   if (!inside) return tl::unexpected(inside.error());
-  const auto periods = periodsOf(domain, periodic);
+  const auto periods = periodsOf(domain, options.periodic);
   if (!periods) return tl::unexpected(periods.error());
-  return compare(a, b, pictures, grid, BisectorDistance(*inside, domain, grid, *periods));
+  return compareBy(BisectorDistance(*inside, box, of_view, *periods));
 }
 
 ImageDiff diffImages(Ids a, Ids b, int width, int height) {

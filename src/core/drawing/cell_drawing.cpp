@@ -1,6 +1,8 @@
 #include "core/drawing/cell_drawing.h"
 
 #include <algorithm>
+#include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "base/stopwatch.h"
@@ -27,41 +29,70 @@ void askForCandidates(Effort effort, std::span<CellStatus> status) {
   }
 }
 
+std::vector<std::uint32_t> allOf(const SiteSet& sites) {
+  std::vector<std::uint32_t> all(sites.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
+
 }  // namespace
 
+bool isForDevices(const View& view) {
+  constexpr double least = 0x1p-35;
+  return std::min((view.box.xmax - view.box.xmin) / view.width,
+                  (view.box.ymax - view.box.ymin) / view.height) >= least;
+}
+
 CellDrawing::CellDrawing(const SearchInput& input, std::span<const std::uint8_t> palette_index,
-                         std::optional<NeighborRows> known)
+                         WhatToDraw what, DrawnBefore& before)
     : input_(input),
-      upload_(input.backend, palette_index),
-      all_known_(known.has_value()),
+      before_(before),
+      what_(std::move(what)),
+      upload_(input.backend, palette_index, &before.held),
       ladder_(input, upload_, worth_fast_pipeline),
       batches_({input.backend, input.sites, palette_index, input.threads}),
       polygons_({input.backend, input.sites, palette_index, input.threads}),
-      status_(input.sites.size(), CellStatus::certified),
       pixels_(input.sites, palette_index, input.threads) {
-  if (known) take(std::move(*known));
+  if (before_.status.empty()) {
+    before_.status.assign(input.sites.size(), CellStatus::certified);
+    if (before_.known) {
+      for (std::size_t i = 0; i < before_.status.size(); ++i) before_.status[i] = before_.known->status(i);
+    }
+  }
+  if (before_.known) {
+    as_polygons_ = what_.shown ? *what_.shown : allOf(input.sites);
+  } else {
+    choose();
+  }
 }
 
-/// A site without a cell may have an image at the end of the band that seems to have one.
-void CellDrawing::take(NeighborRows known) {
-  std::vector<std::uint32_t> which(known.size());
-  for (std::uint32_t i = 0; i < which.size(); ++i) {
-    which[i] = i;
-    const bool hidden = !input_.sites.hidden.empty() && input_.sites.hidden[i] != 0;
-    if (hidden) known.drop(i, CellStatus::empty);
-    status_[i] = known.status(i);
+/// Shares the cells out between the device and the judge. A device that draws no triangles is asked about
+/// cells for their statuses alone.
+void CellDrawing::choose() {
+  if (!before_.triage) before_.triage = sortOut(input_.sites, input_.threads);
+  const Triage& all = *before_.triage;
+  Triage chosen{{}, all.outside};
+  const bool needed = input_.backend.info().has_vertices || !(what_.shown || before_.done);
+  if (what_.shown) {
+    auto& to = what_.by_device ? chosen.inside : chosen.outside;
+    std::ranges::set_difference(*what_.shown, all.outside, std::back_inserter(to));
+    std::ranges::sort(chosen.outside);
+  } else {
+    chosen.inside = all.inside;
   }
-  known_.push_back({std::move(which), std::move(known)});
+  if (!needed) chosen.inside.clear();
+  ladder_.choose(std::move(chosen));
 }
 
 Result<void> CellDrawing::draw(const View& view) {
   if (auto given = giveAll(); !given) return given;
   if (auto begun = input_.backend.begin(view); !begun) return begun;
-  if (!all_known_) {
+  if (!before_.known) {
     if (auto climbed = climb(view); !climbed) return climbed;
   }
-  for (const auto& cells : known_) {
-    if (auto drawn = polygons_.draw(view, cells, input_.progress); !drawn) return drawn;
+  if (!as_polygons_.empty()) {
+    const NeighborRows& cells = before_.known ? *before_.known : *before_.judged;
+    if (auto drawn = polygons_.draw(view, as_polygons_, cells, input_.progress); !drawn) return drawn;
   }
   return giveAll();
 }
@@ -82,24 +113,44 @@ Result<void> CellDrawing::climb(const View& view) {
     askForCandidates(effort, status);
     return {};
   };
-  auto judged = ladder_.climb({by_grid, by_lists});
+  const auto left = ladder_.climbDevice({by_grid, by_lists});
+  if (!left) return tl::unexpected(left.error());
+  as_polygons_.insert(as_polygons_.end(), left->begin(), left->end());
+  return judge(*left);
+}
+
+Result<void> CellDrawing::findStatuses() {
+  return before_.known ? Result<void>{} : judge(before_.triage->outside);
+}
+
+/// Finds those of these cells that the judge has not found yet.
+Result<void> CellDrawing::judge(std::span<const std::uint32_t> which) {
+  if (which.empty()) return {};
+  auto& rows = before_.judged;
+  if (!rows) rows.emplace(input_.sites.size(), input_.threads);
+  std::vector<std::uint32_t> open;
+  std::ranges::copy_if(which, std::back_inserter(open),
+                       [&](std::uint32_t site) { return !isDone(rows->status(site)); });
+  auto judged = ladder_.askJudge(std::move(open));
   if (!judged) return tl::unexpected(judged.error());
-  for (std::size_t e = 0; e < judged->which.size(); ++e) status_[judged->which[e]] = judged->found.status(e);
-  known_.push_back(std::move(*judged));
+  for (std::size_t e = 0; e < judged->which.size(); ++e) {
+    before_.status[judged->which[e]] = judged->found.status(e);
+  }
+  rows->add(judged->which, std::move(judged->found));
   return {};
 }
 
 Result<void> CellDrawing::read(const View& view, std::span<std::uint32_t> rgba,
                                std::span<std::uint32_t> ids) {
   if (auto read = input_.backend.read(rgba, ids); !read) return read;
-  pixels_.apply(status_, view.palette, rgba, ids);
+  pixels_.apply(before_.status, view.palette, rgba, ids);
   return {};
 }
 
 /// Whatever the search, a backend may look at all sites when it begins or finishes a picture; but not for
 /// triangles alone.
 Result<void> CellDrawing::giveAll() {
-  if (all_known_ && input_.backend.info().has_vertices) return {};
+  if (before_.known && input_.backend.info().has_vertices) return {};
   return fits(input_.sites, input_.backend.info()) ? upload_.give({input_.sites, {}, {}}) : Result<void>{};
 }
 

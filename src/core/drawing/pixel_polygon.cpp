@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "backend/precision.h"
 
@@ -10,6 +11,35 @@ namespace {
 
 /// In pixels: what rounding may put between an edge and a center that lies on it.
 constexpr double on_edge = 1e-9;
+
+/// Polygons are cut so many sizes of the view beyond it.
+constexpr double kept_beyond = 0.5;
+
+/// Where an edge crosses a line along the other axis: the same whichever end comes first.
+double crossingOf(double at, Point a, Point b, double Point::*along, double Point::*across) {
+  if (b.*along < a.*along || (b.*along == a.*along && b.*across < a.*across)) std::swap(a, b);
+  const double part = (at - a.*along) / (b.*along - a.*along);
+  return a.*across + part * (b.*across - a.*across);
+}
+
+/// Cuts away what lies on one side of the line where a coordinate is `at`: above, or else below.
+void cutAt(double at, bool above, double Point::*along, double Point::*across, std::vector<Point>& polygon) {
+  const auto isKept = [&](Point p) { return above ? p.*along <= at : p.*along >= at; };
+  if (std::ranges::all_of(polygon, isKept)) return;
+  std::vector<Point> kept;
+  Point before = polygon.back();
+  for (const Point corner : polygon) {
+    if (isKept(before) != isKept(corner)) {
+      Point crossing;
+      crossing.*along = at;
+      crossing.*across = crossingOf(at, before, corner, along, across);
+      kept.push_back(crossing);
+    }
+    if (isKept(corner)) kept.push_back(corner);
+    before = corner;
+  }
+  polygon = std::move(kept);
+}
 
 double crossOf(Point a, Point b, Point p) { return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x); }
 
@@ -38,8 +68,18 @@ PixelFrame::PixelFrame(const View& view, int subpixel_bits)
   moved_ = std::max(on_edge, outset);
 }
 
+void cutToView(const PixelFrame& frame, std::vector<Point>& polygon) {
+  const Point size = frame.size();
+  const double wide = kept_beyond * size.x, high = kept_beyond * size.y;
+  if (!polygon.empty()) cutAt(-wide, false, &Point::x, &Point::y, polygon);
+  if (!polygon.empty()) cutAt(size.x + wide, true, &Point::x, &Point::y, polygon);
+  if (!polygon.empty()) cutAt(-high, false, &Point::y, &Point::x, polygon);
+  if (!polygon.empty()) cutAt(size.y + high, true, &Point::y, &Point::x, polygon);
+}
+
 CoveredPixels coveredPixels(const std::vector<Point>& polygon, const PixelFrame& frame) {
   using Count = CoveredPixels::Count;
+  if (polygon.empty()) return {Count::none, {}};
   Point low = polygon.front(), high = low;
   for (const Point corner : polygon) {
     low = {std::min(low.x, corner.x), std::min(low.y, corner.y)};

@@ -35,15 +35,19 @@ class PixelFrame {
   double inset_, moved_;
 };
 
+/// Cuts away what is so far beyond the view that floats would be too coarse for its corners: nothing of what
+/// shows changes. Edges that two polygons have in common stay so, to the bit.
+void cutToView(const PixelFrame& frame, std::vector<Point>& polygon);
+
 /// Which centers of pixels a polygon holds.
 struct CoveredPixels {
   enum class Count : std::uint8_t { none, one, several } count;
   Point center;  ///< of the one
 };
 
-/// Counts them; `several` may be said of a polygon that is larger than two pixels along an axis and holds
-/// none. A center beyond an edge by as little as that may move is inside, so that a cell takes the pixels
-/// that its neighbors may lose. `polygon`: counter-clockwise, in pixels.
+/// Counts them, of a polygon with or without corners; `several` may be said of a polygon that is larger than
+/// two pixels along an axis and holds none. A center beyond an edge by as little as that may move is inside,
+/// so that a cell takes the pixels that its neighbors may lose. `polygon`: counter-clockwise, in pixels.
 CoveredPixels coveredPixels(const std::vector<Point>& polygon, const PixelFrame& frame);
 
 /// Shrinks a polygon so that no corner leaves the old one where it is moved by up to `inset` pixels along

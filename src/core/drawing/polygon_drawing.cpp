@@ -71,6 +71,7 @@ class TriangleWriter {
   /// cell.
   void write(std::uint32_t site) {
     if (polygon_.size() < 3) return;
+    cutToView(frame_, polygon_);
     const CoveredPixels covered = coveredPixels(polygon_, frame_);
     if (covered.count == CoveredPixels::Count::none) return;
     if (covered.count == CoveredPixels::Count::one) {
@@ -102,7 +103,8 @@ class TriangleWriter {
 
 }  // namespace
 
-Result<void> PolygonDrawing::draw(const View& view, const KnownCells& cells, const Progress& progress) {
+Result<void> PolygonDrawing::draw(const View& view, std::span<const std::uint32_t> which,
+                                  const NeighborRows& cells, const Progress& progress) {
   const auto& info = canvas_.backend.info();
   if (!info.has_vertices) return {};  // Every pixel is asked for when the picture is read.
   const PixelFrame frame(view, info.subpixel_bits);
@@ -110,17 +112,15 @@ Result<void> PolygonDrawing::draw(const View& view, const KnownCells& cells, con
     std::vector<Triangles> parts((count + grain - 1) / grain);
     parallelFor(count, grain, canvas_.threads, [&](std::size_t begin, std::size_t end) {
       TriangleWriter writer(canvas_, view, frame, parts[begin / grain]);
-      const auto entry_at = [&](std::size_t k) { return static_cast<std::uint32_t>(first + k); };
-      forCellsBySize(cells.found, begin, end, entry_at, [&](std::uint32_t entry) {
-        if (cells.found.status(entry) == CellStatus::certified) {
-          writer.add(cells.which[entry], cells.found.edges(entry));
-        }
+      const auto site_at = [&](std::size_t k) { return which[first + k]; };
+      forCellsBySize(cells, begin, end, site_at, [&](std::uint32_t site) {
+        if (cells.status(site) == CellStatus::certified) writer.add(site, cells.edges(site));
       });
       writer.finish();
     });
     return send(parts);
   };
-  return runInSteps(progress, "drawing", cells.which.size(), most_at_once, draw_some);
+  return runInSteps(progress, "drawing", which.size(), most_at_once, draw_some);
 }
 
 /// Sends triangles in as few calls as the device's limits allow.

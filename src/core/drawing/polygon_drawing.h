@@ -10,10 +10,12 @@ class PolygonDrawing {
  public:
   explicit PolygonDrawing(const Canvas& canvas) : canvas_(canvas) {}
 
-  /// Draws the certified cells over what is there. Cells that meet have the same corners, so that they leave
-  /// no gap. Where the device's grid of vertices is coarse, they are smaller by what corners may move, and
-  /// leave pixels. Errors: the device's; progress said stop.
-  Result<void> draw(const View& view, const KnownCells& cells, const Progress& progress);
+  /// Draws those cells of the sites `which` that are certified over what is there; `cells` has them by index
+  /// in the set. Cells that meet have the same corners, so that they leave no gap. Where the device's grid of
+  /// vertices is coarse, they are smaller by what corners may move, and leave pixels. Errors: the device's;
+  /// progress said stop.
+  Result<void> draw(const View& view, std::span<const std::uint32_t> which, const NeighborRows& cells,
+                    const Progress& progress);
 
   [[nodiscard]] double seconds() const { return seconds_; }
 

@@ -12,6 +12,8 @@ struct Machine {
   Backend& backend;  ///< of the device that the caller chose
   ExactTier& exact;  ///< of this run alone, while it lasts
   int threads;       ///< of the processor; 0 for all
+  /// How often anything was uploaded to the device, by any run; null where that is not counted.
+  const std::uint64_t* uploads = nullptr;
 };
 
 /// Says in a report which device did the work, and what the validation layers said to it.

@@ -5,6 +5,7 @@
 
 #include "core/picture/blend.h"
 #include "core/picture/font.h"
+#include "core/picture/frame.h"
 #include "core/picture/smooth.h"
 
 namespace vorpipe::core {
@@ -14,18 +15,20 @@ namespace {
 /// other edges; here its outer half is not seen.
 double outlineWidth(const RenderOptions& options) { return options.edge_width + 1; }
 
-/// The rows of a box from `first` to before `last` of `rows`, counted from its upper end.
-Box rowsOf(const Box& box, int first, int last, int rows) {
-  const double height = box.ymax - box.ymin;
-  const auto upper = [&](int row) { return row == rows ? box.ymin : box.ymax - height * row / rows; };
-  return {box.xmin, upper(last), box.xmax, upper(first)};
+/// Darkens edges in a part of an image alone: where the domain ends, cells do, but no other begins.
+void drawEdgesIn(const PictureFrame& part, double width, int threads, Image& image) {
+  if (part.width == image.width && part.height == image.height) return drawEdges(image, width, threads);
+  if (part.width == 0) return;
+  Image cut = partOf(image, part);
+  drawEdges(cut, width, threads);
+  putPart(cut, part, image);
 }
 
 }  // namespace
 
 Result<void> drawOverlays(const Overlays& overlays, const DrawCells& cells, Image& image) {
-  const auto& [options, marks, sites, box, threads] = overlays;
-  const PictureFrame frame = PicturePlaces(options).frame();
+  const auto& [options, marks, sites, box, domain, threads] = overlays;
+  const PictureFrame frame = shownFrame(options);
   std::optional<SiteDots> dots;
   if (options.show_sites) dots.emplace(image, sites, box, options.dot_size);
   const auto draw_lines = [&](int first, int in_pixel, Image& into) {
@@ -37,25 +40,24 @@ Result<void> drawOverlays(const Overlays& overlays, const DrawCells& cells, Imag
   };
   const int in_pixel = options.antialias;
   if (in_pixel == 1) {
-    if (options.edges) drawEdges(image, options.edge_width, threads);
+    if (options.edges) drawEdgesIn(domain, options.edge_width, threads, image);
     draw_lines(0, 1, image);
     return {};
   }
   const auto draw = [&](int first, int last) -> Result<Image> {
-    auto places =
-        cells(rowsOf(box, first, last, image.height), {image.width * in_pixel, (last - first) * in_pixel});
+    auto places = cells(first, last);
     if (places) draw_lines(first, in_pixel, *places);
     return places;
   };
   return smooth(draw, in_pixel, threads, image);
 }
 
-void drawLabels(const Marks& marks, const RenderOptions& options,
-                const std::function<std::uint32_t(std::uint32_t site)>& color, Image& image) {
+void drawLabels(const Marks& marks, const RenderOptions& options, std::span<const std::uint32_t> colors,
+                Image& image) {
   const double height = options.label_size, margin = labelMargin(options);
   for (const SiteLabel& label : marks.labels) {
     const double left = label.middle.x - label.width / 2, top = label.middle.y - height / 2;
-    const std::uint32_t cell = color(label.site);
+    const std::uint32_t cell = colors[label.site];
     if (options.dual) {
       // Lines of the dual end at sites, where labels are.
       const auto pixel = [](double at) { return static_cast<int>(std::lround(at)); };

@@ -27,6 +27,28 @@ void spread(std::vector<std::uint32_t>& pixels, const PictureFrame& frame, int w
 
 }  // namespace
 
+Image partOf(const Image& image, const PictureFrame& part) {
+  Image cut{part.width, part.height, {}, {}};
+  for (int row = 0; row < part.height; ++row) {
+    const auto from = static_cast<std::ptrdiff_t>(part.top + row) * image.width + part.left;
+    const auto append = [&](const std::vector<std::uint32_t>& pixels, std::vector<std::uint32_t>& to) {
+      to.insert(to.end(), pixels.begin() + from, pixels.begin() + from + part.width);
+    };
+    append(image.rgba, cut.rgba);
+    append(image.ids, cut.ids);
+  }
+  return cut;
+}
+
+void putPart(const Image& from, const PictureFrame& part, Image& image) {
+  for (int row = 0; row < part.height; ++row) {
+    const auto first = static_cast<std::ptrdiff_t>(row) * part.width;
+    const auto to = static_cast<std::ptrdiff_t>(part.top + row) * image.width + part.left;
+    std::copy_n(from.rgba.begin() + first, part.width, image.rgba.begin() + to);
+    std::copy_n(from.ids.begin() + first, part.width, image.ids.begin() + to);
+  }
+}
+
 void putIntoFrame(const PictureFrame& frame, int width, int height, Image& image) {
   if (image.width == width && image.height == height) return;
   spread(image.rgba, frame, width, height, 0);

@@ -39,7 +39,7 @@ Result<void> checkPicture(const RenderOptions& options) {
     return refuse(fmt::format("label size {}: must be {} to {} pixels", options.label_size, least_label,
                               largest_label));
   }
-  return {};
+  return checkView(options);
 }
 
 }  // namespace vorpipe

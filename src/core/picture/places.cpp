@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "vorpipe.h"
 #include "vorpipe/shapes.h"
 
 namespace vorpipe {
@@ -21,10 +22,10 @@ Copies copiesOf(double low, double high, double begin, double end, double period
 }  // namespace
 
 PicturePlaces::PicturePlaces(const RenderOptions& options)
-    : view_(options.view.value_or(options.domain)),
+    : view_(shownBox(options)),
       shown_{std::max(view_.xmin, options.domain.xmin), std::max(view_.ymin, options.domain.ymin),
              std::min(view_.xmax, options.domain.xmax), std::min(view_.ymax, options.domain.ymax)},
-      frame_(frameOf(view_, options.width, options.height, options.fit)) {}
+      frame_(shownFrame(options)) {}
 
 Point PicturePlaces::pixelOf(Point place) const {
   return {frame_.left + (place.x - view_.xmin) / (view_.xmax - view_.xmin) * frame_.width,

@@ -5,7 +5,6 @@
 
 #include "base/distinct.h"
 #include "base/progress_steps.h"
-#include "core/search/device_eligible.h"
 
 namespace vorpipe::core {
 namespace {
@@ -21,7 +20,18 @@ CellLadder::CellLadder(const SearchInput& input, Upload& upload, std::size_t wor
       roomy_(input.sites.size(), begins_roomy_) {}
 
 Result<KnownCells> CellLadder::climb(const Ask& ask) {
-  left_.clear();
+  auto left = climbDevice(ask);
+  if (!left) return tl::unexpected(left.error());
+  return askJudge(std::move(*left));
+}
+
+void CellLadder::choose(Triage triage) {
+  sorted_out_ = true;
+  on_device_ = std::move(triage.inside);
+  left_ = std::move(triage.outside);
+}
+
+Result<std::vector<std::uint32_t>> CellLadder::climbDevice(const Ask& ask) {
   done_ = 0;
   sortOutOnce();
   const bool by_grid = input_.search.method == Search::grid;
@@ -31,15 +41,12 @@ Result<KnownCells> CellLadder::climb(const Ask& ask) {
   sortDistinct(left_, static_cast<std::uint32_t>(input_.sites.size()));
   std::erase_if(on_device_,
                 [&](std::uint32_t site) { return std::binary_search(left_.begin(), left_.end(), site); });
-  return askJudge(std::exchange(left_, {}));
+  return std::exchange(left_, {});
 }
 
 /// The cells that no device is asked about are left at once.
 void CellLadder::sortOutOnce() {
-  if (std::exchange(sorted_out_, true)) return;
-  auto triage = sortOut(input_.sites, input_.threads);
-  on_device_ = std::move(triage.inside);
-  left_ = std::move(triage.outside);
+  if (!sorted_out_) choose(sortOut(input_.sites, input_.threads));
 }
 
 Result<KnownCells> CellLadder::askJudge(Indices which) {
@@ -52,6 +59,7 @@ Result<KnownCells> CellLadder::askJudge(Indices which) {
 }
 
 Result<void> CellLadder::climbGrid(const Ask& ask) {
+  if (on_device_.empty()) return {};
   auto unfit = forTiles(
       input_.sites, input_.backend.info(), on_device_, input_.threads,
       [&](const Tile& tile) { return tryTile(tile, ask); }, [&] { return areMany(0); });

@@ -11,6 +11,7 @@
 
 #include "core/judge/judge.h"
 #include "core/search/candidates.h"
+#include "core/search/device_eligible.h"
 #include "core/search/flann_search.h"
 #include "core/search/sample.h"
 #include "core/search/uploader.h"
@@ -46,6 +47,13 @@ class CellLadder {
   /// the judge about the rest: these are returned, ascending. Errors: the device's; progress said stop.
   Result<KnownCells> climb(const Ask& ask);
 
+  /// Asks about these cells alone: `inside` are those that the device is asked about, `outside` the others.
+  /// Comes before the first climb.
+  void choose(Triage triage);
+  /// The same without the judge: the cells that are left to it, ascending.
+  Result<std::vector<std::uint32_t>> climbDevice(const Ask& ask);
+  Result<KnownCells> askJudge(std::vector<std::uint32_t> which);
+
   /// Adds how many cells took which way, and the times of searching on the host and of the judge.
   void describe(Report& report) const;
 
@@ -64,7 +72,6 @@ class CellLadder {
   };
 
   void sortOutOnce();
-  Result<KnownCells> askJudge(Indices which);
 
   Result<void> climbGrid(const Ask& ask);
   Result<void> tryTile(const Tile& tile, const Ask& ask);

@@ -6,7 +6,7 @@ namespace vorpipe::core {
 
 Result<void> Upload::give(const Tile& tile) {
   const bool all = tile.whole.empty();
-  if (all && has_all_) return {};
+  if (all && (has_all_ || (held_ != nullptr && held_->areThere()))) return {};
   const Stopwatch watch;
   if (!all && !palette_index_.empty()) {
     tile_palette_index_.clear();
@@ -17,6 +17,10 @@ Result<void> Upload::give(const Tile& tile) {
     return uploaded;
   }
   has_all_ = all;
+  if (held_ != nullptr) {
+    held_->after.reset();
+    if (all && held_->uploads != nullptr) held_->after = *held_->uploads;
+  }
   seconds_ += watch.seconds();
   return {};
 }

@@ -22,8 +22,8 @@ bool halve(std::uint64_t given, Number least, Number& bound) {
 
 }  // namespace
 
-BoundedBackend::BoundedBackend(Backend& backend, const Bounds& bounds)
-    : ForwardingBackend(backend), bounds_(bounds), info_(backend.info()) {
+BoundedBackend::BoundedBackend(Backend& backend, const Bounds& bounds, std::uint64_t* uploads)
+    : ForwardingBackend(backend), bounds_(bounds), uploads_(uploads), info_(backend.info()) {
   info_.max_sites = std::min(info_.max_sites, bounds.sites);
   info_.max_bins = std::min(info_.max_bins, bounds.sites);
   info_.max_lines = std::min(info_.max_lines, bounds.lines);
@@ -53,6 +53,7 @@ Result<void> BoundedBackend::call(Call kind, const Make& make) {
 Result<void> BoundedBackend::upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) {
   given_.sites = sites.size();
   given_.bins = sites.grid.offsets.size();
+  if (uploads_ != nullptr) ++*uploads_;
   return call(Call::upload, [&] { return ForwardingBackend::upload(sites, palette_index); });
 }
 

@@ -22,7 +22,8 @@ inline constexpr Bounds least_bounds{4096, 4096, 1024, 64};
 /// Passes every call on, keeps to bounds, and remembers the call that failed.
 class BoundedBackend final : public ForwardingBackend {
  public:
-  BoundedBackend(Backend& backend, const Bounds& bounds);
+  /// `uploads` counts calls of upload(), if it is not null.
+  BoundedBackend(Backend& backend, const Bounds& bounds, std::uint64_t* uploads = nullptr);
 
   const BackendInfo& info() const override { return info_; }
   Result<void> upload(const SiteSet& sites, std::span<const std::uint8_t> palette_index) override;
@@ -56,6 +57,7 @@ class BoundedBackend final : public ForwardingBackend {
   Result<void> call(Call kind, const Make& make);
 
   Bounds bounds_;
+  std::uint64_t* uploads_;
   BackendInfo info_;
   Given given_;
   std::optional<Error> failure_;

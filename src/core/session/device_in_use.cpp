@@ -35,6 +35,7 @@ void DeviceInUse::take(OpenedBackend opened) {
   choice_ = opened.choice;
   bounds_ = {};
   opened_ = std::move(opened);
+  ++uploads_;
 }
 
 /// A device that failed is opened again for the next run: what was lost may be there again, and the memory
@@ -44,6 +45,7 @@ Result<void> DeviceInUse::reopen() {
   auto opened = openBackend(options_);
   if (!opened) return tl::unexpected(opened.error());
   opened_.backend = std::move(opened->backend);
+  ++uploads_;
   return {};
 }
 

@@ -27,7 +27,7 @@ class DeviceInUse {
     std::vector<std::string> notes, messages;
     for (;;) {
       if (auto opened = reopen(); !opened) return tl::unexpected(opened.error());
-      BoundedBackend bounded(*opened_.backend, bounds_);
+      BoundedBackend bounded(*opened_.backend, bounds_, &uploads_);
       Result<Made> made = work(bounded);
       if (made) {
         auto& report = made->report;
@@ -40,6 +40,9 @@ class DeviceInUse {
       if (!fallBack(made.error(), bounded, notes)) return tl::unexpected(withEarlier(made.error(), notes));
     }
   }
+
+  /// How often a run uploaded something, and how often a device was opened, which holds nothing then.
+  [[nodiscard]] const std::uint64_t& uploads() const { return uploads_; }
 
   [[nodiscard]] const DeviceInfo& info() const { return info_; }
   [[nodiscard]] const std::string& choice() const { return choice_; }
@@ -56,6 +59,7 @@ class DeviceInUse {
   OpenedBackend opened_;    ///< without a backend after a failure, until it is opened again
   std::vector<std::string> others_;
   Bounds bounds_;
+  std::uint64_t uploads_ = 0;
   bool is_less_ = false;  ///< the last note says that bounds_ were lowered
   DeviceInfo info_;
   std::string choice_;

@@ -7,19 +7,19 @@
 #include "core/diagram/diagram_writer.h"
 #include "core/picture/picture.h"
 #include "core/session/arithmetic.h"
-#include "core/session/device_in_use.h"
 #include "core/session/input_check.h"
+#include "core/session/session_state.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
 
 using namespace core;
 
-namespace {
-
 Error outOfMemory() {
   return {ErrorCode::device, "out of memory; fewer sites or a smaller picture would fit"};
 }
+
+namespace {
 
 /// Cells, and their mass if there is a density: that takes their polygons, whether they are wanted or not.
 Result<Diagram> cellsAndMass(const Machine& machine, const Sites& sites, const CellsOptions& options) {
@@ -35,14 +35,6 @@ Result<Diagram> cellsAndMass(const Machine& machine, const Sites& sites, const C
 }
 
 }  // namespace
-
-struct Session::State {
-  DeviceInUse device;
-  std::unique_ptr<ExactTier> exact;
-  int threads;
-
-  [[nodiscard]] Machine with(Backend& backend) const { return {backend, *exact, threads}; }
-};
 
 Session::Session() = default;
 Session::Session(Session&&) noexcept = default;

@@ -4,10 +4,10 @@
 
 namespace vorpipe {
 
-PixelGrid pixelGridOf(const Box& domain, const PictureFrame& frame) {
-  const double width = (domain.xmax - domain.xmin) / frame.width;
-  const double height = (domain.ymax - domain.ymin) / frame.height;
-  return {domain.xmin - frame.left * width, domain.ymax + frame.top * height, width, height};
+PixelGrid pixelGridOf(const Box& box, const PictureFrame& frame) {
+  const double width = (box.xmax - box.xmin) / frame.width;
+  const double height = (box.ymax - box.ymin) / frame.height;
+  return {box.xmin - frame.left * width, box.ymax + frame.top * height, width, height};
 }
 
 Result<void> writeWorldFile(ByteSink& sink, const PixelGrid& grid) {

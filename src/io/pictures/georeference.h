@@ -12,8 +12,8 @@ struct PixelGrid {
   double width, height;  ///< of a pixel, above 0
 };
 
-/// The pixels of a picture that shows `domain` in `frame`.
-PixelGrid pixelGridOf(const Box& domain, const PictureFrame& frame);
+/// The pixels of a picture that shows `box` in `frame`.
+PixelGrid pixelGridOf(const Box& box, const PictureFrame& frame);
 
 /// Writes a world file (.pgw): six lines, which give the x and y of the center of column c and row r as
 /// x = line 1 * c + line 3 * r + line 5, y = line 2 * c + line 4 * r + line 6. Error (device): writing

@@ -11,13 +11,12 @@
 #include "io/pictures/png_file.h"
 #include "io/pictures/svg_picture.h"
 #include "io/pictures/tiff_ids.h"
+#include "vorpipe.h"
 
 namespace vorpipe {
 namespace {
 
-PixelGrid gridOf(const RenderOptions& options) {
-  return pixelGridOf(options.domain, frameOf(options.domain, options.width, options.height, options.fit));
-}
+PixelGrid gridOf(const RenderOptions& options) { return pixelGridOf(shownBox(options), shownFrame(options)); }
 
 Result<void> asPng(ByteSink& sink, const PictureOutput& output) {
   assert(output.image != nullptr);
