@@ -27,7 +27,7 @@ if ! read -r number <"$folder/number"; then
   echo "Xvfb does not start" >&2
   exit 1
 fi
-export DISPLAY=:$number VORPIPE_TEST_SCREEN=$folder/Xvfb_screen0
+export VORPIPE_TEST_PYTHON=$python DISPLAY=:$number VORPIPE_TEST_SCREEN=$folder/Xvfb_screen0
 unset WAYLAND_DISPLAY XAUTHORITY
 "$python" "$here/window_manager.py" >"$folder/ready" &
 manager=$!
