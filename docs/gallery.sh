@@ -29,36 +29,45 @@ alike() {
   "$program" render --backend cpu -o "$into/$name.png" -o "$into/$name.svg" -o "$into/$name.pdf" "$@"
 }
 
-# thesis NAME OPTION...: a figure of the thesis, in its colors
+# thesis NAME OPTION...: a figure of the thesis, in its colors; smooth NAME OPTION...: the same without stairs
 thesis() { draw "$@" --colormap thesis --size 500x500; }
+smooth() { thesis "$@" --edges --antialias 4; }
 
-draw title --sites clusters:3000 --seed 7 --domain 0,0.25,1,0.75 --size 1200x600 --edges
+draw title --sites clusters:3000 --seed 7 --domain 0,0.25,1,0.75 --size 1000x500 --edges --antialias 4
 
-thesis random-100 --sites random:100 --edges
-thesis random-1000 --sites random:1000 --edges
+smooth random-100 --sites random:100
+smooth random-1000 --sites random:1000
 thesis random-10000 --sites random:10000
 thesis random-100000 --sites random:100000
 thesis random-1000000 --sites random:1000000
-thesis hex-136 --sites hex:136 --edges
-thesis hex-1235 --sites hex:1235 --edges
+smooth hex-136 --sites hex:136
+smooth hex-1235 --sites hex:1235
 draw hex-11758 --sites hex:11758 --edges --colormap thesis --size 808x808
-thesis square-100 --sites square:100 --edges
+smooth square-100 --sites square:100
 draw square-1024 --sites square:1024 --edges --colormap thesis --size 512x512
 thesis square-10000 --sites square:10000 --edges
 
-draw area --sites jitter:2000 --color area --colormap viridis --edges --size 500x500
-draw neighbors --sites random:2000 --color neighbors --colormap plasma --edges --size 500x500
-draw circle --sites circle:60 --colormap turbo --edges --show-sites --size 500x500
+alike print --sites random:60 --edges --dual --show-sites --labels --antialias 4 --edge-width 1.5 --size 700
+draw dual --sites jitter:100 --periodic xy --edges --dual --no-fill --antialias 4 --edge-width 1.5 --size 400x400
+draw labels --sites hex:60 --color area --edges --labels --label-size 14 --antialias 4 --size 400x400
+draw bold --sites random:150 --random-weights 0,0.01 --color weight --colormap magma --edges --edge-width 5 --antialias 4 \
+  --size 400x400
 
-draw power --sites random:300 --random-weights 0,0.01 --color weight --edges --show-sites --size 500x500
-draw periodic --sites random:40 --seed 3 --periodic xy --colormap turbo --edges --show-sites --size 500x500
-draw islands --sites random:2000 --domain "$root/docs/examples/islands.geojson" --edges
+draw area --sites jitter:2000 --color area --colormap viridis --edges --antialias 4 --size 500x500
+draw neighbors --sites random:2000 --color neighbors --colormap plasma --edges --antialias 4 --size 500x500
+draw circle --sites circle:60 --colormap turbo --edges --show-sites --antialias 4 --size 500x500
 
-draw gauges --sites "$root/docs/examples/gauges.csv" --domain "$root/docs/examples/islands.geojson" --edges --show-sites --size 800
-draw masts --sites "$root/docs/examples/masts.csv" --color weight --edges --show-sites --size 800
+draw power --sites random:300 --random-weights 0,0.01 --color weight --edges --show-sites --antialias 4 --size 500x500
+draw periodic --sites random:40 --seed 3 --periodic xy --colormap turbo --edges --show-sites --antialias 4 --size 500x500
+draw islands --sites random:2000 --domain "$root/docs/examples/islands.geojson" --edges --antialias 4 --size 800
 
-alike airports --sites "$root/tests/data/navaids.csv" --domain -180,-90,180,90 --color area --legend --size 1600 --quiet
+draw gauges --sites "$root/docs/examples/gauges.csv" --domain "$root/docs/examples/islands.geojson" --edges --show-sites \
+  --labels --antialias 4 --size 800
+draw masts --sites "$root/docs/examples/masts.csv" --color weight --edges --show-sites --antialias 4 --size 800
+
+alike airports --sites "$root/tests/data/navaids.csv" --domain -180,-90,180,90 --color area --legend --antialias 2 \
+  --size 1600 --quiet
 alike italy --sites "$root/tests/data/navaids.csv" --domain "$root/docs/examples/italy.geojson" --project auto --color area \
-  --edges --edge-width 3 --show-sites --size 4000 --quiet
+  --edges --edge-width 1.5 --show-sites --antialias 4 --size 1200 --quiet
 alike foam --sites random:500 --random-weights 0,0.001 --periodic xy --color neighbors --colormap plasma --edges \
-  --edge-width 2 --legend --size 800
+  --edge-width 2 --legend --antialias 4 --size 800

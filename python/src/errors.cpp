@@ -39,12 +39,14 @@ std::string_view argumentOf(Subject subject) {
 /// The message gets the argument's name instead.
 std::string_view takeArgument(std::string& message) {
   using Name = std::pair<std::string_view, std::string_view>;
-  constexpr std::array<Name, 12> names = {{{"color scale", "color_scale"},
+  constexpr std::array<Name, 14> names = {{{"color scale", "color_scale"},
                                            {"color range", "color_range"},
                                            {"color", "color"},
                                            {"legend", "legend"},
                                            {"edge width", "edge_width"},
                                            {"dot size", "dot_size"},
+                                           {"label size", "label_size"},
+                                           {"antialias", "antialias"},
                                            {"domain", "domain"},
                                            {"outline", "outline"},
                                            {"margin", "margin"},

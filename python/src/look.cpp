@@ -20,8 +20,9 @@ struct Colors {
 };
 
 struct Marks {
-  bool edges, show_sites;
-  double edge_width, dot_size;
+  bool edges, show_sites, dual, labels, fill;
+  double edge_width, dot_size, label_size;
+  int antialias;
 };
 
 Look lookOf(const std::optional<std::pair<int, int>>& size, const std::optional<std::string>& fit,
@@ -37,8 +38,13 @@ Look lookOf(const std::optional<std::pair<int, int>>& size, const std::optional<
   options.legend = colors.legend;
   options.edges = marks.edges;
   options.show_sites = marks.show_sites;
+  options.dual = marks.dual;
+  options.labels = marks.labels;
+  options.fill = marks.fill;
   options.edge_width = marks.edge_width;
   options.dot_size = marks.dot_size;
+  options.label_size = marks.label_size;
+  options.antialias = marks.antialias;
   options.search = {chosen("search", search_choices, search), neighbors};
   return look;
 }
@@ -65,10 +71,13 @@ void defineLook(py::module_& module) {
            }),
            py::arg("by"), py::arg("map"), py::arg("scale"), py::arg("range"), py::arg("legend"));
   py::class_<Marks>(module, "Marks", "What is drawn over cells.")
-      .def(py::init([](bool edges, bool show_sites, double edge_width, double dot_size) {
-             return Marks{edges, show_sites, edge_width, dot_size};
+      .def(py::init([](bool edges, bool show_sites, bool dual, bool labels, bool fill, double edge_width,
+                       double dot_size, double label_size, int antialias) {
+             return Marks{edges, show_sites, dual, labels, fill, edge_width, dot_size, label_size, antialias};
            }),
-           py::arg("edges"), py::arg("show_sites"), py::arg("edge_width"), py::arg("dot_size"));
+           py::kw_only(), py::arg("edges"), py::arg("show_sites"), py::arg("dual"), py::arg("labels"),
+           py::arg("fill"), py::arg("edge_width"), py::arg("dot_size"), py::arg("label_size"),
+           py::arg("antialias"));
   py::class_<Look>(module, "Look", "How a picture is to look.")
       .def(py::init(&lookOf), py::arg("size"), py::arg("fit"), py::arg("colors"), py::arg("marks"),
            py::arg("search"), py::arg("neighbors"));

@@ -116,12 +116,14 @@ def range_of(value: Optional[Sequence[float]]) -> Optional[Tuple[float, float]]:
 
 def look_of(size: Optional[Sequence[int]], color: str, colormap: str, edges: bool, show_sites: bool,
             color_scale: Optional[str], color_range: Optional[Sequence[float]], legend: bool, edge_width: float,
-            dot_size: Optional[float], fit: Optional[str], search: Any) -> _vorpipe.Look:
+            dot_size: Optional[float], fit: Optional[str], search: Any, antialias: int, dual: bool, labels: bool,
+            label_size: float, fill: bool) -> _vorpipe.Look:
     if colormap not in _vorpipe.colormaps():
         raise refuse('colormap', f'{colormap!r} is none of {", ".join(_vorpipe.colormaps())}')
     method, neighbors = search_of(search)
     colors = _vorpipe.Colors(color, colormap, color_scale, range_of(color_range), legend)
-    marks = _vorpipe.Marks(edges, show_sites, edge_width, dot_size or 0)
+    marks = _vorpipe.Marks(edges=edges, show_sites=show_sites, dual=dual, labels=labels, fill=fill,
+                           edge_width=edge_width, dot_size=dot_size or 0, label_size=label_size, antialias=antialias)
     return _vorpipe.Look(size_of(size), fit, colors, marks, method, neighbors)
 
 

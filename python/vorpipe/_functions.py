@@ -83,7 +83,8 @@ def render(points: Any, weights: Any = None, domain: Any = None, size: Optional[
            progress: Optional[Progress] = None, color_scale: Optional[str] = None,
            color_range: Optional[Sequence[float]] = None, legend: bool = False, edge_width: float = 1,
            dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None, margin: Margin = None,
-           repair: bool = False, crs: Any = None) -> Picture:
+           repair: bool = False, crs: Any = None, antialias: int = 1, dual: bool = False,
+           labels: bool = False, label_size: float = 10, fill: bool = True) -> Picture:
     """A picture of the cells, and whose cell each pixel is in.
 
     Args:
@@ -96,10 +97,16 @@ def render(points: Any, weights: Any = None, domain: Any = None, size: Optional[
             weight, linear by neighbors.
         color_range: (low, high), the values of the first and the last color; else those of all cells.
         legend: draws what the colors stand for into the lower left corner; `Picture.key` says it.
-        edge_width: of `edges`, 1 to 100 pixels.
+        edge_width: of `edges` and `dual`, 1 to 100 pixels; without `antialias` edges have a whole number of them.
         dot_size: of `show_sites`, 1 to 100 pixels across; None for one by the spacing of the points that show.
         fit: what a domain does in a picture of another aspect: "stretch" fills it, "letterbox" keeps the domain's
             aspect, with NO_SITE beside it. None for "letterbox" of `Sites` from a file, "stretch" of arrays.
+        antialias: each pixel has the mean color of as many rows and columns of places, 1 to 8; ids stay those of the
+            pixels' centers.
+        dual: lines between points whose cells have a common edge: the Delaunay triangulation.
+        labels: the index of each point, in its cell where it has room.
+        label_size: how high the digits are, 5 to 200 pixels.
+        fill: cells have colors; else they are white.
 
     With `project`, the picture is of the plane. All others are as in `cells`; "auto" takes "cpu" for up to 100,000
     points and 4 million pixels.
@@ -110,7 +117,8 @@ def render(points: Any, weights: Any = None, domain: Any = None, size: Optional[
                           show_sites=show_sites, periodic=periodic, outline=outline, check=check, search=search,
                           progress=progress, color_scale=color_scale, color_range=color_range, legend=legend,
                           edge_width=edge_width, dot_size=dot_size, fit=fit, project=project, margin=margin,
-                          repair=repair, crs=crs)
+                          repair=repair, crs=crs, antialias=antialias, dual=dual, labels=labels,
+                          label_size=label_size, fill=fill)
 
 
 def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, size: Optional[Sequence[int]] = None,
@@ -120,7 +128,8 @@ def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, s
          progress: Optional[Progress] = None, color_scale: Optional[str] = None,
          color_range: Optional[Sequence[float]] = None, legend: bool = False, edge_width: float = 1,
          dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None, margin: Margin = None,
-         repair: bool = False, crs: Any = None) -> Diagram:
+         repair: bool = False, crs: Any = None, antialias: int = 1, dual: bool = False,
+         labels: bool = False, label_size: float = 10, fill: bool = True) -> Diagram:
     """Draws the cells as shapes, into a file: .svg or .pdf. Returns the cells, with detail="polygons".
 
     All arguments are as in `render`; the picture looks the same.
@@ -130,7 +139,8 @@ def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, s
                         show_sites=show_sites, periodic=periodic, outline=outline, check=check, search=search,
                         progress=progress, color_scale=color_scale, color_range=color_range, legend=legend,
                         edge_width=edge_width, dot_size=dot_size, fit=fit, project=project, margin=margin,
-                        repair=repair, crs=crs)
+                        repair=repair, crs=crs, antialias=antialias, dual=dual, labels=labels,
+                        label_size=label_size, fill=fill)
 
 
 def check(result: Union[Diagram, Picture], threads: Optional[int] = None) -> List[str]:

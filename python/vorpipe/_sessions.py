@@ -84,10 +84,11 @@ class Session:
                progress: Optional[Progress] = None, color_scale: Optional[str] = None,
                color_range: Optional[Sequence[float]] = None, legend: bool = False, edge_width: float = 1,
                dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None,
-               margin: Margin = None, repair: bool = False, crs: Any = None) -> Picture:
+               margin: Margin = None, repair: bool = False, crs: Any = None, antialias: int = 1, dual: bool = False,
+               labels: bool = False, label_size: float = 10, fill: bool = True) -> Picture:
         """As `vorpipe.render`."""
         look = _arguments.look_of(size, color, colormap, edges, show_sites, color_scale, color_range, legend,
-                                  edge_width, dot_size, fit, search)
+                                  edge_width, dot_size, fit, search, antialias, dual, labels, label_size, fill)
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
         given = input_of(points, weights, wanted, periodic, crs=crs)
         picture = Picture(self._session.render(given, look, progress))
@@ -101,10 +102,12 @@ class Session:
              outline: Any = None, check: bool = False, search: str = 'grid', progress: Optional[Progress] = None,
              color_scale: Optional[str] = None, color_range: Optional[Sequence[float]] = None, legend: bool = False,
              edge_width: float = 1, dot_size: Optional[float] = None, fit: Optional[str] = None,
-             project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None) -> Diagram:
+             project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None,
+             antialias: int = 1, dual: bool = False, labels: bool = False, label_size: float = 10,
+             fill: bool = True) -> Diagram:
         """As `vorpipe.draw`."""
         look = _arguments.look_of(size, color, colormap, edges, show_sites, color_scale, color_range, legend,
-                                  edge_width, dot_size, fit, search)
+                                  edge_width, dot_size, fit, search, antialias, dual, labels, label_size, fill)
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
         given = input_of(points, weights, wanted, periodic, crs=crs)
         cells = self._session.shapes(given, look, os.fspath(path), progress)

@@ -188,7 +188,8 @@ class Colors:
                  legend: bool) -> None: ...
 
 class Marks:
-    def __init__(self, edges: bool, show_sites: bool, edge_width: float, dot_size: float) -> None: ...
+    def __init__(self, *, edges: bool, show_sites: bool, dual: bool, labels: bool, fill: bool, edge_width: float,
+                 dot_size: float, label_size: float, antialias: int) -> None: ...
 
 class Look:
     def __init__(self, size: Optional[Tuple[int, int]], fit: Optional[str], colors: Colors, marks: Marks, search: str,

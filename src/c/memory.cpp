@@ -6,6 +6,7 @@
 #include "c/handles.h"
 #include "c/options.h"
 #include "c/placed_input.h"
+#include "vorpipe/shapes.h"
 
 namespace vorpipe::c {
 namespace {
@@ -73,11 +74,11 @@ vorpipe_code vorpipe_render_memory(const vorpipe_session* session, const vorpipe
     if (!placed) return fail(placed.error());
     const auto picture = renderOptions(**placed, options);
     if (!picture) return fail(picture.error());
-    const auto work = workloadOf(*(*placed)->sites, cellsOptions(*picture), imagesFor(picture->color),
+    const auto work = workloadOf(*(*placed)->sites, cellsOptions(*picture), imagesFor(*picture),
                                  session->session.device(), session->threads);
     if (!work) return fail(work.error());
     MemoryPlan plan = begun(*input, **placed, *work);
-    planPicture(plan, *work, picture->width, picture->height, picture->color);
+    planPicture(plan, *work, *picture);
     *bytes = plan.peak();
     return vorpipe_code{VORPIPE_DONE};
   });

@@ -38,6 +38,11 @@ Result<void> takeLooks(const PlacedInput& placed, const vorpipe_render_options& 
   options.legend = given.legend != 0;
   if (given.edge_width != 0) options.edge_width = given.edge_width;
   options.dot_size = given.dot_size;
+  if (given.antialias != 0) options.antialias = given.antialias;
+  options.dual = given.dual != 0;
+  options.labels = given.labels != 0;
+  options.fill = given.no_fill == 0;
+  if (given.label_size != 0) options.label_size = given.label_size;
   return {};
 }
 

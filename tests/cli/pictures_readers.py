@@ -123,7 +123,7 @@ def python_svg(scene):
     named = {int(title.text.split(",")[0][len("site ") :]) for title in root.iter(svg + "title")}
     shown = set(ids[ids != 2**32 - 1].tolist())
     assert shown <= named, f"{sorted(shown - named)} have no shape"
-    assert bool(list(root.iter(svg + "text"))) == scene.legend
+    assert bool(list(root.iter(svg + "text"))) == scene.text
     return None
 
 
@@ -208,6 +208,7 @@ class Scene:
         self.domain = domain
         self.options = ["--sites", sites, *options]
         self.edges, self.legend = "--edges" in options, "--legend" in options
+        self.text = self.legend or "--labels" in options
         self.legend_word = options[options.index("--color") + 1] if self.legend else None
 
 
@@ -220,6 +221,10 @@ def scenes(islands):
     marks = ["--edge-width", "3", "--dot-size", "9"]
     yield Scene("random:30", *size, "--edges", "--show-sites", *marks, "--color", "neighbors", "--legend")
     yield Scene("random:60", "--domain", islands, "--edges", "--show-sites", "--size", "300x200", domain=box)
+    smooth = ["--antialias", "4", "--edge-width", "2.5", "--dual"]
+    yield Scene("random:60", *size, "--edges", *smooth, "--labels")
+    yield Scene("random:40", *size, *smooth, "--no-fill", "--periodic", "xy")
+    yield Scene("random:60", "--domain", islands, "--edges", *smooth, "--size", "300x200", domain=box)
 
 
 def main():

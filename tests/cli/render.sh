@@ -53,6 +53,13 @@ tr -d ' \n' <out/legend.json | grep -qF '"color":{"by":"area","scale":"log","ran
 succeeds "marks" render --backend cpu --sites clusters:300 --size 200 --edges --edge-width 3 --show-sites --dot-size 5 \
   --ids out/marks.npy -o out/marks.png
 cmp -s out/legend.npy out/marks.npy || fail "ids depend on what is drawn over the cells"
+succeeds "marks for print" render --backend cpu --sites clusters:300 --size 200 --edges --dual --labels --label-size 6 --no-fill \
+  --antialias 3 --edge-width 1.5 --ids out/print.npy -o out/print.png --check
+cmp -s out/legend.npy out/print.npy || fail "ids depend on what is drawn over the cells"
+refuses "places by the dozen" "--antialias: \"12\" is not a whole number from 1 to 8" --sites random:9 --antialias 12
+refuses "a width of nothing" "--edge-width: needs --edges or --dual" --sites random:9 --edge-width 2
+refuses "a legend of white" "--legend: cells have no colors with --no-fill" --sites random:9 --color area --legend --no-fill
+refuses "a label too small" "--label-size: 2 is not a number of pixels from 5 to 200" --sites random:9 --labels --label-size 2
 for option in "--color-scale log" "--color-range 0,1" --legend; do
   refuses "${option%% *} by site" "${option%% *}: colors by site stand for no values" --sites random:9 $option
 done

@@ -58,6 +58,36 @@ static void keys(vorpipe_session* session, const vorpipe_input* input) {
   vorpipe_picture_free(picture);
 }
 
+/* What is drawn over cells, and smooth edges of them: ids stay. */
+static void marks(vorpipe_session* session, const vorpipe_input* input) {
+  vorpipe_render_options options = {sizeof options};
+  vorpipe_picture *plain = NULL, *marked = NULL;
+  vorpipe_array a, b;
+  uint64_t bytes = 0, more = 0;
+  options.width = options.height = 120;
+  options.no_fill = 1;
+  DONE(vorpipe_render(session, input, &options, &plain));
+  DONE(vorpipe_picture_array(plain, VORPIPE_PICTURE_RGBA, &a));
+  PROMISE(((const unsigned char*)a.data)[0] == 255);
+  DONE(vorpipe_render_memory(session, input, &options, &bytes));
+  options.edges = options.dual = options.labels = 1;
+  options.antialias = 3;
+  options.label_size = 6;
+  DONE(vorpipe_render_memory(session, input, &options, &more));
+  PROMISE(more > bytes);
+  DONE(vorpipe_render(session, input, &options, &marked));
+  DONE(vorpipe_picture_array(marked, VORPIPE_PICTURE_RGBA, &b));
+  PROMISE(memcmp(a.data, b.data, 4 * 120 * 120) != 0);
+  DONE(vorpipe_picture_array(plain, VORPIPE_PICTURE_IDS, &a));
+  DONE(vorpipe_picture_array(marked, VORPIPE_PICTURE_IDS, &b));
+  PROMISE(memcmp(a.data, b.data, 4 * 120 * 120) == 0);
+  vorpipe_picture_free(plain);
+  vorpipe_picture_free(marked);
+  marked = NULL;
+  options.antialias = 9;
+  PROMISE(vorpipe_render(session, input, &options, &marked) == VORPIPE_INPUT && marked == NULL);
+}
+
 /* A domain keeps its aspect on request, else arrays fill the picture; files tell the place of pixels. */
 static void places(vorpipe_session* session) {
   const double x[] = {0, 4}, y[] = {0, 1};
@@ -119,6 +149,7 @@ void looks_promises(vorpipe_session* session) {
   vorpipe_input* input = NULL;
   DONE(vorpipe_input_read("random:100", 1, &input));
   keys(session, input);
+  marks(session, input);
   shapes(session, input);
   places(session);
   vorpipe_input_free(input);

@@ -48,11 +48,13 @@ def test_cells_are_those_of_the_program(program, tmp_path):
 
 def test_pictures_are_those_of_the_program(program, tmp_path):
     program('render', '--domain', '5,47,15,55', '--project', 'auto', '--color', 'area', '--legend', '--edges',
-            '--edge-width', '3', '--show-sites', '--size', '300x300', '-o', 'p.png', '-o', 'p.pgw', '-o', 'p.svg', '-o',
+            '--edge-width', '2.5', '--show-sites', '--dual', '--labels', '--label-size', '6', '--antialias', '2',
+            '--size', '300x300', '-o', 'p.png', '-o', 'p.pgw', '-o', 'p.svg', '-o',
             'p.pdf', '--ids', 'p.tif')
     sites = vorpipe.read(SITES)
     look = {'domain': BOX, 'project': 'auto', 'backend': 'cpu', 'color': 'area', 'legend': True, 'edges': True,
-            'edge_width': 3, 'show_sites': True, 'size': (300, 300)}
+            'edge_width': 2.5, 'show_sites': True, 'dual': True, 'labels': True, 'label_size': 6, 'antialias': 2,
+            'size': (300, 300)}
     picture = vorpipe.render(sites, **look)
     for name in ('p.png', 'p.pgw', 'p.tif'):
         picture.save(tmp_path / f'by_{name}')

@@ -78,7 +78,8 @@ def test_colors_have_a_key():
     ('color_range', {'color_range': (1, 0), 'color': 'area'}), ('color_range', {'color_range': 3, 'color': 'area'}),
     ('legend', {'legend': True}), ('legend', {'legend': True, 'color': 'area', 'size': (20, 20)}),
     ('edge_width', {'edge_width': 0.5, 'edges': True}), ('dot_size', {'dot_size': 500, 'show_sites': True}),
-    ('fit', {'fit': 'crop'}), ('color', {'color': 'weight'})])
+    ('antialias', {'antialias': 9}), ('label_size', {'labels': True, 'label_size': 3}),
+    ('legend', {'legend': True, 'color': 'area', 'fill': False}), ('fit', {'fit': 'crop'}), ('color', {'color': 'weight'})])
 def test_a_look_that_cannot_be_is_refused(argument, arguments):
     with pytest.raises(vorpipe.InputError, match=f'^{argument}: ') as caught:
         vorpipe.render([[0, 0], [1, 1]], **{'size': (200, 100), **arguments})

@@ -19,6 +19,7 @@
 #include "io/files/error.h"
 #include "io/forecast/forecast_files.h"
 #include "io/pictures/picture_file.h"
+#include "vorpipe/shapes.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -48,7 +49,7 @@ DrawingNeeds needsOf(const PictureFiles& files) { return {files.needPixels(), fi
 
 /// What images of sites in a periodic domain are for.
 ImagesFor imagesOf(const RenderCommand& command) {
-  return command.files.needCells() ? ImagesFor::cells : imagesFor(command.picture.render.color);
+  return command.files.needCells() ? ImagesFor::cells : imagesFor(command.picture.render);
 }
 
 /// What a run takes; `options` are those of the picture, as far as they are known.
@@ -154,7 +155,7 @@ void addPictureOptions(Options& options, RenderCommand& command) {
   options.group("Picture");
   addSizeOptions(options, command.picture);
   addColorOptions(options, command.picture.render);
-  addMarkOptions(options, command.picture.render);
+  addMarkOptions(options, command.picture);
 }
 
 }  // namespace

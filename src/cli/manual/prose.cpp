@@ -34,6 +34,9 @@ Prose ofRender() {
         {"vorpipe render --sites sites.csv --edges --show-sites -o sites.png"}},
        {"Show how large cells are:",
         {"vorpipe render --sites jitter:2000 --color area --colormap magma -o area.png"}},
+       {"Draw a figure for print, and the same as shapes:",
+        {"vorpipe render --sites random:60 --edges --dual --labels --no-fill --antialias 4 -o figure.png -o "
+         "figure.pdf"}},
        {"Draw a power diagram:",
         {"vorpipe render --sites random:300 --random-weights 0,0.01 --color weight -o power.png"}},
        {"Get the site of each pixel as an array:",

@@ -40,13 +40,20 @@ Parsed<ColorRange> parseColorRange(std::string_view text) {
   return ColorRange{range->low, range->high};
 }
 
-/// A width in pixels.
-Parsed<double> parsePixels(std::string_view text, double least) {
+/// A width or a height in pixels.
+Parsed<double> parsePixels(std::string_view text, double least, double most = widest_mark) {
   const auto number = parseNumber(text);
   if (!number) return tl::unexpected(number.error());
-  if (*number >= least && *number <= widest_mark) return *number;
-  return tl::unexpected(
-      fmt::format("{} is not a number of pixels from {} to {}", *number, least, widest_mark));
+  if (*number >= least && *number <= most) return *number;
+  return tl::unexpected(fmt::format("{} is not a number of pixels from {} to {}", *number, least, most));
+}
+
+/// Rows and columns of places in a pixel.
+Parsed<int> parsePlaces(std::string_view text) {
+  constexpr std::uint64_t most = 8;
+  const auto number = parseWhole(text, 1, most);
+  if (!number) return tl::unexpected(number.error());
+  return static_cast<int>(*number);
 }
 
 }  // namespace
@@ -108,18 +115,34 @@ void addColorOptions(Options& options, RenderOptions& picture) {
   options.addFlag("--legend", picture.legend, "draws what the colors stand for into the lower left corner");
 }
 
-void addMarkOptions(Options& options, RenderOptions& picture) {
-  const Option edges = options.addFlag("--edges", picture.edges, "darkens the edges of the cells");
+void addMarkOptions(Options& options, PictureOptions& picture) {
+  RenderOptions& render = picture.render;
+  options.addFlag("--edges", render.edges, "darkens the edges of the cells");
+  options.addFlag("--dual", render.dual,
+                  "draws lines between sites whose cells have a common edge: the Delaunay triangulation");
   addParsed(options, "--edge-width", picture.edge_width, "PX",
-            fmt::format("how wide edges are, 1 to {} pixels [1]", widest_mark),
-            [](std::string_view text) { return parsePixels(text, 1); })
-      .needs(edges);
-  const Option sites = options.addFlag("--show-sites", picture.show_sites, "draws a dot at each site");
+            fmt::format("how wide edges and lines of --dual are, 1 to {} pixels; edges in a .png without "
+                        "--antialias have a whole number of them [1]",
+                        widest_mark),
+            [](std::string_view text) { return parsePixels(text, 1); });
+  const Option sites = options.addFlag("--show-sites", render.show_sites, "draws a dot at each site");
   addParsed(
-      options, "--dot-size", picture.dot_size, "PX",
+      options, "--dot-size", render.dot_size, "PX",
       fmt::format("how wide dots are, 1 to {} pixels [by the spacing of the sites that show]", widest_mark),
       [](std::string_view text) { return parsePixels(text, 1); })
       .needs(sites);
+  const Option labels = options.addFlag(
+      "--labels", render.labels,
+      "writes the index of each site, counted from 0 as in --ids, into its cell where it has room");
+  addParsed(options, "--label-size", render.label_size, "PX",
+            fmt::format("how high the digits are, 5 to 200 pixels [{}]", render.label_size),
+            [](std::string_view text) { return parsePixels(text, 5, 200); })
+      .needs(labels);
+  options.addFlag("--no-fill", picture.no_fill, "leaves the cells white");
+  addParsed(options, "--antialias", render.antialias, "N",
+            "smooths a .png: each pixel has the mean color of N x N places, 1 to 8; --ids are those of the "
+            "centers [1]",
+            parsePlaces);
 }
 
 PictureSize sizeBefore(const SizeChoice& size) {

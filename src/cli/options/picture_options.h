@@ -22,6 +22,8 @@ struct PictureOptions {
   RenderOptions render{};
   SizeChoice size;
   std::optional<Fit> fit;
+  std::optional<double> edge_width;
+  bool no_fill = false;
 };
 
 /// --size, --view, --fit
@@ -32,8 +34,8 @@ Option addFitOption(Options& options, std::optional<Fit>& fit);
 Option addViewOption(Options& options, std::optional<Box>& view);
 /// --color, --colormap, --color-scale, --color-range, --legend
 void addColorOptions(Options& options, RenderOptions& picture);
-/// --edges, --edge-width, --show-sites, --dot-size
-void addMarkOptions(Options& options, RenderOptions& picture);
+/// --edges, --dual, --edge-width, --show-sites, --dot-size, --labels, --label-size, --no-fill, --antialias
+void addMarkOptions(Options& options, PictureOptions& picture);
 
 /// The size that is known before the sites are; 1 x 1 where it is not.
 PictureSize sizeBefore(const SizeChoice& size);

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "io/forecast/forecast_files.h"
+#include "vorpipe/shapes.h"
 
 namespace vorpipe::cli {
 
@@ -57,11 +58,11 @@ Result<std::vector<std::string>> checkDrawing(const Sites& sites, const RenderOp
 
 void planDrawing(MemoryPlan& plan, const Workload& work, const RenderOptions& options,
                  const DrawingNeeds& needs, bool checks) {
-  if (needs.pixels) planPicture(plan, work, options.width, options.height, options.color);
+  if (needs.pixels) planPicture(plan, work, options);
   if (needs.cells) planCells(plan, work, Detail::polygons);
   if (checks && needs.pixels) planPictureCheck(plan, work, options.width, options.height);
   if (checks && needs.cells) planCellsCheck(plan, work, Detail::polygons);
-  if (needs.cells) planShapes(plan, work, options.color, options.show_sites);
+  if (needs.cells) planShapes(plan, work, options);
 }
 
 }  // namespace vorpipe::cli

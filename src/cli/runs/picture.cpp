@@ -24,6 +24,9 @@ Result<void> checkPicture(const RenderOptions& picture, const InputOptions& site
         fmt::format("--color: weight needs weights; {} has none, and there is no --weights", sites.sites));
   }
   const std::string_view scaled = scaleOption(picture);
+  if (picture.legend && !picture.fill) {
+    return inputError("--legend: cells have no colors with --no-fill");
+  }
   if (picture.color == ColorBy::site && !scaled.empty()) {
     return inputError(
         fmt::format("{}: colors by site stand for no values; name --color area, neighbors or "
@@ -57,6 +60,11 @@ Result<RenderOptions> pictureOf(const PictureOptions& picture, const InputOption
   options.width = size.width;
   options.height = size.height;
   options.fit = picture.fit.value_or(usualFit(input));
+  options.fill = !picture.no_fill;
+  if (picture.edge_width) {
+    if (!options.edges && !options.dual) return inputError("--edge-width: needs --edges or --dual");
+    options.edge_width = *picture.edge_width;
+  }
   if (auto checked = checkView(options); !checked) return inputError("--view: " + checked.error().message);
   if (auto checked = checkPicture(options, sites, input); !checked) return tl::unexpected(checked.error());
   return options;

@@ -3,6 +3,7 @@
 
 #include "backend/backend.h"
 #include "core/forecast/forecast.h"
+#include "vorpipe/shapes.h"
 
 namespace vorpipe {
 
@@ -96,14 +97,52 @@ Arrays planScene(MemoryPlan& plan, const Workload& work) {
   return scene;
 }
 
+/// Whatever the colors: cells are known where weights or an outline ask for them.
+bool cellsAreKnown(const Workload& work, ColorBy color) {
+  return color == ColorBy::area || color == ColorBy::neighbors || work.weighted || work.outlined;
+}
+
+/// Plans marksOf(), whose lines grow by doubling.
+Arrays planMarks(MemoryPlan& plan, const Workload& work, const RenderOptions& options) {
+  const std::string_view what = "lines and labels";
+  const auto edges = partOf(work.sites, work.spread.edges / 2);
+  const std::uint64_t line = sizeof(Line);
+  Arrays kept;
+  const auto lines = [&] {
+    plan.drop(plan.take(what, edges * line / 2));
+    kept.push_back(plan.take(what, 2 * edges * line, edges * line));
+  };
+  if (options.edges && options.antialias > 1) lines();
+  if (options.dual) lines();
+  if (options.labels) {
+    if (work.periodic) plan.drop(plan.take(what, 2 * work.sites * number));
+    const double box = options.label_size * options.label_size;
+    const auto room = static_cast<std::uint64_t>(options.width / box * options.height);
+    kept.push_back(plan.take(what, std::min(work.sites, room) * 2 * sizeof(SiteLabel)));
+  }
+  return kept;
+}
+
+/// Plans the places of pixels, some rows of them at a time.
+Arrays planPlaces(MemoryPlan& plan, const Workload& work, const RenderOptions& options) {
+  const auto in_pixel = static_cast<std::uint64_t>(options.antialias);
+  const auto rows =
+      static_cast<std::uint64_t>(std::min(options.height, rowsAtOnce(options.width, options.antialias)));
+  const auto width = in_pixel * static_cast<std::uint64_t>(options.width), height = in_pixel * rows;
+  Arrays passing{plan.take("places of pixels", 2 * width * height * word)};
+  append(passing, planViews(plan, work, width, height));
+  return passing;
+}
+
 }  // namespace
 
-Arrays planPicture(MemoryPlan& plan, const Workload& work, int width, int height, ColorBy color) {
-  const bool known = color == ColorBy::area || color == ColorBy::neighbors || work.weighted || work.outlined;
+Arrays planPicture(MemoryPlan& plan, const Workload& work, const RenderOptions& options) {
+  const ColorBy color = options.color;
+  const bool known = cellsAreKnown(work, color), marked = marksNeedCells(options);
   const auto sites = work.sites + work.images;
-  Arrays working, image;
+  Arrays working, image, marks;
   if (known) {
-    const PlannedCells cells = planCellsFor(plan, work, Detail::measures, ImagesFor::pictures);
+    const PlannedCells cells = planCellsFor(plan, work, marksDetail(options), ImagesFor::pictures);
     append(working, cells.diagram);
     append(working, cells.run);
   } else {
@@ -112,20 +151,40 @@ Arrays planPicture(MemoryPlan& plan, const Workload& work, int width, int height
     append(working, set.sites);
     image.push_back(set.owner);
   }
+  if (marked) {
+    const Arrays cells = known ? Arrays{} : planCells(plan, work, marksDetail(options));
+    marks = planMarks(plan, work, options);
+    plan.drop(cells);
+  }
   working.push_back(plan.take("colors of sites", work.sites));
   if (color != ColorBy::site) plan.drop(plan.take("colors of sites", work.sites * number));
   working.push_back(plan.take("colors of sites", sites));
   working.push_back(plan.take("statuses", sites + sites / number));
-  const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
-  for (int k = 0; k < 2; ++k) image.push_back(plan.take("the picture", pixels * word));
+  const auto width = static_cast<std::uint64_t>(options.width);
+  const auto height = static_cast<std::uint64_t>(options.height);
+  for (int k = 0; k < 2; ++k) image.push_back(plan.take("the picture", width * height * word));
   append(working, known ? planPolygons(plan, work, sites) : planSearchAndDrawing(plan, work, sites));
-  append(working,
-         planViews(plan, work, static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height)));
+  const Arrays views = planViews(plan, work, width, height);
   planNearest(plan, work, sites);
   image.push_back(plan.take("statuses", work.sites));
+  if (options.antialias > 1) plan.drop(views);
+  append(working, options.antialias > 1 ? planPlaces(plan, work, options) : views);
   planReserve(plan);
   plan.drop(working);
+  plan.drop(marks);
   return image;
+}
+
+Arrays planPicture(MemoryPlan& plan, const Workload& work, int width, int height, ColorBy color) {
+  RenderOptions options{};
+  options.width = width;
+  options.height = height;
+  options.color = color;
+  return planPicture(plan, work, options);
+}
+
+ImagesFor imagesFor(const RenderOptions& options) {
+  return marksNeedCells(options) ? ImagesFor::cells : imagesFor(options.color);
 }
 
 void planPictureCheck(MemoryPlan& plan, const Workload& work, int width, int height) {

@@ -31,6 +31,32 @@ constexpr auto glyphs = std::to_array<Glyph>({
     {'7', 6, "0m8m2a"},
     {'8', 6, "~4m8m8g0g0m4m ~4g8g8a0a0g4g"},
     {'9', 6, "~0c0a8a8m0m0f8f"},
+    {'A', 6, "0a4m8a 2e6e"},
+    {'B', 6, "~0m7m7g0g ~0g8g8a0a 0a0m"},
+    {'C', 6, "~8k8m0m0a8a8c"},
+    {'D', 6, "~0m8m8a0a 0a0m"},
+    {'E', 6, "8m0m0a8a 0g6g"},
+    {'F', 6, "8m0m0a 0g6g"},
+    {'G', 6, "~8k8m0m0a8a8f 8f5f"},
+    {'H', 6, "0a0m 8a8m 0g8g"},
+    {'I', 4, "0a4a 0m4m 2a2m"},
+    {'J', 6, "~8m8a0a0d"},
+    {'K', 6, "0a0m 8m0e 2g8a"},
+    {'L', 6, "0m0a8a"},
+    {'M', 6, "0a0m4e8m8a"},
+    {'N', 6, "0a0m8a8m"},
+    {'O', 7, "~5m:m:a0a0m5m"},
+    {'P', 6, "0a0m ~0m8m8f0f"},
+    {'Q', 7, "~5m:m:a0a0m5m 6d:a"},
+    {'R', 6, "0a0m ~0m8m8g0g 4g8a"},
+    {'S', 6, "~8k8m0m0g8g8a0a0c"},
+    {'T', 6, "4a4m 0m8m"},
+    {'U', 6, "~0m0a8a8m"},
+    {'V', 6, "0m4a8m"},
+    {'W', 6, "0m2a4i6a8m"},
+    {'X', 6, "0m8a 0a8m"},
+    {'Y', 6, "0m4g8m 4g4a"},
+    {'Z', 6, "0m8m0a8a"},
     {'a', 6, "~0i8i8a ~8e0e0a8a"},
     {'b', 6, "0m0a ~0i8i8a0a"},
     {'c', 6, "~8g8i0i0a8a8c"},
@@ -59,6 +85,10 @@ constexpr auto glyphs = std::to_array<Glyph>({
     {'z', 6, "0i8i0a8a"},
     {'.', 2, "0a0a"},
     {',', 3, "2a0C"},
+    {':', 2, "0b0b 0h0h"},
+    {'/', 6, "0a8m"},
+    {'=', 6, "0e8e 0i8i"},
+    {'_', 6, "0A8A"},
     {'-', 6, "1g7g"},
     {'+', 6, "0g8g 4c4k"},
     {'%', 6, "8m0a ~1m3m3j0j0m1m ~7d8d8a5a5d7d"},
@@ -132,19 +162,29 @@ double distanceTo(const Stroke& stroke, Point p) {
   return least;
 }
 
-/// Draws a character whose lower left corner, on the baseline, is that of a pixel.
-void drawGlyph(const Glyph& glyph, int left, int baseline, int unit, Image& image) {
-  constexpr std::uint32_t black = 0xFF000000u;
+/// Draws a character from its lower left corner, on the baseline.
+void drawGlyph(const Glyph& glyph, Point at, double unit, std::uint32_t color, Image& image) {
   constexpr int above = letter_units + 1, below = 3;
   const auto strokes = strokesOf(glyph);
-  for (int row = -above * unit; row < below * unit; ++row) {
-    for (int column = -unit; column < glyph.advance * unit; ++column) {
+  const auto first = [](double edge) { return static_cast<int>(std::floor(edge)); };
+  const auto last = [](double edge) { return static_cast<int>(std::ceil(edge)); };
+  for (int row = first(at.y - above * unit); row < last(at.y + below * unit); ++row) {
+    for (int column = first(at.x - unit); column < last(at.x + glyph.advance * unit); ++column) {
       // The pen's middle is that of a cell of the letter's grid.
-      const Point at{(column + 0.5) / unit - 0.5, -(row + 0.5) / unit - 0.5};
+      const Point place{(column - at.x + 0.5) / unit - 0.5, -(row - at.y + 0.5) / unit - 0.5};
       double distance = 1;
-      for (const Stroke& stroke : strokes) distance = std::min(distance, distanceTo(stroke, at));
-      blend(image, baseline + row, left + column, black, (0.5 - distance) * unit + 0.5);
+      for (const Stroke& stroke : strokes) distance = std::min(distance, distanceTo(stroke, place));
+      blend(image, row, column, color, (0.5 - distance) * unit + 0.5);
     }
+  }
+}
+
+/// Draws a text from a place on its baseline.
+void drawGlyphs(std::string_view text, Point at, double unit, std::uint32_t color, Image& image) {
+  for (const char character : text) {
+    const Glyph& glyph = glyphOf(character);
+    drawGlyph(glyph, at, unit, color, image);
+    at.x += glyph.advance * unit;
   }
 }
 
@@ -160,12 +200,13 @@ void drawText(const LegendText& text, Image& image) {
   const int unit = std::max(1, static_cast<int>(std::lround(text.height / letter_units)));
   const int width = unitsOf(text.text) * unit;
   const int before = text.anchor == Anchor::start ? 0 : text.anchor == Anchor::middle ? width / 2 : width;
-  int left = static_cast<int>(std::lround(text.x)) - before;
-  for (const char character : text.text) {
-    const Glyph& glyph = glyphOf(character);
-    drawGlyph(glyph, left, static_cast<int>(std::lround(text.baseline)), unit, image);
-    left += glyph.advance * unit;
-  }
+  const Point at{std::round(text.x) - before, std::round(text.baseline)};
+  constexpr std::uint32_t black = 0xFF000000u;
+  drawGlyphs(text.text, at, unit, black, image);
+}
+
+void drawTextAt(std::string_view text, Point at, double height, std::uint32_t color, Image& image) {
+  drawGlyphs(text, at, height / letter_units, color, image);
 }
 
 }  // namespace vorpipe::core

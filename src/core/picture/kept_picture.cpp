@@ -12,6 +12,7 @@
 #include "core/picture/palette_index.h"
 #include "core/sites/bin_sort.h"
 #include "core/sites/weights.h"
+#include "vorpipe/shapes.h"
 
 namespace vorpipe::core {
 namespace {
@@ -90,7 +91,9 @@ Result<KeptPicture> findPicture(const Machine& machine, const Sites& sites, cons
                                 bool with_cells) {
   auto rings = ringsOf(options.outline, scaleExponent(options.domain));
   if (!rings) return tl::unexpected(rings.error());
-  auto found = with_cells ? findCells(machine, sites, cellsOptions(options), ImagesFor::pictures)
+  CellsOptions cells = cellsOptions(options);
+  cells.detail = marksDetail(options);
+  auto found = with_cells ? findCells(machine, sites, cells, ImagesFor::pictures)
                           : prepareSites(machine, sites, options);
   if (!found) return tl::unexpected(found.error());
   KeptPicture kept{std::move(*rings), std::move(*found), {}};

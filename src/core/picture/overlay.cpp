@@ -10,9 +10,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::uint32_t edge_color = 0xFF181818u;
-constexpr std::uint32_t dot_color = 0xFFFFFFFFu;
-constexpr std::uint32_t rim_color = 0xFF000000u;
+constexpr std::uint32_t dot_color = white, rim_color = black;
 
 /// Where the cell ends at the outline on its left or upper side, its own pixel is of the edge.
 bool isEdge(const Image& image, int row, int column) {
@@ -99,20 +97,22 @@ void widenRows(Image& image, const Disk& disk, int begin, int end) {
   }
 }
 
-void drawDot(Image& image, double x, double y, const DotSize& dot) {
+/// Draws a dot about a place, all in pixels of the image.
+void drawDot(Image& image, Point at, const DotSize& dot, std::uint32_t color) {
   const int reach = static_cast<int>(std::ceil(dot.radius));
-  const int center_column = static_cast<int>(x), center_row = static_cast<int>(y);
+  const int center_column = static_cast<int>(std::floor(at.x)),
+            center_row = static_cast<int>(std::floor(at.y));
   const int left = std::max(0, center_column - reach);
   const int right = std::min(image.width - 1, center_column + reach);
   const int bottom = std::min(image.height - 1, center_row + reach);
   for (int row = std::max(0, center_row - reach); row <= bottom; ++row) {
     for (int column = left; column <= right; ++column) {
-      const double distance = std::hypot(column + 0.5 - x, row + 0.5 - y);
+      const double distance = std::hypot(column + 0.5 - at.x, row + 0.5 - at.y);
       const auto pixel = pixelAt(image, row, column);
       // The smallest dot may reach no center.
       const bool inside = distance <= dot.radius || (row == center_row && column == center_column);
       if (!inside || image.ids[pixel] == no_site) continue;
-      image.rgba[pixel] = distance > dot.radius - dot.rim && dot.rim > 0 ? rim_color : dot_color;
+      image.rgba[pixel] = distance > dot.radius - dot.rim && dot.rim > 0 ? rim_color : color;
     }
   }
 }
@@ -171,12 +171,21 @@ void drawEdges(Image& image, double width, int threads) {
               });
 }
 
-void drawSites(Image& image, const Sites& sites, const Box& domain, double size) {
+SiteDots::SiteDots(const Image& image, const Sites& sites, const Box& domain, double size)
+    : picture_(image), sites_(sites), domain_(domain) {
   const SitePixels places(image, sites, domain);
   const double spacing = size == 0 ? spacingOf(image, places, sites.size()) : 0;
-  const DotSize dot = dotSizeOf(size, spacing, {image.width, image.height});
-  for (std::size_t i = 0; i < sites.size(); ++i) {
-    if (places.shows(i)) drawDot(image, places.x(i), places.y(i), dot);
+  dot_ = dotSizeOf(size, spacing, {image.width, image.height});
+}
+
+void SiteDots::draw(const Places& places, bool white_cells, Image& image) const {
+  const SitePixels at(picture_, sites_, domain_);
+  const double scale = places.in_pixel;
+  const DotSize dot{dot_.radius * scale, dot_.rim * scale};
+  const std::uint32_t color = white_cells ? black : dot_color;
+  for (std::size_t i = 0; i < sites_.size(); ++i) {
+    if (!at.shows(i)) continue;
+    drawDot(image, {(at.x(i) - places.left) * scale, (at.y(i) - places.top) * scale}, dot, color);
   }
 }
 

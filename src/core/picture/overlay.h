@@ -2,7 +2,7 @@
 /// as they are.
 #pragma once
 
-#include "vorpipe.h"
+#include "core/picture/strokes.h"
 
 namespace vorpipe::core {
 
@@ -12,8 +12,22 @@ namespace vorpipe::core {
 /// 2 of its lower right corner.
 void drawEdges(Image& image, double width, int threads);
 
-/// Draws a dot at each site in a pixel that has a site. `size` is its diameter in pixels; 0: about a quarter
-/// of the spacing of those sites that show, and whose cells do. Ids of the image are indices of `sites`.
-void drawSites(Image& image, const Sites& sites, const Box& domain, double size);
+/// Draws a dot at each site in a pixel that has a site.
+class SiteDots {
+ public:
+  /// `image` is the picture, whose ids are indices of `sites`; what it has besides dots may change. `size` is
+  /// their diameter in pixels; 0: about a quarter of the spacing of those sites that show, and whose cells
+  /// do. All of it outlives this.
+  SiteDots(const Image& image, const Sites& sites, const Box& domain, double size);
+
+  /// `white_cells`: dots are black, since white ones would not show.
+  void draw(const Places& places, bool white_cells, Image& image) const;
+
+ private:
+  const Image& picture_;
+  const Sites& sites_;
+  Box domain_;
+  DotSize dot_;
+};
 
 }  // namespace vorpipe::core

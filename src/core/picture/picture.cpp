@@ -1,116 +1,21 @@
 #include "core/picture/picture.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "base/stopwatch.h"
-#include "core/drawing/near_view.h"
 #include "core/outline/pixel_mask.h"
 #include "core/periodic/scene.h"
 #include "core/picture/colormap.h"
 #include "core/picture/draw_legend.h"
+#include "core/picture/draw_marks.h"
+#include "core/picture/draw_places.h"
 #include "core/picture/frame.h"
-#include "core/picture/overlay.h"
-#include "core/picture/shown_part.h"
-#include "core/picture/uncovered.h"
 #include "vorpipe.h"
 
 namespace vorpipe::core {
 namespace {
-
-/// A picture that is drawn in parts has several views: the place of one in the image, rows from the bottom.
-struct Part {
-  int column, row, width, height;
-};
-
-std::vector<Part> partsOf(int width, int height, int most) {
-  std::vector<Part> parts;
-  for (int row = 0; row < height; row += most) {
-    for (int column = 0; column < width; column += most) {
-      parts.push_back({column, row, std::min(most, width - column), std::min(most, height - row)});
-    }
-  }
-  return parts;
-}
-
-/// Copies a part, whose row 0 is the bottom, into the image, whose row 0 is the top.
-void place(const Part& part, const std::vector<std::uint32_t>& from, const Image& image,
-           std::vector<std::uint32_t>& to) {
-  const auto width = static_cast<std::size_t>(part.width);
-  for (int row = 0; row < part.height; ++row) {
-    const auto target =
-        static_cast<std::size_t>(image.height - 1 - part.row - row) * static_cast<std::size_t>(image.width) +
-        static_cast<std::size_t>(part.column);
-    std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(row) * width), width,
-                to.begin() + static_cast<std::ptrdiff_t>(target));
-  }
-}
-
-/// What was drawn of a picture, and how.
-struct Drawn {
-  Image image;
-  double download_seconds = 0;
-  std::uint64_t uncovered = 0;  ///< pixels that the device left
-};
-
-View viewOf(const ShownPart& shown, const Part& part, const Palette& palette) {
-  return {shown.boxOf(part.column, part.row, part.width, part.height),
-          part.width,
-          part.height,
-          palette,
-          {shown.box.xmin, shown.box.ymin}};
-}
-
-/// `room` is how many pixels the picture will have.
-Result<Drawn> drawParts(Backend& backend, CellDrawing& drawing, const NearestSites& nearest,
-                        const ShownPart& shown, const Palette& palette, std::size_t room) {
-  Drawn drawn{{shown.width, shown.height, {}, {}}};
-  Image& image = drawn.image;
-  const auto pixels = static_cast<std::size_t>(shown.width) * static_cast<std::size_t>(shown.height);
-  image.rgba.reserve(room);
-  image.ids.reserve(room);
-  image.rgba.resize(pixels);
-  image.ids.resize(pixels);
-  std::vector<std::uint32_t> rgba;
-  std::vector<std::uint32_t> ids;
-  for (const auto& part : partsOf(shown.width, shown.height, backend.info().max_view)) {
-    const View view = viewOf(shown, part, palette);
-    if (auto done = drawing.draw(view); !done) return tl::unexpected(done.error());
-    rgba.resize(static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height));
-    ids.resize(rgba.size());
-    Stopwatch watch;
-    if (auto read = drawing.read(view, rgba, ids); !read) return tl::unexpected(read.error());
-    drawn.uncovered += coverRest(nearest, view, rgba, ids);
-    place(part, rgba, image, image.rgba);
-    place(part, ids, image, image.ids);
-    drawn.download_seconds += watch.seconds();
-  }
-  if (pixels == 0) {
-    if (auto found = drawing.findStatuses(); !found) return tl::unexpected(found.error());
-  }
-  return drawn;
-}
-
-/// Which cells are drawn, and by whom. To choose them pays where the others are as many at least.
-WhatToDraw whatToDraw(const SiteSet& set, const RenderOptions& options, const ShownPart& shown, int threads) {
-  WhatToDraw what;
-  if (!options.view) return what;
-  if (shown.width == 0) {
-    what.shown.emplace();
-    return what;
-  }
-  const View view = viewOf(shown, {0, 0, shown.width, shown.height}, {});
-  what.by_device = isForDevices(view);
-  if (!set.weight.empty()) return what;
-  const Box& box = view.box;
-  const Box in_set{view.corner.x + box.xmin, view.corner.y + box.ymin, view.corner.x + box.xmax,
-                   view.corner.y + box.ymax};
-  const Box& domain = set.domain;
-  const double part = (box.xmax - box.xmin) / (domain.xmax - domain.xmin) *
-                      ((box.ymax - box.ymin) / (domain.ymax - domain.ymin));
-  if (2 * part < 1 || !what.by_device) what.shown = sitesNear(set, in_set, threads);
-  return what;
-}
 
 /// A site has a cell if it or one of its images was drawn with one.
 std::vector<Status> drawnStatuses(const SiteSet& set, const Scene& scene,
@@ -149,19 +54,28 @@ void beginReport(const KeptPicture& kept, Report& report) {
   report.validation_messages = cells.validation_messages;
 }
 
-/// Darkens edges in a part of an image alone: where the domain ends, cells do, but no other begins.
-void drawEdgesIn(const PictureFrame& part, double width, int threads, Image& image) {
-  if (part.width == image.width && part.height == image.height) return drawEdges(image, width, threads);
-  if (part.width == 0) return;
-  Image cut = partOf(image, part);
-  drawEdges(cut, width, threads);
-  putPart(cut, part, image);
+/// The color of each cell that has a label, by site.
+std::vector<std::uint32_t> colorsIn(const KeptPicture& kept, const Marks& marks, const Palette& palette) {
+  if (marks.labels.empty()) return {};
+  const SiteSet& set = kept.found.run->prepared.set;
+  std::vector<std::uint32_t> colors(kept.found.scene.imaged.count);
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    colors[kept.found.scene.siteOf(set.id[i])] = palette[kept.colors->index[i]];
+  }
+  return colors;
+}
+
+/// Of cells without fill.
+Palette whitePalette() {
+  Palette palette;
+  palette.fill(white);
+  return palette;
 }
 
 /// Draws what lies over cells, masks what lies outside of the outline, and makes the picture as large as it
-/// is to be.
-void finish(const Sites& sites, const KeptPicture& kept, const RenderOptions& options, int threads,
-            Image& image) {
+/// is to be. `places` draws cells with several places in a pixel.
+Result<void> finish(const Sites& sites, const KeptPicture& kept, const RenderOptions& options, int threads,
+                    const Marks& marks, const Palette& palette, PlacesDrawing* places, Image& image) {
   const Scene& scene = kept.found.scene;
   const PictureFrame frame = shownFrame(options), shown = domainFrame(options);
   const PictureFrame in_frame{shown.left - frame.left, shown.top - frame.top, shown.width, shown.height};
@@ -169,15 +83,16 @@ void finish(const Sites& sites, const KeptPicture& kept, const RenderOptions& op
   if (!options.outline.empty()) {
     maskOutside(kept.rings, shownBox(options), kept.found.run->prepared.exponent, threads, image);
   }
-  if (options.edges) drawEdgesIn(in_frame, options.edge_width, threads, image);
-  if (options.show_sites) {
-    drawSites(image, scene.sitesOr(sites), shownIn(scene, options), options.dot_size);
-  }
+  const Overlays overlays{options, marks, scene.sitesOr(sites), shownIn(scene, options), in_frame, threads};
+  const auto draw = [&](int first, int last) { return places->draw(first, last); };
+  if (auto drawn = drawOverlays(overlays, draw, image); !drawn) return drawn;
   nameSites(scene, image.ids);
   putIntoFrame(frame, options.width, options.height, image);
+  drawLabels(marks, options, colorsIn(kept, marks, palette), image);
   if (options.legend) {
     drawLegend(legendOf(*kept.colors->key, options.colormap, options.width, options.height), image);
   }
+  return {};
 }
 
 }  // namespace
@@ -202,9 +117,10 @@ CellsOptions cellsOptions(const RenderOptions& picture) {
 namespace vorpipe::core {
 
 Result<Rendering> renderKept(const Machine& machine, const Sites& sites, const RenderOptions& options,
-                             KeptPicture& kept) {
-  const auto palette = paletteByName(options.colormap);
-  if (!palette) return tl::unexpected(palette.error());
+                             const Marks& marks, KeptPicture& kept) {
+  const auto colormap = paletteByName(options.colormap);
+  if (!colormap) return tl::unexpected(colormap.error());
+  const Palette palette = options.fill ? *colormap : whitePalette();
   Rendering rendering;
   Report& report = rendering.report;
   beginReport(kept, report);
@@ -224,14 +140,21 @@ Result<Rendering> renderKept(const Machine& machine, const Sites& sites, const R
                       palette_indices, std::move(what), kept.before);
   const NearestSites nearest{run->judge, set, palette_indices, scene.sitesOr(sites).size(), machine.threads};
   const auto room = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
-  auto picture = drawParts(machine.backend, drawing, nearest, shown, *palette, room);
+  auto picture = drawParts(machine.backend, drawing, nearest, shown, palette, room);
   if (!picture) return tl::unexpected(picture.error());
   rendering.image = std::move(picture->image);
-  finish(sites, kept, options, machine.threads, rendering.image);
-
   report.time_ms.download = 1e3 * picture->download_seconds;
   report.pixels = picture->uncovered;
   drawing.describe(report);
+  std::optional<PlacesDrawing> places;
+  if (options.antialias > 1) places.emplace(machine, nearest, options, palette, kept);
+  const Stopwatch finish_watch;
+  if (auto done = finish(sites, kept, options, machine.threads, marks, palette, places ? &*places : nullptr,
+                         rendering.image);
+      !done) {
+    return tl::unexpected(done.error());
+  }
+  if (places) report.time_ms.draw += 1e3 * finish_watch.seconds();
   rendering.status = kept.hasCells() ? cells.status : drawnStatuses(set, scene, kept.before.status);
   countStatuses(rendering.status, report);
   rendering.owner = kept.hasCells() ? cells.owner : run->prepared.owner;
@@ -251,9 +174,22 @@ Result<Rendering> renderOn(const Machine& machine, const Sites& sites, const Ren
   if (auto checked = checkRender(options); !checked) return tl::unexpected(checked.error());
   const auto with_cells = needsCells(sites, options, machine.threads);
   if (!with_cells) return tl::unexpected(with_cells.error());
+  // Before the cells that are drawn, since only one run at a time has the exact tier. Where the picture is
+  // not drawn from cells as data, these change no pixel's site.
+  std::optional<Diagram> apart;
+  if (marksNeedCells(options) && !*with_cells) {
+    CellsOptions wanted = cellsOptions(options);
+    wanted.detail = marksDetail(options);
+    auto found = cellsOn(machine, sites, wanted);
+    if (!found) return tl::unexpected(found.error());
+    apart = std::move(*found);
+  }
   auto kept = findPicture(machine, sites, options, *with_cells);
   if (!kept) return tl::unexpected(kept.error());
-  return renderKept(machine, sites, options, *kept);
+  const auto marks = marksOf(sites, apart ? *apart : kept->found.diagram, options, machine.threads);
+  if (!marks) return tl::unexpected(marks.error());
+  apart.reset();
+  return renderKept(machine, sites, options, *marks, *kept);
 }
 
 }  // namespace vorpipe::core

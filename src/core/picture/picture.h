@@ -3,6 +3,7 @@
 
 #include "core/judge/machine.h"
 #include "core/picture/kept_picture.h"
+#include "vorpipe/shapes.h"
 
 namespace vorpipe::core {
 
@@ -12,8 +13,9 @@ Result<Rendering> renderOn(const Machine& machine, const Sites& sites, const Ren
 /// Refuses what renderOn does, of the options alone.
 Result<void> checkRender(const RenderOptions& options);
 
-/// The same picture, from what another one was drawn from; checkRender found nothing to refuse.
+/// The same picture, from what another one was drawn from; checkRender found nothing to refuse. `marks`
+/// are those of its options.
 Result<Rendering> renderKept(const Machine& machine, const Sites& sites, const RenderOptions& options,
-                             KeptPicture& kept);
+                             const Marks& marks, KeptPicture& kept);
 
 }  // namespace vorpipe::core

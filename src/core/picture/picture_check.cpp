@@ -26,8 +26,18 @@ Result<void> checkPicture(const RenderOptions& options) {
   if (!(options.edge_width >= 1 && options.edge_width <= widest)) {
     return refuse(fmt::format("edge width {}: must be 1 to {} pixels", options.edge_width, widest));
   }
+  if (options.legend && !options.fill) return refuse("legend: cells without fill have no colors");
   if (!(options.dot_size >= 0 && options.dot_size <= widest)) {
     return refuse(fmt::format("dot size {}: must be 0 to {} pixels", options.dot_size, widest));
+  }
+  constexpr int most_places = 8;
+  if (options.antialias < 1 || options.antialias > most_places) {
+    return refuse(fmt::format("antialias {}: must be 1 to {}", options.antialias, most_places));
+  }
+  constexpr double least_label = 5, largest_label = 200;
+  if (!(options.label_size >= least_label && options.label_size <= largest_label)) {
+    return refuse(fmt::format("label size {}: must be {} to {} pixels", options.label_size, least_label,
+                              largest_label));
   }
   return checkView(options);
 }

@@ -26,8 +26,10 @@ PictureFrame frameOf(const Box& domain, int width, int height, Fit fit) {
   const double wide = (domain.xmax - domain.xmin) / width, high = (domain.ymax - domain.ymin) / height;
   const double fitting_width = wide < high ? width * (wide / high) : width;
   const double fitting_height = high < wide ? height * (high / wide) : height;
-  // Of a picture as wide as its height asks for, rounding leaves up to a pixel.
-  if (width - fitting_width <= 1 && height - fitting_height <= 1) return whole;
+  // Of a picture as wide as its height asks for, rounding leaves up to a pixel, and that of doubles a little
+  // more.
+  constexpr double most_left = 1 + 1e-6;
+  if (width - fitting_width <= most_left && height - fitting_height <= most_left) return whole;
   const auto pixels = [](double side) { return std::max(1, static_cast<int>(std::lround(side))); };
   const int frame_width = pixels(fitting_width), frame_height = pixels(fitting_height);
   return {(width - frame_width) / 2, (height - frame_height) / 2, frame_width, frame_height};

@@ -7,6 +7,7 @@
 #include "core/session/input_check.h"
 #include "core/session/session_state.h"
 #include "vorpipe.h"
+#include "vorpipe/shapes.h"
 
 namespace vorpipe {
 
@@ -55,8 +56,10 @@ struct KeptSites::State {
   /// another of two sites that are as near.
   std::array<std::optional<Kept>, 2> kept{};
   std::optional<Diagram> with_mass{};
+  std::optional<Diagram> polygons{};  ///< that marks of pictures are found from
 
   Result<void> take(const CellsOptions& wanted);
+  Result<Marks> marks(const RenderOptions& wanted);
   Result<bool> needsCells(const RenderOptions& wanted, int threads);
   Result<Kept*> find(const Session::State& on, Backend& backend, const RenderOptions& wanted,
                      bool with_cells);
@@ -69,11 +72,24 @@ Result<void> KeptSites::State::take(const CellsOptions& wanted) {
   by_site_needs_cells.reset();
   kept = {};
   with_mass.reset();
+  polygons.reset();
   if (auto checked = checkOptions(sites, wanted); !checked) return checked;
   options = wanted;
   options->density = {};
   options->progress = {};
   return {};
+}
+
+Result<Marks> KeptSites::State::marks(const RenderOptions& wanted) {
+  if (!marksNeedCells(wanted)) return Marks{};
+  if (!polygons) {
+    CellsOptions cells = cellsOptions(wanted);
+    cells.detail = Detail::polygons;
+    auto found = session->cells(sites, cells);
+    if (!found) return tl::unexpected(found.error());
+    polygons = std::move(*found);
+  }
+  return marksOf(sites, *polygons, wanted, session->state_->threads);
 }
 
 Result<bool> KeptSites::State::needsCells(const RenderOptions& wanted, int threads) {
@@ -112,11 +128,13 @@ Result<Rendering> KeptSites::render(const RenderOptions& options) {
     if (auto checked = checkRender(options); !checked) return tl::unexpected(checked.error());
     const auto with_cells = state_->needsCells(options, on.threads);
     if (!with_cells) return tl::unexpected(with_cells.error());
+    const auto marks = state_->marks(options);
+    if (!marks) return tl::unexpected(marks.error());
     return on.device.run<Rendering>([&](Backend& backend) -> Result<Rendering> {
       const auto kept = state_->find(on, backend, options, *with_cells);
       if (!kept) return tl::unexpected(kept.error());
       auto& [exact, picture] = **kept;
-      return renderKept(on.with(backend, *exact), state_->sites, options, picture);
+      return renderKept(on.with(backend, *exact), state_->sites, options, *marks, picture);
     });
   } catch (const std::bad_alloc&) {
     return tl::unexpected(outOfMemory());

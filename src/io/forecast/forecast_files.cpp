@@ -7,6 +7,7 @@
 
 #include "io/files/extension.h"
 #include "io/sites/site_source.h"
+#include "vorpipe/shapes.h"
 
 namespace vorpipe {
 namespace {
@@ -129,14 +130,16 @@ void planEdgesFiles(MemoryPlan& plan, const Workload& work, std::span<const Edge
   plan.dropSince(since);
 }
 
-void planShapes(MemoryPlan& plan, const Workload& work, ColorBy color, bool dots) {
+void planShapes(MemoryPlan& plan, const Workload& work, const RenderOptions& options) {
   const std::string_view what = "the shapes to write";
   const auto since = plan.next();
   const auto indices = plan.take(what, work.sites);
-  if (color != ColorBy::site) plan.drop(plan.take(what, work.sites * number));
+  if (options.color != ColorBy::site) plan.drop(plan.take(what, work.sites * number));
   plan.take(what, work.sites * sizeof(std::uint32_t));
   plan.drop(indices);
-  if (dots) planGrowing(plan, what, work.sites, {sizeof(Point)});
+  if (options.show_sites) planGrowing(plan, what, work.sites, {sizeof(Point)});
+  if (options.dual) planGrowing(plan, what, edgesOf(work), {sizeof(Line)});
+  if (options.labels) planGrowing(plan, what, work.sites, {sizeof(SiteLabel)});
   plan.dropSince(since);
 }
 

@@ -29,7 +29,7 @@ void planCellsFile(MemoryPlan& plan, const Workload& work, const CellsFormat& fo
                    std::uint64_t attribute_bytes = 0);
 
 /// Plans the writer of a picture's shapes; their cells are planned by planCells.
-void planShapes(MemoryPlan& plan, const Workload& work, ColorBy color, bool dots);
+void planShapes(MemoryPlan& plan, const Workload& work, const RenderOptions& options);
 
 /// Plans the writer of ids of a picture.
 void planIdsFile(MemoryPlan& plan, const Workload& work, const IdsFormat& format, const PictureSize& size);

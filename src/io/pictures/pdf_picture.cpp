@@ -113,7 +113,7 @@ Result<void> writeCells(ByteSink& page, Bytes& text, const VectorPicture& pictur
 }
 
 Result<void> writeEdges(ByteSink& page, Bytes& text, const VectorPicture& picture) {
-  printColor(text, VectorPicture::edge_color, "RG");
+  printColor(text, edge_color, "RG");
   printLength(text, picture.edgeWidth(), "w");
   auto written = picture.eachEdge([&](const Lines& lines) {
     printLines(text, lines, /*closed=*/false);
@@ -126,6 +126,19 @@ Result<void> writeEdges(ByteSink& page, Bytes& text, const VectorPicture& pictur
     put(text, "S\n");
   }
   return written;
+}
+
+Result<void> writeDual(ByteSink& page, Bytes& text, const VectorPicture& picture) {
+  printColor(text, dual_color, "RG");
+  printLength(text, picture.edgeWidth(), "w");
+  for (const Line& line : picture.dual()) {
+    printPoint(text, line.from);
+    put(text, " m\n");
+    printPoint(text, line.to);
+    put(text, " l\nS\n");
+    if (auto written = writeIfFull(page, text); !written) return written;
+  }
+  return {};
 }
 
 Result<void> writeDots(ByteSink& page, Bytes& text, const VectorPicture& picture) {
@@ -165,12 +178,27 @@ void printLegend(Bytes& text, const Legend& legend) {
   for (const LegendText& line : legend.texts) printText(text, line);
 }
 
+Result<void> writeLabels(ByteSink& page, Bytes& text, const VectorPicture& picture) {
+  for (const SiteLabel& label : picture.labels()) {
+    const std::uint32_t color = picture.color(label.site);
+    if (const auto box = picture.boxBelow(label)) {
+      printColor(text, color, "rg");
+      printBox(text, box->left, box->top, box->width, box->height);
+      put(text, "f\n");
+    }
+    printColor(text, inkOn(color), "rg");
+    printText(text, picture.textOf(label));
+    if (auto written = writeIfFull(page, text); !written) return written;
+  }
+  return {};
+}
+
 /// What the page shows; its unit is a pixel, and y goes downward.
 Result<void> writeContents(ByteSink& page, const VectorPicture& picture, double points) {
   Bytes text;
   print(text, FMT_COMPILE("{0} 0 0 -{0} 0 {1} cm 1 j 1 J\nq\n"), points, points * picture.height());
-  const PictureFrame& frame = picture.frame();
-  printBox(text, frame.left, frame.top, frame.width, frame.height);
+  const Box clip = picture.clip();
+  printBox(text, clip.xmin, clip.ymin, clip.xmax - clip.xmin, clip.ymax - clip.ymin);
   put(text, "W n\n");
   if (auto written = writeCells(page, text, picture); !written) return written;
   if (const Lines outline = picture.outline(); !outline.empty()) {
@@ -180,8 +208,12 @@ Result<void> writeContents(ByteSink& page, const VectorPicture& picture, double 
   if (picture.hasEdges()) {
     if (auto written = writeEdges(page, text, picture); !written) return written;
   }
+  if (!picture.dual().empty()) {
+    if (auto written = writeDual(page, text, picture); !written) return written;
+  }
   if (auto written = writeDots(page, text, picture); !written) return written;
   put(text, "Q\n");
+  if (auto written = writeLabels(page, text, picture); !written) return written;
   if (picture.legend()) printLegend(text, *picture.legend());
   return writeAll(page, text);
 }
@@ -206,7 +238,7 @@ void printCircle(Bytes& text, double radius) {
 std::string dotObject(const VectorPicture& picture) {
   Bytes text;
   const auto [radius, rim] = picture.dot();
-  printColor(text, VectorPicture::dot_color, "rg");
+  printColor(text, picture.dotColor(), "rg");
   if (rim > 0) {
     printColor(text, VectorPicture::rim_color, "RG");
     printLength(text, rim, "w");

@@ -14,6 +14,12 @@ namespace {
 
 constexpr std::uint32_t opaque = 0xFF;
 
+// Few enough for viewers that are slow with long paths, and enough to keep the number of paths small.
+constexpr std::size_t lines_of_path = 1000;
+
+constexpr std::string_view fonts =
+    " font-family=\"Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif\"";
+
 void put(Bytes& text, std::string_view more) { text.append(more); }
 
 /// `#rrggbb` of R in the lowest byte.
@@ -47,11 +53,13 @@ void printHead(Bytes& text, const VectorPicture& picture) {
         FMT_COMPILE("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" "
                     "viewBox=\"0 0 {0} {1}\">\n"),
         picture.width(), picture.height());
-  const PictureFrame& frame = picture.frame();
-  print(text,
-        FMT_COMPILE("<clipPath id=\"frame\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>"
-                    "</clipPath>\n"),
-        frame.left, frame.top, frame.width, frame.height);
+  const Box clip = picture.clip();
+  put(text, "<clipPath id=\"frame\"><rect");
+  printLength(text, "x", clip.xmin);
+  printLength(text, "y", clip.ymin);
+  printLength(text, "width", clip.xmax - clip.xmin);
+  printLength(text, "height", clip.ymax - clip.ymin);
+  put(text, "/></clipPath>\n");
   if (const Lines outline = picture.outline(); !outline.empty()) {
     put(text, "<clipPath id=\"outline\"><path clip-rule=\"evenodd\" d=\"");
     printLines(text, outline, "Z");
@@ -77,10 +85,8 @@ Result<void> writeCells(ByteSink& sink, Bytes& text, const VectorPicture& pictur
 }
 
 Result<void> writeEdges(ByteSink& sink, Bytes& text, const VectorPicture& picture) {
-  // Few enough for viewers that are slow with long paths, and enough to keep the number of paths small.
-  constexpr std::size_t lines_of_path = 1000;
   put(text, "<g fill=\"none\"");
-  printColor(text, "stroke", VectorPicture::edge_color);
+  printColor(text, "stroke", edge_color);
   printLength(text, "stroke-width", picture.edgeWidth());
   put(text, ">\n");
   std::size_t lines_here = 0;
@@ -105,9 +111,29 @@ Result<void> writeEdges(ByteSink& sink, Bytes& text, const VectorPicture& pictur
   return written;
 }
 
+Result<void> writeDual(ByteSink& sink, Bytes& text, const VectorPicture& picture) {
+  put(text, "<g fill=\"none\"");
+  printColor(text, "stroke", dual_color);
+  printLength(text, "stroke-width", picture.edgeWidth());
+  put(text, ">\n");
+  std::size_t lines_here = 0;
+  for (const Line& line : picture.dual()) {
+    put(text, lines_here == 0 ? "<path d=\"M" : "M");
+    printPoint(text, line.from);
+    put(text, "L");
+    printPoint(text, line.to);
+    if (++lines_here < lines_of_path) continue;
+    lines_here = 0;
+    put(text, "\"/>\n");
+    if (auto written = writeIfFull(sink, text); !written) return written;
+  }
+  put(text, lines_here > 0 ? "\"/>\n</g>\n" : "</g>\n");
+  return {};
+}
+
 Result<void> writeDots(ByteSink& sink, Bytes& text, const VectorPicture& picture) {
   put(text, "<g");
-  printColor(text, "fill", VectorPicture::dot_color);
+  printColor(text, "fill", picture.dotColor());
   const auto [radius, rim] = picture.dot();
   if (rim > 0) {
     printColor(text, "stroke", VectorPicture::rim_color);
@@ -127,34 +153,51 @@ Result<void> writeDots(ByteSink& sink, Bytes& text, const VectorPicture& picture
   return {};
 }
 
+void printBox(Bytes& text, const LegendBox& box) {
+  put(text, "<rect");
+  printLength(text, "x", box.left);
+  printLength(text, "y", box.top);
+  printLength(text, "width", box.width);
+  printLength(text, "height", box.height);
+  printColor(text, "fill", box.rgba);
+  if (const std::uint32_t alpha = box.rgba >> 24; alpha != opaque) {
+    print(text, FMT_COMPILE(" fill-opacity=\"{:.3g}\""), alpha / double{opaque});
+  }
+  put(text, "/>\n");
+}
+
+/// `color` is written unless it is black.
+void printText(Bytes& text, const LegendText& line, std::uint32_t color) {
+  constexpr std::string_view anchors[] = {"start", "middle", "end"};
+  put(text, "<text");
+  printLength(text, "x", line.x);
+  printLength(text, "y", line.baseline);
+  printLength(text, "font-size", fontSize(line.height));
+  if (color != black) printColor(text, "fill", color);
+  print(text, FMT_COMPILE(" text-anchor=\"{}\">"), anchors[static_cast<std::size_t>(line.anchor)]);
+  for (const char letter : line.text) {
+    put(text, letter == '<' ? "&lt;" : letter == '&' ? "&amp;" : std::string_view(&letter, 1));
+  }
+  put(text, "</text>\n");
+}
+
 void printLegend(Bytes& text, const Legend& legend) {
   put(text, "<g>\n");
-  for (const LegendBox& box : legend.boxes) {
-    put(text, "<rect");
-    printLength(text, "x", box.left);
-    printLength(text, "y", box.top);
-    printLength(text, "width", box.width);
-    printLength(text, "height", box.height);
-    printColor(text, "fill", box.rgba);
-    if (const std::uint32_t alpha = box.rgba >> 24; alpha != opaque) {
-      print(text, FMT_COMPILE(" fill-opacity=\"{:.3g}\""), alpha / double{opaque});
-    }
-    put(text, "/>\n");
-  }
-  put(text, "<g font-family=\"Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif\">\n");
-  for (const LegendText& line : legend.texts) {
-    constexpr std::string_view anchors[] = {"start", "middle", "end"};
-    put(text, "<text");
-    printLength(text, "x", line.x);
-    printLength(text, "y", line.baseline);
-    printLength(text, "font-size", fontSize(line.height));
-    print(text, FMT_COMPILE(" text-anchor=\"{}\">"), anchors[static_cast<std::size_t>(line.anchor)]);
-    for (const char letter : line.text) {
-      put(text, letter == '<' ? "&lt;" : letter == '&' ? "&amp;" : std::string_view(&letter, 1));
-    }
-    put(text, "</text>\n");
-  }
+  for (const LegendBox& box : legend.boxes) printBox(text, box);
+  print(text, FMT_COMPILE("<g{}>\n"), fonts);
+  for (const LegendText& line : legend.texts) printText(text, line, black);
   put(text, "</g>\n</g>\n");
+}
+
+Result<void> writeLabels(ByteSink& sink, Bytes& text, const VectorPicture& picture) {
+  print(text, FMT_COMPILE("<g{}>\n"), fonts);
+  for (const SiteLabel& label : picture.labels()) {
+    if (const auto box = picture.boxBelow(label)) printBox(text, *box);
+    printText(text, picture.textOf(label), inkOn(picture.color(label.site)));
+    if (auto written = writeIfFull(sink, text); !written) return written;
+  }
+  put(text, "</g>\n");
+  return {};
 }
 
 Result<void> write(ByteSink& sink, const VectorPicture& picture, const Diagram& diagram) {
@@ -167,10 +210,16 @@ Result<void> write(ByteSink& sink, const VectorPicture& picture, const Diagram& 
   if (picture.hasEdges()) {
     if (auto written = writeEdges(sink, text, picture); !written) return written;
   }
+  if (!picture.dual().empty()) {
+    if (auto written = writeDual(sink, text, picture); !written) return written;
+  }
   if (!picture.dots().empty()) {
     if (auto written = writeDots(sink, text, picture); !written) return written;
   }
   put(text, outlined ? "</g>\n</g>\n" : "</g>\n");
+  if (!picture.labels().empty()) {
+    if (auto written = writeLabels(sink, text, picture); !written) return written;
+  }
   if (picture.legend()) printLegend(text, *picture.legend());
   put(text, "</svg>\n");
   return writeAll(sink, text);

@@ -1,7 +1,6 @@
 #include "io/pictures/vector_picture.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -9,44 +8,6 @@ namespace vorpipe {
 namespace {
 
 constexpr std::size_t least_vertices = 3;
-
-/// How many periods along an axis the copies of something stand that show.
-struct Copies {
-  int first = 0, last = 0;
-};
-
-/// Copies of what reaches from `low` to `high` that meet the period from `begin` to `end`.
-Copies copiesOf(double low, double high, double begin, double end) {
-  const double period = end - begin;
-  return {static_cast<int>(std::ceil((begin - high) / period)),
-          static_cast<int>(std::floor((end - low) / period))};
-}
-
-/// Calls `use` with how far each copy of a cell that shows stands from it.
-template <class Use>
-Result<void> eachCopy(const Cell& cell, const RenderOptions& options, const Use& use) {
-  if (options.periodic == Periodic::none) return use(Point{0, 0});
-  const Box box = boxOf(cell.vertices());
-  const Box& domain = options.domain;
-  Copies columns, rows;
-  if (options.periodic != Periodic::y) columns = copiesOf(box.xmin, box.xmax, domain.xmin, domain.xmax);
-  if (options.periodic != Periodic::x) rows = copiesOf(box.ymin, box.ymax, domain.ymin, domain.ymax);
-  for (int row = rows.first; row <= rows.last; ++row) {
-    for (int column = columns.first; column <= columns.last; ++column) {
-      const Point by{column * (domain.xmax - domain.xmin), row * (domain.ymax - domain.ymin)};
-      if (auto used = use(by); !used) return used;
-    }
-  }
-  return {};
-}
-
-/// Both cells of an edge have it: whether it is this one that draws it.
-bool drawsEdge(const Cell& cell, std::size_t edge) {
-  const auto here = static_cast<std::int64_t>(cell.index()), there = cell.neighbors()[edge];
-  if (here != there) return here < there;
-  // A cell that meets its own image has the edge twice, seen from either side.
-  return cell.shifts()[edge] > std::array<std::int32_t, 2>{};
-}
 
 /// Adds the edges that a cell draws, as lines as long as they are connected.
 template <class Place>
@@ -74,15 +35,7 @@ void addEdges(const Cell& cell, Lines& lines, const Place& place) {
 }  // namespace
 
 VectorPicture::VectorPicture(const Diagram& diagram, const RenderOptions& options)
-    : diagram_(&diagram),
-      options_(&options),
-      frame_(frameOf(options.domain, options.width, options.height, options.fit)) {}
-
-Point VectorPicture::pixelOf(Point place) const {
-  const Box& domain = options_->domain;
-  return {frame_.left + (place.x - domain.xmin) / (domain.xmax - domain.xmin) * frame_.width,
-          frame_.top + (domain.ymax - place.y) / (domain.ymax - domain.ymin) * frame_.height};
-}
+    : diagram_(&diagram), options_(&options), places_(options) {}
 
 Result<VectorPicture> VectorPicture::make(const Sites& sites, const Diagram& diagram,
                                           const RenderOptions& options, int threads) {
@@ -99,7 +52,29 @@ Result<VectorPicture> VectorPicture::make(const Sites& sites, const Diagram& dia
       return tl::unexpected(std::move(placed.error()));
     }
   }
+  if (options.dual) {
+    auto lines = dualLines(sites, diagram, options, threads);
+    if (!lines) return tl::unexpected(std::move(lines.error()));
+    picture.dual_ = std::move(*lines);
+  }
+  if (options.labels) {
+    auto labels = siteLabels(sites, diagram, options, threads);
+    if (!labels) return tl::unexpected(std::move(labels.error()));
+    picture.labels_ = std::move(*labels);
+  }
   return picture;
+}
+
+LegendText VectorPicture::textOf(const SiteLabel& label) const {
+  const double height = options_->label_size;
+  return {label.middle.x, label.middle.y + height / 2, height, Anchor::middle, label.text};
+}
+
+std::optional<LegendBox> VectorPicture::boxBelow(const SiteLabel& label) const {
+  if (!options_->dual) return std::nullopt;
+  const double margin = labelMargin(*options_);
+  const double width = label.width + 2 * margin, height = options_->label_size + 2 * margin;
+  return LegendBox{label.middle.x - width / 2, label.middle.y - height / 2, width, height, color(label.site)};
 }
 
 /// Sites in places that have a cell have a dot, each position one.
@@ -118,7 +93,7 @@ Result<void> VectorPicture::placeDots(const Sites& sites, int threads) {
   if (!options_->outline.empty()) {
     if (auto kept = keepInOutline(at, shown, threads); !kept) return kept;
   }
-  dot_ = dotSizeOf(options_->dot_size, spacingOf(shown), {frame_.width, frame_.height});
+  dot_ = dotSizeOf(options_->dot_size, spacingOf(shown), {places_.frame().width, places_.frame().height});
   dots_.reserve(shown.size());
   for (const std::uint32_t i : shown) dots_.push_back(pixelOf({at.x[i], at.y[i]}));
   return {};
@@ -144,11 +119,9 @@ Result<void> VectorPicture::keepInOutline(const Sites& at, std::vector<std::uint
 /// any; 0 if all are such.
 double VectorPicture::spacingOf(std::span<const std::uint32_t> sites) const {
   constexpr double least_pixels = 0.5;
-  const Box& domain = options_->domain;
-  const double pixels = frame_.width / (domain.xmax - domain.xmin) * frame_.height;
   std::vector<double> areas;
   for (const std::uint32_t i : sites) {
-    const double area = diagram_->area[i] / (domain.ymax - domain.ymin) * pixels;
+    const double area = places_.pixelsOf(diagram_->area[i]);
     if (area >= least_pixels) areas.push_back(area);
   }
   if (areas.empty()) return 0;
@@ -174,16 +147,16 @@ Result<void> VectorPicture::eachCell(const UseCell& use) const {
   for (const Cell cell : *diagram_) {
     const CellRings all = cell.rings();
     if (all.empty()) continue;
-    auto used = eachCopy(cell, *options_, [&](Point by) {
+    for (const Point by : shownCopies(boxOf(cell.vertices()), *options_, places_)) {
       rings.clear();
       for (std::size_t r = 0; r < all.size(); ++r) {
         if (all[r].size() < least_vertices) continue;
         rings.begin();
         for (const Point& vertex : all[r]) rings.add(pixelOf({vertex.x + by.x, vertex.y + by.y}));
       }
-      return rings.empty() ? Result<void>() : use(cell.index(), rings);
-    });
-    if (!used) return used;
+      if (rings.empty()) continue;
+      if (auto used = use(cell.index(), rings); !used) return used;
+    }
   }
   return {};
 }
@@ -192,12 +165,12 @@ Result<void> VectorPicture::eachEdge(const UseLines& use) const {
   Lines lines;
   for (const Cell cell : *diagram_) {
     if (cell.rings().empty()) continue;
-    auto used = eachCopy(cell, *options_, [&](Point by) {
+    for (const Point by : shownCopies(boxOf(cell.vertices()), *options_, places_)) {
       lines.clear();
       addEdges(cell, lines, [&](Point vertex) { return pixelOf({vertex.x + by.x, vertex.y + by.y}); });
-      return lines.empty() ? Result<void>() : use(lines);
-    });
-    if (!used) return used;
+      if (lines.empty()) continue;
+      if (auto used = use(lines); !used) return used;
+    }
   }
   return {};
 }

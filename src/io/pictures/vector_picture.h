@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "vorpipe.h"
+#include "vorpipe/shapes.h"
 
 namespace vorpipe {
 
@@ -35,14 +36,15 @@ class Lines {
   std::vector<std::size_t> begins_;
 };
 
-/// A picture with the same colors, edges, dots, frame and legend as one in pixels, in the order in which it
-/// is painted: cells, edges, dots, the legend. Shapes are made one after the other, when they are asked for.
+/// A picture with the same colors, edges, dual, dots, frame, labels and legend as one in pixels, in the order
+/// in which it is painted: cells, edges, the dual, dots, labels, the legend. Shapes are made one after the
+/// other, when they are asked for.
 class VectorPicture {
  public:
   /// Renderers smooth the two sides of an edge apart, so that what is below shines through. A line so wide
   /// around each cell, in its own color, closes the gap.
   static constexpr double seam_width = 0.5;
-  static constexpr std::uint32_t edge_color = 0xFF181818u, dot_color = 0xFFFFFFFFu, rim_color = 0xFF000000u;
+  static constexpr std::uint32_t rim_color = black;
 
   /// The picture that `options` draw of `diagram`, the cells of `sites` with Detail::polygons. They all
   /// outlive it. Errors: those of siteColors and wrapped(); a size that is none (input); out of memory
@@ -53,14 +55,18 @@ class VectorPicture {
   [[nodiscard]] int width() const { return options_->width; }
   [[nodiscard]] int height() const { return options_->height; }
   /// Where it shows the domain: all but the legend is clipped to that.
-  [[nodiscard]] const PictureFrame& frame() const { return frame_; }
+  [[nodiscard]] Box clip() const { return places_.pixels(); }
   [[nodiscard]] bool hasEdges() const { return options_->edges; }
-  [[nodiscard]] std::uint32_t color(std::size_t site) const { return colors_.rgba[site]; }
+  [[nodiscard]] std::uint32_t color(std::size_t site) const {
+    return options_->fill ? colors_.rgba[site] : white;
+  }
+  /// Of dots: on white cells white ones would not show.
+  [[nodiscard]] std::uint32_t dotColor() const { return options_->fill ? white : black; }
   /// The rings that cells end at, and that edges and dots are clipped to, by the rule of even and odd; none
   /// without an outline.
   [[nodiscard]] Lines outline() const;
   [[nodiscard]] const DotSize& dot() const { return dot_; }
-  /// Of edges between cells.
+  /// Of edges between cells, and of the dual.
   [[nodiscard]] double edgeWidth() const { return options_->edge_width; }
   /// Of edges along the outline, the outer half of which is clipped away. In pixels they are those of the
   /// cells that it bounds, and as many beside them as beside other edges.
@@ -79,9 +85,20 @@ class VectorPicture {
   /// Centers.
   [[nodiscard]] std::span<const Point> dots() const { return dots_; }
 
+  /// Lines between sites whose cells have a common edge.
+  [[nodiscard]] std::span<const Line> dual() const { return dual_; }
+
+  [[nodiscard]] std::span<const SiteLabel> labels() const { return labels_; }
+  /// Their height.
+  [[nodiscard]] double labelSize() const { return options_->label_size; }
+  [[nodiscard]] LegendText textOf(const SiteLabel& label) const;
+  /// What is below a label, in the color of its cell: lines of the dual end at sites, where labels are. None
+  /// without a dual.
+  [[nodiscard]] std::optional<LegendBox> boxBelow(const SiteLabel& label) const;
+
  private:
   VectorPicture(const Diagram& diagram, const RenderOptions& options);
-  [[nodiscard]] Point pixelOf(Point place) const;
+  [[nodiscard]] Point pixelOf(Point place) const { return places_.pixelOf(place); }
   Result<void> placeDots(const Sites& sites, int threads);
   /// Keeps the sites, by index, whose places `at` have a cell.
   Result<void> keepInOutline(const Sites& at, std::vector<std::uint32_t>& sites, int threads) const;
@@ -89,11 +106,13 @@ class VectorPicture {
 
   const Diagram* diagram_;
   const RenderOptions* options_;
-  PictureFrame frame_;
+  PicturePlaces places_;
   SiteColors colors_;
   std::optional<Legend> legend_;
   std::vector<Point> dots_;
   DotSize dot_{};
+  std::vector<Line> dual_;
+  std::vector<SiteLabel> labels_;
 };
 
 }  // namespace vorpipe

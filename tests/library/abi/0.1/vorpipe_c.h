@@ -467,8 +467,13 @@ typedef struct vorpipe_render_options {
   double range_low, range_high; /* 0 otherwise: the least and the greatest value */
   int32_t legend;               /* not 0: draws in a corner what colors stand for */
   vorpipe_fit fit;
-  double edge_width; /* pixels, 1 to 100; 0: 1 */
+  double edge_width; /* of edges and of the dual: pixels, 1 to 100; 0: 1 */
   double dot_size;   /* of a site, across, pixels up to 100; 0: by the spacing of sites */
+  int32_t antialias; /* pixels have the mean color of as many rows and columns of places, 1 to 8; 0: 1 */
+  int32_t dual;      /* not 0: lines between sites whose cells have a common edge */
+  int32_t labels;    /* not 0: the index of each site, where there is room for it */
+  int32_t no_fill;   /* not 0: cells are white */
+  double label_size; /* the height of digits, pixels, 5 to 200; 0: 10 */
 } vorpipe_render_options;
 
 typedef struct vorpipe_picture vorpipe_picture;

@@ -117,8 +117,8 @@ TEST(ColorScale, ARangeThatIsNoneIsRefused) {
 }
 
 TEST(ColorScale, TicksAreRoundNumbersBetweenTheEnds) {
-  EXPECT_EQ(tickValues(placesOf(ColorScale::linear, {0.013, 1.04})),
-            (std::vector<double>{0.013, 0.2, 0.4, 0.6, 0.8, 1.04}));
+  EXPECT_EQ(tickValues(placesOf(ColorScale::linear, {0.013, 1})),
+            (std::vector<double>{0.013, 0.2, 0.4, 0.6, 0.8, 1}));
   EXPECT_EQ(tickValues(placesOf(ColorScale::linear, {3, 9}, {}, ColorBy::neighbors)),
             (std::vector<double>{3, 4, 6, 8, 9}));
   EXPECT_EQ(tickValues(placesOf(ColorScale::log, {0.5, 20000})),

@@ -31,6 +31,11 @@ Image imageOf(int width, int height, const IdOf& idOf) {
   return image;
 }
 
+void drawDots(Image& image, const Sites& sites, double size) {
+  const Box domain{0, 0, 1, 1};
+  SiteDots(image, sites, domain, size).draw({}, /*white_cells=*/false, image);
+}
+
 /// Cells that meet along a curve, with a hole.
 std::uint32_t curvedCells(int row, int column) {
   if (std::hypot(row - 30, column - 20) < 6) return no_site;
@@ -80,7 +85,7 @@ TEST(Overlay, SmallDotsHaveNoRimAndLargeOnesHave) {
   const Sites sites{{0.5}, {0.5}, {}};
   for (const double size : {1.0, 4.0, 5.0, 20.0}) {
     Image image = imageOf(41, 41, [](int, int) { return 0u; });
-    drawSites(image, sites, {0, 0, 1, 1}, size);
+    drawDots(image, sites, size);
     int white = 0, black = 0;
     for (const std::uint32_t color : image.rgba) {
       white += color == 0xFFFFFFFFu ? 1 : 0;
@@ -100,8 +105,8 @@ TEST(Overlay, DotsFollowTheCellsThatShowNotTheNumberOfSites) {
   }
   Image a = imageOf(60, 30, [](int, int column) { return column < 30 ? 0u : 1u; });
   Image b = a;
-  drawSites(a, few, {0, 0, 1, 1}, 0);
-  drawSites(b, many, {0, 0, 1, 1}, 0);
+  drawDots(a, few, 0);
+  drawDots(b, many, 0);
   EXPECT_EQ(a.rgba, b.rgba);
 }
 

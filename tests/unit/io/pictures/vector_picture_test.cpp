@@ -97,6 +97,27 @@ TEST(VectorPicture, ADotStandsAtEachPositionThatShows) {
   EXPECT_THAT(svg, HasSubstr("<circle cx=\"50\" cy=\"50\""));
 }
 
+TEST(VectorPicture, LabelsAreTextAndLinesOfTheDualRunBelowThem) {
+  Scene scene = twoHalves();
+  scene.options.dual = true;
+  scene.options.labels = true;
+  scene.options.fill = false;
+  const std::string svg = scene.svg();
+  EXPECT_EQ(countOf(svg, "</text>"), 2u);
+  EXPECT_THAT(svg, HasSubstr("text-anchor=\"middle\">1</text>"));
+  EXPECT_THAT(svg, HasSubstr("<path d=\"M50 50L150 50\"/>"));
+  EXPECT_LT(svg.find("M50 50L150 50"), svg.find("<text"));
+  EXPECT_EQ(countOf(svg, "<path fill=\"#ffffff\""), 2u);
+}
+
+TEST(VectorPicture, AViewShowsWhatItHasOfTheDomain) {
+  Scene scene = twoHalves();
+  scene.options.view = Box{0.6, 0, 1.6, 1};
+  const std::string svg = scene.svg();
+  EXPECT_THAT(svg, HasSubstr("<rect x=\"0\" y=\"0\" width=\"80\" height=\"100\"/></clipPath>"));
+  EXPECT_EQ(countOf(svg, "<title>"), 1u);
+}
+
 TEST(VectorPicture, WhatAPictureInPixelsRefusesIsRefused) {
   Scene scene = twoHalves();
   scene.options.width = 0;
