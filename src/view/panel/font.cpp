@@ -18,6 +18,10 @@ PanelTexture drawFont(double scale) {
                                                   0x2010, 0x2265, 0x25A0, 0x2715, 0};
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   atlas.Clear();
+#if IMGUI_VERSION_NUM >= 19200
+  // Else the texture begins in colors, and is made anew as GetTexDataAsAlpha8() finds them.
+  atlas.TexDesiredFormat = ImTextureFormat_Alpha8;
+#endif
   atlas.Flags |= ImFontAtlasFlags_NoMouseCursors;
   ImFontConfig config;
   config.FontDataOwnedByAtlas = false;

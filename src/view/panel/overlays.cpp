@@ -42,38 +42,42 @@ void drawHelp(PanelFrame& frame) {
   Widgets& widgets = frame.widgets;
   const PanelInput& input = frame.input;
   const ImVec2 window{static_cast<float>(input.width), static_cast<float>(input.height)};
+  const ImVec2 padding{widgets.px(18), widgets.px(12)};
+  const float cap = widgets.px(6), side = ImGui::GetFrameHeight();
+  float keys = 0, meanings = widgets.px(160);
+  for (const auto& [key, meaning] : input.keys) {
+    keys = std::max(keys, ImGui::CalcTextSize(key.c_str()).x);
+    meanings = std::max(meanings, ImGui::CalcTextSize(meaning.c_str()).x);
+  }
+  const float second = padding.x + keys + 2 * cap + widgets.px(14), right = second + meanings;
+  // Beside the panel, or over it where there is no room.
   const auto [from, to] = freeOf(frame);
-  ImGui::SetNextWindowPos({std::round((from + to) / 2), std::round(window.y / 2)}, ImGuiCond_Always,
-                          {0.5F, 0.5F});
+  const bool beside = right + padding.x + ImGui::GetStyle().ScrollbarSize <= to - from;
+  ImGui::SetNextWindowPos({std::round(beside ? (from + to) / 2 : window.x / 2), std::round(window.y / 2)},
+                          ImGuiCond_Always, {0.5F, 0.5F});
   ImGui::SetNextWindowSizeConstraints({0, 0}, {window.x - widgets.px(20), window.y - widgets.px(20)});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2{widgets.px(20), widgets.px(16)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
   ImGui::Begin("##help", nullptr, fixed & ~ImGuiWindowFlags_NoScrollbar);
   ImGui::PopStyleVar();
   widgets.cover();
-  float widest = 0, widest_meaning = widgets.px(160);
-  for (const auto& [key, meaning] : input.keys) {
-    widest = std::max(widest, ImGui::CalcTextSize(key.c_str()).x);
-    widest_meaning = std::max(widest_meaning, ImGui::CalcTextSize(meaning.c_str()).x);
-  }
-  const float left = ImGui::GetCursorPosX(), cap = widgets.px(6);
-  const float second = left + widest + 2 * cap + widgets.px(14), right = second + widest_meaning;
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Keys and pointer");
-  const float side = ImGui::GetFrameHeight();
   ImGui::SameLine(right - side);
   if (widgets.button("Close help", "\u00d7", side)) frame.answer.settings.help = false;
   ImGui::Separator();
-  ImGui::Dummy({0, widgets.px(2)});
+  ImGui::Dummy({0, 1});
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2{0, widgets.px(5)});
   for (const auto& [key, meaning] : input.keys) {
     const ImVec2 at = ImGui::GetCursorScreenPos(), size = ImGui::CalcTextSize(key.c_str());
-    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + size.x + 2 * cap, at.y + size.y + widgets.px(3)},
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y - 1},
+                                              {at.x + size.x + 2 * cap, at.y + size.y + widgets.px(2)},
                                               look::field, ImGui::GetStyle().FrameRounding);
-    ImGui::SetCursorPosX(left + cap);
+    ImGui::SetCursorPosX(padding.x + cap);
     ImGui::TextUnformatted(key.c_str());
     ImGui::SameLine(second);
     Widgets::dim(meaning);
-    ImGui::Dummy({0, widgets.px(1)});
   }
+  ImGui::PopStyleVar();
   ImGui::End();
 }
 
