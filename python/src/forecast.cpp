@@ -8,8 +8,10 @@
 
 #include "choices.h"
 #include "errors.h"
+#include "look.h"
 #include "results.h"
 #include "session.h"
+#include "vorpipe/shapes.h"
 
 namespace vorpipe::python {
 namespace {
@@ -61,16 +63,14 @@ auto forecastCells(SharedSession& session, const Input& input, const std::string
   return told(plan);
 }
 
-auto forecastPicture(SharedSession& session, const Input& input,
-                     const std::optional<std::pair<int, int>>& size, const std::string& color, bool checked,
+auto forecastPicture(SharedSession& session, const Input& input, const Look& look, bool checked,
                      int threads) {
-  const ColorBy by = chosen("color", color_choices, color);
-  const PictureSize wanted = size ? PictureSize{size->first, size->second} : defaultSize(input.domain);
-  const Workload work = valueOf(workloadOf(input, ImagesFor::pictures, session.device(), threads));
+  const RenderOptions wanted = renderOptionsOf(look, input);
+  const Workload work = valueOf(workloadOf(input, imagesFor(wanted), session.device(), threads));
   MemoryPlan plan;
   planInput(plan, input);
   planSession(plan, work);
-  planPicture(plan, work, wanted.width, wanted.height, by);
+  planPicture(plan, work, wanted);
   if (checked) planPictureCheck(plan, work, wanted.width, wanted.height);
   return told(plan);
 }
@@ -80,8 +80,8 @@ auto forecastPicture(SharedSession& session, const Input& input,
 void defineForecast(py::module_& module) {
   module.def("forecast_cells", &forecastCells, py::arg("session"), py::arg("input"), py::arg("detail"),
              py::arg("check"), py::arg("threads"));
-  module.def("forecast_picture", &forecastPicture, py::arg("session"), py::arg("input"), py::arg("size"),
-             py::arg("color"), py::arg("check"), py::arg("threads"));
+  module.def("forecast_picture", &forecastPicture, py::arg("session"), py::arg("input"), py::arg("look"),
+             py::arg("check"), py::arg("threads"));
 }
 
 }  // namespace vorpipe::python

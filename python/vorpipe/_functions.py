@@ -240,7 +240,8 @@ class Forecast(NamedTuple):
 def forecast(points: Any, weights: Any = None, domain: Any = None, periodic: Union[None, bool, str] = None,
              density: Any = None, outline: Any = None, backend: str = 'auto', device: Device = None,
              threads: Optional[int] = None, check: bool = False, detail: str = 'everything', *, picture: bool = False,
-             size: Optional[Sequence[int]] = None, color: str = 'site') -> Forecast:
+             size: Optional[Sequence[int]] = None, color: str = 'site', edges: bool = False, antialias: int = 1,
+             dual: bool = False, labels: bool = False, label_size: float = 10) -> Forecast:
     """How much memory `cells` takes with these arguments, or with `picture=True` `render`; Python's own not counted."""
     wanted = _arguments.size_of(size)
     session = _session(backend, device, threads, points, wanted[0] * wanted[1] if wanted else 0)
@@ -248,7 +249,9 @@ def forecast(points: Any, weights: Any = None, domain: Any = None, periodic: Uni
                      None if picture else density)
     count = _arguments.threads_of(threads)
     if picture:
-        return Forecast(*_vorpipe.forecast_picture(session._session, given, wanted, color, check, count))
+        look = _arguments.look_of(wanted, color, 'viridis', edges, False, None, None, False, 1, None, None, 'grid',
+                                  antialias, dual, labels, label_size, True)
+        return Forecast(*_vorpipe.forecast_picture(session._session, given, look, check, count))
     return Forecast(*_vorpipe.forecast_cells(session._session, given, detail, check, count))
 
 

@@ -185,7 +185,9 @@ def test_the_forecast_is_told_before():
     told = vorpipe.forecast(vorpipe.generate('random', 10_000))
     assert 0 < told.bytes == sum(size for _, size in told.parts)
     assert told.fits and told.available > told.bytes and told.limited_by
-    assert vorpipe.forecast([[0, 0]], picture=True, size=(4000, 4000)).bytes > 4000 * 4000 * 8
+    plain = vorpipe.forecast([[0, 0]], picture=True, size=(4000, 4000)).bytes
+    assert plain > 4000 * 4000 * 8
+    assert vorpipe.forecast([[0, 0]], picture=True, size=(4000, 4000), antialias=4).bytes > plain
 
 
 @pytest.mark.parametrize('extension', 'csv npz geojson geojsonl gpkg svg obj ply vtk vtp vtu wkt'.split())

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/diagram/agreed_cells.h"
-#include "vorpipe/moving.h"
+#include "vorpipe.h"
 
 namespace vorpipe::core {
 
