@@ -346,7 +346,7 @@ void addRelax(CommandLine& line) {
   options.group("Picture");
   addSizeOptions(options, command->picture);
   addColorOptions(options, command->picture.render);
-  addMarkOptions(options, command->picture.render);
+  addMarkOptions(options, command->picture);
   addBackendChoice(options, command->backend);
   addSearchOptions(options, command->search);
   addRunOptions(options, command->backend, command->memory_limit);

@@ -29,7 +29,7 @@ struct ViewCommand {
   InputOptions input;
   BackendOptions backend;
   TalkOptions talk;
-  RenderOptions picture{};
+  PictureOptions picture;
   PictureSize size{1280, 720};
   std::optional<view::WindowApi> window;
   std::string density, script, record, screenshot;
@@ -66,7 +66,7 @@ Result<view::Window> openWindow(const ViewCommand& command) {
 PlanRun planOf(const ViewCommand& command) {
   return [&command](MemoryPlan& plan, const Workload& work) {
     planSession(plan, work);
-    RenderOptions options = command.picture;
+    RenderOptions options = command.picture.render;
     options.width = command.size.width;
     options.height = command.size.height;
     planDrawing(plan, work, options, {.pixels = true, .cells = false}, /*checks=*/false);
@@ -96,7 +96,9 @@ Result<view::AppOptions> appOf(const ViewCommand& command) {
   auto opened = openForView(command.input, command.talk);
   if (!opened) return tl::unexpected(std::move(opened.error()));
   options.viewer.opened = std::move(*opened);
-  options.viewer.settings.picture = command.picture;
+  options.viewer.settings.picture = command.picture.render;
+  if (command.picture.edge_width) options.viewer.settings.picture.edge_width = *command.picture.edge_width;
+  options.viewer.settings.cells = !command.picture.no_fill;
   options.viewer.settings.backend = command.backend;
   if (command.relax) options.viewer.settings.motion = view::Motion::runs;
   options.viewer.load = [input = command.input](const std::string& path) { return loadForView(path, input); };
@@ -171,11 +173,11 @@ void addView(CommandLine& line) {
                          [command](const Invocation& /*how*/) { return runView(*command); });
   addInputOptions(options, command->input);
   options.group("Picture");
-  addColorOptions(options, command->picture);
+  addColorOptions(options, command->picture.render);
   addMarkOptions(options, command->picture);
   addWindowOptions(options, *command);
   addBackendChoice(options, command->backend);
-  addSearchOptions(options, command->picture.search);
+  addSearchOptions(options, command->picture.render.search);
   addRunOptions(options, command->backend, command->memory_limit);
   addTalkOptions(options, command->talk);
 }

@@ -74,7 +74,8 @@ void addColors(Arguments& to, const RenderOptions& picture) {
 void addMarks(Arguments& to, const RenderOptions& picture) {
   const RenderOptions usual{};
   to.flag(picture.edges, "--edges");
-  if (picture.edges && picture.edge_width != usual.edge_width) to.add("--edge-width", picture.edge_width);
+  if ((picture.edges || picture.dual) && picture.edge_width != usual.edge_width)
+    to.add("--edge-width", picture.edge_width);
   to.flag(picture.show_sites, "--show-sites");
   if (picture.show_sites && picture.dot_size != usual.dot_size) to.add("--dot-size", picture.dot_size);
   to.flag(picture.dual, "--dual");
