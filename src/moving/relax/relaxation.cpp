@@ -8,6 +8,7 @@
 #include "moving/relax/lattice_energy.h"
 #include "moving/relax/lost_sites.h"
 #include "moving/relax/measured_sites.h"
+#include "moving/relax/memory_order.h"
 #include "moving/relax/quasi_newton.h"
 #include "vorpipe.h"
 
@@ -53,7 +54,10 @@ struct Relaxation::State {
   Stopwatch watch{};
   double lattice = 0;  ///< energy of the hexagonal lattice, times its number of cells
 
-  Sites sites;  ///< that are the result so far
+  std::vector<std::uint32_t> order{};  ///< of `sites`: see memoryOrder()
+  Sites sites;                         ///< that are the result so far
+  Sites callers{};                     ///< the same in the caller's order, once they were asked for
+  bool callers_are_old = true;
   MeasuredSites at{};
   std::vector<RelaxStep> trace{};
   RelaxEnd end = RelaxEnd::iterations;
@@ -101,6 +105,7 @@ void Relaxation::State::keep(Sites where, MeasuredSites measured) {
   sites = std::move(where);
   at = std::move(measured);
   current = true;
+  callers_are_old = true;
 }
 
 /// The sites as the domain takes them.
@@ -253,15 +258,26 @@ Result<Relaxation> Relaxation::begin(Session& session, Sites sites, RelaxOptions
     if (!lattice) return tl::unexpected(lattice.error());
     state.lattice = *lattice;
   }
-  auto measured = state.measure(*places);
+  state.order = memoryOrder(*places, state.options.domain);
+  Sites ordered = inOrder(*places, state.order);
+  auto measured = state.measure(ordered);
+  if (!measured && measured.error().code == ErrorCode::input) {
+    // What is wrong is told of the caller's sites by their numbers.
+    if (auto told = state.cells.update(*places); !told) return tl::unexpected(std::move(told.error()));
+  }
   if (!measured) return tl::unexpected(std::move(measured.error()));
-  state.keep(std::move(*places), std::move(*measured));
+  state.callers = std::move(*places);
+  state.keep(std::move(ordered), std::move(*measured));
   return relaxation;
 }
 
 Result<bool> Relaxation::step() { return state_->advance(); }
 
-const Sites& Relaxation::sites() const { return state_->sites; }
+const Sites& Relaxation::sites() const {
+  State& state = *state_;
+  if (std::exchange(state.callers_are_old, false)) backFrom(state.order, state.sites, state.callers);
+  return state.callers;
+}
 const std::vector<RelaxStep>& Relaxation::trace() const { return state_->trace; }
 RelaxEnd Relaxation::end() const { return state_->end; }
 
