@@ -199,7 +199,7 @@ TEST_F(AppTest, RecordsAFrameForEachEventAndThirtyASecond) {
   options.record = path("film");
   const auto end = play("wait\nkey e\nwait 0.2\nkey space\nwait 0.1\nclose\n");
   ASSERT_TRUE(end) << end.error().message;
-  // One at the beginning, one each for the keys and close, 6 and 3 for the times.
+  // One at the beginning, one each for the keys, 6 and 3 for the times.
   EXPECT_TRUE(std::filesystem::exists(path("film/frame-00012.png")));
   EXPECT_FALSE(std::filesystem::exists(path("film/frame-00013.png")));
   EXPECT_NE(contents(path("film/frame-00010.png")), contents(path("film/frame-00011.png")));
