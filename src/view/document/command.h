@@ -15,7 +15,7 @@ namespace vorpipe::view {
 struct CommandFiles {
   std::string sites;    ///< of the document; not read where it is as it was opened
   std::string outline;  ///< likewise, and where there is an outline
-  std::string picture = "vorpipe.png";
+  std::string picture = "picture.png";
 };
 
 /// `vorpipe render` and its options, which draw `picture` of the document's sites with the ids that it has.
