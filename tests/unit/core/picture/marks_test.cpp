@@ -129,6 +129,41 @@ TEST(Antialias, RowsAreDrawnSomeAtATimeAndAllOfThem) {
   EXPECT_EQ(image.rgba.back(), 0xFF000002u);
 }
 
+TEST(Antialias, AViewBeyondTheDomainIsAsOpaqueAsItShowsOfIt) {
+  const Sites sites = generate(Pattern::random, 30, 2);
+  RenderOptions options = optionsOf(60, 50);
+  options.view = Box{-0.25, -0.3, 1.4, 1.2};
+  const Rendering plain = drawn(sites, options);
+  options.antialias = 4;
+  options.edges = options.dual = true;
+  const Rendering smooth = drawn(sites, options);
+  EXPECT_EQ(smooth.image.ids, plain.image.ids);
+  double opaque = 0;
+  for (const std::uint32_t pixel : smooth.image.rgba) opaque += (pixel >> 24) / 255.0;
+  EXPECT_NEAR(opaque / 3000, 1 / (1.65 * 1.5), 0.01);
+}
+
+TEST(Antialias, AViewShowsWhatTheWholeHasThere) {
+  const Sites sites = generate(Pattern::random, 30, 2);
+  RenderOptions options = optionsOf(80, 80);
+  options.antialias = 3;
+  options.edges = options.dual = true;
+  options.edge_width = 1.5;
+  const Rendering whole = drawn(sites, options);
+  options.view = Box{0.25, 0.5, 0.5, 1};
+  options.width = 20;
+  options.height = 40;
+  const Rendering part = drawn(sites, options);
+  std::size_t different = 0;
+  for (std::size_t row = 0; row < 40; ++row) {
+    for (std::size_t column = 0; column < 20; ++column) {
+      if (part.image.rgba[row * 20 + column] != whole.image.rgba[row * 80 + 20 + column]) ++different;
+    }
+  }
+  // Places on an edge may go to either side by rounding.
+  EXPECT_LE(different, 4u);
+}
+
 /// Where a line ends, in pixels of a picture of 100 x 100, whichever end is first.
 std::set<std::pair<int, int>> endsOf(const Line& line) {
   const auto pixel = [](Point at) {
