@@ -48,7 +48,7 @@ Arrays planSearchAndDrawing(MemoryPlan& plan, const Workload& work, std::uint64_
   const auto even = plan.take("the search", sites * word);
   const auto rest = plan.take("the search", sites * word);
   planDrawing(plan, work, sites);
-  plan.drop({rest, even});
+  append(kept, {even, rest});
   append(kept, planJudge(plan, work, sites));
   return kept;
 }
@@ -167,6 +167,7 @@ Arrays planPicture(MemoryPlan& plan, const Workload& work, const RenderOptions& 
   const Arrays views = planViews(plan, work, width, height);
   planNearest(plan, work, sites);
   image.push_back(plan.take("statuses", work.sites));
+  image.push_back(plan.take("owners", work.sites * word));
   if (options.antialias > 1) plan.drop(views);
   append(working, options.antialias > 1 ? planPlaces(plan, work, options) : views);
   planReserve(plan);
