@@ -83,7 +83,10 @@ void App::takeEvents() {
     if (passed && std::holds_alternative<Move>(event)) continue;
     const bool of_window = std::holds_alternative<Resize>(event) || std::holds_alternative<Minimize>(event) ||
                            std::holds_alternative<Restore>(event);
-    if (of_window) continue;
+    if (of_window) {
+      stage_.forget();
+      continue;
+    }
     if (std::holds_alternative<Close>(event)) {
       viewer_.take(event);
     } else if (!scripted && !stage_.keeps(event)) {
