@@ -45,6 +45,10 @@ NOT_RUN = {
     './run relax --sites density:20000 --density spheres.png --equal-masses --iterations 100 -o stipple.csv '
     '--cells stipple.npz': 'it takes long; the test cli_relax runs the like of it',
     'cmake --preset dev && cmake --build --preset dev --target exact_cells': BUILDS,
+    'cmake --preset bench': BUILDS,
+    'cmake --build build/bench --target bench_pan': BUILDS,
+    'build/bench/tests/bench/bench_pan cpu 50000 1': BUILDS,
+    'build/bench/tests/bench/bench_pan vulkan-compute 1000000 0.01': BUILDS,
     'build/dev/tests/conformance/exact_cells all': BUILDS,
     'build/dev/tests/conformance/exact_cells weighted --seed 7': BUILDS,
     'build/dev/tests/conformance/exact_cells random:100000 board:13000 --backends cpu,vulkan-compute': BUILDS,
