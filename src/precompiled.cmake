@@ -44,7 +44,8 @@ if(VORPIPE_PRECOMPILE)
       <vector>
       <fmt/format.h>
       <fmt/ranges.h>
-      <tl/expected.hpp>)
+      <tl/expected.hpp>
+      "${PROJECT_SOURCE_DIR}/src/vorpipe.h")
   endforeach()
 endif()
 
