@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "conformance/cells_fixture.h"
 #include "support/devices/backends.h"
 #include "support/oracles/oracle.h"
 #include "support/shared.h"
@@ -16,8 +17,6 @@
 
 namespace vorpipe::test {
 namespace {
-
-constexpr Box unit{0, 0, 1, 1};
 
 RenderOptions pictureOf(const std::optional<Box>& view, int width = 90, int height = 70) {
   RenderOptions wanted{};

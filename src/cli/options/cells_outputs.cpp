@@ -7,12 +7,11 @@
 #include <utility>
 
 #include "cli/options/options.h"
+#include "cli/options/standard_output.h"
 #include "io/files/error.h"
 
 namespace vorpipe::cli {
 namespace {
-
-constexpr std::string_view standard_output = "/dev/stdout";
 
 Parsed<CellsTarget> parseCells(std::string_view text) {
   if (text == "-" || text == standard_output) return CellsTarget{std::string(standard_output), nullptr};

@@ -8,13 +8,12 @@
 #include <utility>
 
 #include "cli/options/options.h"
+#include "cli/options/standard_output.h"
 #include "io/files/error.h"
 #include "io/pictures/picture_file.h"
 
 namespace vorpipe::cli {
 namespace {
-
-constexpr std::string_view standard_output = "/dev/stdout";
 
 /// A file of sites; the error of one that is of cells or a picture says which option it is for.
 Parsed<PointsTarget> parsePoints(std::string_view text) {

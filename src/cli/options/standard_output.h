@@ -1,0 +1,10 @@
+/// Standard output among files, which `-` means.
+#pragma once
+
+#include <string_view>
+
+namespace vorpipe::cli {
+
+inline constexpr std::string_view standard_output = "/dev/stdout";
+
+}  // namespace vorpipe::cli
