@@ -1,0 +1,49 @@
+# VORPIPE_BATCHES: sources that lie in one folder are compiled as one, because most of what each takes is headers and
+# templates that all of them have. The preset dev does so, for a build from nothing; who edits one source again and
+# again says -D VORPIPE_BATCHES=OFF. In the preset asan each source stands alone, and must name all that it uses.
+option(VORPIPE_BATCHES "Compile the sources of a folder as one" OFF)
+
+# vorpipe_batches(target [ALONE name...]): each folder of its sources is a batch. ALONE are files with private names
+# that others beside them have as well, of which the compiler says "redefinition" or "shadows".
+function(vorpipe_batches target)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "ALONE")
+  if(NOT VORPIPE_BATCHES)
+    return()
+  endif()
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  get_target_property(sources ${target} SOURCES)
+  list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  foreach(source IN LISTS sources)
+    cmake_path(GET source FILENAME name)
+    cmake_path(GET source PARENT_PATH folder)
+    string(REPLACE "${CMAKE_CURRENT_SOURCE_DIR}/" "" folder "${folder}")
+    string(MAKE_C_IDENTIFIER "batch_${folder}" group)
+    if(NOT name IN_LIST arg_ALONE)
+      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+    endif()
+  endforeach()
+endfunction()
+
+# Rooms whose sources are compiled so, but for those that are alone.
+set(vorpipe_alone picture_files.cpp)
+set(vorpipe_batched_rooms
+    vorpipe_bench_lab
+    vorpipe_cells
+    vorpipe_cli_options
+    vorpipe_cli_runs
+    vorpipe_cli_terminal
+    vorpipe_forecast
+    vorpipe_geometry
+    vorpipe_io_arrays
+    vorpipe_io_domain
+    vorpipe_io_files
+    vorpipe_io_geopackage
+    vorpipe_io_text
+    vorpipe_opengl_device
+    vorpipe_opengl_memory
+    vorpipe_session
+    vorpipe_tiles
+    vorpipe_topology
+    vorpipe_vertices
+    vorpipe_vulkan_device
+    vorpipe_vulkan_memory)
