@@ -3,8 +3,8 @@
 # again says -D VORPIPE_BATCHES=OFF. In the preset asan each source stands alone, and must name all that it uses.
 option(VORPIPE_BATCHES "Compile the sources of a folder as one" OFF)
 
-# vorpipe_batches(target [ALONE name...]): each folder of its sources is a batch. ALONE are files with private names that
-# others beside them have as well, of which the compiler says "redefinition" or "shadows".
+# vorpipe_batches(target [ALONE name...]): each folder of its sources is a batch. ALONE are files with private names
+# that others beside them have as well, of which the compiler says "redefinition" or "shadows".
 function(vorpipe_batches target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "ALONE")
   if(NOT VORPIPE_BATCHES)
