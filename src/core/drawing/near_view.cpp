@@ -13,9 +13,9 @@ namespace {
 /// Into as many rows and columns a box is cut at most: 2^depth. More would make the parts beyond the box
 /// smaller that are looked at with it, and take longer.
 constexpr int depth = 5;
-/// A part is cut no further where its sites are so many half diagonals away.
+/// A part whose sites are farther away than this, in half diagonals of the part, is cut no further.
 constexpr double far_away = 5;
-/// Where so many times as many sites are looked at as there are, nothing is gained any more.
+/// Looks at sites, for each site that there is, beyond which nothing is gained any more.
 constexpr std::size_t most_looks = 6;
 /// Sites of a bin that are looked at for a bound: any of them gives one.
 constexpr std::uint32_t most_of_bin = 16;

@@ -12,7 +12,7 @@ namespace {
 /// In pixels: what rounding may put between an edge and a center that lies on it.
 constexpr double on_edge = 1e-9;
 
-/// Polygons are cut so many sizes of the view beyond it.
+/// How far beyond the view polygons are cut, in sizes of the view.
 constexpr double kept_beyond = 0.5;
 
 /// Where an edge crosses a line along the other axis: the same whichever end comes first.

@@ -9,8 +9,8 @@ namespace vorpipe::core {
 
 /// Whether a device still holds all sites of a set, with their colors, from one run to the next.
 struct HeldSites {
-  /// How often anything was uploaded to the device that is in use, whoever did it; null where that is not
-  /// known.
+  /// How often anything was uploaded to the device that is in use, by this or by others; null where that is
+  /// not known.
   const std::uint64_t* uploads = nullptr;
   std::optional<std::uint64_t> after{};  ///< that number when these sites had been
 

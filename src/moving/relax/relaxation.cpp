@@ -24,7 +24,7 @@ constexpr double enough_fall = 1e-4;
 constexpr double energy_rounding = 1e-15;
 /// Shorter steps are not tried.
 constexpr double least_step = 0x1p-12;
-/// So many diagrams without a gain are the end.
+/// Diagrams in a row without a gain, after which a relaxation ends.
 constexpr int most_idle = 20;
 
 CellsOptions cellsOptions(const RelaxOptions& options) {

@@ -8,7 +8,8 @@
 
 namespace vorpipe::view {
 
-/// Hands events to Dear ImGui's context, so many in a frame that a press is seen before its release.
+/// Hands events to Dear ImGui's context: in one frame as many as it tells apart, so that a press is seen
+/// before its release.
 class Feed {
  public:
   void take(const Event& event) { events_.push_back(event); }

@@ -22,7 +22,7 @@ class Widgets {
   std::vector<Placement> covered;
   bool closes_list = false;  ///< the list that is open
 
-  /// So many units of a usual screen, in pixels.
+  /// A length in units, pixels of a usual screen, in pixels of this one.
   [[nodiscard]] float px(float units) const;
   void note(std::string_view name);  ///< the item that was drawn last
   void cover();                      ///< the current window keeps the pointer

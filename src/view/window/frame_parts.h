@@ -35,7 +35,7 @@ struct FrameTriangles {
   std::vector<TrianglePart> parts;  ///< in the order in which they are drawn
 };
 
-/// The picture, unless it is sharp, and the panel, in a window of so many pixels.
+/// The picture, unless it is sharp, and the panel, in a window of `width` x `height` pixels.
 FrameTriangles trianglesOf(const Shown& frame, int width, int height);
 
 }  // namespace vorpipe::view

@@ -58,9 +58,9 @@ class Presenter {
   /// The panel's letters, before the first panel is shown.
   virtual Result<void> setTexture(const PanelTexture& texture) = 0;
 
-  /// Shows a frame in a window of so many pixels (0 x 0: it is minimized, nothing is shown). A picture whose
-  /// placement is the whole window is copied, pixel on pixel; another one is scaled, linearly. What it does
-  /// not cover is `background`.
+  /// Shows a frame in a window of `width` x `height` pixels (0 x 0: it is minimized, nothing is shown). A
+  /// picture whose placement is the whole window is copied, pixel on pixel; another one is scaled, linearly.
+  /// What it does not cover is `background`.
   virtual Result<void> show(const Shown& frame, int width, int height) = 0;
 
   /// What the last show() drew, as the window has it: RGBA, row 0 at the top; `ids` is empty.

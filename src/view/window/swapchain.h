@@ -23,7 +23,7 @@ class Swapchain {
   /// Errors (device): the window takes no format that colors can be copied to.
   static Result<Swapchain> create(const VulkanWindow& window);
 
-  /// The next image for a window of so many pixels; none while the window has none or is hidden.
+  /// The next image for a window of `width` x `height` pixels; none while the window has none or is hidden.
   Result<std::optional<WindowImage>> acquire(const VulkanWindow& window, int width, int height);
 
   /// Shows it, once the commands are done that were to fill it. False: the window has changed, and nothing is

@@ -20,8 +20,8 @@ class VulkanCanvas {
 
   Result<void> setTexture(vulkan::Device& device, const PanelTexture& texture);
 
-  /// Takes what the next record() needs of a frame for a window of so many pixels. The device must not be
-  /// using the canvas.
+  /// Takes what the next record() needs of a frame for a window of `width` x `height` pixels. The device must
+  /// not be using the canvas.
   Result<void> prepare(const vulkan::Device& device, const Shown& frame, int width, int height);
   /// Records the drawing. Afterwards image() is in use as vulkan::copied.
   void record(const VolkDeviceTable& api, VkCommandBuffer commands) const;
