@@ -15,6 +15,9 @@ while [[ $# -gt 0 ]]; do
   shift 2
 done
 
+spheres=$(mktemp -d)/spheres.png
+trap 'rm -r "$(dirname "$spheres")"' EXIT
+
 # draw NAME OPTION...: NAME.png
 draw() {
   local name=$1
@@ -63,6 +66,17 @@ draw islands --sites random:2000 --domain "$root/docs/examples/islands.geojson" 
 
 draw gauges --sites "$root/docs/examples/gauges.csv" --domain "$root/docs/examples/islands.geojson" --edges --show-sites \
   --labels --antialias 4 --size 800
+# relaxing DIAGRAMS: sites after that many of Lloyd's steps
+relaxing() {
+  "$program" relax --backend cpu --sites clusters:120 --seed 4 --domain 0,0,1,1 --method lloyd --iterations "$1" \
+    --picture "$into/relaxing-$1.png" --edges --show-sites --antialias 4 --colormap turbo --size 200x200
+}
+for diagrams in 0 1 4 16 64; do relaxing $diagrams; done
+
+python3 "$root/docs/examples/spheres.py" "$spheres"
+"$program" relax --backend cpu --sites density:20000 --density "$spheres" --equal-masses --iterations 100 \
+  --picture "$into/stipple.png" --no-fill --show-sites --dot-size 3 --antialias 4 --size 800
+
 draw masts --sites "$root/docs/examples/masts.csv" --color weight --edges --show-sites --antialias 4 --size 800
 
 alike airports --sites "$root/tests/data/navaids.csv" --domain -180,-90,180,90 --color area --legend --antialias 2 \
