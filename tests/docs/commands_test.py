@@ -43,7 +43,7 @@ NOT_RUN = {
     './run view --sites random:1000 --relax --frames 50 --screenshot relaxed.png': WINDOW,
     './run view --sites random:500 --script play.txt --record frames': WINDOW,
     './run relax --sites density:20000 --density spheres.png --equal-masses --iterations 100 -o stipple.csv '
-    '--cells stipple.npz --picture stipple.png --no-fill --show-sites --dot-size 3 --antialias 4 --size 800':
+    '--cells stipple.npz \\\n  --picture stipple.png --no-fill --show-sites --dot-size 3 --antialias 4 --size 800':
         'it takes long; docs/gallery.sh draws its picture',
     'cmake --preset dev && cmake --build --preset dev --target exact_cells': BUILDS,
     'cmake --preset bench': BUILDS,
