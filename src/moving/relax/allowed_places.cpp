@@ -57,19 +57,13 @@ AllowedPlaces::AllowedPlaces(AllowedPlaces&&) noexcept = default;
 AllowedPlaces& AllowedPlaces::operator=(AllowedPlaces&&) noexcept = default;
 AllowedPlaces::~AllowedPlaces() = default;
 
-Point AllowedPlaces::inBox(Point place) const {
-  if (!x_repeats_) place.x = std::clamp(place.x, domain_.xmin, domain_.xmax);
-  if (!y_repeats_) place.y = std::clamp(place.y, domain_.ymin, domain_.ymax);
-  return place;
-}
-
 bool AllowedPlaces::contain(Point place) const {
   return inBox(place) == place && (!shape_ || shape_->index.contains(place));
 }
 
-Point AllowedPlaces::nearestTo(Point place) const {
+Point AllowedPlaces::nearestInShape(Point place) const {
   const Point boxed = inBox(place);
-  if (!shape_ || shape_->index.contains(boxed)) return boxed;
+  if (shape_->index.contains(boxed)) return boxed;
   const double size = std::max(domain_.xmax - domain_.xmin, domain_.ymax - domain_.ymin);
   const Point wall = shape_->nearestOnRings(place, size);
   // A little further in, so that rounding does not leave the site outside.

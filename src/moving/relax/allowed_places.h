@@ -1,6 +1,7 @@
 /// Where sites may move to: the domain.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 
 #include "vorpipe.h"
@@ -23,11 +24,16 @@ class AllowedPlaces {
   [[nodiscard]] bool areConvex() const { return shape_ == nullptr; }
   [[nodiscard]] bool contain(Point place) const;
   /// The place itself, or the nearest that is allowed.
-  [[nodiscard]] Point nearestTo(Point place) const;
+  [[nodiscard]] Point nearestTo(Point place) const { return shape_ ? nearestInShape(place) : inBox(place); }
 
  private:
   struct Shape;
-  [[nodiscard]] Point inBox(Point place) const;
+  [[nodiscard]] Point inBox(Point place) const {
+    if (!x_repeats_) place.x = std::clamp(place.x, domain_.xmin, domain_.xmax);
+    if (!y_repeats_) place.y = std::clamp(place.y, domain_.ymin, domain_.ymax);
+    return place;
+  }
+  [[nodiscard]] Point nearestInShape(Point place) const;
 
   Box domain_;
   bool x_repeats_, y_repeats_;

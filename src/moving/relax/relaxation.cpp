@@ -193,10 +193,13 @@ Result<bool> Relaxation::State::tryStep() {
   if (!where) return tl::unexpected(std::move(where.error()));
   auto measured = measure(*where);
   if (!measured) return tl::unexpected(std::move(measured.error()));
-  const double slope =
-      carefulSum(2 * count, threads, [&](std::size_t k) { return at.gradient[k] * direction[k]; });
   const bool lloyd = options.method == RelaxMethod::lloyd;
-  if (lloyd || measured->energy <= at.energy + enough_fall * step * slope + energy_rounding * at.scale) {
+  const auto falls = [&] {
+    const double slope =
+        carefulSum(2 * count, threads, [&](std::size_t k) { return at.gradient[k] * direction[k]; });
+    return measured->energy <= at.energy + enough_fall * step * slope + energy_rounding * at.scale;
+  };
+  if (lloyd || falls()) {
     if (!lloyd) {
       std::vector<double> way(2 * count), change(2 * count);
       forAll(2 * count, threads, [&](std::size_t k) {
