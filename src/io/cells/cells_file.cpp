@@ -46,7 +46,7 @@ Result<const CellsFormat*> cellsFormatOf(const std::string& path) {
 }
 
 Result<void> writeCells(ByteSink& sink, const CellsOutput& output, const CellsFormat& format) {
-  const Diagram& diagram = output.diagram;
+  [[maybe_unused]] const Diagram& diagram = output.diagram;
   assert(diagram.status.size() == output.sites.size());
   assert(diagram.cell_offsets.size() == output.sites.size() + 1);
   assert(diagram.vertices.size() == diagram.cell_offsets.back());
