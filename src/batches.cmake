@@ -25,11 +25,15 @@ function(vorpipe_batches target)
 endfunction()
 
 # Rooms whose sources are compiled so, but for those that are alone.
-set(vorpipe_alone picture_files.cpp)
+set(vorpipe_alone edges.cpp fish.cpp nearest_site.cpp outline.cpp picture_files.cpp stages.cpp stats.cpp thesis.cpp zsh.cpp)
 set(vorpipe_batched_rooms
     vorpipe_bench_lab
+    vorpipe_bench_tables
     vorpipe_cells
+    vorpipe_check
+    vorpipe_cli_manual
     vorpipe_cli_options
+    vorpipe_cli_reports
     vorpipe_cli_runs
     vorpipe_cli_terminal
     vorpipe_forecast

@@ -44,8 +44,7 @@ if(VORPIPE_PRECOMPILE)
       <vector>
       <fmt/format.h>
       <fmt/ranges.h>
-      <tl/expected.hpp>
-      "${PROJECT_SOURCE_DIR}/src/vorpipe.h")
+      <tl/expected.hpp>)
   endforeach()
 endif()
 
