@@ -24,6 +24,7 @@
 #include "vorpipe/run.h"
 #include "vorpipe/sites.h"
 #include "vorpipe/topology.h"
+#include "vorpipe/transport.h"
 #include "vorpipe/view.h"
 #include "vorpipe/wall.h"
 

@@ -31,6 +31,8 @@ std::string_view argumentOf(Subject subject) {
       return "density";
     case Subject::search:
       return "search";
+    case Subject::masses:
+      return "masses";
   }
   return {};
 }

@@ -22,6 +22,8 @@ std::string_view nameOf(Subject subject) {
       return "density";
     case Subject::search:
       return "search";
+    case Subject::masses:
+      return "masses";
   }
   return {};
 }

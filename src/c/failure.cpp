@@ -36,6 +36,8 @@ vorpipe_subject numberOf(Subject subject) {
       return VORPIPE_SUBJECT_DENSITY;
     case Subject::search:
       return VORPIPE_SUBJECT_SEARCH;
+    case Subject::masses:
+      return VORPIPE_SUBJECT_MASSES;
   }
   return VORPIPE_SUBJECT_NONE;
 }

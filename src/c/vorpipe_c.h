@@ -48,7 +48,8 @@ enum {
   VORPIPE_SUBJECT_OUTLINE = 4,
   VORPIPE_SUBJECT_PERIOD = 5,
   VORPIPE_SUBJECT_DENSITY = 6,
-  VORPIPE_SUBJECT_SEARCH = 7
+  VORPIPE_SUBJECT_SEARCH = 7,
+  VORPIPE_SUBJECT_MASSES = 8
 };
 
 /* Of the last call of this thread that did not return VORPIPE_DONE; "" and none before that. */

@@ -19,7 +19,7 @@ enum class ErrorCode : std::uint8_t {
 };
 
 /// What of the input an error is about.
-enum class Subject : std::uint8_t { none, sites, weights, domain, outline, period, density, search };
+enum class Subject : std::uint8_t { none, sites, weights, domain, outline, period, density, search, masses };
 
 /// Its name, as messages begin that do not name it otherwise: "outline", as in "outline: it crosses itself".
 std::string_view nameOf(Subject subject);

@@ -58,6 +58,8 @@ std::string_view optionOf(Subject subject, const InputOptions& options) {
       return "--density";
     case Subject::search:
       return "--search";
+    case Subject::masses:
+      return "--masses";
   }
   return {};
 }

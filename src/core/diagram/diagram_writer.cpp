@@ -7,8 +7,7 @@
 
 #include "base/double_double.h"
 #include "base/parallel.h"
-#include "core/vertices/size_order.h"
-#include "core/vertices/vertex_batch.h"
+#include "core/vertices/cell_walk.h"
 
 namespace vorpipe::core {
 namespace {
@@ -25,7 +24,7 @@ class EdgeWriter {
         tied_(tied),
         unscale_(unscale),
         diagram_(diagram),
-        batch_(proposed.sites) {}
+        walk_(proposed.sites, proposed.cells) {}
 
   /// Writes the neighbors of cells begin to end - 1.
   void neighbors(std::size_t begin, std::size_t end) {
@@ -44,25 +43,18 @@ class EdgeWriter {
 
   /// Writes the polygons of cells begin to end - 1.
   void polygons(std::size_t begin, std::size_t end) {
-    const auto all = [](std::size_t cell) { return static_cast<std::uint32_t>(cell); };
-    forCellsBySize(cells_, begin, end, all, [&](std::uint32_t cell) { polygon(cell); });
-    writeBatch();
+    walk_(begin, end, [this](std::uint32_t cell, auto row, auto corners) {
+      if (tied_.has(cell)) {
+        writeTied(cell, row);
+      } else {
+        writePolygon(cell, row, corners);
+      }
+      writeMoments(cell, corners);
+    });
   }
 
  private:
   static constexpr std::size_t ahead = 32;
-
-  void polygon(std::uint32_t cell) {
-    if (cells_.status(cell) == CellStatus::empty) return;
-    if (tied_.has(cell)) return writeTied(cell);
-    const auto row = cells_.edges(cell);
-    auto added = batch_.add(cell, row);
-    if (added == CornerBatch::Added::full) {
-      writeBatch();
-      added = batch_.add(cell, row);
-    }
-    if (added == CornerBatch::Added::other) writeAlone(cell, row);
-  }
 
   void writeNeighbors(std::size_t cell, std::uint64_t out) {
     const auto row = cells_.edges(cell);
@@ -74,27 +66,8 @@ class EdgeWriter {
     for (const auto neighbor : row) diagram_.neighbors[out++] = outsideIndex(sites_, neighbor);
   }
 
-  void writeBatch() {
-    batch_.place();
-    for (std::size_t k = 0; k < batch_.size(); ++k) {
-      const auto row = batch_.row(k);
-      places_.clear();
-      for (std::size_t e = 0; e < row.size(); ++e) places_.push_back(batch_.placeOf(k, e));
-      writePolygon(batch_.cell(k), row);
-      writeMoments(batch_.cell(k), places_);
-    }
-    batch_.clear();
-  }
-
-  void writeAlone(std::size_t cell, std::span<const std::int32_t> row) {
-    placeCorners(sites_, cell, row, places_);
-    writePolygon(cell, row);
-    writeMoments(cell, places_);
-  }
-
-  void writeTied(std::size_t cell) {
+  void writeTied(std::size_t cell, std::span<const std::int32_t> row) {
     const auto k = tied_.entry[cell];
-    const auto row = cells_.edges(cell);
     keptEdges(proposed_, tied_, k, edges_);
     places_.clear();
     kept_.clear();
@@ -102,19 +75,18 @@ class EdgeWriter {
       places_.push_back(tiedPosition(tied_, k, e));
       kept_.push_back(row[e]);
     }
-    writePolygon(cell, kept_);
-    placeCorners(sites_, cell, row, places_);
-    writeMoments(cell, places_);
+    writePolygon(cell, kept_, places_);
   }
 
-  /// Writes the cell with these neighbors whose edges begin in places_.
-  void writePolygon(std::size_t cell, std::span<const std::int32_t> row) {
+  /// Writes the cell with these neighbors, whose edges begin in `corners`.
+  void writePolygon(std::size_t cell, std::span<const std::int32_t> row,
+                    std::span<const AnchoredPoint> corners) {
     const auto id = sites_.id[cell];
     auto out = diagram_.cell_offsets[id];
     double perimeter = 0;
     for (std::size_t e = 0; e < row.size(); ++e, ++out) {
-      const auto& begin = places_[e];
-      const double length = lengthOf(wayBetween(begin, places_[e + 1 < row.size() ? e + 1 : 0]));
+      const auto& begin = corners[e];
+      const double length = lengthOf(wayBetween(begin, corners[e + 1 < row.size() ? e + 1 : 0]));
       perimeter += length;
       diagram_.vertices[out] = unscale_(positionOf(begin));
       diagram_.neighbors[out] = outsideIndex(sites_, row[e]);
@@ -138,7 +110,7 @@ class EdgeWriter {
   const TiedCells& tied_;
   const Unscale& unscale_;
   Diagram& diagram_;
-  CornerBatch batch_;
+  CellWalk walk_;
   std::vector<std::uint32_t> edges_;
   std::vector<std::int32_t> kept_;
   std::vector<AnchoredPoint> places_;

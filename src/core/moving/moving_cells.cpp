@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <new>
 #include <optional>
@@ -6,7 +7,7 @@
 #include "base/parallel.h"
 #include "core/cells/cell_mass.h"
 #include "core/cells/cells_run.h"
-#include "core/moving/box_moments.h"
+#include "core/moving/box_edges.h"
 #include "core/session/input_check.h"
 #include "core/session/session_state.h"
 
@@ -17,11 +18,13 @@ using namespace core;
 struct MovingCells::State {
   Session::State* session;
   CellsOptions options;
+  Surface surface;
   Density density{};  ///< apart from the options: mass and spread are measured together here
   std::optional<std::size_t> count{};
   CellMoments moments{};
   CellsThatMeet neighbors{};
-  bool has_neighbors = false;  ///< those of the last update are written
+  EdgesOfCells edges{};
+  bool has_neighbors = false, has_edges = false;  ///< those of the last update are written
   FoundBox found{};
   Report report{};
 
@@ -78,8 +81,8 @@ void MovingCells::State::takePolygons(Diagram cells) {
   report = std::move(cells.report);
 }
 
-MovingCells::MovingCells(Session& session, CellsOptions options)
-    : state_(std::make_unique<State>(State{session.state_.get(), std::move(options)})) {
+MovingCells::MovingCells(Session& session, CellsOptions options, Surface surface)
+    : state_(std::make_unique<State>(State{session.state_.get(), std::move(options), surface})) {
   state_->density = std::exchange(state_->options.density, {});
   state_->options.detail = Detail::polygons;
 }
@@ -97,7 +100,7 @@ Result<void> MovingCells::update(const Sites& sites) {
     if (!s.count && !s.density.values.empty()) {
       if (auto checked = checkDensity(s.density); !checked) return checked;
     }
-    s.has_neighbors = false;
+    s.has_neighbors = s.has_edges = false;
     auto found = s.needsPolygons() ? s.findPolygons(sites) : s.findInBox(sites);
     if (!found) return found;
     s.count = sites.size();
@@ -105,6 +108,11 @@ Result<void> MovingCells::update(const Sites& sites) {
   } catch (const std::bad_alloc&) {
     return tl::unexpected(outOfMemory());
   }
+}
+
+Result<bool> MovingCells::updateUnlessEmpty(const Sites& sites) {
+  if (auto updated = update(sites); !updated) return tl::unexpected(std::move(updated.error()));
+  return std::ranges::all_of(state_->moments.mass, [](double mass) { return mass > 0; });
 }
 
 const CellMoments& MovingCells::moments() const { return state_->moments; }
@@ -116,6 +124,13 @@ const CellsThatMeet& MovingCells::neighbors() const {
     s.has_neighbors = true;
   }
   return s.neighbors;
+}
+
+const EdgesOfCells& MovingCells::edges() const {
+  State& s = *state_;
+  if (!s.has_edges && s.found.cells) s.edges = edgesOf(s.found, neighbors(), s.session->threads);
+  s.has_edges = true;
+  return s.edges;
 }
 
 const Report& MovingCells::report() const { return state_->report; }

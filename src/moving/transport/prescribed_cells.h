@@ -1,0 +1,50 @@
+/// Cells of prescribed masses around sites that may move from one time to the next.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "vorpipe/transport.h"
+
+namespace vorpipe {
+class Session;
+}
+
+namespace vorpipe::moving {
+
+/// What is asked of one time; `diagrams` and `tolerance` as in TransportOptions.
+struct PrescribedLimits {
+  double tolerance = 1e-8;
+  std::uint64_t diagrams = 400;
+};
+
+/// Memory and the linear solver stay from one time to the next. The session outlives this.
+class PrescribedCells {
+ public:
+  /// `masses` are by site, and what TransportOptions says of them holds.
+  PrescribedCells(Session& session, const CellsOptions& options, Surface surface, std::vector<double> masses);
+  PrescribedCells(PrescribedCells&&) noexcept;
+  PrescribedCells& operator=(PrescribedCells&&) noexcept;
+  ~PrescribedCells();
+
+  /// Finds the weights of `sites`, which are best in memoryOrder(). It begins with the weights that they come
+  /// with, where they have any and these leave every cell some of its mass. They end with the weights that
+  /// were found, whatever the end says. Errors: those of Session::cells; two sites at one place.
+  Result<TransportEnd> solve(Sites& sites, const PrescribedLimits& limits,
+                             const TransportWatcher& watcher = {});
+
+  /// The cells of the sites and weights that solve() left.
+  [[nodiscard]] const MovingCells& cells() const;
+  /// Each diagram of the last solve().
+  [[nodiscard]] const std::vector<TransportStep>& trace() const;
+
+  /// As LaplacianSolver::solve(), with the matrix of the cells that solve() left: that of d mass / d weight.
+  Result<std::vector<double>> solveLinear(std::span<const double> right_side, double tolerance);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace vorpipe::moving
