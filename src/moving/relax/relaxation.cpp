@@ -45,12 +45,13 @@ struct Relaxation::State {
       : options(std::move(from)),
         cells(session, cellsOptions(options)),
         allowed(options.domain, options.outline, options.periodic),
+        threads(session.threads()),
         sites(std::move(begin)) {}
 
   RelaxOptions options;
   MovingCells cells;
   AllowedPlaces allowed;
-  int threads = 0;
+  int threads;
   Stopwatch watch{};
   double lattice = 0;  ///< energy of the hexagonal lattice, times its number of cells
 
@@ -250,7 +251,7 @@ Relaxation::~Relaxation() = default;
 
 Result<Relaxation> Relaxation::begin(Session& session, Sites sites, RelaxOptions options) {
   const auto cells = cellsOptions(options);
-  if (auto checked = checkInput(sites, cells); !checked) return tl::unexpected(std::move(checked.error()));
+  if (auto checked = checkInput(sites, cells, session.threads()); !checked) return tl::unexpected(std::move(checked.error()));
   Relaxation relaxation;
   relaxation.state_ = std::make_unique<State>(session, std::move(options), std::move(sites));
   State& state = *relaxation.state_;
