@@ -8,6 +8,7 @@
 #include "core/cells/cell_mass.h"
 #include "core/cells/cells_run.h"
 #include "core/moving/box_edges.h"
+#include "core/moving/polygon_edges.h"
 #include "core/session/input_check.h"
 #include "core/session/session_state.h"
 
@@ -26,6 +27,8 @@ struct MovingCells::State {
   EdgesOfCells edges{};
   bool has_neighbors = false, has_edges = false;  ///< those of the last update are written
   FoundBox found{};
+  CellPolygons polygons{};
+  Sites places{};  ///< of what has polygons
   Report report{};
 
   [[nodiscard]] bool needsPolygons() const {
@@ -56,6 +59,9 @@ Result<void> MovingCells::State::findPolygons(const Sites& sites) {
   auto cells = session->device.run<Diagram>(
       [&](Backend& backend) { return cellsOn(session->with(backend), sites, options); });
   if (!cells) return tl::unexpected(cells.error());
+  auto placed = wrapped(sites, options.domain, options.periodic, session->threads);
+  if (!placed) return tl::unexpected(placed.error());
+  places = std::move(*placed);
   takePolygons(std::move(*cells));
   return {};
 }
@@ -78,6 +84,7 @@ void MovingCells::State::takePolygons(Diagram cells) {
   moments.centroid = cells.mass_centroid.empty() ? std::move(cells.centroid) : std::move(cells.mass_centroid);
   neighbors = {std::move(cells.cell_offsets), std::move(cells.neighbors), std::move(cells.neighbor_shifts)};
   has_neighbors = true;
+  polygons = {std::move(cells.vertices), std::move(cells.edge_lengths), std::move(cells.ring_starts)};
   report = std::move(cells.report);
 }
 
@@ -128,7 +135,12 @@ const CellsThatMeet& MovingCells::neighbors() const {
 
 const EdgesOfCells& MovingCells::edges() const {
   State& s = *state_;
-  if (!s.has_edges && s.found.cells) s.edges = edgesOf(s.found, neighbors(), s.session->threads);
+  if (!s.has_edges && s.needsPolygons()) {
+    s.edges = edgesOf(s.polygons, neighbors(),
+                      {s.places, s.options.domain, s.options.periodic, s.density, s.session->threads});
+  } else if (!s.has_edges) {
+    s.edges = edgesOf(s.found, neighbors(), s.session->threads);
+  }
   s.has_edges = true;
   return s.edges;
 }
