@@ -8,8 +8,7 @@
 #include "base/parallel.h"
 #include "base/refusal.h"
 #include "core/cells/cell_rings.h"
-#include "core/cells/density_pixels.h"
-#include "core/cells/pixel_rows.h"
+#include "core/cells/polygon_mass.h"
 
 namespace vorpipe::core {
 namespace {
@@ -22,67 +21,35 @@ tl::unexpected<Error> refuse(const std::string& what) {
 
 class Masses {
  public:
-  Masses(const Density& density, const Box& domain, Periodic periodic, Diagram& diagram,
-         std::vector<double>* spread)
-      : pixels_(density, domain, periodic), diagram_(diagram), spread_(spread) {}
+  Masses(const DensityPixels& pixels, Diagram& diagram) : diagram_(diagram), scale_(pixels) {}
 
   void cell(std::size_t i) {
     diagram_.mass[i] = 0;
     diagram_.mass_centroid[i] = diagram_.centroid[i];
     if (diagram_.status[i] != Status::ok) return;
     const auto begin = diagram_.cell_offsets[i], end = diagram_.cell_offsets[i + 1];
-    const Box box = boxAround(begin, end, diagram_.centroid[i]);
-    const Point offset{pixels_.x.pixelsTo(box.xmin), pixels_.y.pixelsTo(box.ymin)};
-    const PixelRows::Range columns{pixels_.x.at(offset.x), pixels_.x.at(pixels_.x.pixelsTo(box.xmax))};
-    const PixelRows::Range rows{pixels_.y.at(offset.y), pixels_.y.at(pixels_.y.pixelsTo(box.ymax))};
-    if (columns.first == columns.last && rows.first == rows.last) {
-      const double value = pixels_.at(rows.first, columns.first);
-      diagram_.mass[i] = value * diagram_.area[i];
-      if (spread_ != nullptr) {
-        (*spread_)[i] = value * (diagram_.second_moments[i][0] + diagram_.second_moments[i][2]);
-      }
+    if (const auto value = scale_.begin({0, 0}, boxAround(begin, end, diagram_.centroid[i]))) {
+      diagram_.mass[i] = *value * diagram_.area[i];
       return;
     }
-    rows_.begin(offset, (box.ymax - box.ymin) / pixels_.y.size, columns, rows);
     eachEdge(diagram_.ring_starts, begin, end, [&](std::uint64_t v, std::uint64_t next) {
-      rows_.add(inPixels(diagram_.vertices[v], box), inPixels(diagram_.vertices[next], box));
+      scale_.add(diagram_.vertices[v], diagram_.vertices[next]);
     });
-    PixelIntegrals sum;
-    rows_.integrate([&](std::int64_t row, std::int64_t column, const PixelIntegrals& pixel) {
-      const double value = pixels_.at(row, column);
-      sum.area += value * pixel.area;
-      sum.x += value * pixel.x;
-      sum.y += value * pixel.y;
-      sum.xx += value * pixel.xx;
-      sum.yy += value * pixel.yy;
-    });
-    if (!(sum.area > 0)) return;
-    diagram_.mass[i] = sum.area * pixels_.x.size * pixels_.y.size;
-    diagram_.mass_centroid[i] = {box.xmin + sum.x / sum.area * pixels_.x.size,
-                                 box.ymin + sum.y / sum.area * pixels_.y.size};
-    if (spread_ != nullptr) (*spread_)[i] = spreadOf(sum);
+    const PolygonMass weighed = scale_.weigh();
+    if (!(weighed.mass > 0)) return;
+    diagram_.mass[i] = weighed.mass;
+    diagram_.mass_centroid[i] = weighed.center;
   }
 
  private:
-  /// About the center of mass, in the caller's units.
-  [[nodiscard]] double spreadOf(const PixelIntegrals& sum) const {
-    const double across = (sum.xx - sum.x * (sum.x / sum.area)) * pixels_.x.size * pixels_.x.size;
-    const double along = (sum.yy - sum.y * (sum.y / sum.area)) * pixels_.y.size * pixels_.y.size;
-    return std::max(0.0, across + along) * pixels_.x.size * pixels_.y.size;
-  }
   /// Of its vertices; of its centroid if it has none, because all its edges are ties.
   [[nodiscard]] Box boxAround(std::uint64_t begin, std::uint64_t end, Point centroid) const {
     const auto vertices = std::span(diagram_.vertices).subspan(begin, end - begin);
     return boxOf(vertices.empty() ? std::span<const Point>(&centroid, 1) : vertices);
   }
-  [[nodiscard]] Point inPixels(Point p, const Box& box) const {
-    return {(p.x - box.xmin) / pixels_.x.size, (p.y - box.ymin) / pixels_.y.size};
-  }
 
-  DensityPixels pixels_;
   Diagram& diagram_;
-  std::vector<double>* spread_;  ///< may be null
-  PixelRows rows_;
+  PolygonScale scale_;
 };
 
 }  // namespace
@@ -105,13 +72,13 @@ Result<void> checkDensity(const Density& density) {
                             pixel / width, pixel % width, *wrong));
 }
 
-void measureMass(const Density& density, const Box& domain, Periodic periodic, int threads, Diagram& diagram,
-                 std::vector<double>* spread) {
-  if (spread != nullptr) spread->assign(diagram.status.size(), 0);
+void measureMass(const Density& density, const Box& domain, Periodic periodic, int threads,
+                 Diagram& diagram) {
+  const DensityPixels pixels(density, domain, periodic);
   diagram.mass.resize(diagram.status.size());
   diagram.mass_centroid.resize(diagram.status.size());
   parallelFor(diagram.status.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
-    Masses masses(density, domain, periodic, diagram, spread);
+    Masses masses(pixels, diagram);
     for (auto i = begin; i < end; ++i) masses.cell(i);
   });
 }
