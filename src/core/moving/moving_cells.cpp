@@ -8,6 +8,7 @@
 #include "core/cells/cell_mass.h"
 #include "core/cells/cells_run.h"
 #include "core/moving/box_edges.h"
+#include "core/moving/disc_cells.h"
 #include "core/session/input_check.h"
 #include "core/session/session_state.h"
 
@@ -26,6 +27,7 @@ struct MovingCells::State {
   EdgesOfCells edges{};
   bool has_neighbors = false, has_edges = false;  ///< those of the last update are written
   FoundBox found{};
+  FreeSurface free_surface{};  ///< where the surface is one
   Report report{};
 
   [[nodiscard]] bool needsPolygons() const {
@@ -42,8 +44,10 @@ Result<void> MovingCells::State::findInBox(const Sites& sites) {
     Report report;
   };
   auto done = session->device.run<Done>([&](Backend& backend) -> Result<Done> {
-    auto made = findMoments(session->with(backend), sites, options, found, moments);
+    const Machine machine = session->with(backend);
+    auto made = findMoments(machine, sites, options, found, moments);
     if (!made) return tl::unexpected(made.error());
+    if (surface == Surface::free) cutByDiscs(found, sites, machine.threads, moments, *made, free_surface);
     return Done{std::move(*made)};
   });
   if (!done) return tl::unexpected(done.error());
@@ -97,6 +101,9 @@ Result<void> MovingCells::update(const Sites& sites) {
   }
   try {
     if (auto checked = checkOptions(sites, s.options); !checked) return checked;
+    if (s.surface == Surface::free) {
+      if (auto checked = checkFreeSurface(s.options, s.density); !checked) return checked;
+    }
     if (!s.count && !s.density.values.empty()) {
       if (auto checked = checkDensity(s.density); !checked) return checked;
     }
@@ -128,7 +135,11 @@ const CellsThatMeet& MovingCells::neighbors() const {
 
 const EdgesOfCells& MovingCells::edges() const {
   State& s = *state_;
-  if (!s.has_edges && s.found.cells) s.edges = edgesOf(s.found, neighbors(), s.session->threads);
+  if (!s.has_edges && s.found.cells) {
+    s.edges = s.surface == Surface::free
+                  ? edgesInDiscs(s.found, s.free_surface, neighbors(), s.session->threads)
+                  : edgesOf(s.found, neighbors(), s.session->threads);
+  }
   s.has_edges = true;
   return s.edges;
 }
