@@ -332,9 +332,9 @@ TEST(FreeSurface, EdgesSayHowAreasChange) {
     const auto weight_slopes = slopes(moving, sites, &Sites::weight, j);
     const auto x_slopes = slopes(moving, sites, &Sites::x, j);
     for (std::size_t i = 0; i < sites.size(); ++i) {
-      EXPECT_NEAR(weight_slopes[i], by_weight[i], 1e-4) << i << " " << j;
+      EXPECT_NEAR(weight_slopes[i], by_weight[i], 1e-7) << i << " " << j;
       if (i == j) continue;
-      EXPECT_NEAR(x_slopes[i], by_x[i], 1e-5) << i << " " << j;
+      EXPECT_NEAR(x_slopes[i], by_x[i], 1e-7) << i << " " << j;
     }
   }
 }
