@@ -8,6 +8,7 @@
 #include "core/cells/cell_mass.h"
 #include "core/cells/cells_run.h"
 #include "core/moving/box_edges.h"
+#include "core/moving/disc_cells.h"
 #include "core/moving/own_corners.h"
 #include "core/moving/polygon_edges.h"
 #include "core/session/input_check.h"
@@ -30,6 +31,7 @@ struct MovingCells::State {
   FoundBox found{};
   CellPolygons polygons{};
   Sites places{};  ///< of what has polygons
+  FreeSurface free_surface{};  ///< where the surface is one
   Report report{};
 
   [[nodiscard]] bool needsPolygons() const {
@@ -51,8 +53,10 @@ Result<void> MovingCells::State::findInBox(const Sites& sites) {
     Report report;
   };
   auto done = session->device.run<Done>([&](Backend& backend) -> Result<Done> {
-    auto made = findMoments(session->with(backend), sites, options, found, moments);
+    const Machine machine = session->with(backend);
+    auto made = findMoments(machine, sites, options, found, moments);
     if (!made) return tl::unexpected(made.error());
+    if (surface == Surface::free) cutByDiscs(found, sites, machine.threads, moments, *made, free_surface);
     return Done{std::move(*made)};
   });
   if (!done) return tl::unexpected(done.error());
@@ -131,6 +135,9 @@ Result<void> MovingCells::update(const Sites& sites) {
   }
   try {
     if (auto checked = checkOptions(sites, s.options); !checked) return checked;
+    if (s.surface == Surface::free) {
+      if (auto checked = checkFreeSurface(s.options, s.density); !checked) return checked;
+    }
     if (!s.count && !s.density.values.empty()) {
       if (auto checked = checkDensity(s.density); !checked) return checked;
     }
@@ -165,6 +172,8 @@ const EdgesOfCells& MovingCells::edges() const {
   if (!s.has_edges && s.needsPolygons()) {
     s.edges = edgesOf(s.polygons, neighbors(),
                       {s.places, s.options.domain, s.options.periodic, s.density, s.session->threads});
+  } else if (!s.has_edges && s.surface == Surface::free) {
+    s.edges = edgesInDiscs(s.found, s.free_surface, neighbors(), s.session->threads);
   } else if (!s.has_edges) {
     const auto density_pixels = s.pixels();
     s.edges = edgesOf(s.found, neighbors(), density_pixels ? &*density_pixels : nullptr, s.session->threads);
