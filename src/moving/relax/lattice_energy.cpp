@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "moving/relax/block_sums.h"
+#include "base/block_sums.h"
 
 namespace vorpipe::moving {
 

@@ -2,9 +2,9 @@
 #include <limits>
 #include <utility>
 
+#include "base/block_sums.h"
 #include "base/stopwatch.h"
 #include "moving/relax/allowed_places.h"
-#include "moving/relax/block_sums.h"
 #include "moving/relax/lattice_energy.h"
 #include "moving/relax/lost_sites.h"
 #include "moving/relax/measured_sites.h"
