@@ -102,10 +102,12 @@ void addRelaxTargets(Options& options, RelaxTargets& targets) {
       [](std::string_view text) { return parseNamed<PictureFile>(text, pictureFormatOf); },
       [&targets](PictureFile file) { targets.pictures.push_back(std::move(file)); },
       {{}, {pictures.begin(), pictures.end()}});
-  addFile(options, "--trace", targets.trace, ".csv",
-          "a row for each diagram: its number, the energy, that as a part of the hexagonal lattice's, the "
-          "longest "
-          "way of a site to its centroid in spacings, and the seconds since the first");
+  addFile(
+      options, "--trace", targets.trace, ".csv",
+      "a row for each diagram: its number, the energy, that as a part of the hexagonal lattice's, the "
+      "longest "
+      "way of a site to its centroid in spacings, the seconds since the first, and whether it was kept: 0 "
+      "where its energy was too high, and the sites went back");
   addParsed(
       options, "--save-every", targets.every, "N",
       "also writes what -o, --cells and --picture name after each N diagrams, with the number of the diagram "
