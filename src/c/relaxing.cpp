@@ -31,7 +31,8 @@ Result<RelaxOptions> relaxOptions(const vorpipe_input& input, const PlacedInput&
   options.domain = cells->domain;
   options.outline = cells->outline;
   options.periodic = cells->periodic;
-  options.density = wanted->equal_masses != 0 ? forEqualMasses(cells->density) : cells->density;
+  options.density = cells->density;
+  options.equal_masses = wanted->equal_masses != 0;
   options.search = cells->search;
   options.method = *method;
   if (wanted->iterations != 0) options.iterations = wanted->iterations;
