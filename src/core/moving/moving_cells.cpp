@@ -40,24 +40,26 @@ struct MovingCells::State {
     return DensityPixels(density, options.domain, options.periodic);
   }
 
-  Result<void> findInBox(const Sites& sites);
+  Result<void> update(const Sites& sites, bool unless_empty);
+  Result<void> findInBox(const Sites& sites, bool unless_empty);
   Result<void> findPolygons(const Sites& sites);
   void takePolygons(FoundCells cells);
   void weigh(const SiteRun& run, const NeighborRows& rows, int exponent, const Sites& sites);
 };
 
-Result<void> MovingCells::State::findInBox(const Sites& sites) {
+Result<void> MovingCells::State::findInBox(const Sites& sites, bool unless_empty) {
   struct Done {
     Report report;
   };
   auto done = session->device.run<Done>([&](Backend& backend) -> Result<Done> {
-    auto made = findMoments(session->with(backend), sites, options, found, moments);
+    const auto find = unless_empty ? findMomentsUnlessEmpty : findMoments;
+    auto made = find(session->with(backend), sites, options, found, moments);
     if (!made) return tl::unexpected(made.error());
     return Done{std::move(*made)};
   });
   if (!done) return tl::unexpected(done.error());
   report = std::move(done->report);
-  weigh(*found.run, found.cells->rows, found.run->prepared.exponent, sites);
+  if (found.cells) weigh(*found.run, found.cells->rows, found.run->prepared.exponent, sites);
   return {};
 }
 
@@ -124,29 +126,32 @@ MovingCells::MovingCells(MovingCells&&) noexcept = default;
 MovingCells& MovingCells::operator=(MovingCells&&) noexcept = default;
 MovingCells::~MovingCells() = default;
 
-Result<void> MovingCells::update(const Sites& sites) {
-  State& s = *state_;
-  if (s.count && *s.count != sites.size()) {
+Result<void> MovingCells::State::update(const Sites& sites, bool unless_empty) {
+  if (count && *count != sites.size()) {
     return tl::unexpected(Error{ErrorCode::input, "as many sites as before are to move"});
   }
   try {
-    if (auto checked = checkOptions(sites, s.options); !checked) return checked;
-    if (!s.count && !s.density.values.empty()) {
-      if (auto checked = checkDensity(s.density); !checked) return checked;
+    if (auto checked = checkOptions(sites, options); !checked) return checked;
+    if (!count && !density.values.empty()) {
+      if (auto checked = checkDensity(density); !checked) return checked;
     }
-    s.has_neighbors = s.has_edges = false;
-    auto found = s.needsPolygons() ? s.findPolygons(sites) : s.findInBox(sites);
-    if (!found) return found;
-    s.count = sites.size();
+    has_neighbors = has_edges = false;
+    auto updated = needsPolygons() ? findPolygons(sites) : findInBox(sites, unless_empty);
+    if (!updated) return updated;
+    count = sites.size();
     return {};
   } catch (const std::bad_alloc&) {
     return tl::unexpected(outOfMemory());
   }
 }
 
+Result<void> MovingCells::update(const Sites& sites) { return state_->update(sites, false); }
+
 Result<bool> MovingCells::updateUnlessEmpty(const Sites& sites) {
-  if (auto updated = update(sites); !updated) return tl::unexpected(std::move(updated.error()));
-  return std::ranges::all_of(state_->moments.mass, [](double mass) { return mass > 0; });
+  State& s = *state_;
+  if (auto updated = s.update(sites, true); !updated) return tl::unexpected(std::move(updated.error()));
+  if (!s.needsPolygons() && !s.found.cells) return false;
+  return std::ranges::all_of(s.moments.mass, [](double mass) { return mass > 0; });
 }
 
 const CellMoments& MovingCells::moments() const { return state_->moments; }
@@ -165,7 +170,7 @@ const EdgesOfCells& MovingCells::edges() const {
   if (!s.has_edges && s.needsPolygons()) {
     s.edges = edgesOf(s.polygons, neighbors(),
                       {s.places, s.options.domain, s.options.periodic, s.density, s.session->threads});
-  } else if (!s.has_edges) {
+  } else if (!s.has_edges && s.found.cells) {
     const auto density_pixels = s.pixels();
     s.edges = edgesOf(s.found, neighbors(), density_pixels ? &*density_pixels : nullptr, s.session->threads);
   }
