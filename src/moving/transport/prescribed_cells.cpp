@@ -11,6 +11,7 @@
 #include "moving/linear/laplacian_solver.h"
 #include "moving/transport/mass_matrix.h"
 #include "moving/transport/misfit.h"
+#include "moving/transport/roomy_box.h"
 #include "moving/transport/start_weights.h"
 #include "vorpipe.h"
 
@@ -121,7 +122,9 @@ Result<bool> PrescribedCells::State::beginAnywhere(Sites& sites) {
   for (std::size_t k = 0; k < starts.size() && begun && !*begun && mayMeasure(); ++k) {
     begun = beginWith(sites, std::move(starts[k]), any);
   }
-  return begun;
+  const bool everywhere = options.outline.empty() && options.density.values.empty();
+  if (!begun || *begun || everywhere || !mayMeasure() || options.periodic != Periodic::none) return begun;
+  return beginWith(sites, spreadWeights(sites, roomyBox(options)), any);
 }
 
 Result<bool> PrescribedCells::State::begin(Sites& sites) {
