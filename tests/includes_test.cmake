@@ -90,7 +90,8 @@ set(guarded_headers
     "^geos\\.h$"
     "^boost/geometry/"
     "^CLI/"
-    "^(tbb|oneapi)/")
+    "^(tbb|oneapi)/"
+    "^Eigen/")
 set(users
     "^(core/locate/|core/session/|bench/|backend/registry/)"
     "^(backend/(vulkan|opengl)|view/window)/"
@@ -109,7 +110,8 @@ set(users
     "^(core/outline/(geos_outline|hull|mended|validity)|io/cells/hole_triangles)\\."
     "^core/outline/"
     "^cli/options/(command_line|help_format)\\.cpp$"
-    "^base/parallel(_sort)?\\.cpp$")
+    "^base/parallel(_sort)?\\.cpp$"
+    "^moving/linear/factored\\.cpp$")
 
 # Sets allowed to whether file (relative to src) may include header, quoted or in angle brackets.
 function(vorpipe_may_include file header quoted allowed)
@@ -165,6 +167,8 @@ vorpipe_expect(FALSE bench/lab/lab.cpp core/judge/judge.h TRUE)
 vorpipe_expect(FALSE core/picture/picture.cpp flann/flann.hpp FALSE)
 vorpipe_expect(TRUE base/parallel.cpp tbb/parallel_for.h FALSE)
 vorpipe_expect(FALSE core/picture/picture.cpp tbb/parallel_for.h FALSE)
+vorpipe_expect(TRUE moving/linear/factored.cpp Eigen/SparseCholesky FALSE)
+vorpipe_expect(FALSE moving/linear/laplacian_solver.cpp Eigen/SparseCholesky FALSE)
 vorpipe_expect(FALSE core/picture/picture.cpp ../backend/cpu/cpu.h TRUE)
 vorpipe_expect(FALSE backend/opengl/pipelines/cells.cpp backend/vulkan/device/device.h TRUE)
 vorpipe_expect(FALSE backend/opengl/pipelines/cells.cpp backend/registry/registry.h TRUE)

@@ -8,6 +8,7 @@
 #include "core/cells/cell_mass.h"
 #include "core/cells/cells_run.h"
 #include "core/moving/box_edges.h"
+#include "core/moving/disc_cells.h"
 #include "core/moving/own_corners.h"
 #include "core/moving/polygon_edges.h"
 #include "core/session/input_check.h"
@@ -29,7 +30,8 @@ struct MovingCells::State {
   bool has_neighbors = false, has_edges = false;  ///< those of the last update are written
   FoundBox found{};
   CellPolygons polygons{};
-  Sites places{};  ///< of what has polygons
+  Sites places{};              ///< of what has polygons
+  FreeSurface free_surface{};  ///< where the surface is one
   Report report{};
 
   [[nodiscard]] bool needsPolygons() const {
@@ -52,9 +54,12 @@ Result<void> MovingCells::State::findInBox(const Sites& sites, bool unless_empty
     Report report;
   };
   auto done = session->device.run<Done>([&](Backend& backend) -> Result<Done> {
+    const Machine machine = session->with(backend);
     const auto find = unless_empty ? findMomentsUnlessEmpty : findMoments;
-    auto made = find(session->with(backend), sites, options, found, moments);
+    auto made = find(machine, sites, options, found, moments);
     if (!made) return tl::unexpected(made.error());
+    if (found.cells && surface == Surface::free)
+      cutByDiscs(found, sites, machine.threads, moments, *made, free_surface);
     return Done{std::move(*made)};
   });
   if (!done) return tl::unexpected(done.error());
@@ -132,6 +137,9 @@ Result<void> MovingCells::State::update(const Sites& sites, bool unless_empty) {
   }
   try {
     if (auto checked = checkOptions(sites, options); !checked) return checked;
+    if (surface == Surface::free) {
+      if (auto checked = checkFreeSurface(options, density); !checked) return checked;
+    }
     if (!count && !density.values.empty()) {
       if (auto checked = checkDensity(density); !checked) return checked;
     }
@@ -170,6 +178,8 @@ const EdgesOfCells& MovingCells::edges() const {
   if (!s.has_edges && s.needsPolygons()) {
     s.edges = edgesOf(s.polygons, neighbors(),
                       {s.places, s.options.domain, s.options.periodic, s.density, s.session->threads});
+  } else if (!s.has_edges && s.found.cells && s.surface == Surface::free) {
+    s.edges = edgesInDiscs(s.found, s.free_surface, neighbors(), s.session->threads);
   } else if (!s.has_edges && s.found.cells) {
     const auto density_pixels = s.pixels();
     s.edges = edgesOf(s.found, neighbors(), density_pixels ? &*density_pixels : nullptr, s.session->threads);

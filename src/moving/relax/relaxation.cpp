@@ -2,9 +2,9 @@
 #include <limits>
 #include <utility>
 
+#include "base/block_sums.h"
 #include "base/stopwatch.h"
 #include "moving/relax/allowed_places.h"
-#include "moving/relax/block_sums.h"
 #include "moving/relax/lattice_energy.h"
 #include "moving/relax/lost_sites.h"
 #include "moving/relax/measured_sites.h"
@@ -45,12 +45,13 @@ struct Relaxation::State {
       : options(std::move(from)),
         cells(session, cellsOptions(options)),
         allowed(options.domain, options.outline, options.periodic),
+        threads(session.threads()),
         sites(std::move(begin)) {}
 
   RelaxOptions options;
   MovingCells cells;
   AllowedPlaces allowed;
-  int threads = 0;
+  int threads;
   Stopwatch watch{};
   double lattice = 0;  ///< energy of the hexagonal lattice, times its number of cells
 
@@ -212,6 +213,7 @@ Result<bool> Relaxation::State::tryStep() {
     step = 0;
     return true;
   }
+  trace.back().taken = false;
   current = false;
   step /= 2;
   if (step >= least_step) return true;
@@ -243,6 +245,11 @@ Result<bool> Relaxation::State::advance() {
   return stop(RelaxEnd::cancelled);
 }
 
+const RelaxStep& lastTaken(const std::vector<RelaxStep>& trace) {
+  // The first diagram, of the sites as they came, is always taken.
+  return *std::find_if(trace.rbegin(), trace.rend(), [](const RelaxStep& step) { return step.taken; });
+}
+
 Relaxation::Relaxation() = default;
 Relaxation::Relaxation(Relaxation&&) noexcept = default;
 Relaxation& Relaxation::operator=(Relaxation&&) noexcept = default;
@@ -250,7 +257,7 @@ Relaxation::~Relaxation() = default;
 
 Result<Relaxation> Relaxation::begin(Session& session, Sites sites, RelaxOptions options) {
   const auto cells = cellsOptions(options);
-  if (auto checked = checkInput(sites, cells); !checked) return tl::unexpected(std::move(checked.error()));
+  if (auto checked = checkInput(sites, cells, session.threads()); !checked) return tl::unexpected(std::move(checked.error()));
   Relaxation relaxation;
   relaxation.state_ = std::make_unique<State>(session, std::move(options), std::move(sites));
   State& state = *relaxation.state_;

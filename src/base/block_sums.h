@@ -1,4 +1,4 @@
-/// Sums over many sites that do not depend on the number of threads: blocks of one size are added in order.
+/// Sums over many terms that do not depend on the number of threads: blocks of one size are added in order.
 #pragma once
 
 #include <cmath>
@@ -8,9 +8,9 @@
 
 #include "base/parallel.h"
 
-namespace vorpipe::moving {
+namespace vorpipe {
 
-/// Sites of a block.
+/// Terms of a block.
 inline constexpr std::size_t sum_block = 1024;
 
 /// A sum that keeps what rounding takes from it (Neumaier 1974).
@@ -59,4 +59,4 @@ void forAll(std::size_t count, int threads, const Each& each) {
               });
 }
 
-}  // namespace vorpipe::moving
+}  // namespace vorpipe
