@@ -58,7 +58,7 @@ Result<void> MovingCells::State::findInBox(const Sites& sites, bool unless_empty
     const auto find = unless_empty ? findMomentsUnlessEmpty : findMoments;
     auto made = find(machine, sites, options, found, moments);
     if (!made) return tl::unexpected(made.error());
-    if (surface == Surface::free && found.cells)
+    if (found.cells && surface == Surface::free)
       cutByDiscs(found, sites, machine.threads, moments, *made, free_surface);
     return Done{std::move(*made)};
   });
