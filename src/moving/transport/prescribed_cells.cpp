@@ -61,6 +61,7 @@ struct PrescribedCells::State {
   Result<bool> beginAnywhere(Sites& sites);
   Result<bool> begin(Sites& sites);
   void keep(const Sites& sites, const Misfit& now);
+  void tell();
   Result<std::uint64_t> findWay();
   Result<TransportEnd> iterate(Sites& sites);
   Result<bool> search(Sites& sites, std::uint64_t newton, double enough, double& length);
@@ -93,14 +94,21 @@ void PrescribedCells::State::keep(const Sites& sites, const Misfit& now) {
   trace.back().taken = true;
 }
 
+/// Tells the watcher of the last diagram.
+void PrescribedCells::State::tell() {
+  if (watcher && !watcher(trace.back())) stopped = true;
+}
+
 /// Whether these weights leave every cell at least that part of its mass. They are kept then.
 Result<bool> PrescribedCells::State::beginWith(Sites& sites, std::vector<double> weights, double least) {
   sites.weight = std::move(weights);
   Misfit now;
   auto whole = measure(sites, {}, now);
-  if (!whole || !*whole || !(now.least >= least)) return whole ? Result<bool>(false) : whole;
-  keep(sites, now);
-  return true;
+  if (!whole) return whole;
+  const bool enough = *whole && now.least >= least;
+  if (enough) keep(sites, now);
+  tell();
+  return enough;
 }
 
 /// Begins with weights that do not depend on those that the sites have.
@@ -164,7 +172,7 @@ Result<bool> PrescribedCells::State::search(Sites& sites, std::uint64_t newton, 
     const bool less = now.norm <= (1 - length / 2) * misfit.norm;
     const bool taken = *whole && now.least >= enough && less;
     if (taken) keep(sites, now);
-    if (watcher && !watcher(trace.back())) stopped = true;
+    tell();
     if (taken) return true;
     // Near the end a whole step is right; that it gains nothing is rounding.
     if (*whole && length == 1 && misfit.worst < near_rounding) {
@@ -221,6 +229,9 @@ Result<TransportEnd> PrescribedCells::solve(Sites& sites, const PrescribedLimits
   s.stopped = s.current = false;
   const auto begun = s.begin(sites);
   if (!begun) return tl::unexpected(begun.error());
+  if (!*begun && s.stopped) {
+    return tl::unexpected(Error{ErrorCode::cancelled, "stopped before every cell had some of its mass"});
+  }
   if (!*begun) return tl::unexpected(refusal(Subject::sites, "no weights give each site a cell with mass"));
   auto end = s.iterate(sites);
   if (!end && end.error().code == ErrorCode::cancelled) {
@@ -233,6 +244,7 @@ Result<TransportEnd> PrescribedCells::solve(Sites& sites, const PrescribedLimits
     Misfit now;
     if (auto again = s.measure(sites, {}, now); !again) return tl::unexpected(again.error());
     s.keep(sites, now);
+    s.tell();
   }
   return end;
 }
