@@ -23,14 +23,23 @@ class Moving : public Cells {
   static void expectMoments(const CellMoments& moments, const Diagram& whole, double largest) {
     EXPECT_EQ(moments.status, whole.status);
     EXPECT_EQ(moments.area, whole.area);
-    const bool has_mass = !whole.mass.empty();
-    EXPECT_EQ(moments.mass, has_mass ? whole.mass : whole.area);
-    EXPECT_EQ(moments.centroid, has_mass ? whole.mass_centroid : whole.centroid);
     ASSERT_EQ(moments.spread.size(), whole.size());
-    if (has_mass) return;
+    if (!whole.mass.empty()) return expectMass(moments, whole);
+    EXPECT_EQ(moments.mass, whole.area);
+    EXPECT_EQ(moments.centroid, whole.centroid);
     for (std::size_t i = 0; i < whole.size(); ++i) {
       const double spread = whole.second_moments[i][0] + whole.second_moments[i][2];
       EXPECT_NEAR(moments.spread[i], spread, 1e-9 * spread + 1e-14 * largest) << "site " << i;
+    }
+  }
+
+  /// Those of one run are of polygons, whose corners are rounded.
+  static void expectMass(const CellMoments& moments, const Diagram& whole) {
+    ASSERT_EQ(moments.mass.size(), whole.size());
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      EXPECT_NEAR(moments.mass[i], whole.mass[i], 1e-11 * whole.mass[i]) << "site " << i;
+      EXPECT_NEAR(moments.centroid[i].x, whole.mass_centroid[i].x, 1e-11) << "site " << i;
+      EXPECT_NEAR(moments.centroid[i].y, whole.mass_centroid[i].y, 1e-11) << "site " << i;
     }
   }
 

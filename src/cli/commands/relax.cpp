@@ -11,17 +11,15 @@
 #include "cli/commands/command.h"
 #include "cli/options/options.h"
 #include "cli/options/picture_options.h"
-#include "cli/options/relax_outputs.h"
+#include "cli/options/result_outputs.h"
 #include "cli/reports/stats.h"
 #include "cli/runs/drawn_input.h"
 #include "cli/runs/forecast.h"
 #include "cli/runs/input.h"
-#include "cli/runs/picture.h"
-#include "cli/runs/relax_files.h"
+#include "cli/runs/result_files.h"
 #include "cli/runs/run_end.h"
 #include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
-#include "io/domain/density_file.h"
 #include "io/files/error.h"
 #include "io/forecast/forecast_files.h"
 #include "io/text/number.h"
@@ -40,7 +38,7 @@ struct RelaxCommand {
   std::uint64_t iterations = 50;
   double tolerance = 0;
   bool equal_masses = false;
-  RelaxTargets targets;
+  ResultTargets targets;
   std::string density, stats;
   std::optional<std::uint64_t> memory_limit;
 };
@@ -85,22 +83,14 @@ PlanRun planOf(const RelaxCommand& command, std::uint64_t density_pixels) {
     plan.take("sites that move", (others + (newton ? steps_of_newton : 0)) * 2 * number * work.sites);
     plan.drop(planCells(plan, work, Detail::polygons));
     plan.dropSince(since);
-    const PictureSize size = sizeBefore(command.picture.size);
-    RenderOptions render = command.picture.render;
-    render.width = size.width;
-    render.height = size.height;
-    if (!command.targets.pictures.empty()) {
-      planDrawing(plan, work, render, needsOf(command.targets.pictures), false);
-    }
-    if (!command.targets.cells.empty()) planCells(plan, work, command.targets.detail());
-    for (const CellsTarget& target : command.targets.cells) planCellsFile(plan, work, *target.format);
+    planFiles(plan, work, command.targets, command.picture);
   };
 }
 
 /// A run that is under way.
 struct RelaxRun {
   const RelaxCommand& command;
-  RelaxJob job;
+  ResultJob job;
   RunLog& log;
   std::vector<OutputFile> files{};
 };
@@ -216,46 +206,6 @@ Result<void> checkCommand(RelaxCommand& command) {
   return takeFormat(command.targets, command.input.format.output);
 }
 
-Result<Density> densityOf(const RelaxCommand& command) {
-  if (command.density.empty()) return {};
-  auto density = readDensity(command.density);
-  if (!density) return named("--density", std::move(density.error()));
-  return density;
-}
-
-/// Reads, generates or draws the sites; `options` are left as the rest of the run takes them.
-Result<Input> inputOf(const RelaxCommand& command, const Density& density, InputOptions& options) {
-  const auto drawn = drawnCount(options);
-  if (!drawn) return tl::unexpected(drawn.error());
-  if (*drawn) {
-    auto generator = asGenerator(options, **drawn, density);
-    if (!generator) return tl::unexpected(std::move(generator.error()));
-    options = std::move(*generator);
-  }
-  const auto fits = forecastGenerated(options, planOf(command, density.values.size()), command.memory_limit);
-  if (!fits) return tl::unexpected(fits.error());
-  auto input = loadInput(options);
-  if (input && *drawn) {
-    if (auto done = drawSites(*input, density, options.seed); !done)
-      return tl::unexpected(std::move(done.error()));
-  }
-  return input;
-}
-
-/// What can be refused before a backend is opened.
-Result<void> checkOptions(const RelaxCommand& command, const InputOptions& reading, const Input& input,
-                          const Density& density) {
-  CellsOptions cells{};
-  cells.domain = input.domain;
-  cells.outline = input.outline;
-  cells.periodic = input.periodic;
-  cells.density = density;
-  cells.search = command.search;
-  if (auto checked = checkInput(reading, input, cells, command.backend.threads); !checked) return checked;
-  if (command.targets.pictures.empty()) return {};
-  return pictureOf(command.picture, reading, input).map([](const RenderOptions&) {});
-}
-
 Result<ExitCode> relax(RelaxCommand& command, const Invocation& how) {
   setDriverThreads(command.backend.threads);
   const Stopwatch total;
@@ -263,15 +213,17 @@ Result<ExitCode> relax(RelaxCommand& command, const Invocation& how) {
   log.search = command.search;
   log.threads = command.backend.threads;
   if (auto checked = checkCommand(command); !checked) return tl::unexpected(std::move(checked.error()));
-  const auto density = densityOf(command);
+  const auto density = densityOf(command.density);
   if (!density) return tl::unexpected(density.error());
   InputOptions reading = command.input;
   reading.reading.attributes = command.targets.carryAttributes();
-  const auto input = inputOf(command, *density, reading);
+  const auto input =
+      inputUnder(*density, reading, planOf(command, density->values.size()), command.memory_limit);
   if (!input) return tl::unexpected(input.error());
   RelaxOptions options = relaxOptions(command, *input, *density);
-  const auto checked = checkOptions(command, reading, *input, *density);
-  if (!checked) return tl::unexpected(checked.error());
+  const ResultJob job{command.targets, reading,        command.picture,        *input,
+                      *density,        command.search, command.backend.threads};
+  if (auto checked = checkBefore(job); !checked) return tl::unexpected(std::move(checked.error()));
   printNotes(command.talk, *input);
   const auto paths = outputPaths(command);
   auto files = openOutputs(paths);
@@ -283,11 +235,7 @@ Result<ExitCode> relax(RelaxCommand& command, const Invocation& how) {
   const auto forecast = forecastRun(reading, *input, ImagesFor::cells, session->device(), command.backend,
                                     planOf(command, density->values.size()), command.memory_limit);
   if (!forecast) return tl::unexpected(forecast.error());
-  RelaxRun run{
-      command,
-      {command.targets, reading, command.picture, *input, *density, command.search, command.backend.threads},
-      log,
-      std::move(*files)};
+  RelaxRun run{command, job, log, std::move(*files)};
   const auto relaxed = relaxIn(run, *session, std::move(options));
   if (!relaxed) return asOption(relaxed.error(), reading);
   const bool interrupted = takeSignal();

@@ -93,6 +93,18 @@ Json relaxationJson(const RelaxFigures& figures) {
           {"farthest", {figures.first.farthest, figures.last.farthest}}};
 }
 
+Json transportJson(const TransportFigures& figures) {
+  const TransportStep& last = figures.last;
+  return {{"surface", figures.free_surface ? Json("free") : Json(nullptr)},
+          {"diagrams", figures.diagrams},
+          {"newton", last.newton},
+          {"end", figures.end},
+          {"worst", last.worst},
+          {"norm", last.norm},
+          {"mass", figures.mass},
+          {"cost", figures.cost}};
+}
+
 }  // namespace
 
 void addShape(nlohmann::ordered_json& json, const Input& input) {
@@ -147,6 +159,7 @@ std::string statsJson(const Stats& stats) {
   json["mass_sum"] = stats.mass_sum ? Json(*stats.mass_sum) : Json(nullptr);
   json["color"] = stats.color ? colorJson(*stats.color) : Json(nullptr);
   if (stats.relaxation) json["relaxation"] = relaxationJson(*stats.relaxation);
+  if (stats.transport) json["transport"] = transportJson(*stats.transport);
   json["time_ms"] = {
       {"read", time(stats.input.read_ms)}, {"order", time(times.order)},    {"upload", time(times.upload)},
       {"search", time(times.search)},      {"cells", time(times.cells)},    {"draw", time(times.draw)},

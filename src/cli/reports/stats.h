@@ -18,6 +18,16 @@ struct RelaxFigures {
   RelaxStep first, last;
 };
 
+/// What found weights, where a run did.
+struct TransportFigures {
+  std::string end;
+  bool free_surface;
+  std::uint64_t diagrams;
+  TransportStep last;  ///< that was kept
+  double mass;         ///< of all cells together
+  double cost;
+};
+
 struct Stats {
   std::string command;
   const Input& input;
@@ -29,6 +39,7 @@ struct Stats {
   std::optional<double> mass_sum{};  ///< none without a density
   std::optional<ColorKey> color{};   ///< of a picture; none by site
   std::optional<RelaxFigures> relaxation{};
+  std::optional<TransportFigures> transport{};
 };
 
 /// Adds what the domain is besides its box, and between which numbers the weights are: "outline", "periodic",

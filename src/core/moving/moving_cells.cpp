@@ -8,6 +8,9 @@
 #include "core/cells/cell_mass.h"
 #include "core/cells/cells_run.h"
 #include "core/moving/box_edges.h"
+#include "core/moving/disc_cells.h"
+#include "core/moving/own_corners.h"
+#include "core/moving/polygon_edges.h"
 #include "core/session/input_check.h"
 #include "core/session/session_state.h"
 
@@ -26,15 +29,23 @@ struct MovingCells::State {
   EdgesOfCells edges{};
   bool has_neighbors = false, has_edges = false;  ///< those of the last update are written
   FoundBox found{};
+  CellPolygons polygons{};
+  Sites places{};  ///< of what has polygons
+  FreeSurface free_surface{};  ///< where the surface is one
   Report report{};
 
   [[nodiscard]] bool needsPolygons() const {
-    return options.periodic != Periodic::none || !options.outline.empty() || !density.values.empty();
+    return options.periodic != Periodic::none || !options.outline.empty();
+  }
+  [[nodiscard]] std::optional<DensityPixels> pixels() const {
+    if (density.values.empty()) return {};
+    return DensityPixels(density, options.domain, options.periodic);
   }
 
   Result<void> findInBox(const Sites& sites);
   Result<void> findPolygons(const Sites& sites);
-  void takePolygons(Diagram cells);
+  void takePolygons(FoundCells cells);
+  void weigh(const SiteRun& run, const NeighborRows& rows, int exponent, const Sites& sites);
 };
 
 Result<void> MovingCells::State::findInBox(const Sites& sites) {
@@ -42,43 +53,70 @@ Result<void> MovingCells::State::findInBox(const Sites& sites) {
     Report report;
   };
   auto done = session->device.run<Done>([&](Backend& backend) -> Result<Done> {
-    auto made = findMoments(session->with(backend), sites, options, found, moments);
+    const Machine machine = session->with(backend);
+    auto made = findMoments(machine, sites, options, found, moments);
     if (!made) return tl::unexpected(made.error());
+    if (surface == Surface::free) cutByDiscs(found, sites, machine.threads, moments, *made, free_surface);
     return Done{std::move(*made)};
   });
   if (!done) return tl::unexpected(done.error());
   report = std::move(done->report);
+  weigh(*found.run, found.cells->rows, found.run->prepared.exponent, sites);
   return {};
 }
 
-/// Periods, outlines and densities are measured by polygons.
-Result<void> MovingCells::State::findPolygons(const Sites& sites) {
-  auto cells = session->device.run<Diagram>(
-      [&](Backend& backend) { return cellsOn(session->with(backend), sites, options); });
-  if (!cells) return tl::unexpected(cells.error());
-  takePolygons(std::move(*cells));
-  return {};
-}
-
-void MovingCells::State::takePolygons(Diagram cells) {
-  if (density.values.empty()) {
-    constexpr std::size_t grain = 1 << 14;
-    moments.spread.resize(cells.size());
-    parallelFor(cells.size(), grain, session->threads, [&](std::size_t begin, std::size_t end) {
-      for (auto i = begin; i < end; ++i) {
-        moments.spread[i] = cells.second_moments[i][0] + cells.second_moments[i][2];
-      }
-    });
-  } else {
-    measureMass(density, options.domain, options.periodic, session->threads, cells, &moments.spread);
+/// Gives the cells of a run, in units of the caller's times 2^exponent, their masses under the density.
+void MovingCells::State::weigh(const SiteRun& run, const NeighborRows& rows, int exponent,
+                               const Sites& sites) {
+  if (const auto density_pixels = pixels()) {
+    weighCells({run.prepared.set, rows, Unscale(exponent), sites, session->threads}, *density_pixels,
+               moments);
   }
-  moments.status = std::move(cells.status);
-  moments.area = std::move(cells.area);
-  moments.mass = cells.mass.empty() ? moments.area : std::move(cells.mass);
-  moments.centroid = cells.mass_centroid.empty() ? std::move(cells.centroid) : std::move(cells.mass_centroid);
-  neighbors = {std::move(cells.cell_offsets), std::move(cells.neighbors), std::move(cells.neighbor_shifts)};
+}
+
+/// Periods and outlines take polygons.
+Result<void> MovingCells::State::findPolygons(const Sites& sites) {
+  struct Done {
+    FoundCells cells;
+    Report report;
+  };
+  auto done = session->device.run<Done>([&](Backend& backend) -> Result<Done> {
+    auto made = findCells(session->with(backend), sites, options, ImagesFor::pictures);
+    if (!made) return tl::unexpected(made.error());
+    Report made_report = std::move(made->diagram.report);
+    return Done{std::move(*made), std::move(made_report)};
+  });
+  if (!done) return tl::unexpected(done.error());
+  report = std::move(done->report);
+  auto placed = wrapped(sites, options.domain, options.periodic, session->threads);
+  if (!placed) return tl::unexpected(placed.error());
+  places = std::move(*placed);
+  takePolygons(std::move(done->cells));
+  return {};
+}
+
+void MovingCells::State::takePolygons(FoundCells cells) {
+  Diagram& d = cells.diagram;
+  constexpr std::size_t grain = 1 << 14;
+  moments.spread.resize(d.size());
+  parallelFor(d.size(), grain, session->threads, [&](std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end; ++i) {
+      moments.spread[i] = d.second_moments[i][0] + d.second_moments[i][2];
+    }
+  });
+  moments.status = std::move(d.status);
+  moments.area = std::move(d.area);
+  moments.mass = moments.area;
+  moments.centroid = std::move(d.centroid);
+  neighbors = {std::move(d.cell_offsets), std::move(d.neighbors), std::move(d.neighbor_shifts)};
   has_neighbors = true;
-  report = std::move(cells.report);
+  polygons = {std::move(d.vertices), std::move(d.edge_lengths), std::move(d.ring_starts)};
+  if (options.outline.empty()) {
+    const int exponent = cells.run->prepared.exponent + scaleExponent(options.domain);
+    weigh(*cells.run, *cells.run->cells, exponent, places);
+  } else if (const auto density_pixels = pixels()) {
+    weighCells(polygons, neighbors.offsets, *density_pixels, session->threads, moments);
+  }
 }
 
 MovingCells::MovingCells(Session& session, CellsOptions options, Surface surface)
@@ -97,6 +135,9 @@ Result<void> MovingCells::update(const Sites& sites) {
   }
   try {
     if (auto checked = checkOptions(sites, s.options); !checked) return checked;
+    if (s.surface == Surface::free) {
+      if (auto checked = checkFreeSurface(s.options, s.density); !checked) return checked;
+    }
     if (!s.count && !s.density.values.empty()) {
       if (auto checked = checkDensity(s.density); !checked) return checked;
     }
@@ -128,7 +169,15 @@ const CellsThatMeet& MovingCells::neighbors() const {
 
 const EdgesOfCells& MovingCells::edges() const {
   State& s = *state_;
-  if (!s.has_edges && s.found.cells) s.edges = edgesOf(s.found, neighbors(), s.session->threads);
+  if (!s.has_edges && s.needsPolygons()) {
+    s.edges = edgesOf(s.polygons, neighbors(),
+                      {s.places, s.options.domain, s.options.periodic, s.density, s.session->threads});
+  } else if (!s.has_edges && s.surface == Surface::free) {
+    s.edges = edgesInDiscs(s.found, s.free_surface, neighbors(), s.session->threads);
+  } else if (!s.has_edges) {
+    const auto density_pixels = s.pixels();
+    s.edges = edgesOf(s.found, neighbors(), density_pixels ? &*density_pixels : nullptr, s.session->threads);
+  }
   s.has_edges = true;
   return s.edges;
 }
