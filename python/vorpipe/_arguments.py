@@ -11,6 +11,7 @@ from . import _vorpipe
 from ._errors import InputError
 
 Floats = npt.NDArray[np.float64]
+Bools = npt.NDArray[np.bool_]
 Mask = Tuple[List[str], List[Tuple[str, int]]]
 Outline = Tuple[Floats, npt.NDArray[np.uint64], npt.NDArray[np.uint64], str]
 PathLike = Union[str, 'os.PathLike[str]']

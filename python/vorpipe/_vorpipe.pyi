@@ -5,6 +5,7 @@ import numpy as np
 import numpy.typing as npt
 
 _Floats = npt.NDArray[np.float64]
+_Bools = npt.NDArray[np.bool_]
 _Int32s = npt.NDArray[np.int32]
 _Outline = Tuple[_Floats, npt.NDArray[np.uint64], npt.NDArray[np.uint64], str]
 _System = Tuple[str, str, int, str]
@@ -289,6 +290,8 @@ class Relaxed:
     def farthest(self) -> _Floats: ...
     @property
     def seconds(self) -> _Floats: ...
+    @property
+    def taken(self) -> _Bools: ...
     @property
     def end(self) -> str: ...
     @property

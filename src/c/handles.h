@@ -77,6 +77,7 @@ struct vorpipe_relaxation {
   vorpipe::Relaxation relaxation;
   mutable std::vector<vorpipe::Point> shown{};  ///< the sites, when they were last asked for
   mutable std::vector<std::array<double, 5>> trace{};
+  mutable std::vector<std::uint8_t> taken{};
 };
 
 struct vorpipe_picture {

@@ -71,6 +71,12 @@ Result<vorpipe_array> arrayOf(const vorpipe_relaxation& relaxation, vorpipe_rela
     for (std::size_t i = 0; i < sites.size(); ++i) relaxation.shown.push_back({sites.x[i], sites.y[i]});
     return array(relaxation.shown, VORPIPE_DOUBLE);
   }
+  if (field == VORPIPE_RELAXED_TAKEN) {
+    relaxation.taken.clear();
+    for (const RelaxStep& step : relaxation.relaxation.trace())
+      relaxation.taken.push_back(step.taken ? 1 : 0);
+    return array(relaxation.taken, VORPIPE_UINT8);
+  }
   if (field != VORPIPE_RELAXED_TRACE) return noField(field);
   relaxation.trace.clear();
   for (const RelaxStep& step : relaxation.relaxation.trace()) {

@@ -458,6 +458,8 @@ class Relaxation {
   [[nodiscard]] View<std::array<double, 5>> trace() const {
     return view<std::array<double, 5>>(VORPIPE_RELAXED_TRACE);
   }
+  /// By diagram: 0 where its energy was too high, and the sites went back to where they were before.
+  [[nodiscard]] View<std::uint8_t> taken() const { return view<std::uint8_t>(VORPIPE_RELAXED_TAKEN); }
   [[nodiscard]] vorpipe_relax_end end() const { return vorpipe_relaxation_end(get()); }
   [[nodiscard]] vorpipe_report report() const {
     vorpipe_report report = {};

@@ -596,9 +596,10 @@ typedef int32_t vorpipe_relaxation_field;
 enum {
   VORPIPE_RELAXED_SITES = 1, /* by site: 2 doubles, in degrees where the input is projected */
   /* by diagram: 5 doubles: its number, the energy, that as a part of the hexagonal lattice's (NaN with
-   * weights), the longest way of a site in spacings, seconds since the first; a diagram whose energy is above
-   * an earlier one's was a step that was taken back */
-  VORPIPE_RELAXED_TRACE = 2
+   * weights), the longest way of a site in spacings, seconds since the first */
+  VORPIPE_RELAXED_TRACE = 2,
+  /* by diagram: a byte; 0: its energy was too high, and the sites went back to where they were before */
+  VORPIPE_RELAXED_TAKEN = 3
 };
 /* Good until the next step. */
 VORPIPE_API vorpipe_code vorpipe_relaxation_array(const vorpipe_relaxation* relaxation,

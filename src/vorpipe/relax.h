@@ -40,7 +40,11 @@ struct RelaxStep {
       0;  ///< energy over that of the hexagonal lattice of as many cells (Gersho's with a density)
   double farthest = 0;  ///< largest distance of a site to its centroid, in spacings: sqrt(area / sites)
   double seconds = 0;   ///< since the relaxation began
+  bool taken = true;    ///< false: the energy was too high, and the sites went back to where they were before
 };
+
+/// The diagram of the sites as a trace leaves them: its last one that was taken.
+const RelaxStep& lastTaken(const std::vector<RelaxStep>& trace);
 
 /// Why a relaxation ended.
 enum class RelaxEnd : std::uint8_t { iterations, tolerance, stagnated, cancelled };

@@ -113,8 +113,8 @@ Result<void> saveNumbered(RelaxRun& run, Session& session, const Relaxation& rel
 }
 
 /// "relax 12/50, 1.0334".
-std::string progressText(const RelaxStep& step, std::uint64_t iterations) {
-  const std::string at = fmt::format("relax {}/{}", step.diagram, iterations);
+std::string progressText(std::uint64_t diagram, const RelaxStep& step, std::uint64_t iterations) {
+  const std::string at = fmt::format("relax {}/{}", diagram, iterations);
   return std::isfinite(step.hexagonal) ? fmt::format("{}, {:.4f}", at, step.hexagonal)
                                        : fmt::format("{}, {:.6g}", at, step.energy);
 }
@@ -128,9 +128,10 @@ Result<Relaxed> relaxIn(RelaxRun& run, Session& session, RelaxOptions options) {
   if (!relaxation) return tl::unexpected(std::move(relaxation.error()));
   Result<bool> more = true;
   while (more && *more) {
-    const RelaxStep& last = relaxation->trace().back();
-    bar.show(progressText(last, iterations), static_cast<double>(last.diagram) / whole);
-    if (every > 0 && last.diagram % every == 0) {
+    const std::uint64_t diagram = relaxation->trace().back().diagram;
+    bar.show(progressText(diagram, lastTaken(relaxation->trace()), iterations),
+             static_cast<double>(diagram) / whole);
+    if (every > 0 && diagram % every == 0) {
       if (auto saved = saveNumbered(run, session, *relaxation); !saved) return tl::unexpected(saved.error());
     }
     more = relaxation->step();
@@ -155,12 +156,12 @@ RelaxOptions relaxOptions(const RelaxCommand& command, const Input& input, const
 }
 
 std::string summaryOf(const Relaxed& relaxed) {
-  const RelaxStep &first = relaxed.trace.front(), &last = relaxed.trace.back();
+  const RelaxStep &first = relaxed.trace.front(), &last = lastTaken(relaxed.trace);
   std::string text = fmt::format("energy {:.6g} to {:.6g}", first.energy, last.energy);
   if (std::isfinite(last.hexagonal)) {
     text += fmt::format(" ({:.4f} to {:.4f} of the hexagonal lattice's)", first.hexagonal, last.hexagonal);
   }
-  return text + fmt::format(" after {} diagrams ({})", last.diagram, wordOf(relaxed.end));
+  return text + fmt::format(" after {} diagrams ({})", relaxed.trace.back().diagram, wordOf(relaxed.end));
 }
 
 Result<void> writeFiles(RelaxRun& run, Session& session, const Relaxed& relaxed, std::uint64_t forecast,
@@ -182,9 +183,9 @@ Result<void> writeFiles(RelaxRun& run, Session& session, const Relaxed& relaxed,
     if (parts->cells && !parts->cells->mass.empty()) {
       stats.mass_sum = std::accumulate(parts->cells->mass.begin(), parts->cells->mass.end(), 0.0);
     }
-    stats.relaxation =
-        RelaxFigures{run.command.method == RelaxMethod::lloyd ? "lloyd" : "lbfgs",
-                     std::string(wordOf(relaxed.end)), relaxed.trace.front(), relaxed.trace.back()};
+    stats.relaxation = RelaxFigures{run.command.method == RelaxMethod::lloyd ? "lloyd" : "lbfgs",
+                                    std::string(wordOf(relaxed.end)), relaxed.trace.size(),
+                                    relaxed.trace.front(), lastTaken(relaxed.trace)};
     return statsJson(stats);
   };
   return writeOutputs(run.files, writers, run.log, json);

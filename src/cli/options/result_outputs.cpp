@@ -106,10 +106,12 @@ void addResultTargets(Options& options, ResultTargets& targets, std::string_view
 
 void addRelaxTargets(Options& options, ResultTargets& targets) {
   addResultTargets(options, targets, "the moved sites");
-  addFile(options, "--trace", targets.trace, ".csv",
-          "a row for each diagram: its number, the energy, that as a part of the hexagonal lattice's, the "
-          "longest "
-          "way of a site to its centroid in spacings, and the seconds since the first");
+  addFile(
+      options, "--trace", targets.trace, ".csv",
+      "a row for each diagram: its number, the energy, that as a part of the hexagonal lattice's, the "
+      "longest "
+      "way of a site to its centroid in spacings, the seconds since the first, and whether it was kept: 0 "
+      "where its energy was too high, and the sites went back");
   addParsed(
       options, "--save-every", targets.every, "N",
       "also writes what -o, --cells and --picture name after each N diagrams, with the number of the diagram "

@@ -86,7 +86,7 @@ Json relaxationJson(const RelaxFigures& figures) {
   // Weights leave nothing to compare with.
   const auto part = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
   return {{"method", figures.method},
-          {"diagrams", figures.last.diagram + 1},
+          {"diagrams", figures.diagrams},
           {"end", figures.end},
           {"energy", {figures.first.energy, figures.last.energy}},
           {"hexagonal", {part(figures.first.hexagonal), part(figures.last.hexagonal)}},

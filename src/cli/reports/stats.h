@@ -15,7 +15,8 @@ namespace vorpipe::cli {
 /// What moved the sites, where a run did.
 struct RelaxFigures {
   std::string method, end;
-  RelaxStep first, last;
+  std::uint64_t diagrams;
+  RelaxStep first, last;  ///< of the sites as they came, and of those that are the result
 };
 
 /// What found weights, where a run did.

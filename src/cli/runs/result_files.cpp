@@ -111,14 +111,14 @@ std::vector<Writer> writersOf(const ResultJob& job, const ResultParts& parts) {
 }
 
 std::string traceText(const std::vector<RelaxStep>& trace, bool with_times) {
-  std::string text = "diagram,energy,hexagonal,farthest,seconds\n";
+  std::string text = "diagram,energy,hexagonal,farthest,seconds,taken\n";
   const auto to = std::back_inserter(text);
   for (const RelaxStep& step : trace) {
     fmt::format_to(to, "{},{},", step.diagram, step.energy);
     if (std::isfinite(step.hexagonal)) fmt::format_to(to, "{}", step.hexagonal);
     fmt::format_to(to, ",{},", step.farthest);
     if (with_times) fmt::format_to(to, "{:.6f}", step.seconds);
-    text += '\n';
+    text += step.taken ? ",1\n" : ",0\n";
   }
   return text;
 }

@@ -1,6 +1,6 @@
 #include "io/sites/site_numbers.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <new>

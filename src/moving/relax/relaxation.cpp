@@ -213,6 +213,7 @@ Result<bool> Relaxation::State::tryStep() {
     step = 0;
     return true;
   }
+  trace.back().taken = false;
   current = false;
   step /= 2;
   if (step >= least_step) return true;
@@ -242,6 +243,11 @@ Result<bool> Relaxation::State::advance() {
   if (more) return *more ? true : stop(RelaxEnd::stagnated);
   if (more.error().code != ErrorCode::cancelled) return more;
   return stop(RelaxEnd::cancelled);
+}
+
+const RelaxStep& lastTaken(const std::vector<RelaxStep>& trace) {
+  // The first diagram, of the sites as they came, is always taken.
+  return *std::find_if(trace.rbegin(), trace.rend(), [](const RelaxStep& step) { return step.taken; });
 }
 
 Relaxation::Relaxation() = default;
