@@ -180,8 +180,12 @@ Result<void> writeFiles(const FluidCommand& command, const FluidOptions& options
     input.domain = options.domain;
     input.periodic = options.periodic;
     Stats stats{"fluid", input, outcome.report, log, watch.milliseconds(), total.milliseconds(), 0};
-    stats.fluid = FluidFigures{std::string(nameOf(options.scheme)), std::string(wordOf(outcome.end)),
-                               outcome.first, outcome.last, outcome.worst, outcome.drift};
+    stats.fluid = FluidFigures{std::string(nameOf(options.scheme)),
+                               std::string(wordOf(outcome.end)),
+                               outcome.first,
+                               outcome.last,
+                               outcome.worst,
+                               outcome.drift};
     return statsJson(stats);
   };
   return writeOutputs(files, writers, log, json);

@@ -10,6 +10,7 @@
 #include "io/files/error.h"
 #include "io/files/extension.h"
 #include "io/fluid/fluid_state.h"
+#include "io/sites/sites_file.h"
 #include "io/text/number.h"
 
 namespace vorpipe::cli {
@@ -50,13 +51,12 @@ Parsed<std::string> parseCase(std::string_view text) {
   if (fluidCaseOf(text)) return std::string(text);
   const std::string path(text);
   if (lowerExtension(path) == ".npz") return path;
-  return tl::unexpected(
-      fmt::format("{} is not {}, or an .npz file", quoted(text), anyOf(fluidCaseNames())));
+  return tl::unexpected(fmt::format("{} is not {}, or an .npz file", quoted(text), anyOf(fluidCaseNames())));
 }
 
 /// A file that has a format by its extension.
 template <class Target, class FormatOf>
-Parsed<Target> parseNamed(std::string_view text, const FormatOf& format_of) {
+Parsed<Target> parseOutcome(std::string_view text, const FormatOf& format_of) {
   auto path = parseFile(text, "");
   if (!path) return tl::unexpected(std::move(path.error()));
   const auto format = format_of(*path);
@@ -70,13 +70,13 @@ void addOutcomeFiles(Options& options, FluidTargets& targets) {
       options, "-o", "FILE",
       fmt::format("the sites at the end with their weights, by the extension: {}; repeatable",
                   fmt::join(points, ", ")),
-      [](std::string_view text) { return parseNamed<FluidTargets::Points>(text, pointsFormatOf); },
+      [](std::string_view text) { return parseOutcome<FluidTargets::Points>(text, pointsFormatOf); },
       [&targets](FluidTargets::Points target) { targets.points.push_back(std::move(target)); },
       {{}, {points.begin(), points.end()}});
   addRepeatable(
       options, "--cells", "FILE",
       fmt::format("their cells, as `vorpipe cells` writes them: {}; repeatable", fmt::join(cells, ", ")),
-      [](std::string_view text) { return parseNamed<CellsTarget>(text, cellsFormatOf); },
+      [](std::string_view text) { return parseOutcome<CellsTarget>(text, cellsFormatOf); },
       [&targets](CellsTarget target) { targets.cells.push_back(std::move(target)); },
       {{}, {cells.begin(), cells.end()}});
 }
@@ -105,11 +105,12 @@ void addFluidChoices(Options& options, FluidChoices& choices) {
                   "`domain` (4) and perhaps others of a checkpoint",
                   fmt::join(fluidCaseNames(), ", ")),
       parseCase, {fluidCaseNames(), {".npz"}});
-  addFile(options, "--resume", choices.resume, ".npz",
-          "a --checkpoint to go on from, with the options that it was made with; the bytes are those of a run "
-          "that was not interrupted");
-  addParsed(options, "--particles", choices.particles, "N",
-            "about how many cells a named case has [2048]", [&choices](std::string_view text) {
+  addFile(
+      options, "--resume", choices.resume, ".npz",
+      "a --checkpoint to go on from, with the options that it was made with; the bytes are those of a run "
+      "that was not interrupted");
+  addParsed(options, "--particles", choices.particles, "N", "about how many cells a named case has [2048]",
+            [&choices](std::string_view text) {
               choices.particles_named = true;
               return parseWhole(text, 4, max_sites);
             });
@@ -117,10 +118,11 @@ void addFluidChoices(Options& options, FluidChoices& choices) {
             parsePositive);
   addParsed(options, "--step", choices.step, "S",
             "time of a step; auto: as long as speeds and springs allow [auto]", parseStep);
-  addParsed(options, "--scheme", choices.scheme, "NAME",
-            "springs, which pull sites to the centroids of their cells, and have free surfaces; or projection, "
-            "with reflection: more exact for smooth flows, in domains that are full [springs]",
-            parseScheme, {schemeNames(), {}});
+  addParsed(
+      options, "--scheme", choices.scheme, "NAME",
+      "springs, which pull sites to the centroids of their cells, and have free surfaces; or projection, "
+      "with reflection: more exact for smooth flows, in domains that are full [springs]",
+      parseScheme, {schemeNames(), {}});
   addParsed(options, "--epsilon", choices.epsilon, "E",
             "softness of springs in spacings of the cells [2; 1 with a free surface]", parsePositive);
   addParsed(options, "--gravity", choices.gravity, "GX,GY", "acceleration [as the case has it]",
@@ -138,9 +140,10 @@ void addFluidTargets(Options& options, FluidTargets& targets) {
   addFile(options, "--checkpoint", targets.checkpoint, ".npz",
           "all that later steps depend on, for --resume; written every --every steps and at the end, each "
           "time whole");
-  addFile(options, "--trace", targets.trace, ".csv",
-          "a row for each step: its time and length, energies, momentum, the worst area, the longest way of a "
-          "site to its centroid in spacings, diagrams, and the seconds since the first");
+  addFile(
+      options, "--trace", targets.trace, ".csv",
+      "a row for each step: its time and length, energies, momentum, the worst area, the longest way of a "
+      "site to its centroid in spacings, diagrams, and the seconds since the first");
   addAnyFile(options, "--frames", targets.frames, {".mp4"},
              "an .mp4, made by ffmpeg, or an empty folder for numbered .png files: a picture every --every "
              "steps");

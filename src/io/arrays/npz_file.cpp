@@ -78,8 +78,7 @@ Result<void> NpzFile::index() {
       return inputError(fmt::format("{}: {} is compressed; numpy.savez does not", name_, quoted(name)));
     }
     if (local + 30 > bytes.size() || bytes.substr(local, 4) != local_mark) return broken();
-    const std::size_t begin =
-        local + 30 + numberAt(bytes, local + 26, 2) + numberAt(bytes, local + 28, 2);
+    const std::size_t begin = local + 30 + numberAt(bytes, local + 26, 2) + numberAt(bytes, local + 28, 2);
     if (begin > bytes.size() || size > bytes.size() - begin) return broken();
     if (auto added = add(name, bytes.substr(begin, size)); !added) return added;
     at += 46 + name_size + numberAt(bytes, at + 30, 2) + numberAt(bytes, at + 32, 2);

@@ -33,7 +33,8 @@ class NpzFile {
   /// The numbers of an array with `columns` of them in a row; empty where there is no such array. Error
   /// (input): they are of another type, or their shape is another.
   template <class Number>
-  [[nodiscard]] Result<std::vector<Number>> numbers(const std::string& name, std::uint64_t columns = 1) const {
+  [[nodiscard]] Result<std::vector<Number>> numbers(const std::string& name,
+                                                    std::uint64_t columns = 1) const {
     std::vector<Number> values;
     const auto bytes = elements(name, npyType<Number>(), columns);
     if (!bytes) return tl::unexpected(bytes.error());

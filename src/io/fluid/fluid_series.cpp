@@ -19,8 +19,8 @@ VtkSection dataOf(const CellsMesh& mesh, const FluidState& state) {
   };
   data.arrays.push_back(
       vtkNumbers<std::uint32_t>("site", mesh.size(), [&](std::size_t face) { return mesh.sites[face]; }));
-  data.arrays.push_back(vtkPoints("velocity", mesh.size(),
-                                  [&](std::size_t face) { return state.velocity[mesh.sites[face]]; }));
+  data.arrays.push_back(
+      vtkPoints("velocity", mesh.size(), [&](std::size_t face) { return state.velocity[mesh.sites[face]]; }));
   add("pressure", state.pressure);
   add("volume", state.volume);
   add("density", state.density);

@@ -65,7 +65,8 @@ class Reader {
     auto number = static_cast<std::uint8_t>(value);
     single(array, number);
     if (number >= count && !error) {
-      error = Error{ErrorCode::input, fmt::format("{}: {} is {}, not below {}", file_.name(), array, number, count)};
+      error = Error{ErrorCode::input,
+                    fmt::format("{}: {} is {}, not below {}", file_.name(), array, number, count)};
     }
     value = static_cast<Name>(number);
   }

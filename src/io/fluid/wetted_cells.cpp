@@ -59,9 +59,7 @@ class DiscPart {
   std::vector<Point> points{};
 
  private:
-  void onCircle(double angle) {
-    points.push_back({radius_ * std::cos(angle), radius_ * std::sin(angle)});
-  }
+  void onCircle(double angle) { points.push_back({radius_ * std::cos(angle), radius_ * std::sin(angle)}); }
   /// The corners between two points of the circle, where they are two.
   void arc(Point from, Point to) {
     const double first = std::atan2(from.y, from.x);
