@@ -93,7 +93,8 @@ RelaxOptions relaxOptionsOf(const Input& input, const RelaxArguments& given) {
   options.domain = input.domain;
   options.outline = input.outline;
   options.periodic = input.periodic;
-  options.density = given.equal_masses ? forEqualMasses(input.density) : input.density;
+  options.density = input.density;
+  options.equal_masses = given.equal_masses;
   options.search = {chosen("search", search_choices, given.search), given.neighbors};
   options.method = chosen("method", method_choices, given.method);
   options.iterations = given.iterations;

@@ -80,6 +80,14 @@ struct vorpipe_relaxation {
   mutable std::vector<std::uint8_t> taken{};
 };
 
+struct vorpipe_transported {
+  std::shared_ptr<const vorpipe::c::PlacedInput> placed;
+  vorpipe_input input;
+  vorpipe::Transported found;
+  std::vector<vorpipe::Point> centroids{};  ///< as the caller has places
+  std::vector<std::array<double, 9>> trace{};
+};
+
 struct vorpipe_picture {
   std::shared_ptr<const vorpipe::c::PlacedInput> input;  ///< none where it was read
   vorpipe::RenderOptions options;                        ///< of the run; without progress

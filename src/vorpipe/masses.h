@@ -1,7 +1,7 @@
 /// Masses that a transport is asked for, made to fit its domain.
 #pragma once
 
-#include <vector>
+#include <cstddef>
 
 #include "vorpipe/result.h"
 #include "vorpipe/transport.h"
@@ -14,7 +14,9 @@ class Session;
 /// those of Session::cells.
 Result<double> massOfDomain(Session& session, const TransportOptions& options);
 
-/// Scales masses so that they add up to `whole`. They are finite and more than 0, or are left as they are.
-void scaleTo(double whole, std::vector<double>& masses);
+/// Scales the masses of `options`, equal ones where there are none, so that those of all `sites` add up to this
+/// part of massOfDomain(). Masses that are not finite and more than 0 stay as they are, for transport() to
+/// refuse. Errors: those of massOfDomain.
+Result<void> fillDomain(Session& session, std::size_t sites, double part, TransportOptions& options);
 
 }  // namespace vorpipe

@@ -25,6 +25,9 @@ struct RelaxOptions {
   Outline outline{};
   Periodic periodic = Periodic::none;
   Density density{};  ///< over the domain: sites gather where it is high
+  /// Relaxes under the square of the density, so that cells come to have equal masses of it; with the last
+  /// few diagrams sites move as little as makes masses equal (to 1 %, where that can be reached).
+  bool equal_masses = false;
   SearchOptions search;
   RelaxMethod method = RelaxMethod::lbfgs;
   std::uint64_t iterations = 50;  ///< most diagrams that are computed after the first

@@ -99,6 +99,38 @@ TEST_P(Moving, mayHavePeriodsOutlinesAndDensities) {
   expectSameWhereverTheyGo(sites, dense);
 }
 
+TEST_P(Moving, endWhereASiteHasNoCell) {
+  MovingCells moving(sharedSession(GetParam()), within(unit));
+  const auto has = [&](const Sites& sites) {
+    const auto updated = moving.updateUnlessEmpty(sites);
+    EXPECT_TRUE(updated) << updated.error().message;
+    return *updated;
+  };
+  Sites sites = generate(Pattern::jitter, 3000, 4);
+  EXPECT_TRUE(has(sites));
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    sites.weight.push_back(1e-5 * std::sin(static_cast<double>(i)));
+  }
+  for (const std::size_t hidden : {0U, 1234U, 2915U}) {
+    Sites with_hidden = sites;
+    with_hidden.weight[hidden] = -0.01;
+    EXPECT_FALSE(has(with_hidden)) << "site " << hidden;
+    EXPECT_TRUE(has(sites));
+    EXPECT_EQ(moving.moments().area, cells(sharedSession(GetParam()), sites, within(unit)).area);
+  }
+  Sites beyond = sites;
+  beyond.x[9] = 7;
+  EXPECT_FALSE(has(beyond));
+  beyond.weight.clear();
+  EXPECT_FALSE(has(beyond));
+  Sites twice = sites;
+  twice.x[5] = twice.x[800];
+  twice.y[5] = twice.y[800];
+  EXPECT_FALSE(has(twice));
+  EXPECT_TRUE(has(sites));
+  EXPECT_EQ(moving.report().validation_messages, std::vector<std::string>{});
+}
+
 TEST_P(Moving, refuseOtherSitesAndStayUsable) {
   MovingCells moving(sharedSession(GetParam()), within(unit));
   const Sites sites = generate(Pattern::random, 50, 3);

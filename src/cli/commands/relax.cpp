@@ -146,7 +146,8 @@ RelaxOptions relaxOptions(const RelaxCommand& command, const Input& input, const
   options.domain = input.domain;
   options.outline = input.outline;
   options.periodic = input.periodic;
-  options.density = command.equal_masses ? forEqualMasses(density) : density;
+  options.density = density;
+  options.equal_masses = command.equal_masses;
   options.search = command.search;
   options.method = command.method;
   options.iterations = command.iterations;

@@ -16,7 +16,7 @@ struct MassSource {
 
 Parsed<MassSource> parseMasses(std::string_view text) {
   if (text == "equal") return MassSource{};
-  if (text == "@") return tl::unexpected("no attribute is named after @");
+  if (text == "@") return tl::unexpected(std::string("no attribute is named after @"));
   if (text.starts_with('@')) return MassSource{{}, std::string(text.substr(1))};
   return parseFile(text, "").map([](const std::string& path) { return MassSource{path, {}}; });
 }

@@ -24,11 +24,7 @@ Result<std::vector<double>> loadMasses(const MassOptions& masses, const Input& i
 Result<void> fitMasses(const MassOptions& masses, std::size_t sites, Session& session,
                        TransportOptions& options) {
   if (!masses.normalize && !masses.fill) return {};
-  const auto whole = massOfDomain(session, options);
-  if (!whole) return tl::unexpected(whole.error());
-  if (options.masses.empty()) options.masses.assign(sites, 1);
-  scaleTo(masses.fill.value_or(1) * *whole, options.masses);
-  return {};
+  return fillDomain(session, sites, masses.fill.value_or(1), options);
 }
 
 const TransportStep& lastKept(const std::vector<TransportStep>& trace) {

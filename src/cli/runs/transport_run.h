@@ -13,7 +13,7 @@ namespace vorpipe::cli {
 /// Reads the masses; none where they are equal. Errors: those of readMasses and massesIn, after the option.
 Result<std::vector<double>> loadMasses(const MassOptions& masses, const Input& input);
 
-/// Scales the masses of `options`, which has all else, as the options want it. Errors: those of massOfDomain.
+/// Scales the masses of `options`, which has all else, as the options want it. Errors: those of fillDomain.
 Result<void> fitMasses(const MassOptions& masses, std::size_t sites, Session& session,
                        TransportOptions& options);
 

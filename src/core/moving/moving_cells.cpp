@@ -30,7 +30,7 @@ struct MovingCells::State {
   bool has_neighbors = false, has_edges = false;  ///< those of the last update are written
   FoundBox found{};
   CellPolygons polygons{};
-  Sites places{};  ///< of what has polygons
+  Sites places{};              ///< of what has polygons
   FreeSurface free_surface{};  ///< where the surface is one
   Report report{};
 
@@ -42,26 +42,29 @@ struct MovingCells::State {
     return DensityPixels(density, options.domain, options.periodic);
   }
 
-  Result<void> findInBox(const Sites& sites);
+  Result<void> update(const Sites& sites, bool unless_empty);
+  Result<void> findInBox(const Sites& sites, bool unless_empty);
   Result<void> findPolygons(const Sites& sites);
   void takePolygons(FoundCells cells);
   void weigh(const SiteRun& run, const NeighborRows& rows, int exponent, const Sites& sites);
 };
 
-Result<void> MovingCells::State::findInBox(const Sites& sites) {
+Result<void> MovingCells::State::findInBox(const Sites& sites, bool unless_empty) {
   struct Done {
     Report report;
   };
   auto done = session->device.run<Done>([&](Backend& backend) -> Result<Done> {
     const Machine machine = session->with(backend);
-    auto made = findMoments(machine, sites, options, found, moments);
+    const auto find = unless_empty ? findMomentsUnlessEmpty : findMoments;
+    auto made = find(machine, sites, options, found, moments);
     if (!made) return tl::unexpected(made.error());
-    if (surface == Surface::free) cutByDiscs(found, sites, machine.threads, moments, *made, free_surface);
+    if (surface == Surface::free && found.cells)
+      cutByDiscs(found, sites, machine.threads, moments, *made, free_surface);
     return Done{std::move(*made)};
   });
   if (!done) return tl::unexpected(done.error());
   report = std::move(done->report);
-  weigh(*found.run, found.cells->rows, found.run->prepared.exponent, sites);
+  if (found.cells) weigh(*found.run, found.cells->rows, found.run->prepared.exponent, sites);
   return {};
 }
 
@@ -128,32 +131,35 @@ MovingCells::MovingCells(MovingCells&&) noexcept = default;
 MovingCells& MovingCells::operator=(MovingCells&&) noexcept = default;
 MovingCells::~MovingCells() = default;
 
-Result<void> MovingCells::update(const Sites& sites) {
-  State& s = *state_;
-  if (s.count && *s.count != sites.size()) {
+Result<void> MovingCells::State::update(const Sites& sites, bool unless_empty) {
+  if (count && *count != sites.size()) {
     return tl::unexpected(Error{ErrorCode::input, "as many sites as before are to move"});
   }
   try {
-    if (auto checked = checkOptions(sites, s.options); !checked) return checked;
-    if (s.surface == Surface::free) {
-      if (auto checked = checkFreeSurface(s.options, s.density); !checked) return checked;
+    if (auto checked = checkOptions(sites, options); !checked) return checked;
+    if (surface == Surface::free) {
+      if (auto checked = checkFreeSurface(options, density); !checked) return checked;
     }
-    if (!s.count && !s.density.values.empty()) {
-      if (auto checked = checkDensity(s.density); !checked) return checked;
+    if (!count && !density.values.empty()) {
+      if (auto checked = checkDensity(density); !checked) return checked;
     }
-    s.has_neighbors = s.has_edges = false;
-    auto found = s.needsPolygons() ? s.findPolygons(sites) : s.findInBox(sites);
-    if (!found) return found;
-    s.count = sites.size();
+    has_neighbors = has_edges = false;
+    auto updated = needsPolygons() ? findPolygons(sites) : findInBox(sites, unless_empty);
+    if (!updated) return updated;
+    count = sites.size();
     return {};
   } catch (const std::bad_alloc&) {
     return tl::unexpected(outOfMemory());
   }
 }
 
+Result<void> MovingCells::update(const Sites& sites) { return state_->update(sites, false); }
+
 Result<bool> MovingCells::updateUnlessEmpty(const Sites& sites) {
-  if (auto updated = update(sites); !updated) return tl::unexpected(std::move(updated.error()));
-  return std::ranges::all_of(state_->moments.mass, [](double mass) { return mass > 0; });
+  State& s = *state_;
+  if (auto updated = s.update(sites, true); !updated) return tl::unexpected(std::move(updated.error()));
+  if (!s.needsPolygons() && !s.found.cells) return false;
+  return std::ranges::all_of(s.moments.mass, [](double mass) { return mass > 0; });
 }
 
 const CellMoments& MovingCells::moments() const { return state_->moments; }
@@ -172,9 +178,9 @@ const EdgesOfCells& MovingCells::edges() const {
   if (!s.has_edges && s.needsPolygons()) {
     s.edges = edgesOf(s.polygons, neighbors(),
                       {s.places, s.options.domain, s.options.periodic, s.density, s.session->threads});
-  } else if (!s.has_edges && s.surface == Surface::free) {
+  } else if (!s.has_edges && s.found.cells && s.surface == Surface::free) {
     s.edges = edgesInDiscs(s.found, s.free_surface, neighbors(), s.session->threads);
-  } else if (!s.has_edges) {
+  } else if (!s.has_edges && s.found.cells) {
     const auto density_pixels = s.pixels();
     s.edges = edgesOf(s.found, neighbors(), density_pixels ? &*density_pixels : nullptr, s.session->threads);
   }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
+#include "base/block_sums.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -24,13 +24,18 @@ Result<double> massOfDomain(Session& session, const TransportOptions& options) {
   return whole->mass.empty() ? whole->area[0] : whole->mass[0];
 }
 
-void scaleTo(double whole, std::vector<double>& masses) {
+Result<void> fillDomain(Session& session, std::size_t sites, double part, TransportOptions& options) {
+  const auto whole = massOfDomain(session, options);
+  if (!whole) return tl::unexpected(whole.error());
+  auto& masses = options.masses;
+  if (masses.empty()) masses.assign(sites, 1);
+  if (!std::ranges::all_of(masses, [](double mass) { return std::isfinite(mass) && mass > 0; })) return {};
   // As parts of the greatest first: the sum of masses as they are may be out of the range of a double.
-  const double greatest = masses.empty() ? 0 : *std::ranges::max_element(masses);
-  double sum = 0;
-  for (const double mass : masses) sum += mass / greatest;
-  if (!(std::isfinite(sum) && sum > 0)) return;
-  for (double& mass : masses) mass = mass / greatest / sum * whole;
+  const double greatest = *std::ranges::max_element(masses);
+  const double sum =
+      carefulSum(masses.size(), session.threads(), [&](std::size_t i) { return masses[i] / greatest; });
+  for (double& mass : masses) mass = part * *whole * (mass / greatest / sum);
+  return {};
 }
 
 }  // namespace vorpipe
