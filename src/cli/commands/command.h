@@ -8,6 +8,7 @@ namespace vorpipe::cli {
 void addRender(CommandLine& line);
 void addCells(CommandLine& line);
 void addRelax(CommandLine& line);
+void addFluid(CommandLine& line);
 void addTransport(CommandLine& line);
 void addDiff(CommandLine& line);
 void addCompare(CommandLine& line);

@@ -131,6 +131,27 @@ Prose ofTransport() {
          "vorpipe transport --sites jitter:500 --weights weights.npy --cells cells.npz"}}}};
 }
 
+Prose ofFluid() {
+  return {
+      "fluid",
+      {"Each site carries a part of the fluid, which is its cell and keeps its area: weights are found for "
+       "that at each step. `--scheme springs` pulls sites to the centroids of their cells, and keeps the sum "
+       "of all energies; `--scheme projection` takes from velocities what would change areas, and is more "
+       "exact while cells stay round.",
+       "`taylor-green` and `gresho` are vortices that never change, which shows errors; `shear` rolls up, "
+       "`rayleigh-taylor` has a heavy fluid above a light one, and `dam-break` a column of water that falls, "
+       "with a free surface.",
+       "After Ctrl-C the files have what was reached; a second one ends the program without. Where areas "
+       "cannot be found the files have the step before, and the exit status is 1."},
+      {{"Break a dam, and keep a picture of every tenth step:",
+        {"vorpipe fluid --case dam-break --particles 500 --time 0.1 --frames dam"}},
+       {"Follow a vortex exactly, with a row for each step:",
+        {"vorpipe fluid --case taylor-green --particles 256 --scheme projection --trace trace.csv"}},
+       {"Stop, and go on:",
+        {"vorpipe fluid --case shear --particles 256 --steps 5 --checkpoint shear.npz",
+         "vorpipe fluid --resume shear.npz --steps 5 -o sites.csv"}}}};
+}
+
 Prose ofDiff() {
   return {"diff",
           {"`vorpipe render --ids` writes id arrays. With `--sites`, and what else they were made with, a "
@@ -237,8 +258,8 @@ constexpr std::array<Row, 5> variables = {
 }  // namespace
 
 Prose proseOf(std::string_view subcommand) {
-  for (const auto of : {ofProgram, ofRender, ofCells, ofRelax, ofTransport, ofView, ofDiff, ofCompare,
-                        ofRerun, ofDevices, ofBench, ofSelftest}) {
+  for (const auto of : {ofProgram, ofRender, ofCells, ofRelax, ofTransport, ofFluid, ofView, ofDiff,
+                        ofCompare, ofRerun, ofDevices, ofBench, ofSelftest}) {
     if (Prose prose = of(); prose.subcommand == subcommand) return prose;
   }
   return {subcommand, {}, {}};

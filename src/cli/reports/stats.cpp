@@ -105,6 +105,22 @@ Json transportJson(const TransportFigures& figures) {
           {"cost", figures.cost}};
 }
 
+Json fluidJson(const FluidFigures& figures) {
+  const FluidStep &first = figures.first, &last = figures.last;
+  return {{"scheme", figures.scheme},
+          {"end", figures.end},
+          {"step", {first.step, last.step}},
+          {"time", {first.time, last.time}},
+          {"kinetic", {first.kinetic, last.kinetic}},
+          {"potential", {first.potential, last.potential}},
+          {"spring", {first.spring, last.spring}},
+          {"energy", {first.energy(), last.energy()}},
+          {"energy_drift", figures.drift},
+          {"momentum", {last.momentum.x, last.momentum.y}},
+          {"worst_area", figures.worst},
+          {"farthest", {first.farthest, last.farthest}}};
+}
+
 }  // namespace
 
 void addShape(nlohmann::ordered_json& json, const Input& input) {
@@ -160,6 +176,7 @@ std::string statsJson(const Stats& stats) {
   json["color"] = stats.color ? colorJson(*stats.color) : Json(nullptr);
   if (stats.relaxation) json["relaxation"] = relaxationJson(*stats.relaxation);
   if (stats.transport) json["transport"] = transportJson(*stats.transport);
+  if (stats.fluid) json["fluid"] = fluidJson(*stats.fluid);
   json["time_ms"] = {
       {"read", time(stats.input.read_ms)}, {"order", time(times.order)},    {"upload", time(times.upload)},
       {"search", time(times.search)},      {"cells", time(times.cells)},    {"draw", time(times.draw)},

@@ -9,6 +9,7 @@
 #include "cli/runs/input.h"
 #include "cli/runs/run_log.h"
 #include "vorpipe.h"
+#include "vorpipe/fluid.h"
 
 namespace vorpipe::cli {
 
@@ -29,6 +30,13 @@ struct TransportFigures {
   double cost;
 };
 
+/// What a fluid came to.
+struct FluidFigures {
+  std::string scheme, end;
+  FluidStep first, last;
+  double worst, drift;  ///< of areas, and of the energy as a part of the first: largest of all steps
+};
+
 struct Stats {
   std::string command;
   const Input& input;
@@ -40,6 +48,7 @@ struct Stats {
   std::optional<double> mass_sum{};  ///< none without a density
   std::optional<ColorKey> color{};   ///< of a picture; none by site
   std::optional<RelaxFigures> relaxation{};
+  std::optional<FluidFigures> fluid{};
   std::optional<TransportFigures> transport{};
 };
 
