@@ -1,5 +1,3 @@
-#include "vorpipe/transport.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
