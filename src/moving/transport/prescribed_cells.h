@@ -34,6 +34,8 @@ class PrescribedCells {
   Result<TransportEnd> solve(Sites& sites, const PrescribedLimits& limits,
                              const TransportWatcher& watcher = {});
 
+  /// Whether cells() are those of the weights that solve() left: not if progress stopped it in a diagram.
+  [[nodiscard]] bool areMeasured() const;
   /// The cells of the sites and weights that solve() left.
   [[nodiscard]] const MovingCells& cells() const;
   /// Each diagram of the last solve().

@@ -1,0 +1,447 @@
+#include "core/discs/disc_cut.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "core/discs/segment.h"
+#include "vorpipe.h"
+
+namespace vorpipe::test {
+namespace {
+
+using core::Arc;
+using core::DiscCut;
+using core::DiscShape;
+using core::EdgeLine;
+using ::testing::HasSubstr;
+
+constexpr double pi = std::numbers::pi;
+using Polygon = std::vector<Point>;
+
+struct Measured {
+  DiscShape shape;
+  double area, spread, arc;
+  Point centroid;
+  std::vector<double> chords;
+};
+
+/// What the disc about the origin has of a polygon.
+Measured cut(const Polygon& corners, double squared_radius) {
+  DiscCut cut;
+  DiscShape shape;
+  Point origin{0, 0};
+  if (DiscCut::isFar(corners, squared_radius)) {
+    origin = corners[0];
+    Polygon moved = corners;
+    for (Point& p : moved) p = {p.x - origin.x, p.y - origin.y};
+    shape = cut.cutFar(moved, {-origin.x, -origin.y}, squared_radius);
+  } else {
+    std::vector<EdgeLine> lines;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      lines.push_back(core::lineThrough(corners[k], corners[(k + 1) % corners.size()]));
+    }
+    shape = cut.cut(corners, lines, squared_radius);
+  }
+  Measured m{shape, 0, 0, 0, {0, 0}, {}};
+  if (shape != DiscShape::part) return m;
+  m = {shape,
+       cut.area(),
+       cut.spread(),
+       cut.arcAngle(),
+       {origin.x + cut.centroid().x, origin.y + cut.centroid().y},
+       {}};
+  for (const auto& chord : cut.chords()) m.chords.push_back(chord.length);
+  return m;
+}
+
+Polygon square(double xmin, double ymin, double side) {
+  return {{xmin, ymin}, {xmin + side, ymin}, {xmin + side, ymin + side}, {xmin, ymin + side}};
+}
+
+/// Convex, as its corners lie on an ellipse.
+Polygon randomPolygon(std::mt19937& random) {
+  std::uniform_real_distribution<double> angle(0, 2 * pi), part(0.1, 1.0), shift(-1.5, 1.5);
+  std::vector<double> angles(3 + random() % 6);
+  for (double& a : angles) a = angle(random);
+  std::ranges::sort(angles);
+  const double height = part(random);
+  const Point middle{shift(random), shift(random)};
+  Polygon corners;
+  for (const double a : angles) {
+    corners.push_back({middle.x + std::cos(a), middle.y + height * std::sin(a)});
+  }
+  return corners;
+}
+
+/// By Green's theorem, edge by edge: triangles with the center where an edge is inside, sectors where it is
+/// not.
+struct Sums {
+  long double area = 0, x = 0, y = 0, polar = 0, angle = 0;
+};
+
+void addPiece(long double ax, long double ay, long double bx, long double by, long double w, Sums& sums) {
+  const long double turn = ax * by - ay * bx, dot = ax * bx + ay * by;
+  const long double mx = (ax + bx) / 2, my = (ay + by) / 2;
+  if (mx * mx + my * my <= w) {
+    sums.area += turn / 2;
+    sums.x += turn / 6 * (ax + bx);
+    sums.y += turn / 6 * (ay + by);
+    sums.polar += turn / 12 * (ax * ax + ay * ay + bx * bx + by * by + dot);
+    return;
+  }
+  const long double angle = std::atan2(turn, dot), cube = w * std::sqrt(w) / 3;
+  const long double a = std::hypot(ax, ay), b = std::hypot(bx, by);
+  sums.area += w * angle / 2;
+  sums.x += cube * (by / b - ay / a);
+  sums.y -= cube * (bx / b - ax / a);
+  sums.polar += w * w * angle / 4;
+  sums.angle += angle;
+}
+
+Sums sumsOf(const Polygon& corners, long double w) {
+  Sums sums;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Point a = corners[k], b = corners[(k + 1) % corners.size()];
+    const long double ax = a.x, ay = a.y, dx = b.x - ax, dy = b.y - ay;
+    const long double squared = dx * dx + dy * dy, along = ax * dx + ay * dy;
+    const long double root = along * along - squared * (ax * ax + ay * ay - w);
+    long double first = 0, last = 0;
+    if (root > 0) {
+      first = std::clamp((-along - std::sqrt(root)) / squared, 0.0L, 1.0L);
+      last = std::clamp((std::sqrt(root) - along) / squared, 0.0L, 1.0L);
+    }
+    const long double ends[] = {0, first, last, 1};
+    for (int e = 0; e < 3; ++e) {
+      if (!(ends[e + 1] > ends[e])) continue;
+      addPiece(ax + ends[e] * dx, ay + ends[e] * dy, ax + ends[e + 1] * dx, ay + ends[e + 1] * dy, w, sums);
+    }
+  }
+  return sums;
+}
+
+TEST(DiscCut, RandomPolygonsAreThoseOfGreensTheorem) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> radius(0.05, 3);
+  int parts = 0, several = 0;
+  for (int round = 0; round < 20000; ++round) {
+    const Polygon corners = randomPolygon(random);
+    const double r = radius(random), w = r * r;
+    const Measured m = cut(corners, w);
+    const Sums sums = sumsOf(corners, w);
+    if (m.shape != DiscShape::part) {
+      EXPECT_NEAR(static_cast<double>(sums.angle), 0, 1e-15) << round;
+      if (m.shape == DiscShape::nothing) {
+        EXPECT_NEAR(static_cast<double>(sums.area), 0, 1e-15) << round;
+      }
+      continue;
+    }
+    ++parts;
+    several += std::ranges::count_if(m.chords, [](double length) { return length > 0; }) > 2 ? 1 : 0;
+    const double scale = std::min(w, 4.0);
+    const long double x = sums.x / sums.area, y = sums.y / sums.area;
+    ASSERT_NEAR(m.area, static_cast<double>(sums.area), 4e-15 * scale) << round;
+    EXPECT_NEAR(m.area * m.centroid.x, static_cast<double>(sums.x), 1e-14 * scale * r) << round;
+    EXPECT_NEAR(m.area * m.centroid.y, static_cast<double>(sums.y), 1e-14 * scale * r) << round;
+    EXPECT_NEAR(m.spread, static_cast<double>(sums.polar - sums.area * (x * x + y * y)), 1e-14 * scale * w)
+        << round;
+  }
+  EXPECT_GT(parts, 8000);
+  EXPECT_GT(several, 2000);
+}
+
+TEST(DiscCut, SmallAndLargeDiscsKeepTheirDigits) {
+  for (int power = -6; power <= 0; ++power) {
+    const double r = std::pow(10, power) / 2, w = r * r;
+    const Measured whole = cut(square(-1, -1, 2), w), half = cut(square(0, -1, 2), w);
+    EXPECT_DOUBLE_EQ(whole.area, pi * w);
+    EXPECT_DOUBLE_EQ(whole.spread, pi * w * w / 2);
+    EXPECT_DOUBLE_EQ(whole.arc, 2 * pi);
+    EXPECT_NEAR(whole.centroid.x, 0, 1e-16 * r);
+    EXPECT_DOUBLE_EQ(half.area, pi * w / 2);
+    EXPECT_DOUBLE_EQ(half.centroid.x, 4 * r / (3 * pi));
+    EXPECT_DOUBLE_EQ(half.chords[3], 2 * r);
+    EXPECT_DOUBLE_EQ(cut(square(0, 0, 1), w).area, pi * w / 4);
+    // Beyond the square's side, with the center outside.
+    const double gap = 0.9 * r, angle = std::acos(gap / r);
+    EXPECT_NEAR(cut(square(gap, -1, 2), w).area, w * (angle - std::sin(angle) * std::cos(angle)), 4e-16 * w);
+  }
+  for (int power = 1; power <= 6; ++power) {
+    // The circle runs through the square's middle, where it is x = -y^2 / (R + sqrt(R^2 - y^2)).
+    const double r = std::pow(10, power), w = r * r;
+    const Measured m = cut(square(r - 1, -1, 2), w);
+    const auto left = [&](double y) { return y * y / (r + std::sqrt(w - y * y)); };
+    double lost = 0;  // by Simpson's rule
+    constexpr int steps = 200;
+    for (int k = 0; k < steps; ++k) {
+      const double y = 2.0 * k / steps - 1, h = 2.0 / steps;
+      lost += h / 6 * (left(y) + 4 * left(y + h / 2) + left(y + h));
+    }
+    EXPECT_NEAR(m.area, 2 - lost, 1e-9 * std::pow(r, -4) + 2e-15) << r;
+    EXPECT_NEAR(m.arc, 2 * std::asin(1 / r), 1e-15 / r) << r;
+    EXPECT_NEAR(m.chords[0], 1 - left(1), 1e-15) << r;
+  }
+}
+
+TEST(DiscCut, TouchesAreNotMistakenForTurns) {
+  const Polygon inscribed = square(-1, -1, 2);
+  EXPECT_DOUBLE_EQ(cut(inscribed, 1).area, pi);
+  EXPECT_NEAR(cut(inscribed, std::nextafter(1, 2)).area, pi, 1e-14);
+  EXPECT_EQ(cut(inscribed, 2).shape, DiscShape::polygon);
+  EXPECT_NEAR(cut(inscribed, std::nextafter(2, 0)).area, 4, 1e-14);
+  EXPECT_EQ(cut(square(1, -1, 2), 1).shape, DiscShape::nothing);
+  EXPECT_EQ(cut(square(3, 4, 1), 25).shape, DiscShape::nothing);
+  EXPECT_EQ(cut(square(3, 4, 1), 0).shape, DiscShape::nothing);
+  EXPECT_EQ(cut(square(-1, -1, 2), -1).shape, DiscShape::nothing);
+  // A flat corner that barely leaves, or enters, the disc: nearly a whole turn, or nearly nothing, is free.
+  for (const double out : {1e-3, 1e-6, 1e-9, 1e-12, 1e-15, 0.0, -1e-15, -1e-9}) {
+    for (const double slope : {1e-3, 1e-6, 1e-9}) {
+      const Polygon corners{
+          {-5, -5}, {1 + out - 5 * slope, -5}, {1 + out, 0}, {1 + out - 5 * slope, 5}, {-5, 5}};
+      const Sums sums = sumsOf(corners, 1);
+      EXPECT_NEAR(cut(corners, 1).area, static_cast<double>(sums.area), 4e-15) << out << " " << slope;
+    }
+  }
+  // Corners that coincide.
+  EXPECT_DOUBLE_EQ(cut({{-1, -1}, {0.5, -1}, {0.5, -1}, {0.5, 1}, {-1, 1}, {-1, 1}}, 0.25).area, pi / 4);
+}
+
+TEST(DiscCut, SegmentsAreWhatTheyAre) {
+  for (const double a : {1e-8, 1e-4, 1e-2}) {
+    const auto m = core::measureSegment(2, a);
+    EXPECT_NEAR(m.area / (4 * 2 * a * a * a / 3), 1 - a * a / 5, 2e-8 * a + 1e-15);
+    EXPECT_NEAR(m.height / (2 * a * a / 5), 1, a * a);
+    EXPECT_NEAR(m.spread / (16 * 2 * std::pow(a, 5) / 15), 1, a * a);
+  }
+  const auto before = core::measureSegment(1, std::nextafter(1, 0)), after = core::measureSegment(1, 1);
+  EXPECT_NEAR(before.area, after.area, 1e-15);
+  EXPECT_NEAR(before.height, after.height, 2e-15);
+  EXPECT_NEAR(before.spread, after.spread, 2e-15);
+  const auto half = core::measureSegment(1, pi / 2), whole = core::measureSegment(1, pi);
+  EXPECT_DOUBLE_EQ(half.area, pi / 2);
+  EXPECT_DOUBLE_EQ(half.height, 4 / (3 * pi));
+  EXPECT_DOUBLE_EQ(whole.height, 1);
+  EXPECT_DOUBLE_EQ(whole.spread, pi / 2);
+}
+
+Session sessionOf(int threads = 0) {
+  BackendOptions options;
+  options.name = "cpu";
+  options.threads = threads;
+  return std::move(Session::open(options).value());
+}
+
+CellsOptions unitSquare() {
+  CellsOptions options{};
+  options.domain = {0, 0, 1, 1};
+  return options;
+}
+
+/// Discs that overlap here and there, and leave some of the square to the air.
+Sites drops(std::size_t count, unsigned seed, Pattern pattern = Pattern::random) {
+  Sites sites = generate(pattern, count, seed);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> part(0.2, 1.2);
+  for (std::size_t i = 0; i < count; ++i) {
+    sites.weight.push_back(part(random) / (pi * static_cast<double>(count)));
+  }
+  return sites;
+}
+
+TEST(FreeSurface, LatticesOfDiscsAreThoseOfTheirFormulas) {
+  constexpr int side = 12;
+  const double h = 1.0 / side, r = 0.6 * h, half_angle = std::acos(h / (2 * r));
+  Sites sites;
+  for (int k = 0; k < side * side; ++k) {
+    sites.x.push_back((k % side + 0.5) * h);
+    sites.y.push_back((k / side + 0.5) * h);
+    sites.weight.push_back(r * r);
+  }
+  Session session = sessionOf();
+  MovingCells moving(session, unitSquare(), Surface::free);
+  ASSERT_TRUE(moving.update(sites));
+  const double area = r * r * (pi - 4 * (half_angle - std::sin(half_angle) * std::cos(half_angle)));
+  const double coupling = std::sqrt(r * r - h * h / 4) / h;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    EXPECT_NEAR(moving.moments().area[i], area, 1e-14 * area);
+    EXPECT_NEAR(moving.moments().centroid[i].x, sites.x[i], 1e-15);
+    EXPECT_NEAR(moving.edges().arc[i], 2 * pi - 8 * half_angle, 1e-14);
+    for (auto e = moving.neighbors().offsets[i]; e < moving.neighbors().offsets[i + 1]; ++e) {
+      const auto j = moving.neighbors().neighbors[e];
+      EXPECT_NEAR(moving.edges().coupling[e], isWall(j) ? 0 : coupling, 1e-14);
+      if (isWall(j)) continue;
+      const auto other = static_cast<std::size_t>(j);
+      EXPECT_NEAR(moving.edges().middle[e].x, (sites.x[i] + sites.x[other]) / 2, 1e-15);
+      EXPECT_NEAR(moving.edges().middle[e].y, (sites.y[i] + sites.y[other]) / 2, 1e-15);
+    }
+  }
+}
+
+TEST(FreeSurface, DiscsThatHoldTheirCellsChangeNothing) {
+  Session session = sessionOf();
+  Sites sites = generate(Pattern::random, 300, 2);
+  sites.weight.assign(sites.size(), 3);
+  MovingCells cut(session, unitSquare(), Surface::free), filling(session, unitSquare());
+  ASSERT_TRUE(cut.update(sites));
+  ASSERT_TRUE(filling.update(sites));
+  EXPECT_EQ(cut.moments().area, filling.moments().area);
+  EXPECT_EQ(cut.moments().spread, filling.moments().spread);
+  ASSERT_EQ(cut.edges().coupling.size(), filling.edges().coupling.size());
+  for (std::size_t e = 0; e < cut.edges().coupling.size(); ++e) {
+    EXPECT_DOUBLE_EQ(cut.edges().coupling[e], filling.edges().coupling[e]);
+    EXPECT_NEAR(cut.edges().middle[e].x, filling.edges().middle[e].x, 1e-15);
+  }
+  EXPECT_EQ(cut.edges().arc, std::vector<double>(sites.size(), 0.0));
+}
+
+/// How the areas change as one number of the sites does, by differences.
+std::vector<double> slopes(MovingCells& moving, Sites sites, std::vector<double> Sites::*numbers,
+                           std::size_t j) {
+  constexpr double step = 1e-7;
+  (sites.*numbers)[j] += step;
+  EXPECT_TRUE(moving.update(sites));
+  std::vector<double> slope = moving.moments().area;
+  (sites.*numbers)[j] -= 2 * step;
+  EXPECT_TRUE(moving.update(sites));
+  for (std::size_t i = 0; i < slope.size(); ++i)
+    slope[i] = (slope[i] - moving.moments().area[i]) / (2 * step);
+  return slope;
+}
+
+TEST(FreeSurface, EdgesSayHowAreasChange) {
+  Session session = sessionOf();
+  const Sites sites = drops(60, 4);
+  MovingCells moving(session, unitSquare(), Surface::free);
+  ASSERT_TRUE(moving.update(sites));
+  const CellsThatMeet meet = moving.neighbors();
+  const EdgesOfCells edges = moving.edges();
+  for (std::size_t j = 0; j < sites.size(); j += 3) {
+    std::vector<double> by_weight(sites.size()), by_x(sites.size());
+    by_weight[j] = edges.arc[j] / 2;
+    for (auto e = meet.offsets[j]; e < meet.offsets[j + 1]; ++e) {
+      if (isWall(meet.neighbors[e])) continue;
+      const auto i = static_cast<std::size_t>(meet.neighbors[e]);
+      by_weight[i] -= edges.coupling[e];
+      by_weight[j] += edges.coupling[e];
+      by_x[i] += 2 * edges.coupling[e] * (sites.x[j] - edges.middle[e].x);
+    }
+    const auto weight_slopes = slopes(moving, sites, &Sites::weight, j);
+    const auto x_slopes = slopes(moving, sites, &Sites::x, j);
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      EXPECT_NEAR(weight_slopes[i], by_weight[i], 1e-7) << i << " " << j;
+      if (i == j) continue;
+      EXPECT_NEAR(x_slopes[i], by_x[i], 1e-7) << i << " " << j;
+    }
+  }
+}
+
+TEST(FreeSurface, CellsAreWhatDiscsHaveOfTheSquare) {
+  Session session = sessionOf();
+  const Sites sites = drops(25, 9);
+  MovingCells moving(session, unitSquare(), Surface::free);
+  ASSERT_TRUE(moving.update(sites));
+  constexpr int side = 1000;
+  constexpr double pixel = 1.0 / side;
+  std::vector<double> area(sites.size()), x(sites.size());
+  for (int row = 0; row < side; ++row) {
+    for (int column = 0; column < side; ++column) {
+      const Point p{(column + 0.5) * pixel, (row + 0.5) * pixel};
+      double least = 0;  // of the air
+      std::size_t of = sites.size();
+      for (std::size_t i = 0; i < sites.size(); ++i) {
+        const double dx = p.x - sites.x[i], dy = p.y - sites.y[i];
+        const double power = dx * dx + dy * dy - sites.weight[i];
+        if (power < least) {
+          least = power;
+          of = i;
+        }
+      }
+      if (of == sites.size()) continue;
+      area[of] += pixel * pixel;
+      x[of] += pixel * pixel * p.x;
+    }
+  }
+  double counted = 0, measured = 0;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    counted += area[i];
+    measured += moving.moments().area[i];
+    EXPECT_NEAR(moving.moments().area[i], area[i], 2e-5) << i;
+    EXPECT_NEAR(moving.moments().area[i] * moving.moments().centroid[i].x, x[i], 2e-5) << i;
+  }
+  EXPECT_NEAR(measured, counted, 5e-5);
+}
+
+TEST(FreeSurface, SitesWithoutWeightHaveNoCell) {
+  Session session = sessionOf();
+  Sites sites = drops(36, 3, Pattern::jitter);
+  MovingCells moving(session, unitSquare(), Surface::free);
+  EXPECT_TRUE(moving.updateUnlessEmpty(sites).value());
+  sites.weight[5] = 0;
+  sites.weight[6] = -1;
+  sites.x[8] = sites.x[7];
+  sites.y[8] = sites.y[7];
+  sites.weight[8] = sites.weight[7];
+  EXPECT_FALSE(moving.updateUnlessEmpty(sites).value());
+  ASSERT_TRUE(moving.update(sites));
+  EXPECT_EQ(moving.moments().status[5], Status::empty);
+  EXPECT_EQ(moving.moments().status[6], Status::empty);
+  EXPECT_EQ(moving.moments().status[8], Status::duplicate);
+  EXPECT_EQ(moving.moments().area[5], 0);
+  EXPECT_EQ(moving.moments().centroid[5], (Point{sites.x[5], sites.y[5]}));
+  EXPECT_EQ(moving.report().empty, 2u);
+  EXPECT_EQ(moving.report().ok, 33u);
+  sites.weight.clear();
+  ASSERT_TRUE(moving.update(sites));
+  EXPECT_EQ(moving.report().ok, 0u);
+}
+
+TEST(FreeSurface, DoesNotDependOnThreads) {
+  const Sites sites = drops(20000, 6);
+  Session one = sessionOf(1), three = sessionOf(3);
+  MovingCells a(one, unitSquare(), Surface::free), b(three, unitSquare(), Surface::free);
+  ASSERT_TRUE(a.update(sites));
+  ASSERT_TRUE(b.update(sites));
+  EXPECT_EQ(a.moments().area, b.moments().area);
+  EXPECT_EQ(a.moments().spread, b.moments().spread);
+  EXPECT_EQ(a.edges().coupling, b.edges().coupling);
+  EXPECT_EQ(a.edges().arc, b.edges().arc);
+  // The matrix of couplings is symmetric to the bit.
+  const CellsThatMeet& meet = a.neighbors();
+  const auto rowOf = [&](std::size_t i) {
+    return std::span(meet.neighbors).subspan(meet.offsets[i], meet.offsets[i + 1] - meet.offsets[i]);
+  };
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    for (auto e = meet.offsets[i]; e < meet.offsets[i + 1]; ++e) {
+      if (isWall(meet.neighbors[e])) continue;
+      const auto j = static_cast<std::size_t>(meet.neighbors[e]);
+      const auto row = rowOf(j);
+      const auto back = std::ranges::find(row, static_cast<std::int64_t>(i)) - row.begin();
+      ASSERT_EQ(a.edges().coupling[e], a.edges().coupling[meet.offsets[j] + static_cast<std::size_t>(back)]);
+    }
+  }
+}
+
+TEST(FreeSurface, RefusesWhatItDoesNotTakeYet) {
+  Session session = sessionOf();
+  const Sites sites = drops(10, 1);
+  const auto refusedFor = [&](const CellsOptions& options) {
+    const auto updated = MovingCells(session, options, Surface::free).update(sites);
+    return updated ? std::string("nothing") : updated.error().message;
+  };
+  CellsOptions options = unitSquare();
+  options.density = {1, 1, {1}};
+  EXPECT_THAT(refusedFor(options), HasSubstr("a free surface takes no density yet"));
+  options = unitSquare();
+  options.periodic = Periodic::x;
+  EXPECT_THAT(refusedFor(options), HasSubstr("a free surface takes no period yet"));
+  options = unitSquare();
+  options.outline = {{{0, 0}, {1, 0}, {0, 1}}, {0, 3}, {0, 1}};
+  EXPECT_THAT(refusedFor(options), HasSubstr("a free surface takes no outline yet"));
+}
+
+}  // namespace
+}  // namespace vorpipe::test
