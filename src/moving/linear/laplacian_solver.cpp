@@ -1,5 +1,6 @@
 #include "moving/linear/laplacian_solver.h"
 
+#include <algorithm>
 #include <limits>
 #include <new>
 
@@ -14,6 +15,9 @@ namespace {
 
 /// Rows up to which factors are found about as soon as conjugate gradients end (decision D107).
 constexpr std::size_t most_factored = 10000;
+
+/// What conjugate gradients take off before what is left is computed anew.
+constexpr double at_a_time = 1e-6;
 
 }  // namespace
 
@@ -58,8 +62,9 @@ LinearSolution LaplacianSolver::State::solve(const Laplacian& matrix, double tol
   // What is left is solved for again, as long as that takes off half of it.
   for (bool halved = true; halved && solution.residual > tolerance;) {
     found = x;
-    // A little less, since the recurrence of conjugate gradients does not know all rounding.
-    solution.iterations += improve(matrix, 0.99 * tolerance);
+    // A little less, since the recurrence of conjugate gradients does not know of all rounding; nor does it
+    // notice where there is nothing but that, so that not too much is asked of it at a time.
+    solution.iterations += improve(matrix, std::max(0.99 * tolerance, at_a_time * solution.residual));
     singular.removeMeans(found);
     forAll(found.size(), threads, [&](std::size_t i) { residual[i] = right[i] - imageAt(matrix, found, i); });
     const double left = normOf(residual, threads);
