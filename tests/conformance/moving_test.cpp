@@ -109,7 +109,7 @@ TEST_P(Moving, endWhereASiteHasNoCell) {
   Sites sites = generate(Pattern::jitter, 3000, 4);
   EXPECT_TRUE(has(sites));
   for (std::size_t i = 0; i < sites.size(); ++i) {
-    sites.weight.push_back(1e-5 * std::sin(static_cast<double>(i)));
+    sites.weight.push_back(1e-6 * std::sin(static_cast<double>(i)));
   }
   for (const std::size_t hidden : {0U, 1234U, 2915U}) {
     Sites with_hidden = sites;
