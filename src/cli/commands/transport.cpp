@@ -86,6 +86,13 @@ Result<void> checkCommand(TransportCommand& command) {
     return inputError("--format: neither --sites - nor -o - is there to take it");
   }
   if (auto checked = checkMasses(command.masses); !checked) return checked;
+  const bool has_air = command.masses.around() == Surface::free;
+  if (has_air && !(command.targets.cells.empty() && command.targets.pictures.empty())) {
+    return inputError(
+        "--fill: files of cells and pictures know no air; -o and --save-weights have the weights, which are "
+        "the "
+        "squares of the discs' radii");
+  }
   if (!command.weights.empty()) {
     if (auto checked = checkWeightsPath(command.weights); !checked) {
       return named("--save-weights", std::move(checked.error()));
