@@ -57,6 +57,7 @@ class Session {
   [[nodiscard]] const DeviceInfo& device() const;
   /// Why `auto` or `vulkan` took this backend, or why it took over; empty where the caller named it.
   [[nodiscard]] const std::string& choice() const;
+  [[nodiscard]] int threads() const;  ///< of the processor; 0 for all
 
  private:
   friend class KeptSites;

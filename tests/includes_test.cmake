@@ -27,7 +27,7 @@ set(may_include
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/opengl/.*|layout\\.glsl|shaders\\.h)$"
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl)$"
     "^(vorpipe\\.h|vorpipe/selftest\\.h|selftest/.*)$"
-    "^(vorpipe\\.h|vorpipe/(selftest|shapes|stipple)\\.h|vorpipe_c\\.h|c/.*|io/.*|selftest/selftest_json\\.h)$"
+    "^(vorpipe\\.h|vorpipe/(fluid|free_surface|masses|selftest|shapes|stipple)\\.h|vorpipe_c\\.h|c/.*|io/.*|selftest/selftest_json\\.h)$"
     "^(vorpipe\\.h|cli/.*)$")
 
 # Adds the rooms of a folder: a room may include itself, those that it uses, each of which comes before it, and
@@ -63,13 +63,13 @@ vorpipe_read_rooms(
 vorpipe_read_rooms(backend/cpu "vorpipe\\.h|base/.*|backend/[^/]*\\.h|(layout|bins|cell|grid|list)\\.glsl")
 vorpipe_read_rooms(backend/vulkan "vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl|shaders\\.h")
 vorpipe_read_rooms(backend/opengl "vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl|shaders\\.h")
-vorpipe_read_rooms(moving "vorpipe\\.h|vorpipe/(free_surface|stipple)\\.h|base/.*|core/outline/edge_tree\\.h")
-vorpipe_read_rooms(io "vorpipe(/(free_surface|shapes))?\\.h|geos\\.h|base/parallel\\.h")
+vorpipe_read_rooms(moving "vorpipe\\.h|vorpipe/(fluid|free_surface|masses|stipple)\\.h|base/.*|core/outline/edge_tree\\.h")
+vorpipe_read_rooms(io "vorpipe(/(fluid|free_surface|shapes))?\\.h|geos\\.h|base/parallel\\.h")
 vorpipe_read_rooms(
   bench "vorpipe\\.h|base/.*|io/(text/json_text|sites/site_source)\\.h|core/(cells/cells_run|picture/picture)\\.h|backend/(backend|exact_tier|forwarding_backend|registry/registry)\\.h")
 vorpipe_read_rooms(
   view "vorpipe\\.h|vorpipe/.*|base/(parallel|stopwatch)\\.h|io/.*|backend/(vulkan|opengl)/[a-z]+/.*|shaders\\.h")
-vorpipe_read_rooms(cli "vorpipe\\.h|vorpipe/(free_surface|selftest|shapes|stipple)\\.h|selftest/selftest_json\\.h|base/(parallel|stopwatch)\\.h|io/.*|bench/.*|view/.*")
+vorpipe_read_rooms(cli "vorpipe\\.h|vorpipe/(fluid|free_surface|masses|selftest|shapes|stipple)\\.h|selftest/selftest_json\\.h|base/(parallel|stopwatch)\\.h|io/.*|bench/.*|view/.*")
 
 # Headers, most of them a library's, and the only files that may include them.
 set(guarded_headers
@@ -90,7 +90,8 @@ set(guarded_headers
     "^geos\\.h$"
     "^boost/geometry/"
     "^CLI/"
-    "^(tbb|oneapi)/")
+    "^(tbb|oneapi)/"
+    "^Eigen/")
 set(users
     "^(core/locate/|core/session/|bench/|backend/registry/)"
     "^(backend/(vulkan|opengl)|view/window)/"
@@ -109,7 +110,8 @@ set(users
     "^(core/outline/(geos_outline|hull|mended|validity)|io/cells/hole_triangles)\\."
     "^core/outline/"
     "^cli/options/(command_line|help_format)\\.cpp$"
-    "^base/parallel(_sort)?\\.cpp$")
+    "^base/parallel(_sort)?\\.cpp$"
+    "^moving/linear/factored\\.cpp$")
 
 # Sets allowed to whether file (relative to src) may include header, quoted or in angle brackets.
 function(vorpipe_may_include file header quoted allowed)
@@ -165,6 +167,8 @@ vorpipe_expect(FALSE bench/lab/lab.cpp core/judge/judge.h TRUE)
 vorpipe_expect(FALSE core/picture/picture.cpp flann/flann.hpp FALSE)
 vorpipe_expect(TRUE base/parallel.cpp tbb/parallel_for.h FALSE)
 vorpipe_expect(FALSE core/picture/picture.cpp tbb/parallel_for.h FALSE)
+vorpipe_expect(TRUE moving/linear/factored.cpp Eigen/SparseCholesky FALSE)
+vorpipe_expect(FALSE moving/linear/laplacian_solver.cpp Eigen/SparseCholesky FALSE)
 vorpipe_expect(FALSE core/picture/picture.cpp ../backend/cpu/cpu.h TRUE)
 vorpipe_expect(FALSE backend/opengl/pipelines/cells.cpp backend/vulkan/device/device.h TRUE)
 vorpipe_expect(FALSE backend/opengl/pipelines/cells.cpp backend/registry/registry.h TRUE)

@@ -3,6 +3,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <array>
 #include <string>
 #include <utility>
 
@@ -26,7 +27,8 @@ struct Marks {
 };
 
 Look lookOf(const std::optional<std::pair<int, int>>& size, const std::optional<std::string>& fit,
-            const Colors& colors, const Marks& marks, const std::string& search, int neighbors) {
+            const Colors& colors, const Marks& marks, const std::string& search, int neighbors,
+            const std::optional<std::array<double, 4>>& view) {
   Look look;
   if (size) look.size = PictureSize{size->first, size->second};
   RenderOptions& options = look.options;
@@ -46,6 +48,7 @@ Look lookOf(const std::optional<std::pair<int, int>>& size, const std::optional<
   options.label_size = marks.label_size;
   options.antialias = marks.antialias;
   options.search = {chosen("search", search_choices, search), neighbors};
+  if (view) options.view = Box{(*view)[0], (*view)[1], (*view)[2], (*view)[3]};
   return look;
 }
 
@@ -56,7 +59,7 @@ RenderOptions renderOptionsOf(const Look& look, const Input& input) {
   options.domain = input.domain;
   options.outline = input.outline;
   options.periodic = input.periodic;
-  const PictureSize size = look.size.value_or(defaultSize(input.domain));
+  const PictureSize size = look.size.value_or(defaultSize(shownBox(options)));
   options.width = size.width;
   options.height = size.height;
   options.fit = look.fit.value_or(usualFit(input));
@@ -80,7 +83,7 @@ void defineLook(py::module_& module) {
            py::arg("antialias"));
   py::class_<Look>(module, "Look", "How a picture is to look.")
       .def(py::init(&lookOf), py::arg("size"), py::arg("fit"), py::arg("colors"), py::arg("marks"),
-           py::arg("search"), py::arg("neighbors"));
+           py::arg("search"), py::arg("neighbors"), py::arg("view"));
 }
 
 }  // namespace vorpipe::python

@@ -26,6 +26,7 @@ PYBIND11_MODULE(_vorpipe, module) {
   definePicture(module);
   defineDevices(module);
   defineRelaxing(module);
+  defineTransporting(module);
   defineSession(module);
   defineJudgment(module);
   defineForecast(module);

@@ -2,6 +2,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "arrays.h"
@@ -60,6 +61,12 @@ void savePoints(const RelaxResult& result, const std::string& path) {
   saveFile(path, [&](ByteSink& sink) { return writePoints(sink, output, format); });
 }
 
+py::array takenSteps(const RelaxResult& result) {
+  py::array_t<bool> taken(static_cast<py::ssize_t>(result.relaxed.trace.size()));
+  std::ranges::transform(result.relaxed.trace, taken.mutable_data(), &RelaxStep::taken);
+  return taken;
+}
+
 Density densityFrom(const py::array_t<double>& values) {
   const auto pixels = values.unchecked<2>();
   Density density{static_cast<int>(pixels.shape(1)), static_cast<int>(pixels.shape(0)), {}};
@@ -86,7 +93,8 @@ RelaxOptions relaxOptionsOf(const Input& input, const RelaxArguments& given) {
   options.domain = input.domain;
   options.outline = input.outline;
   options.periodic = input.periodic;
-  options.density = given.equal_masses ? forEqualMasses(input.density) : input.density;
+  options.density = input.density;
+  options.equal_masses = given.equal_masses;
   options.search = {chosen("search", search_choices, given.search), given.neighbors};
   options.method = chosen("method", method_choices, given.method);
   options.iterations = given.iterations;
@@ -105,6 +113,7 @@ void defineRelaxing(py::module_& module) {
       .def_property_readonly("hexagonal", traced(&RelaxStep::hexagonal))
       .def_property_readonly("farthest", traced(&RelaxStep::farthest))
       .def_property_readonly("seconds", traced(&RelaxStep::seconds))
+      .def_property_readonly("taken", &takenSteps)
       .def_property_readonly(
           "end", [](const RelaxResult& result) { return nameIn(end_choices, result.relaxed.end); })
       .def_property_readonly("report",

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "input.h"
 #include "io/cells/cells_file.h"
@@ -47,6 +48,26 @@ struct RelaxResult {
   Relaxed relaxed;
 };
 
+struct TransportResult {
+  std::shared_ptr<const Input> input;  ///< as the sites were given
+  Transported found;
+};
+
+/// Which masses cells are to have; by name what is chosen.
+struct TransportArguments {
+  std::vector<double> masses;  ///< empty: equal ones
+  bool normalize;
+  std::optional<double> fill;
+  bool free_surface;
+  double tolerance;
+  std::uint64_t diagrams;
+  std::string search;
+  int neighbors;
+};
+
+/// Throws InputError for what contradicts itself, and for a name that there is not.
+TransportOptions transportOptionsOf(const Input& input, const TransportArguments& given);
+
 /// How sites are to move; by name what is chosen.
 struct RelaxArguments {
   RelaxArguments(std::string by, std::uint64_t most, double near, bool equal, std::string found, int count)
@@ -84,6 +105,8 @@ void defineReport(py::module_& module);
 void defineCells(py::module_& module);
 /// Sites that move.
 void defineRelaxing(py::module_& module);
+/// Weights for masses that are prescribed.
+void defineTransporting(py::module_& module);
 /// What is found in cells once they are there.
 void defineReading(py::module_& module);
 void definePicture(py::module_& module);

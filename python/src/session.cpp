@@ -3,12 +3,15 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <cmath>
+#include <exception>
 #include <utility>
 #include <vector>
 
 #include "choices.h"
 #include "errors.h"
 #include "session_options.h"
+#include "vorpipe/masses.h"
 
 namespace vorpipe::python {
 namespace {
@@ -128,6 +131,62 @@ std::shared_ptr<RelaxResult> SharedSession::relax(const std::shared_ptr<const In
       });
 }
 
+/// A function of Python's that the thread of a run calls. What it raised is kept for the thread that waits.
+struct SharedSession::StepFunction {
+  py::object function;
+  std::exception_ptr raised;
+
+  bool call(const TransportStep& step) {
+    const py::gil_scoped_acquire gil;
+    try {
+      return !function(step).is(py::bool_(false));
+    } catch (...) {
+      raised = std::current_exception();
+      return false;
+    }
+  }
+  static std::shared_ptr<StepFunction> of(const py::object& function) {
+    if (function.is_none()) return nullptr;
+    // The thread of the run may be the last that has it.
+    return {new StepFunction{function, nullptr}, [](StepFunction* last) {
+              const py::gil_scoped_acquire gil;
+              delete last;
+            }};
+  }
+};
+
+std::shared_ptr<TransportResult> SharedSession::transport(const std::shared_ptr<const Input>& input,
+                                                          const TransportArguments& given,
+                                                          const py::object& callback,
+                                                          const py::object& progress) {
+  const auto told = StepFunction::of(callback);
+  auto result = use<std::shared_ptr<TransportResult>>(
+      progress,
+      [this, input, told, options = transportOptionsOf(*input, given), given](
+          Session& session, const Progress& heard) mutable -> Result<std::shared_ptr<TransportResult>> {
+        double first = 0, done = 0;
+        bool stopped = false;
+        options.progress = [&](std::string_view, double) { return !(stopped = !heard("transport", done)); };
+        if (given.normalize || given.fill) {
+          auto fit = fillDomain(session, input->sites.size(), given.fill.value_or(1), options);
+          if (!fit) return tl::unexpected(std::move(fit.error()));
+        }
+        auto found = vorpipe::transport(session, input->sites, options, [&](const TransportStep& step) {
+          if (!(first > options.tolerance)) first = step.worst;
+          const double part = std::log(first / step.worst) / std::log(first / options.tolerance);
+          if (step.taken && part > done) done = std::min(part, 1.0);
+          // Once nobody waits any more, Python may be about to end.
+          if (stopped || !heard("transport", done)) return false;
+          const Waiting here(this);
+          return told == nullptr || told->call(step);
+        });
+        if (!found) return tl::unexpected(std::move(found.error()));
+        return std::make_shared<TransportResult>(TransportResult{input, std::move(*found)});
+      });
+  if (told != nullptr && told->raised) std::rethrow_exception(told->raised);
+  return result;
+}
+
 Arithmetic SharedSession::arithmetic() {
   return use<Arithmetic>(py::none(), [](Session& session, const Progress&) { return session.arithmetic(); });
 }
@@ -192,6 +251,12 @@ void defineSession(py::module_& module) {
           [](SharedSession& session, const Shared& input, const RelaxArguments& given,
              const py::object& progress) { return session.relax(input, given, progress); },
           py::arg("input"), py::arg("arguments"), py::arg("progress"))
+      .def(
+          "transport",
+          [](SharedSession& session, const Shared& input, const TransportArguments& given,
+             const py::object& callback,
+             const py::object& progress) { return session.transport(input, given, callback, progress); },
+          py::arg("input"), py::arg("arguments"), py::arg("callback"), py::arg("progress"))
       .def("arithmetic", &SharedSession::arithmetic)
       .def("device", &SharedSession::device)
       .def("choice", &SharedSession::choice)

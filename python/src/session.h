@@ -35,6 +35,11 @@ class SharedSession : public std::enable_shared_from_this<SharedSession> {
                                       const std::string& path, const py::object& progress);
   std::shared_ptr<RelaxResult> relax(const std::shared_ptr<const Input>& input, const RelaxArguments& given,
                                      const py::object& progress);
+  /// `callback` is called with each step, before the next one; returning False ends the transport with what
+  /// was reached. What it raises is thrown.
+  std::shared_ptr<TransportResult> transport(const std::shared_ptr<const Input>& input,
+                                             const TransportArguments& given, const py::object& callback,
+                                             const py::object& progress);
   Arithmetic arithmetic();
   DeviceInfo device();
   std::string choice();
@@ -44,6 +49,7 @@ class SharedSession : public std::enable_shared_from_this<SharedSession> {
   [[nodiscard]] bool isClosed() const { return closed_; }
 
  private:
+  struct StepFunction;
   std::shared_ptr<CellsResult> find(const std::shared_ptr<const Input>& input, CellsOptions options,
                                     const py::object& progress);
   /// The result of `work` with the session, alone, on a thread of its own.

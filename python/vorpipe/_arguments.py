@@ -11,6 +11,7 @@ from . import _vorpipe
 from ._errors import InputError
 
 Floats = npt.NDArray[np.float64]
+Bools = npt.NDArray[np.bool_]
 Mask = Tuple[List[str], List[Tuple[str, int]]]
 Outline = Tuple[Floats, npt.NDArray[np.uint64], npt.NDArray[np.uint64], str]
 PathLike = Union[str, 'os.PathLike[str]']
@@ -57,15 +58,16 @@ def weights_of(value: Any, count: int) -> Optional[Floats]:
     return array
 
 
-def box_of(value: Any) -> Optional[Tuple[float, float, float, float]]:
+def box_of(value: Any, argument: str = 'domain') -> Optional[Tuple[float, float, float, float]]:
     """(xmin, ymin, xmax, ymax)."""
     if value is None:
         return None
     if isinstance(value, str):
-        raise refuse('domain', f'{value!r} is neither "hull" nor 4 numbers: xmin, ymin, xmax, ymax')
-    array = numbers('domain', value)
+        either = 'neither "hull" nor' if argument == 'domain' else 'not'
+        raise refuse(argument, f'{value!r} is {either} 4 numbers: xmin, ymin, xmax, ymax')
+    array = numbers(argument, value)
     if array.shape != (4,):
-        raise refuse('domain', f'shape {array.shape}, must be 4 numbers: xmin, ymin, xmax, ymax')
+        raise refuse(argument, f'shape {array.shape}, must be 4 numbers: xmin, ymin, xmax, ymax')
     xmin, ymin, xmax, ymax = array.tolist()
     return xmin, ymin, xmax, ymax
 
@@ -117,14 +119,14 @@ def range_of(value: Optional[Sequence[float]]) -> Optional[Tuple[float, float]]:
 def look_of(size: Optional[Sequence[int]], color: str, colormap: str, edges: bool, show_sites: bool,
             color_scale: Optional[str], color_range: Optional[Sequence[float]], legend: bool, edge_width: float,
             dot_size: Optional[float], fit: Optional[str], search: Any, antialias: int, dual: bool, labels: bool,
-            label_size: float, fill: bool) -> _vorpipe.Look:
+            label_size: float, fill: bool, view: Optional[Sequence[float]]) -> _vorpipe.Look:
     if colormap not in _vorpipe.colormaps():
         raise refuse('colormap', f'{colormap!r} is none of {", ".join(_vorpipe.colormaps())}')
     method, neighbors = search_of(search)
     colors = _vorpipe.Colors(color, colormap, color_scale, range_of(color_range), legend)
     marks = _vorpipe.Marks(edges=edges, show_sites=show_sites, dual=dual, labels=labels, fill=fill,
                            edge_width=edge_width, dot_size=dot_size or 0, label_size=label_size, antialias=antialias)
-    return _vorpipe.Look(size_of(size), fit, colors, marks, method, neighbors)
+    return _vorpipe.Look(size_of(size), fit, colors, marks, method, neighbors, box_of(view, 'view'))
 
 
 def density_of(value: Any) -> Optional[Floats]:
@@ -180,10 +182,27 @@ def threads_of(value: Optional[int]) -> int:
     return int(value)
 
 
-def iterations_of(value: int) -> int:
+def iterations_of(value: int, argument: str = 'iterations') -> int:
     if value != int(value) or value < 0:
-        raise refuse('iterations', f'{value!r} is no number of diagrams')
+        raise refuse(argument, f'{value!r} is no number of diagrams')
     return int(value)
+
+
+def masses_of(value: Any) -> Floats:
+    """(N,); empty where there are none."""
+    if value is None:
+        return np.empty(0)
+    array = numbers('masses', value)
+    if array.ndim != 1:
+        raise refuse('masses', f'shape {array.shape}, must be (N,)')
+    return array
+
+
+def surface_of(value: Optional[str]) -> bool:
+    """Whether it is free."""
+    if value not in (None, 'free'):
+        raise refuse('surface', f'{value!r} is neither "free" nor None')
+    return value == 'free'
 
 
 def mask_of(disabled: Sequence[str], limits: Optional[Mapping[str, int]]) -> Mask:

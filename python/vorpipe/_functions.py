@@ -10,7 +10,8 @@ from ._diagram import Diagram
 from ._picture import Picture
 from ._points import generated, read_points
 from ._relaxed import Relaxed
-from ._sessions import Margin, Progress, Project, Session, backend_for, input_of, shared_session
+from ._sessions import Margin, Progress, Project, Session, StepCallback, backend_for, input_of, shared_session
+from ._transported import Transported
 
 Device = Union[None, int, str]
 
@@ -85,7 +86,8 @@ def render(points: Any, weights: Any = None, domain: Any = None, size: Optional[
            color_range: Optional[Sequence[float]] = None, legend: bool = False, edge_width: float = 1,
            dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None, margin: Margin = None,
            repair: bool = False, crs: Any = None, antialias: int = 1, dual: bool = False,
-           labels: bool = False, label_size: float = 10, fill: bool = True) -> Picture:
+           labels: bool = False, label_size: float = 10, fill: bool = True,
+           view: Optional[Sequence[float]] = None) -> Picture:
     """A picture of the cells, and whose cell each pixel is in.
 
     Args:
@@ -108,6 +110,7 @@ def render(points: Any, weights: Any = None, domain: Any = None, size: Optional[
         labels: the index of each point, in its cell where it has room.
         label_size: how high the digits are, 5 to 200 pixels.
         fill: cells have colors; else they are white.
+        view: (xmin, ymin, xmax, ymax), what the picture shows; None for the domain. It changes no color.
 
     With `project`, the picture is of the plane. All others are as in `cells`; "auto" takes "cpu" for up to 100,000
     points and 4 million pixels.
@@ -119,7 +122,7 @@ def render(points: Any, weights: Any = None, domain: Any = None, size: Optional[
                           progress=progress, color_scale=color_scale, color_range=color_range, legend=legend,
                           edge_width=edge_width, dot_size=dot_size, fit=fit, project=project, margin=margin,
                           repair=repair, crs=crs, antialias=antialias, dual=dual, labels=labels,
-                          label_size=label_size, fill=fill)
+                          label_size=label_size, fill=fill, view=view)
 
 
 def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, size: Optional[Sequence[int]] = None,
@@ -130,7 +133,8 @@ def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, s
          color_range: Optional[Sequence[float]] = None, legend: bool = False, edge_width: float = 1,
          dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None, margin: Margin = None,
          repair: bool = False, crs: Any = None, antialias: int = 1, dual: bool = False,
-         labels: bool = False, label_size: float = 10, fill: bool = True) -> Diagram:
+         labels: bool = False, label_size: float = 10, fill: bool = True,
+         view: Optional[Sequence[float]] = None) -> Diagram:
     """Draws the cells as shapes, into a file: .svg or .pdf. Returns the cells, with detail="polygons".
 
     All arguments are as in `render`; the picture looks the same.
@@ -141,7 +145,7 @@ def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, s
                         progress=progress, color_scale=color_scale, color_range=color_range, legend=legend,
                         edge_width=edge_width, dot_size=dot_size, fit=fit, project=project, margin=margin,
                         repair=repair, crs=crs, antialias=antialias, dual=dual, labels=labels,
-                        label_size=label_size, fill=fill)
+                        label_size=label_size, fill=fill, view=view)
 
 
 def relax(points: Any, weights: Any = None, domain: Any = None, periodic: Union[None, bool, str] = None,
@@ -168,6 +172,39 @@ def relax(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
                          iterations=iterations, tolerance=tolerance, equal_masses=equal_masses, search=search,
                          progress=progress, attributes=attributes, project=project, margin=margin, repair=repair,
                          crs=crs)
+
+
+def transport(points: Any, masses: Any = None, density: Any = None, domain: Any = None, weights: Any = None,
+              tolerance: float = 1e-8, diagrams: int = 400, normalize: bool = False, surface: Optional[str] = None,
+              fill: Optional[float] = None, callback: Optional[StepCallback] = None,
+              periodic: Union[None, bool, str] = None, outline: Any = None, backend: str = 'auto',
+              device: Device = None, threads: Optional[int] = None, search: str = 'grid',
+              progress: Optional[Progress] = None, attributes: Optional[Mapping[str, Any]] = None,
+              project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None) -> Transported:
+    """The weights that give each cell its mass: semi-discrete optimal transport.
+
+    Args:
+        masses: (N,), each more than 0; None for equal ones. They are areas, or what a density has in the cells, and
+            add up to what the domain has.
+        density: as in `cells`.
+        weights: where to begin, if all cells have some mass then; such as those of another transport.
+        tolerance: ends when no cell differs from its mass by more than this part of it.
+        diagrams: the most that are computed.
+        normalize: scales the masses so that they add up to what the domain has.
+        surface: "free" where air is around the cells: each ends at a disc around its point, whose squared radius is
+            the weight, and masses may add up to less than the domain has.
+        fill: a free surface, and this part of what the domain has for all cells together: masses are scaled to it.
+        callback: called with each step, as `Transported.trace` has them; returning False ends the transport with what
+            was reached.
+        progress: called with "transport" and the part done; returning False stops it, and what was reached is lost.
+
+    `Transported.end` says whether the tolerance was reached. All others are as in `cells`.
+    """
+    session = _session(backend, device, threads, points)
+    return session.transport(points, masses, density, domain, weights, tolerance=tolerance, diagrams=diagrams,
+                             normalize=normalize, surface=surface, fill=fill, callback=callback, periodic=periodic,
+                             outline=outline, search=search, progress=progress, attributes=attributes,
+                             project=project, margin=margin, repair=repair, crs=crs)
 
 
 def drawn_points(density: Any, n: int, domain: Optional[Sequence[float]] = None, seed: int = 1) -> Floats:
@@ -250,7 +287,7 @@ def forecast(points: Any, weights: Any = None, domain: Any = None, periodic: Uni
     count = _arguments.threads_of(threads)
     if picture:
         look = _arguments.look_of(wanted, color, 'viridis', edges, False, None, None, False, 1, None, None, 'grid',
-                                  antialias, dual, labels, label_size, True)
+                                  antialias, dual, labels, label_size, True, None)
         return Forecast(*_vorpipe.forecast_picture(session._session, given, look, check, count))
     return Forecast(*_vorpipe.forecast_cells(session._session, given, detail, check, count))
 

@@ -5,7 +5,7 @@ import os
 from typing import Optional
 
 from . import _vorpipe
-from ._arguments import Floats, PathLike
+from ._arguments import Bools, Floats, PathLike
 
 
 class Relaxed:
@@ -38,8 +38,7 @@ class Relaxed:
     @property
     def energy(self) -> Floats:
         """(K,): by diagram, the first of them that of the points as they were given: the sum over all cells of the
-        integral of the squared distance to the point, times the density; less weights times masses. Where it is above
-        that of an earlier diagram, a step was tried there and taken back."""
+        integral of the squared distance to the point, times the density; less weights times masses."""
         return self._relaxed.energy
 
     @property
@@ -56,6 +55,11 @@ class Relaxed:
     def seconds(self) -> Floats:
         """(K,): since the beginning."""
         return self._relaxed.seconds
+
+    @property
+    def taken(self) -> Bools:
+        """(K,): False where the energy was too high, and the points went back to where they were before."""
+        return self._relaxed.taken
 
     @property
     def end(self) -> str:

@@ -13,9 +13,11 @@ from ._errors import CheckError
 from ._picture import Picture
 from ._points import table_of
 from ._relaxed import Relaxed
+from ._transported import Transported
 from ._warnings import warn
 
 Progress = Callable[[str, float], Optional[bool]]
+StepCallback = Callable[[_vorpipe.TransportStep], Optional[bool]]
 Project = Union[None, bool, str, Sequence[float]]
 Margin = Union[None, float, str]
 
@@ -86,10 +88,12 @@ class Session:
                color_range: Optional[Sequence[float]] = None, legend: bool = False, edge_width: float = 1,
                dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None,
                margin: Margin = None, repair: bool = False, crs: Any = None, antialias: int = 1, dual: bool = False,
-               labels: bool = False, label_size: float = 10, fill: bool = True) -> Picture:
+               labels: bool = False, label_size: float = 10, fill: bool = True,
+               view: Optional[Sequence[float]] = None) -> Picture:
         """As `vorpipe.render`."""
         look = _arguments.look_of(size, color, colormap, edges, show_sites, color_scale, color_range, legend,
-                                  edge_width, dot_size, fit, search, antialias, dual, labels, label_size, fill)
+                                  edge_width, dot_size, fit, search, antialias, dual, labels, label_size, fill,
+                                  view)
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
         given = input_of(points, weights, wanted, periodic, crs=crs)
         picture = Picture(self._session.render(given, look, progress))
@@ -105,10 +109,11 @@ class Session:
              edge_width: float = 1, dot_size: Optional[float] = None, fit: Optional[str] = None,
              project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None,
              antialias: int = 1, dual: bool = False, labels: bool = False, label_size: float = 10,
-             fill: bool = True) -> Diagram:
+             fill: bool = True, view: Optional[Sequence[float]] = None) -> Diagram:
         """As `vorpipe.draw`."""
         look = _arguments.look_of(size, color, colormap, edges, show_sites, color_scale, color_range, legend,
-                                  edge_width, dot_size, fit, search, antialias, dual, labels, label_size, fill)
+                                  edge_width, dot_size, fit, search, antialias, dual, labels, label_size, fill,
+                                  view)
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
         given = input_of(points, weights, wanted, periodic, crs=crs)
         cells = self._session.shapes(given, look, os.fspath(path), progress)
@@ -131,6 +136,24 @@ class Session:
         most = _arguments.iterations_of(iterations)
         arguments = _vorpipe.RelaxArguments(method, most, float(tolerance), equal_masses, found, neighbors)
         return Relaxed(self._session.relax(given, arguments, progress))
+
+    def transport(self, points: Any, masses: Any = None, density: Any = None, domain: Any = None,
+                  weights: Any = None, *, tolerance: float = 1e-8, diagrams: int = 400, normalize: bool = False,
+                  surface: Optional[str] = None, fill: Optional[float] = None, callback: Optional[StepCallback] = None,
+                  periodic: Union[None, bool, str] = None, outline: Any = None, search: str = 'grid',
+                  progress: Optional[Progress] = None, attributes: Optional[Mapping[str, Any]] = None,
+                  project: Project = None, margin: Margin = None, repair: bool = False,
+                  crs: Any = None) -> Transported:
+        """As `vorpipe.transport`."""
+        wanted = _arguments.domain_of(domain, outline, margin, repair, project)
+        given = input_of(points, weights, wanted, periodic, density, attributes, crs)
+        found, neighbors = _arguments.search_of(search)
+        arguments = _vorpipe.TransportArguments(masses=_arguments.masses_of(masses), normalize=normalize, fill=fill,
+                                                free_surface=_arguments.surface_of(surface),
+                                                tolerance=float(tolerance),
+                                                diagrams=_arguments.iterations_of(diagrams, 'diagrams'), search=found,
+                                                neighbors=neighbors)
+        return Transported(self._session.transport(given, arguments, callback, progress))
 
     @property
     def device(self) -> _vorpipe.DeviceInfo:

@@ -77,6 +77,15 @@ struct vorpipe_relaxation {
   vorpipe::Relaxation relaxation;
   mutable std::vector<vorpipe::Point> shown{};  ///< the sites, when they were last asked for
   mutable std::vector<std::array<double, 5>> trace{};
+  mutable std::vector<std::uint8_t> taken{};
+};
+
+struct vorpipe_transported {
+  std::shared_ptr<const vorpipe::c::PlacedInput> placed;
+  vorpipe_input input;
+  vorpipe::Transported found;
+  std::vector<vorpipe::Point> centroids{};  ///< as the caller has places
+  std::vector<std::array<double, 9>> trace{};
 };
 
 struct vorpipe_picture {

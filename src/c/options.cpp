@@ -113,12 +113,16 @@ Result<RenderOptions> renderOptions(const PlacedInput& placed, const vorpipe_ren
   const auto search = searchOf(taken_options->search, taken_options->search_neighbors);
   if (!search) return tl::unexpected(search.error());
   RenderOptions options{};
-  const Box& domain = options.domain = placed.domain.domain;
+  options.domain = placed.domain.domain;
   options.outline = placed.domain.outline;
   options.periodic = placed.domain.periodic;
+  if (taken_options->has_view != 0) {
+    options.view = Box{taken_options->view_xmin, taken_options->view_ymin, taken_options->view_xmax,
+                       taken_options->view_ymax};
+  }
   const bool sized = taken_options->width != 0 || taken_options->height != 0;
   const PictureSize size =
-      sized ? PictureSize{taken_options->width, taken_options->height} : defaultSize(domain);
+      sized ? PictureSize{taken_options->width, taken_options->height} : defaultSize(shownBox(options));
   options.width = size.width;
   options.height = size.height;
   options.color = *color;

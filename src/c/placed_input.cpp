@@ -73,6 +73,27 @@ std::optional<PlanePositions> takeToDegrees(const PlacedInput& input, Diagram& d
   return plane;
 }
 
+Sites shownSites(const PlacedInput& input, Sites sites) {
+  const auto& projection = input.domain.projection;
+  for (std::size_t i = 0; projection && i < sites.size(); ++i) {
+    const Point degrees = projection->toDegrees({sites.x[i], sites.y[i]});
+    sites.x[i] = degrees.x;
+    sites.y[i] = degrees.y;
+  }
+  return sites;
+}
+
+std::unique_ptr<vorpipe_input> inputOf(const vorpipe_input& input, const PlacedInput& placed,
+                                       const Sites& sites) {
+  auto made = std::make_unique<vorpipe_input>(input);
+  made->sites = std::make_shared<const Sites>(shownSites(placed, sites));
+  PlacedInput other = placed;
+  other.sites = std::make_shared<const Sites>(sites);
+  other.given = made->sites;
+  made->placed = std::make_shared<const PlacedInput>(std::move(other));
+  return made;
+}
+
 const CoordinateSystem& systemOf(const PlacedInput& input) {
   return input.domain.projection ? input.domain.degrees : input.domain.system;
 }

@@ -31,7 +31,8 @@ Result<RelaxOptions> relaxOptions(const vorpipe_input& input, const PlacedInput&
   options.domain = cells->domain;
   options.outline = cells->outline;
   options.periodic = cells->periodic;
-  options.density = wanted->equal_masses != 0 ? forEqualMasses(cells->density) : cells->density;
+  options.density = cells->density;
+  options.equal_masses = wanted->equal_masses != 0;
   options.search = cells->search;
   options.method = *method;
   if (wanted->iterations != 0) options.iterations = wanted->iterations;
@@ -54,14 +55,7 @@ vorpipe_code begin(vorpipe_session& session, const vorpipe_input& input, const v
 
 /// The sites where they are, as files have them.
 Sites shownSites(const vorpipe_relaxation& relaxation) {
-  Sites sites = relaxation.relaxation.sites();
-  const auto& projection = relaxation.placed->domain.projection;
-  for (std::size_t i = 0; projection && i < sites.size(); ++i) {
-    const Point degrees = projection->toDegrees({sites.x[i], sites.y[i]});
-    sites.x[i] = degrees.x;
-    sites.y[i] = degrees.y;
-  }
-  return sites;
+  return shownSites(*relaxation.placed, relaxation.relaxation.sites());
 }
 
 Result<vorpipe_array> arrayOf(const vorpipe_relaxation& relaxation, vorpipe_relaxation_field field) {
@@ -70,6 +64,12 @@ Result<vorpipe_array> arrayOf(const vorpipe_relaxation& relaxation, vorpipe_rela
     relaxation.shown.clear();
     for (std::size_t i = 0; i < sites.size(); ++i) relaxation.shown.push_back({sites.x[i], sites.y[i]});
     return array(relaxation.shown, VORPIPE_DOUBLE);
+  }
+  if (field == VORPIPE_RELAXED_TAKEN) {
+    relaxation.taken.clear();
+    for (const RelaxStep& step : relaxation.relaxation.trace())
+      relaxation.taken.push_back(step.taken ? 1 : 0);
+    return array(relaxation.taken, VORPIPE_UINT8);
   }
   if (field != VORPIPE_RELAXED_TRACE) return noField(field);
   relaxation.trace.clear();
@@ -151,14 +151,7 @@ vorpipe_code vorpipe_relaxation_input(const vorpipe_relaxation* relaxation, vorp
   if (relaxation == nullptr) return missing("relaxation");
   if (input == nullptr) return missing("input");
   return guarded([&]() -> vorpipe_code {
-    auto made = std::make_unique<vorpipe_input>(relaxation->input);
-    made->sites = std::make_shared<const Sites>(shownSites(*relaxation));
-    // The domain stays as it was found, even where it was that of the sites.
-    PlacedInput placed = *relaxation->placed;
-    placed.sites = std::make_shared<const Sites>(relaxation->relaxation.sites());
-    placed.given = made->sites;
-    made->placed = std::make_shared<const PlacedInput>(std::move(placed));
-    *input = made.release();
+    *input = inputOf(relaxation->input, *relaxation->placed, relaxation->relaxation.sites()).release();
     return VORPIPE_DONE;
   });
 }

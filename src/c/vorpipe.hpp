@@ -84,6 +84,9 @@ class Callback {
   static std::int32_t progress(void* user, const char* stage, double fraction) {
     return static_cast<Callback*>(user)->call(std::string_view(stage), fraction);
   }
+  static std::int32_t watch(void* user, const vorpipe_transport_step* step) {
+    return static_cast<Callback*>(user)->call(*step);
+  }
   static std::int32_t write(void* user, const void* bytes, std::size_t count) {
     return static_cast<Callback*>(user)->call(std::string_view(static_cast<const char*>(bytes), count));
   }
@@ -259,6 +262,7 @@ class Input {
 
  private:
   friend class Relaxation;
+  friend class Transported;
   explicit Input(vorpipe_input* input) : input_(input) {}
   Owned<vorpipe_input, vorpipe_input_free> input_;
 };
@@ -458,6 +462,8 @@ class Relaxation {
   [[nodiscard]] View<std::array<double, 5>> trace() const {
     return view<std::array<double, 5>>(VORPIPE_RELAXED_TRACE);
   }
+  /// By diagram: 0 where its energy was too high, and the sites went back to where they were before.
+  [[nodiscard]] View<std::uint8_t> taken() const { return view<std::uint8_t>(VORPIPE_RELAXED_TAKEN); }
   [[nodiscard]] vorpipe_relax_end end() const { return vorpipe_relaxation_end(get()); }
   [[nodiscard]] vorpipe_report report() const {
     vorpipe_report report = {};
@@ -486,6 +492,56 @@ class Relaxation {
     return View<Element>(array);
   }
   Owned<vorpipe_relaxation, vorpipe_relaxation_free> relaxation_;
+};
+
+/// One diagram of a transport; returning false ends it with what was reached.
+using TransportWatch = std::function<bool(const vorpipe_transport_step&)>;
+
+/// Sites with the weights that give each cell its mass.
+class Transported {
+ public:
+  explicit Transported(vorpipe_transported* transported) : transported_(transported) {}
+
+  [[nodiscard]] View<double> weights() const { return view<double>(VORPIPE_TRANSPORTED_WEIGHTS); }
+  [[nodiscard]] View<double> masses() const { return view<double>(VORPIPE_TRANSPORTED_MASSES); }
+  [[nodiscard]] View<double> areas() const { return view<double>(VORPIPE_TRANSPORTED_AREAS); }
+  [[nodiscard]] View<Point> centroids() const { return view<Point>(VORPIPE_TRANSPORTED_CENTROIDS); }
+  [[nodiscard]] View<std::uint8_t> status() const { return view<std::uint8_t>(VORPIPE_TRANSPORTED_STATUS); }
+  /// By diagram: its number, that of the Newton step, the part of it, whether it was kept, norm, worst,
+  /// least, iterations of the linear solver, seconds.
+  [[nodiscard]] View<std::array<double, 9>> trace() const {
+    return view<std::array<double, 9>>(VORPIPE_TRANSPORTED_TRACE);
+  }
+  [[nodiscard]] vorpipe_transport_end end() const { return vorpipe_transported_end(get()); }
+  [[nodiscard]] double cost() const { return vorpipe_transported_cost(get()); }
+  [[nodiscard]] vorpipe_report report() const {
+    vorpipe_report report = {};
+    report.struct_size = sizeof report;
+    done(vorpipe_transported_report(get(), &report));
+    return report;
+  }
+  /// The sites with these weights, in the same domain.
+  [[nodiscard]] Input input() const {
+    vorpipe_input* input = nullptr;
+    done(vorpipe_transported_input(get(), &input));
+    return Input(input);
+  }
+  void write(const std::string& format, const Write& write) const {
+    Callback<Write> callback(write);
+    callback.finish(
+        vorpipe_transported_write(get(), format.c_str(), Callback<Write>::write, callback.user()));
+  }
+  void save(const std::string& path) const { done(vorpipe_transported_save(get(), path.c_str())); }
+  [[nodiscard]] const vorpipe_transported* get() const { return transported_.get(); }
+
+ private:
+  template <class Element>
+  [[nodiscard]] View<Element> view(vorpipe_transported_field field) const {
+    vorpipe_array array = {};
+    done(vorpipe_transported_array(get(), field, &array));
+    return View<Element>(array);
+  }
+  Owned<vorpipe_transported, vorpipe_transported_free> transported_;
 };
 
 class Session {
@@ -523,6 +579,25 @@ class Session {
     options.struct_size = sizeof options;
     done(vorpipe_relax_begin(get(), input.get(), &options, &relaxation));
     return Relaxation(relaxation);
+  }
+
+  /// The weights that give each cell its mass; without masses, as large a one as any other.
+  /// `options.masses` and `options.watch` are taken from `masses` and `watch`.
+  Transported transport(const Input& input, const std::vector<double>& masses = {},
+                        vorpipe_transport_options options = {}, const TransportWatch& watch = {}) {
+    options.struct_size = sizeof options;
+    options.masses = masses.empty() ? nullptr : masses.data();
+    options.mass_count = masses.size();
+    Callback<TransportWatch> callback(watch);
+    if (watch) {
+      options.watch = Callback<TransportWatch>::watch;
+      options.watch_user = callback.user();
+    }
+    vorpipe_transported* transported = nullptr;
+    const vorpipe_code code = vorpipe_transport(get(), input.get(), &options, &transported);
+    Transported found(transported);
+    callback.finish(code);
+    return found;
   }
 
   /// A picture as shapes, "svg" or "pdf"; or into a file of such an extension.

@@ -475,6 +475,8 @@ typedef struct vorpipe_render_options {
   int32_t labels;    /* not 0: the index of each site, where there is room for it */
   int32_t no_fill;   /* not 0: cells are white */
   double label_size; /* the height of digits, pixels, 5 to 200; 0: 10 */
+  int32_t has_view;  /* not 0: the picture shows this part of the plane; colors are as they are without */
+  double view_xmin, view_ymin, view_xmax, view_ymax; /* 0 otherwise */
 } vorpipe_render_options;
 
 typedef struct vorpipe_picture vorpipe_picture;
@@ -596,9 +598,10 @@ typedef int32_t vorpipe_relaxation_field;
 enum {
   VORPIPE_RELAXED_SITES = 1, /* by site: 2 doubles, in degrees where the input is projected */
   /* by diagram: 5 doubles: its number, the energy, that as a part of the hexagonal lattice's (NaN with
-   * weights), the longest way of a site in spacings, seconds since the first; a diagram whose energy is above
-   * an earlier one's was a step that was taken back */
-  VORPIPE_RELAXED_TRACE = 2
+   * weights), the longest way of a site in spacings, seconds since the first */
+  VORPIPE_RELAXED_TRACE = 2,
+  /* by diagram: a byte; 0: its energy was too high, and the sites went back to where they were before */
+  VORPIPE_RELAXED_TAKEN = 3
 };
 /* Good until the next step. */
 VORPIPE_API vorpipe_code vorpipe_relaxation_array(const vorpipe_relaxation* relaxation,
@@ -626,6 +629,97 @@ VORPIPE_API vorpipe_code vorpipe_relaxation_input(const vorpipe_relaxation* rela
 VORPIPE_API vorpipe_code vorpipe_relaxation_write(const vorpipe_relaxation* relaxation, const char* format,
                                                   vorpipe_write write, void* user);
 VORPIPE_API vorpipe_code vorpipe_relaxation_save(const vorpipe_relaxation* relaxation, const char* path);
+
+/* ---- Transport ---- */
+
+/* What lies around cells. */
+typedef int32_t vorpipe_surface;
+enum {
+  VORPIPE_SURFACE_NONE = 0, /* cells fill the domain */
+  VORPIPE_SURFACE_FREE = 1  /* air does: each cell ends at a disc around its site, whose squared radius is
+                             * the weight */
+};
+
+/* One diagram of a transport. */
+typedef struct vorpipe_transport_step {
+  uint32_t struct_size;
+  int32_t taken; /* 0: it was not kept, and the Newton step is tried again, half as long */
+  uint64_t diagram, newton, linear_iterations;
+  double length;             /* part of the Newton step that was tried, up to 1 */
+  double norm, worst, least; /* root of the sum of squared differences; largest difference, and least mass, as
+                              * parts of the mass asked for; NaN: a cell was empty */
+  double seconds;
+} vorpipe_transport_step;
+
+/* Called after each diagram, from the calling thread; what is not 0 ends the transport with what was reached.
+ */
+typedef int32_t (*vorpipe_transport_watch)(void* user, const vorpipe_transport_step* step);
+
+typedef struct vorpipe_transport_options {
+  uint32_t struct_size;
+  int32_t normalize;    /* not 0: scales the masses so that they add up to what the domain has */
+  const double* masses; /* by site, each more than 0; NULL: equal ones */
+  uint64_t mass_count;
+  double fill;      /* a free surface, and this part of what the domain has for all cells; 0: cells fill it */
+  double tolerance; /* ends when no cell differs from its mass by more than this part of it; 0: 1e-8 */
+  uint64_t diagrams; /* the most that are computed; 0: 400 */
+  vorpipe_surface surface;
+  vorpipe_search search;
+  int32_t search_neighbors;
+  vorpipe_transport_watch watch;
+  void* watch_user;
+  vorpipe_progress progress; /* of each diagram; saying stop ends the transport with what was reached */
+  void* progress_user;
+} vorpipe_transport_options;
+
+/* The weights that give each cell its mass: its area, or what the input's density has in it. They begin with
+ * the input's weights, where these leave each cell some. */
+typedef struct vorpipe_transported vorpipe_transported;
+/* `options` may be NULL. VORPIPE_DONE where the tolerance was not reached as well: see
+ * vorpipe_transported_end. */
+VORPIPE_API vorpipe_code vorpipe_transport(vorpipe_session* session, const vorpipe_input* input,
+                                           const vorpipe_transport_options* options,
+                                           vorpipe_transported** transported);
+VORPIPE_API void vorpipe_transported_free(vorpipe_transported* transported);
+
+typedef int32_t vorpipe_transported_field;
+enum {
+  VORPIPE_TRANSPORTED_WEIGHTS = 1, /* by site: double */
+  VORPIPE_TRANSPORTED_MASSES = 2,  /* by site: double, what the cells have; none where nothing was measured */
+  VORPIPE_TRANSPORTED_AREAS = 3,   /* likewise */
+  VORPIPE_TRANSPORTED_CENTROIDS = 4, /* likewise: 2 doubles, of the mass; in degrees where the input is
+                                      * projected */
+  VORPIPE_TRANSPORTED_STATUS = 5,    /* likewise: uint8 */
+  /* by diagram: 9 doubles: diagram, newton, length, taken, norm, worst, least, linear_iterations, seconds, as
+   * in vorpipe_transport_step */
+  VORPIPE_TRANSPORTED_TRACE = 6
+};
+VORPIPE_API vorpipe_code vorpipe_transported_array(const vorpipe_transported* transported,
+                                                   vorpipe_transported_field field, vorpipe_array* array);
+
+/* Why a transport ended. */
+typedef int32_t vorpipe_transport_end;
+enum {
+  VORPIPE_TRANSPORT_CONVERGED = 0,
+  VORPIPE_TRANSPORT_STAGNATED = 1, /* at what rounding allows */
+  VORPIPE_TRANSPORT_DIAGRAMS = 2,
+  VORPIPE_TRANSPORT_CANCELLED = 3
+};
+VORPIPE_API vorpipe_transport_end vorpipe_transported_end(const vorpipe_transported* transported);
+/* The integral of the squared distance to the site over all cells: the squared Wasserstein distance between
+ * the density and the sites' masses. */
+VORPIPE_API double vorpipe_transported_cost(const vorpipe_transported* transported);
+/* Of the last diagram. */
+VORPIPE_API vorpipe_code vorpipe_transported_report(const vorpipe_transported* transported,
+                                                    vorpipe_report* report);
+VORPIPE_API const char* vorpipe_transported_note(const vorpipe_transported* transported, size_t index);
+/* The sites with these weights, as an input: for cells and pictures, or to save. For the caller to free. */
+VORPIPE_API vorpipe_code vorpipe_transported_input(const vorpipe_transported* transported,
+                                                   vorpipe_input** input);
+/* As vorpipe_relaxation_write and vorpipe_relaxation_save: the sites with these weights. */
+VORPIPE_API vorpipe_code vorpipe_transported_write(const vorpipe_transported* transported, const char* format,
+                                                   vorpipe_write write, void* user);
+VORPIPE_API vorpipe_code vorpipe_transported_save(const vorpipe_transported* transported, const char* path);
 
 /* ---- Memory ---- */
 

@@ -46,8 +46,8 @@ int runSubcommand(const Run& run, const Invocation& how) {
 int parseAndRun(int count, char** arguments) {
   CommandLine line("vorpipe", "Voronoi diagrams of sites in the plane, on any GPU or without one",
                    fmt::format("vorpipe {}", version()));
-  for (const auto add : {addRender, addCells, addRelax, addView, addDiff, addCompare, addRerun, addDevices,
-                         addBench, addSelftest})
+  for (const auto add : {addRender, addCells, addRelax, addTransport, addFluid, addView, addDiff, addCompare,
+                         addRerun, addDevices, addBench, addSelftest})
     add(line);
   addExamples(line);
   const Invocation how{{arguments + std::min(count, 1), arguments + count}};

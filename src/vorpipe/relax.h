@@ -25,6 +25,9 @@ struct RelaxOptions {
   Outline outline{};
   Periodic periodic = Periodic::none;
   Density density{};  ///< over the domain: sites gather where it is high
+  /// Relaxes under the square of the density, so that cells come to have equal masses of it; with the last
+  /// few diagrams sites move as little as makes masses equal (to 1 %, where that can be reached).
+  bool equal_masses = false;
   SearchOptions search;
   RelaxMethod method = RelaxMethod::lbfgs;
   std::uint64_t iterations = 50;  ///< most diagrams that are computed after the first
@@ -40,7 +43,11 @@ struct RelaxStep {
       0;  ///< energy over that of the hexagonal lattice of as many cells (Gersho's with a density)
   double farthest = 0;  ///< largest distance of a site to its centroid, in spacings: sqrt(area / sites)
   double seconds = 0;   ///< since the relaxation began
+  bool taken = true;    ///< false: the energy was too high, and the sites went back to where they were before
 };
+
+/// The diagram of the sites as a trace leaves them: its last one that was taken.
+const RelaxStep& lastTaken(const std::vector<RelaxStep>& trace);
 
 /// Why a relaxation ended.
 enum class RelaxEnd : std::uint8_t { iterations, tolerance, stagnated, cancelled };

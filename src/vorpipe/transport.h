@@ -50,12 +50,12 @@ enum class TransportEnd : std::uint8_t {
 };
 
 struct Transported {
-  Sites sites;  ///< with the weights that were found; their mean is 0, but for a free surface
-  CellMoments cells;
+  Sites sites;        ///< with the weights that were found; their mean is 0, but for a free surface
+  CellMoments cells;  ///< of these weights; empty where progress stopped a diagram
   std::vector<TransportStep> trace;  ///< one entry for each diagram
   TransportEnd end = TransportEnd::converged;
   /// Integral of the squared distance to the site over all cells: the squared Wasserstein distance between
-  /// the density and the sites' masses.
+  /// the density and the sites' masses. 0 without `cells`.
   double cost = 0;
   Report report;
 };

@@ -11,7 +11,7 @@ for backend in $backends; do
   expect " after 5 diagrams (iterations), $backend on "
 done
 succeeds "Lloyd's steps" relax --backend cpu --sites random:500 --method lloyd --iterations 5 --trace out/trace.csv
-[ "$(head -n 1 out/trace.csv)" = diagram,energy,hexagonal,farthest,seconds ] || fail "the header of the trace"
+[ "$(head -n 1 out/trace.csv)" = diagram,energy,hexagonal,farthest,seconds,taken ] || fail "the header of the trace"
 [ "$(wc -l <out/trace.csv)" -eq 7 ] || fail "not one row for each diagram"
 awk -F, 'NR > 2 && $2 >= before { exit 1 } { before = $2 }' out/trace.csv || fail "the energy rises"
 succeeds "a tolerance" relax --backend cpu --sites hex:500 --periodic x --tolerance 0.9 -o out/hex.csv

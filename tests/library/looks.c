@@ -88,6 +88,27 @@ static void marks(vorpipe_session* session, const vorpipe_input* input) {
   PROMISE(vorpipe_render(session, input, &options, &marked) == VORPIPE_INPUT && marked == NULL);
 }
 
+/* A part of the plane: the site at its corner is that of the place. */
+static void views(vorpipe_session* session, const vorpipe_input* input) {
+  vorpipe_render_options options = {sizeof options};
+  vorpipe_picture *whole = NULL, *part = NULL;
+  vorpipe_array a, b;
+  options.width = options.height = 120;
+  DONE(vorpipe_render(session, input, &options, &whole));
+  options.width = options.height = 60;
+  options.has_view = 1;
+  options.view_xmax = options.view_ymax = 0.5;
+  DONE(vorpipe_render(session, input, &options, &part));
+  DONE(vorpipe_picture_array(whole, VORPIPE_PICTURE_IDS, &a));
+  DONE(vorpipe_picture_array(part, VORPIPE_PICTURE_IDS, &b));
+  PROMISE(memcmp((const uint32_t*)a.data + 119 * 120, (const uint32_t*)b.data + 59 * 60, 60 * 4) == 0);
+  vorpipe_picture_free(whole);
+  vorpipe_picture_free(part);
+  part = NULL;
+  options.view_xmin = 0.5;
+  REFUSED(VORPIPE_INPUT, "view", vorpipe_render(session, input, &options, &part));
+}
+
 /* A domain keeps its aspect on request, else arrays fill the picture; files tell the place of pixels. */
 static void places(vorpipe_session* session) {
   const double x[] = {0, 4}, y[] = {0, 1};
@@ -150,6 +171,7 @@ void looks_promises(vorpipe_session* session) {
   DONE(vorpipe_input_read("random:100", 1, &input));
   keys(session, input);
   marks(session, input);
+  views(session, input);
   shapes(session, input);
   places(session);
   vorpipe_input_free(input);

@@ -19,6 +19,7 @@ int main(void) {
   pictures_promises(session);
   looks_promises(session);
   relaxing_promises(session);
+  transporting_promises(session);
   refusals(session);
   vorpipe_session_free(session);
   vorpipe_session_free(NULL);

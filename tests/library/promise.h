@@ -33,6 +33,7 @@ void input_promises(vorpipe_session* session);
 void files_promises(vorpipe_session* session);
 void looks_promises(vorpipe_session* session);
 void relaxing_promises(vorpipe_session* session);
+void transporting_promises(vorpipe_session* session);
 void refusals(vorpipe_session* session);
 void devices_promises(void);
 void selftest_promises(void);

@@ -21,6 +21,7 @@ static void steps(vorpipe_session* session, const vorpipe_input* input) {
   vorpipe_relax_options options = {sizeof options};
   vorpipe_relaxation *whole = NULL, *slow = NULL;
   vorpipe_report report = {sizeof report};
+  vorpipe_array taken = {NULL, 0, 0, 0};
   const double* trace;
   int32_t more = 1;
   int diagrams = 0;
@@ -37,6 +38,8 @@ static void steps(vorpipe_session* session, const vorpipe_input* input) {
   trace = numbers(whole, VORPIPE_RELAXED_TRACE, 6);
   PROMISE(trace[0] == 0 && trace[25] == 5);
   PROMISE(trace[6] < trace[1] && trace[26] < trace[21]);
+  DONE(vorpipe_relaxation_array(whole, VORPIPE_RELAXED_TAKEN, &taken));
+  PROMISE(taken.count == 6 && taken.type == VORPIPE_UINT8 && ((const uint8_t*)taken.data)[5] == 1);
   PROMISE(memcmp(numbers(whole, VORPIPE_RELAXED_SITES, 100), numbers(slow, VORPIPE_RELAXED_SITES, 100),
                  200 * sizeof(double)) == 0);
   DONE(vorpipe_relaxation_report(whole, &report));

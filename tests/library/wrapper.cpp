@@ -55,9 +55,17 @@ int main() {
   promise(picture.width() == 1000 && picture.ids().size() == 1000000 && picture.check(), "pictures");
 
   auto relaxed = session.relaxBegin(random);
-  promise(relaxed.step() && relaxed.trace().size() == 2 && relaxed.trace()[1][1] < relaxed.trace()[0][1],
+  promise(relaxed.step() && relaxed.trace().size() == 2 && relaxed.taken()[1] == 1 &&
+              relaxed.trace()[1][1] < relaxed.trace()[0][1],
           "energy falls");
   promise(session.cells(relaxed.input()).size() == 2000 && relaxed.sites().size() == 2000, "moved sites");
+
+  int steps = 0;
+  const auto even = session.transport(random, {}, {}, [&](const auto&) { return ++steps > 0; });
+  promise(even.end() == VORPIPE_TRANSPORT_CONVERGED && static_cast<int>(even.trace().size()) == steps &&
+              std::abs(even.areas()[7] - random.domain()[2] / 2000) < 1e-3,
+          "equal areas");
+  promise(even.weights().size() == 2000 && session.cells(even.input()).size() == 2000, "weights");
 
   const auto found = vorpipe::Locator(input).find({{0.1, 0.1}, {0.9, 0.1}, {3, 3}});
   promise(found[0] == 0 && found[1] == 1 && found[2] == VORPIPE_NO_SITE, "places");

@@ -8,6 +8,8 @@ namespace vorpipe::cli {
 void addRender(CommandLine& line);
 void addCells(CommandLine& line);
 void addRelax(CommandLine& line);
+void addFluid(CommandLine& line);
+void addTransport(CommandLine& line);
 void addDiff(CommandLine& line);
 void addCompare(CommandLine& line);
 /// `line` must stay where it is: it parses again.

@@ -11,17 +11,15 @@
 #include "cli/commands/command.h"
 #include "cli/options/options.h"
 #include "cli/options/picture_options.h"
-#include "cli/options/relax_outputs.h"
+#include "cli/options/result_outputs.h"
 #include "cli/reports/stats.h"
 #include "cli/runs/drawn_input.h"
 #include "cli/runs/forecast.h"
 #include "cli/runs/input.h"
-#include "cli/runs/picture.h"
-#include "cli/runs/relax_files.h"
+#include "cli/runs/result_files.h"
 #include "cli/runs/run_end.h"
 #include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
-#include "io/domain/density_file.h"
 #include "io/files/error.h"
 #include "io/forecast/forecast_files.h"
 #include "io/text/number.h"
@@ -40,7 +38,7 @@ struct RelaxCommand {
   std::uint64_t iterations = 50;
   double tolerance = 0;
   bool equal_masses = false;
-  RelaxTargets targets;
+  ResultTargets targets;
   std::string density, stats;
   std::optional<std::uint64_t> memory_limit;
 };
@@ -85,22 +83,14 @@ PlanRun planOf(const RelaxCommand& command, std::uint64_t density_pixels) {
     plan.take("sites that move", (others + (newton ? steps_of_newton : 0)) * 2 * number * work.sites);
     plan.drop(planCells(plan, work, Detail::polygons));
     plan.dropSince(since);
-    const PictureSize size = sizeBefore(command.picture.size);
-    RenderOptions render = command.picture.render;
-    render.width = size.width;
-    render.height = size.height;
-    if (!command.targets.pictures.empty()) {
-      planDrawing(plan, work, render, needsOf(command.targets.pictures), false);
-    }
-    if (!command.targets.cells.empty()) planCells(plan, work, command.targets.detail());
-    for (const CellsTarget& target : command.targets.cells) planCellsFile(plan, work, *target.format);
+    planFiles(plan, work, command.targets, command.picture);
   };
 }
 
 /// A run that is under way.
 struct RelaxRun {
   const RelaxCommand& command;
-  RelaxJob job;
+  ResultJob job;
   RunLog& log;
   std::vector<OutputFile> files{};
 };
@@ -123,8 +113,8 @@ Result<void> saveNumbered(RelaxRun& run, Session& session, const Relaxation& rel
 }
 
 /// "relax 12/50, 1.0334".
-std::string progressText(const RelaxStep& step, std::uint64_t iterations) {
-  const std::string at = fmt::format("relax {}/{}", step.diagram, iterations);
+std::string progressText(std::uint64_t diagram, const RelaxStep& step, std::uint64_t iterations) {
+  const std::string at = fmt::format("relax {}/{}", diagram, iterations);
   return std::isfinite(step.hexagonal) ? fmt::format("{}, {:.4f}", at, step.hexagonal)
                                        : fmt::format("{}, {:.6g}", at, step.energy);
 }
@@ -138,9 +128,10 @@ Result<Relaxed> relaxIn(RelaxRun& run, Session& session, RelaxOptions options) {
   if (!relaxation) return tl::unexpected(std::move(relaxation.error()));
   Result<bool> more = true;
   while (more && *more) {
-    const RelaxStep& last = relaxation->trace().back();
-    bar.show(progressText(last, iterations), static_cast<double>(last.diagram) / whole);
-    if (every > 0 && last.diagram % every == 0) {
+    const std::uint64_t diagram = relaxation->trace().back().diagram;
+    bar.show(progressText(diagram, lastTaken(relaxation->trace()), iterations),
+             static_cast<double>(diagram) / whole);
+    if (every > 0 && diagram % every == 0) {
       if (auto saved = saveNumbered(run, session, *relaxation); !saved) return tl::unexpected(saved.error());
     }
     more = relaxation->step();
@@ -155,7 +146,8 @@ RelaxOptions relaxOptions(const RelaxCommand& command, const Input& input, const
   options.domain = input.domain;
   options.outline = input.outline;
   options.periodic = input.periodic;
-  options.density = command.equal_masses ? forEqualMasses(density) : density;
+  options.density = density;
+  options.equal_masses = command.equal_masses;
   options.search = command.search;
   options.method = command.method;
   options.iterations = command.iterations;
@@ -165,12 +157,12 @@ RelaxOptions relaxOptions(const RelaxCommand& command, const Input& input, const
 }
 
 std::string summaryOf(const Relaxed& relaxed) {
-  const RelaxStep &first = relaxed.trace.front(), &last = relaxed.trace.back();
+  const RelaxStep &first = relaxed.trace.front(), &last = lastTaken(relaxed.trace);
   std::string text = fmt::format("energy {:.6g} to {:.6g}", first.energy, last.energy);
   if (std::isfinite(last.hexagonal)) {
     text += fmt::format(" ({:.4f} to {:.4f} of the hexagonal lattice's)", first.hexagonal, last.hexagonal);
   }
-  return text + fmt::format(" after {} diagrams ({})", last.diagram, wordOf(relaxed.end));
+  return text + fmt::format(" after {} diagrams ({})", relaxed.trace.back().diagram, wordOf(relaxed.end));
 }
 
 Result<void> writeFiles(RelaxRun& run, Session& session, const Relaxed& relaxed, std::uint64_t forecast,
@@ -192,9 +184,9 @@ Result<void> writeFiles(RelaxRun& run, Session& session, const Relaxed& relaxed,
     if (parts->cells && !parts->cells->mass.empty()) {
       stats.mass_sum = std::accumulate(parts->cells->mass.begin(), parts->cells->mass.end(), 0.0);
     }
-    stats.relaxation =
-        RelaxFigures{run.command.method == RelaxMethod::lloyd ? "lloyd" : "lbfgs",
-                     std::string(wordOf(relaxed.end)), relaxed.trace.front(), relaxed.trace.back()};
+    stats.relaxation = RelaxFigures{run.command.method == RelaxMethod::lloyd ? "lloyd" : "lbfgs",
+                                    std::string(wordOf(relaxed.end)), relaxed.trace.size(),
+                                    relaxed.trace.front(), lastTaken(relaxed.trace)};
     return statsJson(stats);
   };
   return writeOutputs(run.files, writers, run.log, json);
@@ -216,46 +208,6 @@ Result<void> checkCommand(RelaxCommand& command) {
   return takeFormat(command.targets, command.input.format.output);
 }
 
-Result<Density> densityOf(const RelaxCommand& command) {
-  if (command.density.empty()) return {};
-  auto density = readDensity(command.density);
-  if (!density) return named("--density", std::move(density.error()));
-  return density;
-}
-
-/// Reads, generates or draws the sites; `options` are left as the rest of the run takes them.
-Result<Input> inputOf(const RelaxCommand& command, const Density& density, InputOptions& options) {
-  const auto drawn = drawnCount(options);
-  if (!drawn) return tl::unexpected(drawn.error());
-  if (*drawn) {
-    auto generator = asGenerator(options, **drawn, density);
-    if (!generator) return tl::unexpected(std::move(generator.error()));
-    options = std::move(*generator);
-  }
-  const auto fits = forecastGenerated(options, planOf(command, density.values.size()), command.memory_limit);
-  if (!fits) return tl::unexpected(fits.error());
-  auto input = loadInput(options);
-  if (input && *drawn) {
-    if (auto done = drawSites(*input, density, options.seed); !done)
-      return tl::unexpected(std::move(done.error()));
-  }
-  return input;
-}
-
-/// What can be refused before a backend is opened.
-Result<void> checkOptions(const RelaxCommand& command, const InputOptions& reading, const Input& input,
-                          const Density& density) {
-  CellsOptions cells{};
-  cells.domain = input.domain;
-  cells.outline = input.outline;
-  cells.periodic = input.periodic;
-  cells.density = density;
-  cells.search = command.search;
-  if (auto checked = checkInput(reading, input, cells, command.backend.threads); !checked) return checked;
-  if (command.targets.pictures.empty()) return {};
-  return pictureOf(command.picture, reading, input).map([](const RenderOptions&) {});
-}
-
 Result<ExitCode> relax(RelaxCommand& command, const Invocation& how) {
   setDriverThreads(command.backend.threads);
   const Stopwatch total;
@@ -263,15 +215,17 @@ Result<ExitCode> relax(RelaxCommand& command, const Invocation& how) {
   log.search = command.search;
   log.threads = command.backend.threads;
   if (auto checked = checkCommand(command); !checked) return tl::unexpected(std::move(checked.error()));
-  const auto density = densityOf(command);
+  const auto density = densityOf(command.density);
   if (!density) return tl::unexpected(density.error());
   InputOptions reading = command.input;
   reading.reading.attributes = command.targets.carryAttributes();
-  const auto input = inputOf(command, *density, reading);
+  const auto input =
+      inputUnder(*density, reading, planOf(command, density->values.size()), command.memory_limit);
   if (!input) return tl::unexpected(input.error());
   RelaxOptions options = relaxOptions(command, *input, *density);
-  const auto checked = checkOptions(command, reading, *input, *density);
-  if (!checked) return tl::unexpected(checked.error());
+  const ResultJob job{command.targets, reading,        command.picture,        *input,
+                      *density,        command.search, command.backend.threads};
+  if (auto checked = checkBefore(job); !checked) return tl::unexpected(std::move(checked.error()));
   printNotes(command.talk, *input);
   const auto paths = outputPaths(command);
   auto files = openOutputs(paths);
@@ -283,11 +237,7 @@ Result<ExitCode> relax(RelaxCommand& command, const Invocation& how) {
   const auto forecast = forecastRun(reading, *input, ImagesFor::cells, session->device(), command.backend,
                                     planOf(command, density->values.size()), command.memory_limit);
   if (!forecast) return tl::unexpected(forecast.error());
-  RelaxRun run{
-      command,
-      {command.targets, reading, command.picture, *input, *density, command.search, command.backend.threads},
-      log,
-      std::move(*files)};
+  RelaxRun run{command, job, log, std::move(*files)};
   const auto relaxed = relaxIn(run, *session, std::move(options));
   if (!relaxed) return asOption(relaxed.error(), reading);
   const bool interrupted = takeSignal();

@@ -86,11 +86,39 @@ Json relaxationJson(const RelaxFigures& figures) {
   // Weights leave nothing to compare with.
   const auto part = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
   return {{"method", figures.method},
-          {"diagrams", figures.last.diagram + 1},
+          {"diagrams", figures.diagrams},
           {"end", figures.end},
           {"energy", {figures.first.energy, figures.last.energy}},
           {"hexagonal", {part(figures.first.hexagonal), part(figures.last.hexagonal)}},
           {"farthest", {figures.first.farthest, figures.last.farthest}}};
+}
+
+Json transportJson(const TransportFigures& figures) {
+  const TransportStep& last = figures.last;
+  return {{"surface", figures.free_surface ? Json("free") : Json(nullptr)},
+          {"diagrams", figures.diagrams},
+          {"newton", figures.newton},
+          {"end", figures.end},
+          {"worst", last.worst},
+          {"norm", last.norm},
+          {"mass", figures.mass},
+          {"cost", figures.cost}};
+}
+
+Json fluidJson(const FluidFigures& figures) {
+  const FluidStep &first = figures.first, &last = figures.last;
+  return {{"scheme", figures.scheme},
+          {"end", figures.end},
+          {"step", {first.step, last.step}},
+          {"time", {first.time, last.time}},
+          {"kinetic", {first.kinetic, last.kinetic}},
+          {"potential", {first.potential, last.potential}},
+          {"spring", {first.spring, last.spring}},
+          {"energy", {first.energy(), last.energy()}},
+          {"energy_drift", figures.drift},
+          {"momentum", {last.momentum.x, last.momentum.y}},
+          {"worst_area", figures.worst},
+          {"farthest", {first.farthest, last.farthest}}};
 }
 
 }  // namespace
@@ -147,6 +175,8 @@ std::string statsJson(const Stats& stats) {
   json["mass_sum"] = stats.mass_sum ? Json(*stats.mass_sum) : Json(nullptr);
   json["color"] = stats.color ? colorJson(*stats.color) : Json(nullptr);
   if (stats.relaxation) json["relaxation"] = relaxationJson(*stats.relaxation);
+  if (stats.transport) json["transport"] = transportJson(*stats.transport);
+  if (stats.fluid) json["fluid"] = fluidJson(*stats.fluid);
   json["time_ms"] = {
       {"read", time(stats.input.read_ms)}, {"order", time(times.order)},    {"upload", time(times.upload)},
       {"search", time(times.search)},      {"cells", time(times.cells)},    {"draw", time(times.draw)},

@@ -9,13 +9,32 @@
 #include "cli/runs/input.h"
 #include "cli/runs/run_log.h"
 #include "vorpipe.h"
+#include "vorpipe/fluid.h"
 
 namespace vorpipe::cli {
 
 /// What moved the sites, where a run did.
 struct RelaxFigures {
   std::string method, end;
-  RelaxStep first, last;
+  std::uint64_t diagrams;
+  RelaxStep first, last;  ///< of the sites as they came, and of those that are the result
+};
+
+/// What found weights, where a run did.
+struct TransportFigures {
+  std::string end;
+  bool free_surface;
+  std::uint64_t diagrams, newton;
+  TransportStep last;  ///< that was kept
+  double mass;         ///< of all cells together
+  double cost;
+};
+
+/// What a fluid came to.
+struct FluidFigures {
+  std::string scheme, end;
+  FluidStep first, last;
+  double worst, drift;  ///< of areas, and of the energy as a part of the first: largest of all steps
 };
 
 struct Stats {
@@ -29,6 +48,8 @@ struct Stats {
   std::optional<double> mass_sum{};  ///< none without a density
   std::optional<ColorKey> color{};   ///< of a picture; none by site
   std::optional<RelaxFigures> relaxation{};
+  std::optional<FluidFigures> fluid{};
+  std::optional<TransportFigures> transport{};
 };
 
 /// Adds what the domain is besides its box, and between which numbers the weights are: "outline", "periodic",

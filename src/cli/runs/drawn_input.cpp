@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "io/domain/density_file.h"
 #include "io/files/error.h"
 #include "io/sites/sites_file.h"
 #include "vorpipe/stipple.h"
@@ -47,6 +48,32 @@ Result<void> drawSites(Input& input, const Density& density, std::uint64_t seed)
   input.sites.x = std::move(drawn->x);
   input.sites.y = std::move(drawn->y);
   return {};
+}
+
+Result<Density> densityOf(const std::string& path) {
+  if (path.empty()) return {};
+  auto density = readDensity(path);
+  if (!density) return named("--density", std::move(density.error()));
+  return density;
+}
+
+Result<Input> inputUnder(const Density& density, InputOptions& options, const PlanRun& plan,
+                         std::optional<std::uint64_t> memory_limit) {
+  const auto drawn = drawnCount(options);
+  if (!drawn) return tl::unexpected(drawn.error());
+  if (*drawn) {
+    auto generator = asGenerator(options, **drawn, density);
+    if (!generator) return tl::unexpected(std::move(generator.error()));
+    options = std::move(*generator);
+  }
+  const auto fits = forecastGenerated(options, plan, memory_limit);
+  if (!fits) return tl::unexpected(fits.error());
+  auto input = loadInput(options);
+  if (input && *drawn) {
+    if (auto done = drawSites(*input, density, options.seed); !done)
+      return tl::unexpected(std::move(done.error()));
+  }
+  return input;
 }
 
 }  // namespace vorpipe::cli

@@ -1,10 +1,11 @@
-/// Sites drawn from a density, as `--sites density:N` asks for them.
+/// The density of a run, and sites that may be drawn from it, as `--sites density:N` asks for them.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 
 #include "cli/options/options.h"
+#include "cli/runs/forecast.h"
 #include "cli/runs/input.h"
 #include "vorpipe.h"
 
@@ -21,5 +22,13 @@ Result<InputOptions> asGenerator(const InputOptions& options, std::uint64_t coun
 
 /// Draws the sites anew, in the domain of the input.
 Result<void> drawSites(Input& input, const Density& density, std::uint64_t seed);
+
+/// Reads --density; the path may be empty. Errors: those of readDensity.
+Result<Density> densityOf(const std::string& path);
+
+/// Reads, generates or draws the sites; `options` are left as the rest of the run takes them. Errors: those
+/// of the functions above, forecastGenerated and loadInput.
+Result<Input> inputUnder(const Density& density, InputOptions& options, const PlanRun& plan,
+                         std::optional<std::uint64_t> memory_limit);
 
 }  // namespace vorpipe::cli

@@ -16,11 +16,6 @@ Result<void> checkDensity(const Density& density);
 /// area of a cell in a pixel is right to some 1e-14 of the pixel, or of the cell's bounding box where that is
 /// smaller, whatever lies in other pixels: none has a share in a cell that it does not touch, and nothing
 /// large is subtracted. The time is that of the pixels that cells touch, each for each of its cells.
-///
-/// `spread`, which may be null, gets for each cell the integral of the squared distance to the center of
-/// mass, in mass times length squared; from the same integrals, so that it is as exact as the mass. 0 without
-/// mass.
-void measureMass(const Density& density, const Box& domain, Periodic periodic, int threads, Diagram& diagram,
-                 std::vector<double>* spread = nullptr);
+void measureMass(const Density& density, const Box& domain, Periodic periodic, int threads, Diagram& diagram);
 
 }  // namespace vorpipe::core

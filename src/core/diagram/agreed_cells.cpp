@@ -37,20 +37,42 @@ Result<TiedCells> reconcile(const SearchInput& input, NeighborRows& rows, const 
                   1 + gap)));
 }
 
+SearchInput inputOf(const Machine& machine, SiteRun& run, const CellsOptions& options) {
+  return {machine.backend, run.judge, run.prepared.set, options.search, machine.threads, options.progress};
+}
+
+/// Agrees on cells with these neighbors.
+Result<AgreedCells> agree(const SearchInput& input, NeighborRows rows, const SiteRun& run, const Sites& sites,
+                          const Box& domain, std::span<double> spread, Report& report) {
+  AgreedCells agreed{std::move(rows), makeRecords(run.prepared, sites), {}};
+  const Records records{run.prepared.set, Unscale(run.prepared.exponent), agreed.records, spread};
+  auto tied = reconcile(input, agreed.rows, records, domain, report);
+  if (!tied) return tl::unexpected(tied.error());
+  agreed.tied = std::move(*tied);
+  return agreed;
+}
+
 }  // namespace
 
 Result<AgreedCells> agreeOnCells(const Machine& machine, SiteRun& run, const Sites& sites,
                                  const CellsOptions& options, std::span<double> spread, Report& report) {
-  const SiteSet& set = run.prepared.set;
-  const SearchInput input{machine.backend, run.judge, set, options.search, machine.threads, options.progress};
+  const SearchInput input = inputOf(machine, run, options);
   auto rows = findNeighbors(input, report);
   if (!rows) return tl::unexpected(rows.error());
-  AgreedCells agreed{std::move(*rows), makeRecords(run.prepared, sites), {}};
-  const Records records{set, Unscale(run.prepared.exponent), agreed.records, spread};
-  auto tied = reconcile(input, agreed.rows, records, options.domain, report);
-  if (!tied) return tl::unexpected(tied.error());
-  agreed.tied = std::move(*tied);
-  return agreed;
+  return agree(input, std::move(*rows), run, sites, options.domain, spread, report);
+}
+
+Result<std::optional<AgreedCells>> agreeUnlessEmpty(const Machine& machine, SiteRun& run, const Sites& sites,
+                                                    const CellsOptions& options, std::span<double> spread,
+                                                    Report& report) {
+  if (run.prepared.set.size() < sites.size()) return std::nullopt;  // A duplicate has none.
+  const SearchInput input = inputOf(machine, run, options);
+  auto rows = findNeighborsUnlessEmpty(input, report);
+  if (!rows) return tl::unexpected(rows.error());
+  if (!*rows) return std::nullopt;
+  auto agreed = agree(input, std::move(**rows), run, sites, options.domain, spread, report);
+  if (!agreed) return tl::unexpected(agreed.error());
+  return std::optional(std::move(*agreed));
 }
 
 }  // namespace vorpipe::core

@@ -1,6 +1,7 @@
 /// The cells of a run, found and agreed on, before they are written as anything.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "core/judge/site_run.h"
@@ -18,5 +19,10 @@ struct AgreedCells {
 /// is as Records has it. `report` gets what was done. Errors: as Session::cells'.
 Result<AgreedCells> agreeOnCells(const Machine& machine, SiteRun& run, const Sites& sites,
                                  const CellsOptions& options, std::span<double> spread, Report& report);
+
+/// The same, but nothing as soon as it is proved that a site has no cell.
+Result<std::optional<AgreedCells>> agreeUnlessEmpty(const Machine& machine, SiteRun& run, const Sites& sites,
+                                                    const CellsOptions& options, std::span<double> spread,
+                                                    Report& report);
 
 }  // namespace vorpipe::core

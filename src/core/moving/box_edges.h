@@ -1,11 +1,14 @@
 /// The edges of cells in a box, as solvers ask for them.
 #pragma once
 
+#include "core/cells/density_pixels.h"
 #include "core/moving/box_moments.h"
 
 namespace vorpipe::core {
 
-/// Of cells that findMoments() found, in the order of `meet`, which neighborsOf() made of them.
-EdgesOfCells edgesOf(const FoundBox& found, const CellsThatMeet& meet, int threads);
+/// Of cells that findMoments() found, in the order of `meet`, which neighborsOf() made of them. `pixels` may
+/// be null: there is no density.
+EdgesOfCells edgesOf(const FoundBox& found, const CellsThatMeet& meet, const DensityPixels* pixels,
+                     int threads);
 
 }  // namespace vorpipe::core

@@ -36,29 +36,50 @@ void takeMoments(const Sites& sites, std::span<const CellRecord> records, int th
   });
 }
 
-}  // namespace
-
-Result<Report> findMoments(const Machine& machine, const Sites& sites, const CellsOptions& options,
-                           FoundBox& found, CellMoments& moments) {
+/// findMoments, where agree(run, report) agrees on cells, or on none.
+template <class Agree>
+Result<Report> findBy(const Agree& agree, const Machine& machine, const Sites& sites, const Box& domain,
+                      FoundBox& found, CellMoments& moments) {
   Report report;
   Times& times = report.time_ms;
   const Stopwatch order_watch;
   found = {};
-  auto run = beginRun(machine, sites, options.domain);
+  auto run = beginRun(machine, sites, domain);
   if (!run) return tl::unexpected(run.error());
   found.run = std::move(*run);
   times.order = 1e3 * order_watch.seconds();
   const Stopwatch watch;
   moments.spread.resize(sites.size());
-  auto cells = agreeOnCells(machine, *found.run, sites, options, moments.spread, report);
+  Result<std::optional<AgreedCells>> cells = agree(*found.run, report);
   if (!cells) return tl::unexpected(cells.error());
-  takeMoments(sites, cells->records, machine.threads, moments);
   found.cells = std::move(*cells);
+  nameDevice(machine.backend, report);
+  if (!found.cells) return report;
+  takeMoments(sites, found.cells->records, machine.threads, moments);
   for (const Status status : moments.status) countStatus(status, report);
   if (!found.run->prepared.set.weight.empty()) report.hidden = report.empty;
   times.cells = 1e3 * watch.seconds() - std::max(times.upload, 0.0) - std::max(times.search, 0.0);
-  nameDevice(machine.backend, report);
   return report;
+}
+
+}  // namespace
+
+Result<Report> findMoments(const Machine& machine, const Sites& sites, const CellsOptions& options,
+                           FoundBox& found, CellMoments& moments) {
+  const auto agree = [&](SiteRun& run, Report& report) -> Result<std::optional<AgreedCells>> {
+    auto cells = agreeOnCells(machine, run, sites, options, moments.spread, report);
+    if (!cells) return tl::unexpected(cells.error());
+    return std::optional(std::move(*cells));
+  };
+  return findBy(agree, machine, sites, options.domain, found, moments);
+}
+
+Result<Report> findMomentsUnlessEmpty(const Machine& machine, const Sites& sites, const CellsOptions& options,
+                                      FoundBox& found, CellMoments& moments) {
+  const auto agree = [&](SiteRun& run, Report& report) {
+    return agreeUnlessEmpty(machine, run, sites, options, moments.spread, report);
+  };
+  return findBy(agree, machine, sites, options.domain, found, moments);
 }
 
 CellsThatMeet neighborsOf(const FoundBox& found, int threads) {

@@ -20,6 +20,11 @@ struct FoundBox {
 Result<Report> findMoments(const Machine& machine, const Sites& sites, const CellsOptions& options,
                            FoundBox& found, CellMoments& moments);
 
+/// The same, but where it is proved that a site has no cell, `found` has no cells and `moments` may be of
+/// any.
+Result<Report> findMomentsUnlessEmpty(const Machine& machine, const Sites& sites, const CellsOptions& options,
+                                      FoundBox& found, CellMoments& moments);
+
 /// The neighbors of cells that findMoments() found.
 CellsThatMeet neighborsOf(const FoundBox& found, int threads);
 

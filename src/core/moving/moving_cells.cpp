@@ -9,6 +9,8 @@
 #include "core/cells/cells_run.h"
 #include "core/moving/box_edges.h"
 #include "core/moving/disc_cells.h"
+#include "core/moving/own_corners.h"
+#include "core/moving/polygon_edges.h"
 #include "core/session/input_check.h"
 #include "core/session/session_state.h"
 
@@ -27,62 +29,97 @@ struct MovingCells::State {
   EdgesOfCells edges{};
   bool has_neighbors = false, has_edges = false;  ///< those of the last update are written
   FoundBox found{};
+  CellPolygons polygons{};
+  Sites places{};              ///< of what has polygons
   FreeSurface free_surface{};  ///< where the surface is one
   Report report{};
 
   [[nodiscard]] bool needsPolygons() const {
-    return options.periodic != Periodic::none || !options.outline.empty() || !density.values.empty();
+    return options.periodic != Periodic::none || !options.outline.empty();
+  }
+  [[nodiscard]] std::optional<DensityPixels> pixels() const {
+    if (density.values.empty()) return {};
+    return DensityPixels(density, options.domain, options.periodic);
   }
 
-  Result<void> findInBox(const Sites& sites);
+  Result<void> update(const Sites& sites, bool unless_empty);
+  Result<void> findInBox(const Sites& sites, bool unless_empty);
   Result<void> findPolygons(const Sites& sites);
-  void takePolygons(Diagram cells);
+  void takePolygons(FoundCells cells);
+  void weigh(const SiteRun& run, const NeighborRows& rows, int exponent, const Sites& sites);
 };
 
-Result<void> MovingCells::State::findInBox(const Sites& sites) {
+Result<void> MovingCells::State::findInBox(const Sites& sites, bool unless_empty) {
   struct Done {
     Report report;
   };
   auto done = session->device.run<Done>([&](Backend& backend) -> Result<Done> {
     const Machine machine = session->with(backend);
-    auto made = findMoments(machine, sites, options, found, moments);
+    const auto find = unless_empty ? findMomentsUnlessEmpty : findMoments;
+    auto made = find(machine, sites, options, found, moments);
     if (!made) return tl::unexpected(made.error());
-    if (surface == Surface::free) cutByDiscs(found, sites, machine.threads, moments, *made, free_surface);
+    if (found.cells && surface == Surface::free)
+      cutByDiscs(found, sites, machine.threads, moments, *made, free_surface);
     return Done{std::move(*made)};
   });
   if (!done) return tl::unexpected(done.error());
   report = std::move(done->report);
+  if (found.cells) weigh(*found.run, found.cells->rows, found.run->prepared.exponent, sites);
   return {};
 }
 
-/// Periods, outlines and densities are measured by polygons.
-Result<void> MovingCells::State::findPolygons(const Sites& sites) {
-  auto cells = session->device.run<Diagram>(
-      [&](Backend& backend) { return cellsOn(session->with(backend), sites, options); });
-  if (!cells) return tl::unexpected(cells.error());
-  takePolygons(std::move(*cells));
-  return {};
-}
-
-void MovingCells::State::takePolygons(Diagram cells) {
-  if (density.values.empty()) {
-    constexpr std::size_t grain = 1 << 14;
-    moments.spread.resize(cells.size());
-    parallelFor(cells.size(), grain, session->threads, [&](std::size_t begin, std::size_t end) {
-      for (auto i = begin; i < end; ++i) {
-        moments.spread[i] = cells.second_moments[i][0] + cells.second_moments[i][2];
-      }
-    });
-  } else {
-    measureMass(density, options.domain, options.periodic, session->threads, cells, &moments.spread);
+/// Gives the cells of a run, in units of the caller's times 2^exponent, their masses under the density.
+void MovingCells::State::weigh(const SiteRun& run, const NeighborRows& rows, int exponent,
+                               const Sites& sites) {
+  if (const auto density_pixels = pixels()) {
+    weighCells({run.prepared.set, rows, Unscale(exponent), sites, session->threads}, *density_pixels,
+               moments);
   }
-  moments.status = std::move(cells.status);
-  moments.area = std::move(cells.area);
-  moments.mass = cells.mass.empty() ? moments.area : std::move(cells.mass);
-  moments.centroid = cells.mass_centroid.empty() ? std::move(cells.centroid) : std::move(cells.mass_centroid);
-  neighbors = {std::move(cells.cell_offsets), std::move(cells.neighbors), std::move(cells.neighbor_shifts)};
+}
+
+/// Periods and outlines take polygons.
+Result<void> MovingCells::State::findPolygons(const Sites& sites) {
+  struct Done {
+    FoundCells cells;
+    Report report;
+  };
+  auto done = session->device.run<Done>([&](Backend& backend) -> Result<Done> {
+    auto made = findCells(session->with(backend), sites, options, ImagesFor::pictures);
+    if (!made) return tl::unexpected(made.error());
+    Report made_report = std::move(made->diagram.report);
+    return Done{std::move(*made), std::move(made_report)};
+  });
+  if (!done) return tl::unexpected(done.error());
+  report = std::move(done->report);
+  auto placed = wrapped(sites, options.domain, options.periodic, session->threads);
+  if (!placed) return tl::unexpected(placed.error());
+  places = std::move(*placed);
+  takePolygons(std::move(done->cells));
+  return {};
+}
+
+void MovingCells::State::takePolygons(FoundCells cells) {
+  Diagram& d = cells.diagram;
+  constexpr std::size_t grain = 1 << 14;
+  moments.spread.resize(d.size());
+  parallelFor(d.size(), grain, session->threads, [&](std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end; ++i) {
+      moments.spread[i] = d.second_moments[i][0] + d.second_moments[i][2];
+    }
+  });
+  moments.status = std::move(d.status);
+  moments.area = std::move(d.area);
+  moments.mass = moments.area;
+  moments.centroid = std::move(d.centroid);
+  neighbors = {std::move(d.cell_offsets), std::move(d.neighbors), std::move(d.neighbor_shifts)};
   has_neighbors = true;
-  report = std::move(cells.report);
+  polygons = {std::move(d.vertices), std::move(d.edge_lengths), std::move(d.ring_starts)};
+  if (options.outline.empty()) {
+    const int exponent = cells.run->prepared.exponent + scaleExponent(options.domain);
+    weigh(*cells.run, *cells.run->cells, exponent, places);
+  } else if (const auto density_pixels = pixels()) {
+    weighCells(polygons, neighbors.offsets, *density_pixels, session->threads, moments);
+  }
 }
 
 MovingCells::MovingCells(Session& session, CellsOptions options, Surface surface)
@@ -94,32 +131,35 @@ MovingCells::MovingCells(MovingCells&&) noexcept = default;
 MovingCells& MovingCells::operator=(MovingCells&&) noexcept = default;
 MovingCells::~MovingCells() = default;
 
-Result<void> MovingCells::update(const Sites& sites) {
-  State& s = *state_;
-  if (s.count && *s.count != sites.size()) {
+Result<void> MovingCells::State::update(const Sites& sites, bool unless_empty) {
+  if (count && *count != sites.size()) {
     return tl::unexpected(Error{ErrorCode::input, "as many sites as before are to move"});
   }
   try {
-    if (auto checked = checkOptions(sites, s.options); !checked) return checked;
-    if (s.surface == Surface::free) {
-      if (auto checked = checkFreeSurface(s.options, s.density); !checked) return checked;
+    if (auto checked = checkOptions(sites, options); !checked) return checked;
+    if (surface == Surface::free) {
+      if (auto checked = checkFreeSurface(options, density); !checked) return checked;
     }
-    if (!s.count && !s.density.values.empty()) {
-      if (auto checked = checkDensity(s.density); !checked) return checked;
+    if (!count && !density.values.empty()) {
+      if (auto checked = checkDensity(density); !checked) return checked;
     }
-    s.has_neighbors = s.has_edges = false;
-    auto found = s.needsPolygons() ? s.findPolygons(sites) : s.findInBox(sites);
-    if (!found) return found;
-    s.count = sites.size();
+    has_neighbors = has_edges = false;
+    auto updated = needsPolygons() ? findPolygons(sites) : findInBox(sites, unless_empty);
+    if (!updated) return updated;
+    count = sites.size();
     return {};
   } catch (const std::bad_alloc&) {
     return tl::unexpected(outOfMemory());
   }
 }
 
+Result<void> MovingCells::update(const Sites& sites) { return state_->update(sites, false); }
+
 Result<bool> MovingCells::updateUnlessEmpty(const Sites& sites) {
-  if (auto updated = update(sites); !updated) return tl::unexpected(std::move(updated.error()));
-  return std::ranges::all_of(state_->moments.mass, [](double mass) { return mass > 0; });
+  State& s = *state_;
+  if (auto updated = s.update(sites, true); !updated) return tl::unexpected(std::move(updated.error()));
+  if (!s.needsPolygons() && !s.found.cells) return false;
+  return std::ranges::all_of(s.moments.mass, [](double mass) { return mass > 0; });
 }
 
 const CellMoments& MovingCells::moments() const { return state_->moments; }
@@ -135,10 +175,14 @@ const CellsThatMeet& MovingCells::neighbors() const {
 
 const EdgesOfCells& MovingCells::edges() const {
   State& s = *state_;
-  if (!s.has_edges && s.found.cells) {
-    s.edges = s.surface == Surface::free
-                  ? edgesInDiscs(s.found, s.free_surface, neighbors(), s.session->threads)
-                  : edgesOf(s.found, neighbors(), s.session->threads);
+  if (!s.has_edges && s.needsPolygons()) {
+    s.edges = edgesOf(s.polygons, neighbors(),
+                      {s.places, s.options.domain, s.options.periodic, s.density, s.session->threads});
+  } else if (!s.has_edges && s.found.cells && s.surface == Surface::free) {
+    s.edges = edgesInDiscs(s.found, s.free_surface, neighbors(), s.session->threads);
+  } else if (!s.has_edges && s.found.cells) {
+    const auto density_pixels = s.pixels();
+    s.edges = edgesOf(s.found, neighbors(), density_pixels ? &*density_pixels : nullptr, s.session->threads);
   }
   s.has_edges = true;
   return s.edges;

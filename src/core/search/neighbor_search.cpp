@@ -10,6 +10,7 @@
 #include "core/judge/answers.h"
 #include "core/judge/hidden_cells.h"
 #include "core/search/bisectors.h"
+#include "core/search/likely_empty.h"
 
 namespace vorpipe::core {
 
@@ -35,18 +36,27 @@ bool findAllInMesh(const SearchInput& input, NeighborRows& rows) {
 
 namespace {
 
+/// Whether to end where a site has no cell.
+enum class AtEmpty : std::uint8_t { go_on, end };
+
 /// Asks the device, and keeps what it finds.
 class DeviceSearch {
  public:
-  DeviceSearch(const SearchInput& input, NeighborRows& rows) : input_(input), rows_(rows) {}
+  DeviceSearch(const SearchInput& input, AtEmpty at_empty, NeighborRows& rows)
+      : input_(input), may_end_(at_empty == AtEmpty::end && !input.sites.weight.empty()), rows_(rows) {}
+
+  /// Whether an error of the functions below is that a site has no cell.
+  [[nodiscard]] bool ended() const { return ended_; }
 
   Result<void> byGrid(const Tile& tile, std::span<const std::uint32_t> which, Effort effort,
                       std::span<CellStatus> status) {
+    if (auto go_on = lookAtLikely(tile); !go_on) return go_on;
     CellNeighbors found;
     auto asked = askCells(input_.backend, tile.sites.size(), which, effort, input_.threads, found);
     if (!asked) return asked;
     std::ranges::copy(found.status, status.begin());
     if (tile.whole.empty()) {
+      if (auto go_on = endIfEmpty(which, found); !go_on) return go_on;
       rows_.add(which, std::move(found));
       return {};
     }
@@ -57,6 +67,7 @@ class DeviceSearch {
         renumber(found, e, [&](std::uint32_t site) { return tile.whole[site]; });
       }
     });
+    if (auto go_on = endIfEmpty(whole, found); !go_on) return go_on;
     rows_.add(whole, std::move(found));
     return {};
   }
@@ -82,25 +93,49 @@ class DeviceSearch {
  private:
   static constexpr std::size_t grain = std::size_t{1} << 16;
 
+  /// Before the first cells, where all sites are one tile: one that has none is found early then.
+  Result<void> lookAtLikely(const Tile& tile) {
+    if (!may_end_ || has_looked_ || !tile.whole.empty()) return {};
+    has_looked_ = true;
+    const auto likely = likelyEmpty(input_.sites, input_.threads);
+    if (likely.empty()) return {};
+    CellNeighbors found;
+    auto asked = askCells(input_.backend, tile.sites.size(), likely, Effort::fast, input_.threads, found);
+    return asked ? endIfEmpty(likely, found) : asked;
+  }
+
+  /// Error: the answers about `which` prove that one of them has no cell.
+  Result<void> endIfEmpty(std::span<const std::uint32_t> which, const CellNeighbors& found) {
+    if (!may_end_) return {};
+    for (std::size_t e = 0; e < which.size(); ++e) {
+      if (found.status[e] != CellStatus::empty) continue;
+      const auto lines =
+          std::span(found.neighbor).subspan(found.offsets[e], found.offsets[e + 1] - found.offsets[e]);
+      ended_ = leaveNothing(input_.sites, which[e], lines);
+      if (ended_) return tl::unexpected(Error{ErrorCode::cancelled, "a site has no cell"});
+    }
+    return {};
+  }
+
   const SearchInput& input_;
+  bool may_end_, has_looked_ = false, ended_ = false;
   NeighborRows& rows_;
   CellBatch<double> batch_;
   double pack_seconds_ = 0;
 };
 
-}  // namespace
-
-Result<NeighborRows> findNeighbors(const SearchInput& input, Report& report) {
+Result<std::optional<NeighborRows>> findRows(const SearchInput& input, AtEmpty at_empty, Report& report) {
   NeighborRows rows(input.sites.size(), input.threads);
   Upload upload(input.backend, {});
   CellLadder ladder(input, upload, 0);
-  DeviceSearch device(input, rows);
+  DeviceSearch device(input, at_empty, rows);
   auto judged = ladder.climb({[&](const Tile& tile, auto which, Effort effort, auto status) {
                                 return device.byGrid(tile, which, effort, status);
                               },
                               [&](const Candidates& candidates, Effort, auto status) {
                                 return device.byLists(candidates, status);
                               }});
+  if (device.ended()) return std::nullopt;
   if (!judged) return tl::unexpected(judged.error());
   rows.add(judged->which, std::move(judged->found));
   ladder.describe(report);
@@ -112,6 +147,23 @@ Result<NeighborRows> findNeighbors(const SearchInput& input, Report& report) {
   std::vector<std::uint32_t> all(input.sites.weight.size());
   std::iota(all.begin(), all.end(), 0u);
   proveEmpty(input.sites, all, input.threads, rows);
+  return rows;
+}
+
+}  // namespace
+
+Result<NeighborRows> findNeighbors(const SearchInput& input, Report& report) {
+  auto rows = findRows(input, AtEmpty::go_on, report);
+  if (!rows) return tl::unexpected(rows.error());
+  return std::move(**rows);
+}
+
+Result<std::optional<NeighborRows>> findNeighborsUnlessEmpty(const SearchInput& input, Report& report) {
+  auto rows = findRows(input, AtEmpty::end, report);
+  if (!rows || !*rows || input.sites.weight.empty()) return rows;
+  for (std::size_t cell = 0; cell < (*rows)->size(); ++cell) {
+    if ((*rows)->status(cell) == CellStatus::empty) return std::nullopt;
+  }
   return rows;
 }
 

@@ -1,6 +1,8 @@
 /// Which cells meet along which edges: what a backend finds out, before anything is measured.
 #pragma once
 
+#include <optional>
+
 #include "core/search/device_ladder.h"
 
 namespace vorpipe::core {
@@ -9,6 +11,9 @@ namespace vorpipe::core {
 /// those that were empty without proof are open. In `report`: retried, in_double, exact, and the times of
 /// upload and search. Errors: those of the backend; progress said stop.
 Result<NeighborRows> findNeighbors(const SearchInput& input, Report& report);
+
+/// The same, but nothing as soon as it is proved that weights leave a site no cell.
+Result<std::optional<NeighborRows>> findNeighborsUnlessEmpty(const SearchInput& input, Report& report);
 
 /// Has the judge find the cells of `which` (ascending) again, beginning with `precision`, and
 /// replaces them.

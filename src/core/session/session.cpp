@@ -81,5 +81,6 @@ Result<Arithmetic> Session::arithmetic() {
 
 const DeviceInfo& Session::device() const { return state_->device.info(); }
 const std::string& Session::choice() const { return state_->device.choice(); }
+int Session::threads() const { return state_->threads; }
 
 }  // namespace vorpipe

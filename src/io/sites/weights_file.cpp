@@ -1,128 +1,46 @@
 #include "io/sites/weights_file.h"
 
-#include <fmt/core.h>
-
-#include <cmath>
-#include <new>
 #include <optional>
 #include <random>
 #include <string_view>
-#include <utility>
 
-#include "io/arrays/npy_elements.h"
-#include "io/arrays/npy_header.h"
+#include "io/arrays/npy_array.h"
 #include "io/files/error.h"
 #include "io/files/extension.h"
-#include "io/files/input_file.h"
+#include "io/sites/site_numbers.h"
 #include "io/sites/weight_name.h"
-#include "io/text/line_reader.h"
-#include "io/text/number.h"
+#include "io/text/print.h"
 
 namespace vorpipe {
-namespace {
-
-std::string sitesText(std::uint64_t count) { return fmt::format("{} site{}", count, count == 1 ? "" : "s"); }
-
-/// The weight that a line holds, of which comment and blanks are taken off.
-Result<double> weightIn(const LineReader& lines, std::string_view line, std::string_view text,
-                        WeightKind kind) {
-  const auto column = static_cast<std::size_t>(text.data() - line.data()) + 1;
-  const auto number = parseNumber(text);
-  if (!number) return lines.errorAt(column, number.error());
-  const auto weight = weightOf(kind, *number, text);
-  if (!weight) return lines.errorAt(column, weight.error());
-  return *weight;
-}
-
-Result<std::vector<double>> readWeightLines(InputFile file, std::uint64_t count) {
-  LineReader lines(std::move(file));
-  std::vector<double> weights;
-  bool first = true;
-  WeightKind kind = WeightKind::weight;
-  while (true) {
-    const auto line = lines.next();
-    if (!line) {
-      return tl::unexpected(line.error());
-    }
-    if (!*line && weights.size() < count) {
-      return lines.errorAt(
-          1, fmt::format("the file ends after {} weights, there are {}", weights.size(), sitesText(count)));
-    }
-    if (!*line) {
-      return weights;
-    }
-    const std::string_view text = trimmed((*line)->substr(0, (*line)->find('#')));
-    if (text.empty()) {
-      continue;
-    }
-    const auto named = std::exchange(first, false) ? weightNamed(text, false) : std::nullopt;
-    if (named) {
-      kind = *named;
-      continue;
-    }
-    if (weights.size() == count) {
-      return lines.errorAt(1, "a weight too many, there are " + sitesText(count));
-    }
-    const auto weight = weightIn(lines, **line, text, kind);
-    if (!weight) {
-      return tl::unexpected(weight.error());
-    }
-    weights.push_back(*weight);
-  }
-}
-
-template <class Real>
-Result<std::vector<double>> readElements(InputFile& file, const NpyHeader& header, std::uint64_t count) {
-  std::vector<double> weights(count);
-  const auto read =
-      eachElement<Real>(file, header, count, [&](std::uint64_t index, Real value) -> Result<void> {
-        if (!std::isfinite(value)) {
-          return inputError(fmt::format("{}: element [{}] (counted from 0) is {}, not a finite number",
-                                        file.name(), index, value));
-        }
-        weights[index] = static_cast<double>(value);
-        return {};
-      });
-  return read.map([&] { return std::move(weights); });
-}
-
-Result<std::vector<double>> readNpy(InputFile file, std::uint64_t count) {
-  const auto header = readNpyHeader(file);
-  if (!header) {
-    return tl::unexpected(header.error());
-  }
-  const bool real = header->kind == 'f' && (header->size == sizeof(float) || header->size == sizeof(double));
-  const auto& shape = header->shape;
-  const bool one_column = shape.size() == 1 || (shape.size() == 2 && shape[1] == 1);
-  if (!real || !one_column) {
-    return inputError(
-        fmt::format("{}: holds {}; float32 or float64 (N,) is needed", file.name(), header->description));
-  }
-  if (shape[0] != count) {
-    return inputError(
-        fmt::format("{}: holds {} weights, there are {}", file.name(), shape[0], sitesText(count)));
-  }
-  return header->size == sizeof(float) ? readElements<float>(file, *header, count)
-                                       : readElements<double>(file, *header, count);
-}
-
-}  // namespace
 
 Result<std::vector<double>> readWeights(const std::string& path, std::uint64_t count) {
-  const std::string extension = inputExtension(path);
-  const bool text = extension == ".txt" || extension == ".csv";
-  if (!text && extension != ".npy") {
-    return inputError(path + ": unknown kind of file for weights; known are .txt, .csv and .npy");
+  WeightKind kind = WeightKind::weight;
+  const auto header = [&kind](std::string_view line) {
+    const auto named = weightNamed(line, false);
+    kind = named.value_or(kind);
+    return named.has_value();
+  };
+  const auto value = [&kind](double number, std::string_view text) { return weightOf(kind, number, text); };
+  return readSiteNumbers(path, count, {"weight", "weights", header, value});
+}
+
+Result<void> checkWeightsPath(const std::string& path) {
+  const std::string extension = lowerExtension(path);
+  if (extension == ".txt" || extension == ".csv" || extension == ".npy") return {};
+  return inputError(path + ": unknown kind of file for weights; known are .txt, .csv and .npy");
+}
+
+Result<void> writeWeights(ByteSink& sink, const std::vector<double>& weights, const std::string& path) {
+  const std::string extension = lowerExtension(path);
+  if (extension == ".npy") {
+    const auto array = npyArray<double, 1>(std::span(weights));
+    return sink.write(array.header).and_then([&] { return sink.write(array.elements); });
   }
-  auto file = InputFile::open(path);
-  if (!file) {
-    return tl::unexpected(file.error());
-  }
-  try {
-    return text ? readWeightLines(std::move(*file), count) : readNpy(std::move(*file), count);
-  } catch (const std::bad_alloc&) {
-    return deviceError(path + ": there is not enough memory for its weights");
-  }
+  const std::string_view header = extension == ".csv" ? "weight\n" : "";
+  return sink.write(header).and_then([&] {
+    return writeEach(sink, weights.size(),
+                     [&](Bytes& text, std::size_t site) { print(text, FMT_COMPILE("{}\n"), weights[site]); });
+  });
 }
 
 std::vector<double> randomWeights(double low, double high, std::uint64_t count, std::uint64_t seed) {

@@ -5,16 +5,21 @@
 #include <string>
 #include <vector>
 
+#include "io/files/byte_sink.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
 
-/// Reads one finite weight for each of `count` sites, in their order: from .txt or .csv, a number to a line,
-/// where # begins a comment and a first line `weight` or `radius` (weights are then its squares) may say what
-/// they are; or from .npy, float32 or float64 of shape (N,) or (N, 1). Errors: a path or data that is wrong,
-/// or not as many weights as sites, with file, line and column (input); reading failed or memory ran out
-/// (device).
+/// Reads the weights of `count` sites as readSiteNumbers does; a first line `weight` or `radius` (weights are
+/// then its squares) may say what they are.
 Result<std::vector<double>> readWeights(const std::string& path, std::uint64_t count);
+
+/// Whether weights can be written to such a path. Error (input): its extension is none of readWeights.
+Result<void> checkWeightsPath(const std::string& path);
+
+/// Writes weights as the path's extension says, so that readWeights reads back the same numbers. Error
+/// (device): writing failed.
+Result<void> writeWeights(ByteSink& sink, const std::vector<double>& weights, const std::string& path);
 
 /// `count` weights, evenly distributed between `low` and `high`; the same seed gives the same on every
 /// platform, whatever else was made of it.

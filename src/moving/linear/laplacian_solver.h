@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "moving/linear/laplacian.h"
-#include "vorpipe/result.h"
+#include "vorpipe.h"
 
 namespace vorpipe::moving {
 

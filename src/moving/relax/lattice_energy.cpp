@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "moving/relax/block_sums.h"
+#include "base/block_sums.h"
 
 namespace vorpipe::moving {
 
@@ -18,14 +18,15 @@ Result<double> latticeEnergy(Session& session, const Sites& sites, CellsOptions 
   if (options.outline.empty()) {
     const auto [xmin, ymin, xmax, ymax] = options.domain;
     const double pixel = (xmax - xmin) / density.width * ((ymax - ymin) / density.height);
-    return latticeEnergy(
-        pixel * carefulSum(density.values.size(), 0, [&](std::size_t k) { return density.values[k]; }));
+    return latticeEnergy(pixel * carefulSum(density.values.size(), session.threads(),
+                                            [&](std::size_t k) { return density.values[k]; }));
   }
   // The cells share out what the outline holds.
   options.detail = Detail::measures;
   const auto cells = session.cells(sites, options);
   if (!cells) return tl::unexpected(cells.error());
-  return latticeEnergy(carefulSum(cells->mass.size(), 0, [&](std::size_t i) { return cells->mass[i]; }));
+  return latticeEnergy(
+      carefulSum(cells->mass.size(), session.threads(), [&](std::size_t i) { return cells->mass[i]; }));
 }
 
 }  // namespace vorpipe::moving

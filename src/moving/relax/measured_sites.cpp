@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "moving/relax/block_sums.h"
+#include "base/block_sums.h"
 
 namespace vorpipe::moving {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include "moving/relax/block_sums.h"
+#include "base/block_sums.h"
 
 namespace vorpipe::moving {
 namespace {

@@ -1,16 +1,20 @@
+#include <fmt/core.h>
+
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "base/block_sums.h"
 #include "base/stopwatch.h"
 #include "moving/relax/allowed_places.h"
-#include "moving/relax/block_sums.h"
+#include "moving/relax/equal_masses.h"
 #include "moving/relax/lattice_energy.h"
 #include "moving/relax/lost_sites.h"
 #include "moving/relax/measured_sites.h"
 #include "moving/relax/memory_order.h"
 #include "moving/relax/quasi_newton.h"
 #include "vorpipe.h"
+#include "vorpipe/stipple.h"
 
 namespace vorpipe {
 
@@ -32,25 +36,35 @@ CellsOptions cellsOptions(const RelaxOptions& options) {
   cells.domain = options.domain;
   cells.outline = options.outline;
   cells.periodic = options.periodic;
-  cells.density = options.density;
+  cells.density = options.equal_masses ? forEqualMasses(options.density) : options.density;
   cells.search = options.search;
   cells.progress = options.progress;
   return cells;
 }
 
+/// How many of the diagrams are left to make masses equal.
+std::uint64_t lastDiagrams(const RelaxOptions& options) {
+  constexpr std::uint64_t most = 12;
+  const bool wanted = options.equal_masses && !options.density.values.empty();
+  return wanted ? std::min(most, options.iterations / 4) : 0;
+}
+
 }  // namespace
 
 struct Relaxation::State {
-  State(Session& session, RelaxOptions from, Sites begin)
-      : options(std::move(from)),
+  State(Session& with, RelaxOptions from, Sites begin)
+      : session(with),
+        options(std::move(from)),
         cells(session, cellsOptions(options)),
         allowed(options.domain, options.outline, options.periodic),
+        threads(session.threads()),
         sites(std::move(begin)) {}
 
+  Session& session;
   RelaxOptions options;
   MovingCells cells;
   AllowedPlaces allowed;
-  int threads = 0;
+  int threads;
   Stopwatch watch{};
   double lattice = 0;  ///< energy of the hexagonal lattice, times its number of cells
 
@@ -63,6 +77,7 @@ struct Relaxation::State {
   RelaxEnd end = RelaxEnd::iterations;
   bool ended = false;
   Report report{};
+  std::string equal_note{};
   LostSites lost{};  ///< all that were given places so far
 
   QuasiNewton newton{threads};
@@ -77,6 +92,7 @@ struct Relaxation::State {
   Result<bool> advance();
   Result<bool> moveLost();
   Result<bool> tryStep();
+  Result<void> equalize();
   void findDirection();
   void keep(Sites where, MeasuredSites measured);
   [[nodiscard]] Result<Sites> moved(double length) const;
@@ -212,6 +228,7 @@ Result<bool> Relaxation::State::tryStep() {
     step = 0;
     return true;
   }
+  trace.back().taken = false;
   current = false;
   step /= 2;
   if (step >= least_step) return true;
@@ -221,7 +238,6 @@ Result<bool> Relaxation::State::tryStep() {
 }
 
 Result<bool> Relaxation::State::advance() {
-  if (ended) return false;
   const auto stop = [&](RelaxEnd why) {
     end = why;
     ended = true;
@@ -231,7 +247,7 @@ Result<bool> Relaxation::State::advance() {
   if (options.tolerance > 0 && at.farthest <= options.tolerance * spacing && step == 0) {
     return stop(RelaxEnd::tolerance);
   }
-  if (trace.size() > options.iterations) return stop(RelaxEnd::iterations);
+  if (trace.size() > options.iterations - lastDiagrams(options)) return stop(RelaxEnd::iterations);
   Result<bool> more = false;
   if (step == 0 && at.has_lost && current) more = moveLost();
   if (more && !*more) {
@@ -243,6 +259,31 @@ Result<bool> Relaxation::State::advance() {
   return stop(RelaxEnd::cancelled);
 }
 
+/// Makes masses equal in the end.
+Result<void> Relaxation::State::equalize() {
+  const std::uint64_t most = lastDiagrams(options);
+  if (most < 2 || end == RelaxEnd::cancelled) return {};
+  CellsOptions plain = cellsOptions(options);
+  plain.density = options.density;
+  constexpr double tolerance = 0.01;
+  auto equal = equalizeMasses(session, sites, plain, tolerance, most - 1);
+  Result<MeasuredSites> measured = equal ? measure(equal->sites) : tl::unexpected(std::move(equal.error()));
+  if (!measured && measured.error().code == ErrorCode::cancelled) {
+    end = RelaxEnd::cancelled;
+    return {};
+  }
+  if (!measured) return tl::unexpected(std::move(measured.error()));
+  keep(std::move(equal->sites), std::move(*measured));
+  equal_note = fmt::format("masses: {} more diagrams made them equal to {:.2g} % of their mean",
+                           equal->diagrams, 100 * equal->worst);
+  return {};
+}
+
+const RelaxStep& lastTaken(const std::vector<RelaxStep>& trace) {
+  // The first diagram, of the sites as they came, is always taken.
+  return *std::find_if(trace.rbegin(), trace.rend(), [](const RelaxStep& step) { return step.taken; });
+}
+
 Relaxation::Relaxation() = default;
 Relaxation::Relaxation(Relaxation&&) noexcept = default;
 Relaxation& Relaxation::operator=(Relaxation&&) noexcept = default;
@@ -250,7 +291,8 @@ Relaxation::~Relaxation() = default;
 
 Result<Relaxation> Relaxation::begin(Session& session, Sites sites, RelaxOptions options) {
   const auto cells = cellsOptions(options);
-  if (auto checked = checkInput(sites, cells); !checked) return tl::unexpected(std::move(checked.error()));
+  if (auto checked = checkInput(sites, cells, session.threads()); !checked)
+    return tl::unexpected(std::move(checked.error()));
   Relaxation relaxation;
   relaxation.state_ = std::make_unique<State>(session, std::move(options), std::move(sites));
   State& state = *relaxation.state_;
@@ -274,7 +316,14 @@ Result<Relaxation> Relaxation::begin(Session& session, Sites sites, RelaxOptions
   return relaxation;
 }
 
-Result<bool> Relaxation::step() { return state_->advance(); }
+Result<bool> Relaxation::step() {
+  State& state = *state_;
+  if (state.ended) return false;
+  auto more = state.advance();
+  if (!more || *more) return more;
+  if (auto equal = state.equalize(); !equal) return tl::unexpected(std::move(equal.error()));
+  return false;
+}
 
 const Sites& Relaxation::sites() const {
   State& state = *state_;
@@ -289,6 +338,7 @@ const Report& Relaxation::report() const {
   Report& report = state.report;
   report.notes = state.cells.report().notes;
   for (std::string& line : state.lost.notes()) report.notes.push_back(std::move(line));
+  if (!state.equal_note.empty()) report.notes.push_back(state.equal_note);
   return report;
 }
 

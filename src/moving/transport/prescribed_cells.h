@@ -5,11 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "vorpipe/transport.h"
-
-namespace vorpipe {
-class Session;
-}
+#include "vorpipe.h"
 
 namespace vorpipe::moving {
 
@@ -34,6 +30,8 @@ class PrescribedCells {
   Result<TransportEnd> solve(Sites& sites, const PrescribedLimits& limits,
                              const TransportWatcher& watcher = {});
 
+  /// Whether cells() are those of the weights that solve() left: not if progress stopped it in a diagram.
+  [[nodiscard]] bool areMeasured() const;
   /// The cells of the sites and weights that solve() left.
   [[nodiscard]] const MovingCells& cells() const;
   /// Each diagram of the last solve().

@@ -5,6 +5,7 @@
 
 #include "view/document/keys.h"
 #include "view/document/same_settings.h"
+#include "vorpipe/legend.h"
 
 namespace vorpipe::view {
 
@@ -132,6 +133,10 @@ RenderOptions Viewer::picture() const {
   options.view = camera_.view();
   options.fit = Fit::stretch;
   options.fill = settings_.cells;
+  // Colors that are not there have no legend, and a small window has no room for it.
+  const bool has_room =
+      options.width >= least_with_legend.width && options.height >= least_with_legend.height;
+  options.legend = options.legend && options.fill && has_room;
   return options;
 }
 

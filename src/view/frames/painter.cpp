@@ -86,14 +86,21 @@ Result<void> Painter::step(const Wish& wish, Frame& frame) {
   if (!isAt(wish)) {
     if (auto begun = begin(wish); !begun) return begun;
   }
-  const auto more = relaxation_->step();
+  // Diagrams that are taken back move nothing.
+  const auto& trace = relaxation_->trace();
+  Result<bool> more = relaxation_->step();
+  while (more && *more && !trace.back().taken) more = relaxation_->step();
+  if (more && !*more && relaxation_->end() == RelaxEnd::cancelled) {
+    more = tl::unexpected(Error{ErrorCode::cancelled, "cancelled"});
+  }
   if (!more) {
-    // What it has come to is not known.
+    // It goes on from `relaxed_` as a new one.
     relaxation_.reset();
     return tl::unexpected(more.error());
   }
   frame.relaxed = !*more;
-  frame.step = relaxation_->trace().back();
+  frame.step = lastTaken(trace);
+  frame.step->diagram = trace.back().diagram;
   frame.relaxed_from = frame.sites = relaxed_;
   if (!*more) return {};
   frame.sites = std::make_shared<const Sites>(relaxation_->sites());

@@ -108,7 +108,7 @@ void Panel::State::follow(const PanelInput& input) {
     for (std::size_t i = 0; i < energies.size(); i += 2) energies[kept++] = energies[i];
     energies.resize(kept);
   }
-  energies.push_back(static_cast<float>(step.hexagonal));
+  energies.push_back(static_cast<float>(std::isfinite(step.hexagonal) ? step.hexagonal : step.energy));
 }
 
 void Panel::State::drawHeader(PanelFrame& frame) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include <fmt/format.h>
@@ -59,6 +60,11 @@ void drawDensity(PanelFrame& frame) {
   widgets.tooltip("Relax without a density");
 }
 
+std::string energyText(const RelaxStep& step) {
+  return std::isfinite(step.hexagonal) ? fmt::format("{:.5f} after {} diagrams", step.hexagonal, step.diagram)
+                                       : fmt::format("{:.6g} after {} diagrams", step.energy, step.diagram);
+}
+
 }  // namespace
 
 void drawRelax(PanelFrame& frame, const std::vector<float>& energies) {
@@ -77,9 +83,11 @@ void drawRelax(PanelFrame& frame, const std::vector<float>& energies) {
   if (widgets.button("Step", "Step", Widgets::share(1), !runs)) frame.answer.actions.push_back(Action::step);
   const std::optional<RelaxStep>& step = frame.input.relaxed;
   widgets.row("Energy");
-  widgets.value(step ? fmt::format("{:.5f} after {} diagrams", step->hexagonal, step->diagram) : "\u2013",
-                step ? look::text : look::dim);
-  widgets.tooltip("Over that of the hexagonal lattice, which is the least: 1");
+  widgets.value(step ? energyText(*step) : "\u2013", step ? look::text : look::dim);
+  const bool weighted = step && !std::isfinite(step->hexagonal);
+  widgets.tooltip(weighted
+                      ? "The squared distance to the site, less its weight, summed over all of the domain"
+                      : "Over that of the hexagonal lattice, which is the least: 1");
   if (energies.size() > 1) drawEnergies(widgets, energies);
   drawDensity(frame);
 }

@@ -68,8 +68,13 @@ void drawShow(PanelFrame& frame) {
   widgets.toggle("Labels", third, picture.labels);
   widgets.tooltip("The number of each site, where there is room for it");
   ImGui::SameLine();
-  widgets.toggle("Legend", Widgets::share(1), picture.legend, picture.color != ColorBy::site);
-  if (picture.color == ColorBy::site) widgets.tooltip("Colors by site stand for nothing");
+  const bool by_site = picture.color == ColorBy::site;
+  widgets.toggle("Legend", Widgets::share(1), picture.legend, !by_site && settings.cells);
+  if (!settings.cells) {
+    widgets.tooltip("White cells have no colors to explain");
+  } else if (by_site) {
+    widgets.tooltip("Colors by site stand for nothing");
+  }
   drawSizes(widgets, picture);
   widgets.row("Antialias");
   std::vector<int> counts{1, 2, 4, 8};

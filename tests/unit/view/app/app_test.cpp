@@ -188,6 +188,19 @@ TEST_F(AppTest, OpensDroppedFilesAndSaves) {
   EXPECT_THAT(contents(path("vorpipe.svg")), HasSubstr("<svg"));
 }
 
+TEST_F(AppTest, LegendsAreDrawnWhereTheyCanBe) {
+  options.viewer.settings.picture.color = ColorBy::area;
+  options.viewer.settings.picture.legend = true;
+  const auto end = play(
+      "wait\nscreenshot a.png\nkey c\nwait\nscreenshot b.png\nkey c control\nwait\n"
+      "resize 60 40\nwait\nscreenshot c.png\nkey c\nresize 400 300\nwait\nscreenshot d.png\nclose\n");
+  ASSERT_TRUE(end) << end.error().message;
+  EXPECT_NE(shot("a.png").rgba, shot("b.png").rgba);
+  EXPECT_THAT(screen.copied, HasSubstr("--no-fill --color area"));
+  EXPECT_EQ(shot("c.png").width, 60);
+  EXPECT_EQ(shot("a.png").rgba, shot("d.png").rgba);
+}
+
 TEST_F(AppTest, IsIdleWhereNothingHappens) {
   const auto end = play("wait\nwait 0.3\nclose\n");
   ASSERT_TRUE(end) << end.error().message;

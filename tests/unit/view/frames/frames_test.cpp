@@ -168,6 +168,18 @@ TEST(Painter, RelaxesStepByStep) {
   EXPECT_EQ(painter.paint(wish, never).frame->step->diagram, 1U) << "other sites relax anew";
 }
 
+TEST(Painter, RelaxesOnAfterAStepThatWasGivenUp) {
+  Painter painter;
+  Wish wish = wishOf(1, randomSites(1000));
+  wish.motion = Motion::runs;
+  wish.sites = painter.paint(wish, never).frame->sites;
+  EXPECT_EQ(painter.paint(wish, [] { return true; }).error->code, ErrorCode::cancelled);
+  const Answer answer = painter.paint(wish, never);
+  ASSERT_TRUE(answer.frame);
+  EXPECT_FALSE(answer.frame->relaxed);
+  EXPECT_NE(answer.frame->sites->x, wish.sites->x);
+}
+
 TEST(Painter, GivesUpWhatIsOutdated) {
   Painter painter;
   const Wish wish = wishOf(1, randomSites(1000));

@@ -1,4 +1,4 @@
-#include "cli/options/relax_outputs.h"
+#include "cli/options/result_outputs.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -49,7 +49,7 @@ std::string numbered(const std::string& path, std::uint64_t number) {
 
 }  // namespace
 
-std::vector<std::string> RelaxTargets::paths() const {
+std::vector<std::string> ResultTargets::paths() const {
   std::vector<std::string> paths;
   for (const PointsTarget& target : points) paths.push_back(target.path);
   for (const CellsTarget& target : cells) paths.push_back(target.path);
@@ -57,36 +57,36 @@ std::vector<std::string> RelaxTargets::paths() const {
   return paths;
 }
 
-std::vector<std::string> RelaxTargets::numberedPaths(std::uint64_t diagram) const {
+std::vector<std::string> ResultTargets::numberedPaths(std::uint64_t diagram) const {
   std::vector<std::string> all = paths();
   for (std::string& path : all) path = numbered(path, diagram);
   return all;
 }
 
-Detail RelaxTargets::detail() const {
+Detail ResultTargets::detail() const {
   Detail detail = Detail::measures;
   for (const CellsTarget& target : cells) detail = std::max(detail, target.format->detail);
   return detail;
 }
 
-bool RelaxTargets::carryAttributes() const {
+bool ResultTargets::carryAttributes() const {
   return std::ranges::any_of(points,
                              [](const auto& to) { return to.format == nullptr || to.format->attributes; }) ||
          std::ranges::any_of(cells, [](const auto& to) { return to.format->attributes; });
 }
 
-bool RelaxTargets::useStandardOutput() const {
+bool ResultTargets::useStandardOutput() const {
   return std::ranges::any_of(points, [](const auto& to) { return to.path == standard_output; });
 }
 
-void addRelaxTargets(Options& options, RelaxTargets& targets) {
+void addResultTargets(Options& options, ResultTargets& targets, std::string_view sites) {
   const auto points = pointsExtensions(), cells = cellsExtensions(), pictures = pictureExtensions();
   addRepeatable(
       options, "-o", "FILE",
       fmt::format(
-          "the moved sites, in the order of the input and with its attributes, by the extension: {}; or - "
-          "for standard output, as --format says [csv]; repeatable",
-          fmt::join(points, ", ")),
+          "{}, in the order of the input and with its attributes, by the extension: {}; or - for standard "
+          "output, as --format says [csv]; repeatable",
+          sites, fmt::join(points, ", ")),
       parsePoints, [&targets](PointsTarget target) { targets.points.push_back(std::move(target)); },
       {{}, {points.begin(), points.end()}});
   addRepeatable(
@@ -102,10 +102,16 @@ void addRelaxTargets(Options& options, RelaxTargets& targets) {
       [](std::string_view text) { return parseNamed<PictureFile>(text, pictureFormatOf); },
       [&targets](PictureFile file) { targets.pictures.push_back(std::move(file)); },
       {{}, {pictures.begin(), pictures.end()}});
-  addFile(options, "--trace", targets.trace, ".csv",
-          "a row for each diagram: its number, the energy, that as a part of the hexagonal lattice's, the "
-          "longest "
-          "way of a site to its centroid in spacings, and the seconds since the first");
+}
+
+void addRelaxTargets(Options& options, ResultTargets& targets) {
+  addResultTargets(options, targets, "the moved sites");
+  addFile(
+      options, "--trace", targets.trace, ".csv",
+      "a row for each diagram: its number, the energy, that as a part of the hexagonal lattice's, the "
+      "longest "
+      "way of a site to its centroid in spacings, the seconds since the first, and whether it was kept: 0 "
+      "where its energy was too high, and the sites went back");
   addParsed(
       options, "--save-every", targets.every, "N",
       "also writes what -o, --cells and --picture name after each N diagrams, with the number of the diagram "
@@ -113,7 +119,7 @@ void addRelaxTargets(Options& options, RelaxTargets& targets) {
       [](std::string_view text) { return parseWhole(text, 1, UINT32_MAX); });
 }
 
-Result<void> takeFormat(RelaxTargets& targets, const std::string& kind) {
+Result<void> takeFormat(ResultTargets& targets, const std::string& kind) {
   bool taken = false;
   for (PointsTarget& target : targets.points) {
     if (target.format != nullptr) continue;

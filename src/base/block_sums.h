@@ -1,6 +1,7 @@
-/// Sums over many sites that do not depend on the number of threads: blocks of one size are added in order.
+/// Sums over many terms that do not depend on the number of threads: blocks of one size are added in order.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -8,9 +9,9 @@
 
 #include "base/parallel.h"
 
-namespace vorpipe::moving {
+namespace vorpipe {
 
-/// Sites of a block.
+/// Terms of a block.
 inline constexpr std::size_t sum_block = 1024;
 
 /// A sum that keeps what rounding takes from it (Neumaier 1974).
@@ -50,6 +51,16 @@ double carefulSum(std::size_t count, int threads, const Term& term) {
   return sum.value();
 }
 
+/// Several sums at a time: part(begin, end) returns those of a block.
+template <std::size_t count, class Part>
+std::array<double, count> sumsByBlocks(std::size_t size, int threads, const Part& part) {
+  std::array<double, count> sums{};
+  for (const auto& of_block : byBlocks<std::array<double, count>>(size, threads, part)) {
+    for (std::size_t k = 0; k < count; ++k) sums[k] += of_block[k];
+  }
+  return sums;
+}
+
 /// Calls each(i) for all of [0, count), on several threads.
 template <class Each>
 void forAll(std::size_t count, int threads, const Each& each) {
@@ -59,4 +70,4 @@ void forAll(std::size_t count, int threads, const Each& each) {
               });
 }
 
-}  // namespace vorpipe::moving
+}  // namespace vorpipe

@@ -1,4 +1,4 @@
-/// The files that `relax` writes of sites as they stand.
+/// The files that `relax` and `transport` write of sites as they stand.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cli/options/picture_options.h"
-#include "cli/options/relax_outputs.h"
+#include "cli/options/result_outputs.h"
 #include "cli/runs/drawing.h"
 #include "cli/runs/input.h"
 #include "cli/runs/run_end.h"
@@ -15,8 +15,8 @@
 namespace vorpipe::cli {
 
 /// What files are made with.
-struct RelaxJob {
-  const RelaxTargets& targets;
+struct ResultJob {
+  const ResultTargets& targets;
   const InputOptions& options;
   const PictureOptions& picture;
   const Input& input;
@@ -26,7 +26,7 @@ struct RelaxJob {
 };
 
 /// Sites, with what the files want of them.
-struct RelaxedParts {
+struct ResultParts {
   Sites plane;                     ///< as they stand in the domain
   PlacedSites placed{};            ///< as files have them: in degrees, where the input was
   std::optional<Diagram> cells{};  ///< likewise
@@ -34,14 +34,21 @@ struct RelaxedParts {
   RenderOptions render{};
 };
 
+/// Plans what the files of sites take, beside what the run itself does.
+void planFiles(MemoryPlan& plan, const Workload& work, const ResultTargets& targets,
+               const PictureOptions& picture);
+
+/// Refuses, before a backend is opened, what computing cells or drawing pictures would.
+Result<void> checkBefore(const ResultJob& job);
+
 /// Which pictures are to be made.
 DrawingNeeds needsOf(const std::vector<PictureFile>& pictures);
 
 /// Computes what the files want. Errors: those of Session::cells, pictureOf and draw.
-Result<RelaxedParts> partsOf(Session& session, const RelaxJob& job, const Sites& sites);
+Result<ResultParts> partsOf(Session& session, const ResultJob& job, const Sites& sites);
 
-/// A writer for each file of RelaxTargets::paths(); they refer to both.
-std::vector<Writer> writersOf(const RelaxJob& job, const RelaxedParts& parts);
+/// A writer for each file of ResultTargets::paths(); they refer to both.
+std::vector<Writer> writersOf(const ResultJob& job, const ResultParts& parts);
 
 /// The rows of --trace; without `with_times` what every run has alike.
 std::string traceText(const std::vector<RelaxStep>& trace, bool with_times);

@@ -1,4 +1,4 @@
-#include "cli/runs/relax_files.h"
+#include "cli/runs/result_files.h"
 
 #include <fmt/format.h>
 
@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cli/runs/picture.h"
+#include "io/forecast/forecast_files.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -28,7 +29,7 @@ PlacedSites placedBack(const Input& input, const Sites& sites) {
   return placed;
 }
 
-CellsOptions cellsOptions(const RelaxJob& job) {
+CellsOptions cellsOptions(const ResultJob& job) {
   CellsOptions options{};
   options.domain = job.input.domain;
   options.outline = job.input.outline;
@@ -41,13 +42,31 @@ CellsOptions cellsOptions(const RelaxJob& job) {
 
 }  // namespace
 
+void planFiles(MemoryPlan& plan, const Workload& work, const ResultTargets& targets,
+               const PictureOptions& picture) {
+  const PictureSize size = sizeBefore(picture.size);
+  RenderOptions render = picture.render;
+  render.width = size.width;
+  render.height = size.height;
+  if (!targets.pictures.empty()) planDrawing(plan, work, render, needsOf(targets.pictures), false);
+  if (!targets.cells.empty()) planCells(plan, work, targets.detail());
+  for (const CellsTarget& target : targets.cells) planCellsFile(plan, work, *target.format);
+}
+
+Result<void> checkBefore(const ResultJob& job) {
+  if (auto checked = checkInput(job.options, job.input, cellsOptions(job), job.threads); !checked)
+    return checked;
+  if (job.targets.pictures.empty()) return {};
+  return pictureOf(job.picture, job.options, job.input).map([](const RenderOptions&) {});
+}
+
 DrawingNeeds needsOf(const std::vector<PictureFile>& pictures) {
   const auto of_shapes = [](const PictureFile& file) { return file.format->of_shapes; };
   return {!std::ranges::all_of(pictures, of_shapes), std::ranges::any_of(pictures, of_shapes)};
 }
 
-Result<RelaxedParts> partsOf(Session& session, const RelaxJob& job, const Sites& sites) {
-  RelaxedParts parts{sites};
+Result<ResultParts> partsOf(Session& session, const ResultJob& job, const Sites& sites) {
+  ResultParts parts{sites};
   if (!job.targets.pictures.empty()) {
     auto render = pictureOf(job.picture, job.options, job.input);
     if (!render) return tl::unexpected(std::move(render.error()));
@@ -68,7 +87,7 @@ Result<RelaxedParts> partsOf(Session& session, const RelaxJob& job, const Sites&
   return parts;
 }
 
-std::vector<Writer> writersOf(const RelaxJob& job, const RelaxedParts& parts) {
+std::vector<Writer> writersOf(const ResultJob& job, const ResultParts& parts) {
   std::vector<Writer> writers;
   for (const PointsTarget& target : job.targets.points) {
     writers.emplace_back([&, format = target.format](ByteSink& to) {
@@ -92,14 +111,14 @@ std::vector<Writer> writersOf(const RelaxJob& job, const RelaxedParts& parts) {
 }
 
 std::string traceText(const std::vector<RelaxStep>& trace, bool with_times) {
-  std::string text = "diagram,energy,hexagonal,farthest,seconds\n";
+  std::string text = "diagram,energy,hexagonal,farthest,seconds,taken\n";
   const auto to = std::back_inserter(text);
   for (const RelaxStep& step : trace) {
     fmt::format_to(to, "{},{},", step.diagram, step.energy);
     if (std::isfinite(step.hexagonal)) fmt::format_to(to, "{}", step.hexagonal);
     fmt::format_to(to, ",{},", step.farthest);
     if (with_times) fmt::format_to(to, "{:.6f}", step.seconds);
-    text += '\n';
+    text += step.taken ? ",1\n" : ",0\n";
   }
   return text;
 }

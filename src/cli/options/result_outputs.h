@@ -1,8 +1,9 @@
-/// What `relax` writes: files of sites, of cells and of pictures, and the trace.
+/// What `relax` and `transport` write: files of sites, of cells and of pictures, and the trace.
 #pragma once
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/options/cells_outputs.h"
@@ -17,7 +18,7 @@ struct PointsTarget {
   const PointsFormat* format;  ///< null for standard output until takeFormat()
 };
 
-struct RelaxTargets {
+struct ResultTargets {
   std::vector<PointsTarget> points;
   std::vector<CellsTarget> cells;
   std::vector<PictureFile> pictures;
@@ -34,12 +35,14 @@ struct RelaxTargets {
   [[nodiscard]] bool useStandardOutput() const;
 };
 
-/// -o, --cells, --picture, --trace, --save-every
-void addRelaxTargets(Options& options, RelaxTargets& targets);
+/// -o, --cells, --picture; `sites` is what -o has.
+void addResultTargets(Options& options, ResultTargets& targets, std::string_view sites);
+/// The same, and --trace and --save-every.
+void addRelaxTargets(Options& options, ResultTargets& targets);
 
 /// Gives what goes to standard output its format, the extension `kind` without its dot, or csv; and refuses
 /// what contradicts itself. Errors (input): the kind is none of sites; standard output is named twice;
 /// --save-every has no file to number.
-Result<void> takeFormat(RelaxTargets& targets, const std::string& kind);
+Result<void> takeFormat(ResultTargets& targets, const std::string& kind);
 
 }  // namespace vorpipe::cli

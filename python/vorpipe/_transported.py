@@ -1,0 +1,77 @@
+"""Weights that give cells their masses."""
+from __future__ import annotations
+
+import os
+from typing import Any
+
+import numpy.typing as npt
+
+from . import _vorpipe
+from ._arguments import Floats, PathLike
+
+
+class Transported:
+    """The weights that give each cell its mass, and the way to them; made by `transport`."""
+
+    __slots__ = ('_found', )
+
+    def __init__(self, found: _vorpipe.Transported) -> None:
+        self._found = found
+
+    def __len__(self) -> int:
+        return len(self._found.input)
+
+    def __repr__(self) -> str:
+        return f'<vorpipe.Transported: {len(self)} points, {len(self.trace)} diagrams, {self.end}>'
+
+    @property
+    def weights(self) -> Floats:
+        """(N,): `cells(points, weights)` has these masses."""
+        return self._found.weights
+
+    @property
+    def masses(self) -> Floats:
+        """(N,): what the cells have; areas where there is no density."""
+        return self._found.masses
+
+    @property
+    def areas(self) -> Floats:
+        """(N,)"""
+        return self._found.areas
+
+    @property
+    def centroids(self) -> Floats:
+        """(N, 2): of the masses."""
+        return self._found.centroids
+
+    @property
+    def cost(self) -> float:
+        """The integral of the squared distance to the point over all cells: the squared Wasserstein distance between
+        the density and the points' masses."""
+        return self._found.cost
+
+    @property
+    def trace(self) -> npt.NDArray[Any]:
+        """(K,), a row for each diagram, with the fields of a step: "diagram", "newton", "length", the part of the
+        Newton step that was tried, "taken", whether it was kept, "norm", "worst" and "least" of what is left, as parts
+        of the masses asked for and NaN where a cell was empty, "linear_iterations" and "seconds"."""
+        return self._found.trace
+
+    @property
+    def end(self) -> str:
+        """Why it ended: "converged", "stagnated", at what rounding allows, "diagrams" or "cancelled"."""
+        return self._found.end
+
+    @property
+    def converged(self) -> bool:
+        """Whether each cell has its mass, to the tolerance."""
+        return self.end == 'converged'
+
+    @property
+    def report(self) -> _vorpipe.Report:
+        """What the run did."""
+        return self._found.report
+
+    def save(self, path: PathLike) -> None:
+        """Writes the points, these weights and attributes: .csv, .txt, .npy, .geojson, .geojsonl, .gpkg or .wkt."""
+        self._found.save(os.fspath(path))

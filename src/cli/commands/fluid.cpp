@@ -1,0 +1,273 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "base/stopwatch.h"
+#include "bench/measured/driver_threads.h"
+#include "cli/commands/command.h"
+#include "cli/options/fluid_options.h"
+#include "cli/options/options.h"
+#include "cli/options/picture_options.h"
+#include "cli/reports/stats.h"
+#include "cli/runs/fluid_files.h"
+#include "cli/runs/input.h"
+#include "cli/runs/picture.h"
+#include "cli/runs/run_end.h"
+#include "cli/terminal/error_line.h"
+#include "cli/terminal/progress.h"
+#include "io/cells/cells_file.h"
+#include "io/files/error.h"
+#include "vorpipe/fluid.h"
+
+namespace vorpipe::cli {
+namespace {
+
+struct FluidCommand {
+  FluidChoices choices;
+  FluidTargets targets;
+  BackendOptions backend;
+  TalkOptions talk;
+  SearchOptions search;
+  PictureOptions picture;
+};
+
+/// Why a run ended, in a word.
+enum class RunEnd : std::uint8_t { time, steps, seconds, areas, interrupted };
+
+std::string_view wordOf(RunEnd end) {
+  constexpr std::array<std::string_view, 5> words{"time", "steps", "seconds", "areas", "interrupted"};
+  return words[static_cast<std::size_t>(end)];
+}
+
+struct Outcome {
+  FluidState state;
+  FluidStep first, last;
+  double worst = 0, drift = 0;  ///< the largest of all steps
+  std::string trace, timeless;
+  RunEnd end = RunEnd::time;
+  Report report;
+};
+
+void note(const FluidStep& step, Outcome& outcome) {
+  outcome.trace += traceRow(step, true);
+  outcome.timeless += traceRow(step, false);
+  outcome.worst = std::max(outcome.worst, step.worst);
+  const double scale = std::max(std::abs(outcome.first.energy()), outcome.first.kinetic);
+  if (scale > 0) {
+    outcome.drift = std::max(outcome.drift, std::abs(step.energy() - outcome.first.energy()) / scale);
+  }
+}
+
+/// Whether the options end the run before its next step.
+std::optional<RunEnd> endedBy(const FluidChoices& choices, const Outcome& outcome, const Stopwatch& watch) {
+  if (choices.steps && outcome.last.step - outcome.first.step >= *choices.steps) return RunEnd::steps;
+  if (choices.seconds && watch.seconds() >= *choices.seconds) return RunEnd::seconds;
+  return std::nullopt;
+}
+
+RunEnd endOf(FluidEnd end) {
+  if (end == FluidEnd::cancelled) return RunEnd::interrupted;
+  return end == FluidEnd::areas ? RunEnd::areas : RunEnd::time;
+}
+
+/// Makes the steps, and writes what is written on the way.
+Result<Outcome> flow(const FluidCommand& command, Session& session, FluidSetup setup, FluidRecord& record) {
+  const Stopwatch watch;
+  ProgressBar bar(command.talk.quiet);
+  const FluidOptions options = setup.options;
+  const double start = setup.state.time;
+  auto fluid = Fluid::begin(session, std::move(setup.state), options);
+  if (!fluid) return tl::unexpected(std::move(fluid.error()));
+  Outcome outcome;
+  outcome.first = outcome.last = fluid->last();
+  outcome.trace = outcome.timeless = traceHead();
+  note(outcome.last, outcome);
+  std::uint64_t recorded = outcome.last.step;
+  if (auto added = record.add(session, fluid->state(), options); !added) {
+    return tl::unexpected(added.error());
+  }
+  for (;;) {
+    if (const auto end = endedBy(command.choices, outcome, watch)) {
+      outcome.end = *end;
+      break;
+    }
+    const auto more = fluid->step();
+    if (!more) return tl::unexpected(more.error());
+    if (!*more) {
+      outcome.end = endOf(fluid->end());
+      break;
+    }
+    outcome.last = fluid->last();
+    note(outcome.last, outcome);
+    bar.show(fmt::format("fluid, step {}, time {:.4g}", outcome.last.step, outcome.last.time),
+             std::isfinite(options.until) ? (outcome.last.time - start) / (options.until - start) : 0);
+    if (outcome.last.step % command.targets.every != 0) continue;
+    recorded = outcome.last.step;
+    if (auto added = record.add(session, fluid->state(), options); !added) {
+      return tl::unexpected(added.error());
+    }
+  }
+  if (recorded != outcome.last.step) {
+    if (auto added = record.add(session, fluid->state(), options); !added) {
+      return tl::unexpected(added.error());
+    }
+  }
+  if (auto finished = record.finish(); !finished) return tl::unexpected(finished.error());
+  outcome.state = fluid->state();
+  outcome.report = fluid->report();
+  return outcome;
+}
+
+/// Refuses options that nothing takes.
+Result<void> checkCommand(const FluidCommand& command, const FluidSetup& setup) {
+  const FluidTargets& targets = command.targets;
+  if (targets.paths().empty() && targets.checkpoint.empty() && targets.frames.empty() &&
+      targets.series.empty()) {
+    return inputError(
+        "-o: name what to write, as in -o sites.csv (or give --cells, --trace, --frames, --series, "
+        "--checkpoint or --stats)");
+  }
+  if (setup.options.surface == Surface::free && !targets.cells.empty()) {
+    return inputError("--cells: those of a free surface are cut by discs; --series writes them");
+  }
+  return {};
+}
+
+/// An error of the library, which begins with what is wrong, in the words of the command line.
+tl::unexpected<Error> asFluidOption(Error error) {
+  for (const std::string_view name : {"step", "epsilon", "gravity", "tolerance", "scheme"}) {
+    if (error.message.starts_with(std::string(name) + ":")) error.message = "--" + error.message;
+  }
+  return tl::unexpected(std::move(error));
+}
+
+Result<void> writeFiles(const FluidCommand& command, const FluidOptions& options, Session& session,
+                        const Outcome& outcome, std::vector<OutputFile>& files, RunLog& log,
+                        const Stopwatch& total) {
+  const Stopwatch watch;
+  Diagram cells;
+  if (!command.targets.cells.empty()) {
+    CellsOptions how{};
+    how.domain = options.domain;
+    how.periodic = options.periodic;
+    how.search = options.search;
+    auto found = session.cells(outcome.state.sites, how);
+    if (!found) return tl::unexpected(std::move(found.error()));
+    cells = std::move(*found);
+  }
+  std::vector<Writer> writers;
+  for (const auto& target : command.targets.points) {
+    writers.emplace_back([&, format = target.format](ByteSink& to) {
+      return writePoints(to, {outcome.state.sites}, *format);
+    });
+  }
+  for (const CellsTarget& target : command.targets.cells) {
+    writers.emplace_back([&, format = target.format](ByteSink& to) {
+      return writeCells(to, {outcome.state.sites, cells}, *format);
+    });
+  }
+  if (!command.targets.trace.empty()) {
+    writers.emplace_back([&](ByteSink& to) {
+      log.noteTimeless(outcome.timeless);
+      return to.write(outcome.trace);
+    });
+  }
+  const auto json = [&] {
+    Input input{};
+    input.sites = outcome.state.sites;
+    input.domain = options.domain;
+    input.periodic = options.periodic;
+    Stats stats{"fluid", input, outcome.report, log, watch.milliseconds(), total.milliseconds(), 0};
+    stats.fluid = FluidFigures{std::string(nameOf(options.scheme)),
+                               std::string(wordOf(outcome.end)),
+                               outcome.first,
+                               outcome.last,
+                               outcome.worst,
+                               outcome.drift};
+    return statsJson(stats);
+  };
+  return writeOutputs(files, writers, log, json);
+}
+
+std::string summaryOf(const Outcome& outcome, const FluidOptions& options) {
+  const FluidStep &first = outcome.first, &last = outcome.last;
+  return fmt::format(
+      "{} cells by {}, time {:.6g} after {} steps ({}), energy {:.6g} to {:.6g}, areas within {:.1e}",
+      outcome.state.sites.size(), nameOf(options.scheme), last.time, last.step - first.step,
+      wordOf(outcome.end), first.energy(), last.energy(), outcome.worst);
+}
+
+/// What an end that is not the wanted one asks for.
+ExitCode exitFor(const Outcome& outcome) {
+  if (outcome.end == RunEnd::interrupted) {
+    printError(fmt::format("interrupted: the files have the fluid after step {}", outcome.last.step));
+    return static_cast<ExitCode>(signalExitCode());
+  }
+  if (outcome.end != RunEnd::areas) return exit_done;
+  printError(fmt::format(
+      "areas could not be found after step {}, at time {}: the files have the fluid then; a smaller --step "
+      "or a larger --epsilon may help",
+      outcome.last.step, outcome.last.time));
+  return exit_different;
+}
+
+Result<ExitCode> fluid(FluidCommand& command, const Invocation& how) {
+  setDriverThreads(command.backend.threads);
+  const Stopwatch total;
+  RunLog log(how, !command.targets.stats.empty());
+  log.search = command.search;
+  log.threads = command.backend.threads;
+  auto setup = setupOf(command.choices);
+  if (!setup) return tl::unexpected(std::move(setup.error()));
+  if (auto checked = checkCommand(command, *setup); !checked) return tl::unexpected(checked.error());
+  setup->options.search = command.search;
+  setup->options.progress = untilSignal();
+  const FluidOptions options = setup->options;
+  auto files = openOutputs(command.targets.paths());
+  if (!files) return tl::unexpected(std::move(files.error()));
+  awaitResultOnSignals();
+  auto session = Session::open(command.backend);
+  if (!session) return tl::unexpected(std::move(session.error()));
+  log.choice = session->choice();
+  auto record = FluidRecord::open(command.targets, command.picture);
+  if (!record) return tl::unexpected(std::move(record.error()));
+  const auto outcome = flow(command, *session, std::move(*setup), *record);
+  if (!outcome) return asFluidOption(outcome.error());
+  takeSignal();
+  printNotes(command.talk, outcome->report);
+  if (!validationIsSilent(outcome->report)) return exit_device;
+  if (auto written = writeFiles(command, options, *session, *outcome, *files, log, total); !written) {
+    return tl::unexpected(written.error());
+  }
+  printSummary(command.talk, command.targets.paths(),
+               fmt::format("{}, {}\n", summaryOf(*outcome, options),
+                           runText(outcome->report, total.milliseconds(), false)));
+  if (command.talk.verbose && !log.choice.empty()) printNote(log.choice);
+  return exitFor(*outcome);
+}
+
+}  // namespace
+
+void addFluid(CommandLine& line) {
+  auto command = std::make_shared<FluidCommand>();
+  Options options = line.addSubcommand(
+      "fluid", "a fluid without friction whose cells keep their areas: vortices, falling columns, two fluids",
+      [command](const Invocation& how) { return fluid(*command, how); });
+  addFluidChoices(options, command->choices);
+  options.group("Output");
+  addFluidTargets(options, command->targets);
+  options.group("Picture");
+  addSizeOptions(options, command->picture);
+  addColorOptions(options, command->picture.render);
+  addMarkOptions(options, command->picture);
+  addBackendChoice(options, command->backend);
+  addSearchOptions(options, command->search);
+  addThreads(options, command->backend.threads);
+  options.group("Output");
+  addStats(options, command->targets.stats);
+  addTalkOptions(options, command->talk);
+}
+
+}  // namespace vorpipe::cli

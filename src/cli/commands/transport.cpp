@@ -1,0 +1,303 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <numeric>
+
+#include "base/stopwatch.h"
+#include "bench/measured/driver_threads.h"
+#include "cli/commands/command.h"
+#include "cli/options/mass_options.h"
+#include "cli/options/options.h"
+#include "cli/options/picture_options.h"
+#include "cli/options/result_outputs.h"
+#include "cli/reports/stats.h"
+#include "cli/runs/drawn_input.h"
+#include "cli/runs/forecast.h"
+#include "cli/runs/input.h"
+#include "cli/runs/result_files.h"
+#include "cli/runs/run_end.h"
+#include "cli/runs/transport_run.h"
+#include "cli/terminal/error_line.h"
+#include "cli/terminal/progress.h"
+#include "io/files/error.h"
+#include "io/forecast/forecast_files.h"
+#include "io/sites/weights_file.h"
+#include "io/text/number.h"
+
+namespace vorpipe::cli {
+namespace {
+
+struct TransportCommand {
+  InputOptions input;
+  BackendOptions backend;
+  TalkOptions talk;
+  SearchOptions search;
+  PictureOptions picture;
+  MassOptions masses;
+  double tolerance = TransportOptions{}.tolerance;
+  std::uint64_t diagrams = TransportOptions{}.diagrams;
+  ResultTargets targets;
+  std::string density, weights, stats;
+  std::optional<std::uint64_t> memory_limit;
+};
+
+Parsed<double> parseTolerance(std::string_view text) {
+  const auto number = parseNumber(text);
+  if (!number) return tl::unexpected(number.error());
+  if (*number > 0) return *number;
+  return tl::unexpected(fmt::format("{} is not a number above 0", *number));
+}
+
+/// The output files that were asked for, in the order in which they are created.
+std::vector<std::string> outputPaths(const TransportCommand& command) {
+  std::vector<std::string> paths = command.targets.paths();
+  for (const std::string& path : {command.weights, command.targets.trace, command.stats}) {
+    if (!path.empty()) paths.push_back(path);
+  }
+  return paths;
+}
+
+/// What a run takes: cells, the matrix and the levels of its solver, then what files take.
+PlanRun planOf(const TransportCommand& command, std::uint64_t density_pixels) {
+  return [&command, density_pixels](MemoryPlan& plan, Workload work) {
+    constexpr std::uint64_t of_newton = 640;
+    work.density_pixels = density_pixels;
+    work.weighted = true;
+    if (density_pixels > 0) planDensity(plan, density_pixels);
+    if (!command.masses.areEqual()) planWeights(plan, command.masses.file, work.sites);
+    planSession(plan, work);
+    const auto since = plan.next();
+    plan.take("weights that are sought", of_newton * work.sites);
+    plan.drop(planCells(plan, work, Detail::polygons));
+    plan.dropSince(since);
+    planFiles(plan, work, command.targets, command.picture);
+  };
+}
+
+/// Refuses options that nothing takes, and gives standard output its format.
+Result<void> checkCommand(TransportCommand& command) {
+  if (outputPaths(command).empty()) {
+    return inputError(
+        "-o: name what to write, as in -o sites.csv (or give --save-weights, --cells, --picture, --trace or "
+        "--stats)");
+  }
+  const bool given = !command.input.format.output.empty();
+  if (given && command.input.sites != "-" && !command.targets.useStandardOutput()) {
+    return inputError("--format: neither --sites - nor -o - is there to take it");
+  }
+  if (auto checked = checkMasses(command.masses); !checked) return checked;
+  if (!command.weights.empty()) {
+    if (auto checked = checkWeightsPath(command.weights); !checked) {
+      return named("--save-weights", std::move(checked.error()));
+    }
+  }
+  return takeFormat(command.targets, command.input.format.output);
+}
+
+/// What is sought, but for the scale of its masses.
+TransportOptions transportOptions(const TransportCommand& command, const Input& input, const Density& density,
+                                  std::vector<double> masses) {
+  TransportOptions options{};
+  options.domain = input.domain;
+  options.outline = input.outline;
+  options.periodic = input.periodic;
+  options.density = density;
+  options.surface = command.masses.around();
+  options.search = command.search;
+  options.masses = std::move(masses);
+  options.tolerance = command.tolerance;
+  options.diagrams = command.diagrams;
+  options.progress = untilSignal();
+  return options;
+}
+
+/// A run that is under way.
+struct TransportRun {
+  const TransportCommand& command;
+  const ResultJob& job;
+  RunLog& log;
+  std::vector<OutputFile> files{};
+};
+
+Result<Transported> transportIn(TransportRun& run, Session& session, TransportOptions options) {
+  const auto count = run.job.input.sites.size();
+  if (auto fit = fitMasses(run.command.masses, count, session, options); !fit) {
+    return tl::unexpected(std::move(fit.error()));
+  }
+  ProgressBar bar(run.command.talk.quiet);
+  double first_worst = 0;
+  return transport(session, run.job.input.sites, options, [&](const TransportStep& step) {
+    if (!(first_worst > 0)) first_worst = step.worst;
+    if (step.taken) {
+      bar.show(fmt::format("transport {}, worst {:.2g}", step.diagram, step.worst),
+               partDone(step, first_worst, options.tolerance));
+    }
+    return !!stopIfAsked();
+  });
+}
+
+/// Masses that were read are finite and as many as sites: what can be wrong with them now is their sum.
+Error withAdvice(Error error, const MassOptions& masses) {
+  if (error.subject == Subject::masses && !masses.areEqual()) {
+    error.message +=
+        masses.around() == Surface::free ? "; --fill V scales them" : "; --normalize scales them";
+  }
+  return error;
+}
+
+std::string summaryOf(const Transported& found) {
+  const TransportStep& last = lastKept(found.trace);
+  return fmt::format("worst cell off by {:.3g} of its mass after {} Newton steps, {} diagrams ({})",
+                     last.worst, newtonSteps(found.trace), found.trace.size(), wordOf(found.end));
+}
+
+TransportFigures figuresOf(const TransportRun& run, const Transported& found) {
+  const TransportStep& last = lastKept(found.trace);
+  return {std::string(wordOf(found.end)),
+          run.command.masses.around() == Surface::free,
+          found.trace.size(),
+          newtonSteps(found.trace),
+          last,
+          std::accumulate(found.cells.mass.begin(), found.cells.mass.end(), 0.0),
+          found.cost};
+}
+
+Result<void> writeFiles(TransportRun& run, Session& session, const Transported& found, std::uint64_t forecast,
+                        const Stopwatch& total) {
+  const Stopwatch watch;
+  const auto parts = partsOf(session, run.job, found.sites);
+  if (!parts) return tl::unexpected(parts.error());
+  std::vector<Writer> writers = writersOf(run.job, *parts);
+  if (!run.command.weights.empty()) {
+    writers.emplace_back(
+        [&](ByteSink& to) { return writeWeights(to, found.sites.weight, run.command.weights); });
+  }
+  if (!run.job.targets.trace.empty()) {
+    writers.emplace_back([&](ByteSink& to) {
+      run.log.noteTimeless(traceText(found.trace, false));
+      return to.write(traceText(found.trace, true));
+    });
+  }
+  const auto json = [&] {
+    Stats stats{"transport",          run.job.input,        found.report, run.log,
+                watch.milliseconds(), total.milliseconds(), forecast};
+    stats.area_sum = std::accumulate(found.cells.area.begin(), found.cells.area.end(), 0.0);
+    stats.transport = figuresOf(run, found);
+    if (!run.job.density.values.empty()) stats.mass_sum = stats.transport->mass;
+    return statsJson(stats);
+  };
+  return writeOutputs(run.files, writers, run.log, json);
+}
+
+/// Says how the run ended, where it did not come to the tolerance.
+ExitCode exitCodeOf(const Transported& found, bool interrupted) {
+  const TransportStep& last = lastKept(found.trace);
+  const std::string reached = fmt::format(
+      "the files have what was reached after {} diagrams, the worst cell "
+      "off by {:.3g} of its mass",
+      found.trace.size(), last.worst);
+  if (interrupted) {
+    printError(fmt::format("interrupted: {}", reached));
+    return static_cast<ExitCode>(signalExitCode());
+  }
+  if (found.end == TransportEnd::converged) return exit_done;
+  const std::string_view why =
+      found.end == TransportEnd::diagrams ? "no more are allowed by --diagrams" : "rounding allows no more";
+  printError(fmt::format("not converged: {}; {}", reached, why));
+  return exit_different;
+}
+
+Result<ExitCode> transportCells(TransportCommand& command, const Invocation& how) {
+  setDriverThreads(command.backend.threads);
+  const Stopwatch total;
+  RunLog log(how, !command.stats.empty());
+  log.search = command.search;
+  log.threads = command.backend.threads;
+  if (auto checked = checkCommand(command); !checked) return tl::unexpected(std::move(checked.error()));
+  const auto density = densityOf(command.density);
+  if (!density) return tl::unexpected(density.error());
+  InputOptions reading = command.input;
+  reading.reading.attributes = command.targets.carryAttributes() || !command.masses.attribute.empty();
+  const PlanRun plan = planOf(command, density->values.size());
+  const auto input = inputUnder(*density, reading, plan, command.memory_limit);
+  if (!input) return tl::unexpected(input.error());
+  auto masses = loadMasses(command.masses, *input);
+  if (!masses) return tl::unexpected(std::move(masses.error()));
+  TransportOptions options = transportOptions(command, *input, *density, std::move(*masses));
+  const ResultJob job{command.targets, reading,        command.picture,        *input,
+                      *density,        command.search, command.backend.threads};
+  if (auto checked = checkBefore(job); !checked) return tl::unexpected(std::move(checked.error()));
+  printNotes(command.talk, *input);
+  const auto paths = outputPaths(command);
+  auto files = openOutputs(paths);
+  if (!files) return tl::unexpected(std::move(files.error()));
+  awaitResultOnSignals();
+  auto session = Session::open(command.backend);
+  if (!session) return tl::unexpected(std::move(session.error()));
+  log.choice = session->choice();
+  const auto forecast = forecastRun(reading, *input, ImagesFor::cells, session->device(), command.backend,
+                                    plan, command.memory_limit);
+  if (!forecast) return tl::unexpected(forecast.error());
+  TransportRun run{command, job, log, std::move(*files)};
+  const auto found = transportIn(run, *session, std::move(options));
+  if (!found) return asOption(withAdvice(found.error(), command.masses), reading);
+  const bool interrupted = takeSignal();
+  printNotes(command.talk, found->report);
+  if (!validationIsSilent(found->report)) return exit_device;
+  if (auto written = writeFiles(run, *session, *found, *forecast, total); !written) {
+    return tl::unexpected(written.error());
+  }
+  printSummary(command.talk, paths,
+               fmt::format("{}, {}, {}\n", outcomeText(paths, found->sites, found->report), summaryOf(*found),
+                           runText(found->report, total.milliseconds(), false)));
+  if (command.talk.verbose && !log.choice.empty()) printNote(log.choice);
+  return exitCodeOf(*found, interrupted);
+}
+
+void addSolverOptions(Options& options, TransportCommand& command) {
+  options.group("Masses");
+  addAnyFile(
+      options, "--density", command.density, {".png", ".npy"},
+      "a density over the domain, .png (dark is dense) or .npy, pixels with row 0 at the top: masses are "
+      "its integrals over cells. --sites density:N draws N sites from it");
+  addParsed(options, "--tolerance", command.tolerance, "T",
+            "ends when no cell differs from its mass by more than this part of it [1e-8]", parseTolerance);
+  addParsed(options, "--diagrams", command.diagrams, "N", "the most diagrams to compute [400]",
+            [](std::string_view text) { return parseWhole(text, 1, UINT32_MAX); });
+}
+
+void addTransportOutputs(Options& options, TransportCommand& command) {
+  options.group("Output");
+  addResultTargets(options, command.targets, "the sites with the weights that were found");
+  addAnyFile(options, "--save-weights", command.weights, {".npy", ".csv", ".txt"},
+             "the weights alone, for --weights: .npy, .csv or .txt");
+  addFile(options, "--trace", command.targets.trace, ".csv",
+          "a row for each diagram: its number, that of the Newton step, the part of it that was tried and "
+          "whether it was kept, what is left as a norm and in the worst cell, the least mass, iterations of "
+          "the linear solver, seconds");
+}
+
+}  // namespace
+
+void addTransport(CommandLine& line) {
+  auto command = std::make_shared<TransportCommand>();
+  Options options = line.addSubcommand(
+      "transport", "finds the weights that give each cell its mass: equal areas, or as many files as say so",
+      [command](const Invocation& how) { return transportCells(*command, how); });
+  addInputOptions(options, command->input).required();
+  addMassOptions(options, command->masses);
+  addSolverOptions(options, *command);
+  addTransportOutputs(options, *command);
+  options.group("Picture");
+  addSizeOptions(options, command->picture);
+  addColorOptions(options, command->picture.render);
+  addMarkOptions(options, command->picture);
+  addBackendChoice(options, command->backend);
+  addSearchOptions(options, command->search);
+  addRunOptions(options, command->backend, command->memory_limit);
+  options.group("Output");
+  addStats(options, command->stats);
+  addTalkOptions(options, command->talk);
+}
+
+}  // namespace vorpipe::cli

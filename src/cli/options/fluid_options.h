@@ -1,0 +1,58 @@
+/// What `fluid` computes, and what it writes.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/options/cells_outputs.h"
+#include "cli/options/command_line.h"
+#include "io/points/points_file.h"
+#include "vorpipe/fluid.h"
+
+namespace vorpipe::cli {
+
+/// What the options name; what they do not is as the case or the file has it.
+struct FluidChoices {
+  std::string begin;   ///< a case, or a file
+  std::string resume;  ///< a file
+  std::uint64_t particles = 2048;
+  bool particles_named = false;
+  std::optional<double> until, step, epsilon, tolerance;
+  std::optional<Point> gravity;
+  std::optional<FluidScheme> scheme;
+  std::optional<std::uint64_t> steps;
+  std::optional<double> seconds;
+};
+
+/// The files of a fluid; empty paths are not asked for.
+struct FluidTargets {
+  struct Points {
+    std::string path;
+    const PointsFormat* format;
+  };
+  std::vector<Points> points;
+  std::vector<CellsTarget> cells;
+  std::string checkpoint, trace, stats;  ///< files at the end
+  std::string frames, series;            ///< a film or a folder; a folder
+  std::uint64_t every = 10;              ///< steps between frames, files of the series and checkpoints
+
+  /// Of the files at the end, in the order in which they are created.
+  [[nodiscard]] std::vector<std::string> paths() const;
+};
+
+/// --case, --particles, --time, --step, --scheme, --epsilon, --gravity, --tolerance, --steps, --seconds,
+/// --resume
+void addFluidChoices(Options& options, FluidChoices& choices);
+
+/// -o, --cells, --checkpoint, --trace, --frames, --series, --every
+void addFluidTargets(Options& options, FluidTargets& targets);
+
+/// The fluid that the options name. Errors (input): they contradict each other; the file's.
+Result<FluidSetup> setupOf(const FluidChoices& choices);
+
+/// "springs" or "projection".
+std::string_view nameOf(FluidScheme scheme);
+
+}  // namespace vorpipe::cli

@@ -1,0 +1,73 @@
+#include "cli/options/mass_options.h"
+
+#include <fmt/format.h>
+
+#include "cli/options/options.h"
+#include "io/files/error.h"
+#include "io/text/number.h"
+
+namespace vorpipe::cli {
+namespace {
+
+/// Where masses are from; one of the two, or none for equal masses.
+struct MassSource {
+  std::string file, attribute;
+};
+
+Parsed<MassSource> parseMasses(std::string_view text) {
+  if (text == "equal") return MassSource{};
+  if (text == "@") return tl::unexpected(std::string("no attribute is named after @"));
+  if (text.starts_with('@')) return MassSource{{}, std::string(text.substr(1))};
+  return parseFile(text, "").map([](const std::string& path) { return MassSource{path, {}}; });
+}
+
+Parsed<std::optional<double>> parseFill(std::string_view text) {
+  const auto part = parseNumber(text);
+  if (!part) return tl::unexpected(part.error());
+  if (*part > 0 && *part < 1) return *part;
+  return tl::unexpected(fmt::format("{} is not a part of the domain, between 0 and 1", *part));
+}
+
+Parsed<Surface> parseSurface(std::string_view text) {
+  if (text == "free") return Surface::free;
+  return tl::unexpected(fmt::format("{} is not free", vorpipe::quoted(text)));
+}
+
+}  // namespace
+
+void addMassOptions(Options& options, MassOptions& masses) {
+  options.group("Masses");
+  const auto keep = [&masses](MassSource source) {
+    masses.file = std::move(source.file);
+    masses.attribute = std::move(source.attribute);
+  };
+  options.add(
+      "--masses", parsedValue("FILE", parseMasses, keep, {{"equal", "@"}, {".txt", ".csv", ".npy"}}),
+      "the mass of each site's cell, its area where there is no density: a number to a line of a .txt "
+      "or .csv, or an .npy; or @NAME, an attribute of the sites; or equal [equal]");
+  options.addFlag("--normalize", masses.normalize,
+                  "scales the masses so that they add up to what the domain has");
+  addParsed(options, "--surface", masses.surface, "free",
+            "lets the cells end in air: each is cut by a disc around its site, and masses may add up to less "
+            "than the domain has [cells fill it]",
+            parseSurface, {{"free"}, {}});
+  addParsed(options, "--fill", masses.fill, "V",
+            "a free surface, and this part of what the domain has for all cells together, 0 to 1: masses are "
+            "scaled to it",
+            parseFill);
+}
+
+Result<void> checkMasses(const MassOptions& masses) {
+  if (masses.normalize && masses.areEqual()) {
+    return inputError("--normalize: scales what --masses names; equal masses add up by themselves");
+  }
+  if (masses.normalize && masses.around() == Surface::free) {
+    return inputError("--normalize: cells with a free surface do not fill the domain; --fill V scales them");
+  }
+  if (masses.surface == Surface::free && !masses.fill && masses.areEqual()) {
+    return inputError("--surface: equal masses do not say how much there is; give --fill V or --masses FILE");
+  }
+  return {};
+}
+
+}  // namespace vorpipe::cli

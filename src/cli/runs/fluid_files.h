@@ -1,0 +1,51 @@
+/// What `fluid` writes while it runs: pictures, files for ParaView and checkpoints.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/options/fluid_options.h"
+#include "cli/options/picture_options.h"
+#include "io/fluid/fluid_series.h"
+#include "view/recording/recorder.h"
+#include "vorpipe.h"
+#include "vorpipe/fluid.h"
+
+namespace vorpipe::cli {
+
+/// A picture of the cells; of a free surface the air is white.
+Result<Image> drawFluid(Session& session, const FluidState& state, const FluidOptions& options,
+                        const PictureOptions& picture);
+
+/// The header of --trace and its rows.
+std::string traceHead();
+std::string traceRow(const FluidStep& step, bool with_times);
+
+/// Files that grow with the steps.
+class FluidRecord {
+ public:
+  /// Opens films and folders. Errors: those of openRecorder; the folder of the series cannot be made or holds
+  /// another series (input).
+  static Result<FluidRecord> open(const FluidTargets& targets, const PictureOptions& picture);
+
+  /// Writes what there is to write of a step.
+  Result<void> add(Session& session, const FluidState& state, const FluidOptions& options);
+  /// Puts a film in place.
+  Result<void> finish();
+
+ private:
+  FluidRecord(const FluidTargets& targets, const PictureOptions& picture)
+      : targets_(&targets), picture_(&picture) {}
+  Result<void> addToSeries(Session& session, const FluidState& state, const FluidOptions& options);
+
+  const FluidTargets* targets_;
+  const PictureOptions* picture_;
+  std::unique_ptr<view::Recorder> recorder_;
+  std::vector<SeriesStep> series_;
+};
+
+/// Writes a checkpoint, whole or not at all.
+Result<void> saveCheckpoint(const std::string& path, const FluidState& state, const FluidOptions& options);
+
+}  // namespace vorpipe::cli

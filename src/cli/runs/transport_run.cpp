@@ -1,0 +1,71 @@
+#include "cli/runs/transport_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "io/sites/masses_file.h"
+#include "vorpipe/masses.h"
+
+namespace vorpipe::cli {
+
+Result<std::vector<double>> loadMasses(const MassOptions& masses, const Input& input) {
+  if (masses.areEqual()) return {};
+  auto read = masses.file.empty() ? massesIn(input.attributes, masses.attribute)
+                                  : readMasses(masses.file, input.sites.size());
+  if (!read) return named("--masses", std::move(read.error()));
+  return read;
+}
+
+Result<void> fitMasses(const MassOptions& masses, std::size_t sites, Session& session,
+                       TransportOptions& options) {
+  if (!masses.normalize && !masses.fill) return {};
+  return fillDomain(session, sites, masses.fill.value_or(1), options);
+}
+
+const TransportStep& lastKept(const std::vector<TransportStep>& trace) {
+  const auto kept = std::find_if(trace.rbegin(), trace.rend(), [](const auto& step) { return step.taken; });
+  return kept == trace.rend() ? trace.back() : *kept;
+}
+
+std::uint64_t newtonSteps(const std::vector<TransportStep>& trace) {
+  std::uint64_t most = 0;
+  for (const TransportStep& step : trace) most = std::max(most, step.newton);
+  return most;
+}
+
+std::string_view wordOf(TransportEnd end) {
+  constexpr std::array<std::string_view, 4> words{"converged", "stagnated", "diagrams", "cancelled"};
+  return words[static_cast<std::size_t>(end)];
+}
+
+double partDone(const TransportStep& step, double first_worst, double tolerance) {
+  const double way = std::log(first_worst / tolerance), done = std::log(first_worst / step.worst);
+  return std::isfinite(done) && way > 0 ? std::clamp(done / way, 0.0, 1.0) : 0;
+}
+
+std::string traceText(const std::vector<TransportStep>& trace, bool with_times) {
+  std::string text = "diagram,newton,length,taken,norm,worst,least,linear_iterations,seconds\n";
+  const auto to = std::back_inserter(text);
+  // What is not a number was not measured: a cell was empty.
+  const auto put = [&](double value) {
+    if (std::isfinite(value)) fmt::format_to(to, "{}", value);
+    text += ',';
+  };
+  for (const TransportStep& step : trace) {
+    fmt::format_to(to, "{},{},{},{},", step.diagram, step.newton, step.length, step.taken ? 1 : 0);
+    put(step.norm);
+    put(step.worst);
+    put(step.least);
+    fmt::format_to(to, "{},", step.linear_iterations);
+    if (with_times) fmt::format_to(to, "{:.6f}", step.seconds);
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace vorpipe::cli

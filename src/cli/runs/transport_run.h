@@ -1,0 +1,35 @@
+/// A transport as `vorpipe transport` runs it: its masses, and what is told of its steps.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/options/mass_options.h"
+#include "cli/runs/input.h"
+#include "vorpipe.h"
+
+namespace vorpipe::cli {
+
+/// Reads the masses; none where they are equal. Errors: those of readMasses and massesIn, after the option.
+Result<std::vector<double>> loadMasses(const MassOptions& masses, const Input& input);
+
+/// Scales the masses of `options`, which has all else, as the options want it. Errors: those of fillDomain.
+Result<void> fitMasses(const MassOptions& masses, std::size_t sites, Session& session,
+                       TransportOptions& options);
+
+/// The last step that was kept; the last one where there is none.
+const TransportStep& lastKept(const std::vector<TransportStep>& trace);
+
+/// Newton steps that were tried.
+std::uint64_t newtonSteps(const std::vector<TransportStep>& trace);
+
+/// "converged", as reports have it.
+std::string_view wordOf(TransportEnd end);
+
+/// Where the worst cell of a step came to between that of the first one and the tolerance, by their powers.
+double partDone(const TransportStep& step, double first_worst, double tolerance);
+
+/// The rows of --trace; without `with_times` what every run has alike.
+std::string traceText(const std::vector<TransportStep>& trace, bool with_times);
+
+}  // namespace vorpipe::cli

@@ -1,0 +1,153 @@
+#include "io/fluid/fluid_state.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "io/arrays/npy_array.h"
+#include "io/arrays/npz_file.h"
+#include "io/arrays/zip_file.h"
+#include "io/files/error.h"
+
+namespace vorpipe {
+namespace {
+
+/// Arrays of an archive, in the order in which they were added.
+class Archive {
+ public:
+  template <class Number, std::uint64_t columns = 1, class Row>
+  void add(const char* name, std::span<const Row> rows) {
+    if (rows.empty()) return;
+    NpyArray array = npyArray<Number, columns>(rows);
+    entries_.push_back({std::string(name) + ".npy", std::move(array.header), zipBody(array.elements)});
+  }
+  Result<void> write(ByteSink& sink) const { return writeZip(sink, entries_); }
+
+ private:
+  std::vector<ZipEntry> entries_;
+};
+
+template <class Value>
+std::span<const Value> one(const Value& value) {
+  return {&value, 1};
+}
+
+std::vector<Point> pointsOf(const std::vector<double>& numbers) {
+  std::vector<Point> points;
+  for (std::size_t k = 0; k + 1 < numbers.size(); k += 2) points.push_back({numbers[k], numbers[k + 1]});
+  return points;
+}
+
+/// Reads arrays one after the other; the first error stays.
+class Reader {
+ public:
+  explicit Reader(const NpzFile& file) : file_(file) {}
+
+  template <class Number>
+  std::vector<Number> many(const char* name, std::uint64_t columns = 1) {
+    auto read = file_.numbers<Number>(name, columns);
+    if (read) return std::move(*read);
+    if (!error) error = std::move(read.error());
+    return {};
+  }
+  /// Leaves the value where there is none.
+  template <class Number>
+  void single(const char* name, Number& value) {
+    const auto read = many<Number>(name);
+    if (!read.empty()) value = read.front();
+  }
+  /// The same for one of `count` names.
+  template <class Name>
+  void name(const char* array, std::uint8_t count, Name& value) {
+    auto number = static_cast<std::uint8_t>(value);
+    single(array, number);
+    if (number >= count && !error) {
+      error = Error{ErrorCode::input,
+                    fmt::format("{}: {} is {}, not below {}", file_.name(), array, number, count)};
+    }
+    value = static_cast<Name>(number);
+  }
+
+  std::optional<Error> error;
+
+ private:
+  const NpzFile& file_;
+};
+
+}  // namespace
+
+Result<void> writeFluid(ByteSink& sink, const FluidState& state, const FluidOptions& options) {
+  std::vector<Point> places;
+  for (std::size_t i = 0; i < state.sites.size(); ++i) places.push_back({state.sites.x[i], state.sites.y[i]});
+  const Box& box = options.domain;
+  const std::array<double, 4> domain{box.xmin, box.ymin, box.xmax, box.ymax};
+  const auto spanOf = [](const auto& values) { return std::span(values.data(), values.size()); };
+  const std::array<std::uint8_t, 3> names{static_cast<std::uint8_t>(options.periodic),
+                                          static_cast<std::uint8_t>(options.surface),
+                                          static_cast<std::uint8_t>(options.scheme)};
+  Archive archive;
+  archive.add<double, 2>("sites", spanOf(places));
+  archive.add<double>("weights", spanOf(state.sites.weight));
+  archive.add<double, 2>("velocity", spanOf(state.velocity));
+  archive.add<double>("volume", spanOf(state.volume));
+  archive.add<double>("density", spanOf(state.density));
+  archive.add<double>("pressure", spanOf(state.pressure));
+  archive.add<double>("trend", spanOf(state.trend));
+  archive.add<std::uint32_t>("order", spanOf(state.order));
+  archive.add<double>("domain", spanOf(domain));
+  archive.add<double>("gravity", std::span(&options.gravity.x, 2));
+  archive.add<double>("time", one(state.time));
+  archive.add<double>("until", one(options.until));
+  archive.add<double>("length", one(options.step));
+  archive.add<double>("epsilon", one(options.epsilon));
+  archive.add<double>("tolerance", one(options.tolerance));
+  archive.add<std::uint64_t>("step", one(state.step));
+  archive.add<std::uint64_t>("diagrams", one(options.diagrams));
+  archive.add<std::uint8_t>("periodic", one(names[0]));
+  archive.add<std::uint8_t>("surface", one(names[1]));
+  archive.add<std::uint8_t>("scheme", one(names[2]));
+  return archive.write(sink);
+}
+
+Result<FluidSetup> readFluid(const std::string& path) {
+  const auto file = NpzFile::read(path);
+  if (!file) return tl::unexpected(file.error());
+  for (const char* needed : {"sites", "domain"}) {
+    if (!file->has(needed)) return inputError(fmt::format("{}: it has no array {}", path, needed));
+  }
+  FluidSetup setup{};
+  FluidState& state = setup.state;
+  FluidOptions& options = setup.options;
+  Reader read(*file);
+  for (const Point place : pointsOf(read.many<double>("sites", 2))) {
+    state.sites.x.push_back(place.x);
+    state.sites.y.push_back(place.y);
+  }
+  state.sites.weight = read.many<double>("weights");
+  state.velocity = pointsOf(read.many<double>("velocity", 2));
+  state.volume = read.many<double>("volume");
+  state.density = read.many<double>("density");
+  state.pressure = read.many<double>("pressure");
+  state.trend = read.many<double>("trend");
+  state.order = read.many<std::uint32_t>("order");
+  const auto domain = read.many<double>("domain"), gravity = read.many<double>("gravity");
+  if (domain.size() == 4) options.domain = {domain[0], domain[1], domain[2], domain[3]};
+  if (gravity.size() == 2) options.gravity = {gravity[0], gravity[1]};
+  read.single("time", state.time);
+  read.single("until", options.until);
+  read.single("length", options.step);
+  read.single("epsilon", options.epsilon);
+  read.single("tolerance", options.tolerance);
+  read.single("step", state.step);
+  read.single("diagrams", options.diagrams);
+  read.name("periodic", 4, options.periodic);
+  read.name("surface", 2, options.surface);
+  read.name("scheme", 2, options.scheme);
+  if (read.error) return tl::unexpected(std::move(*read.error));
+  return setup;
+}
+
+}  // namespace vorpipe

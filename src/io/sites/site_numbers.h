@@ -1,0 +1,30 @@
+/// A number for each site, from a file apart from the sites.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+/// What the numbers of a file are.
+struct NumbersKind {
+  std::string_view one, many;  ///< "weight", "weights", for messages
+  /// Whether the first line of a text is not a number but says what the numbers are.
+  std::function<bool(std::string_view line)> header;
+  /// The value that a finite number stands for. The error is what is wrong with it, which `text` says.
+  std::function<tl::expected<double, std::string>(double number, std::string_view text)> value;
+};
+
+/// Reads one finite number for each of `count` sites, in their order: from .txt or .csv, a number to a line,
+/// where # begins a comment; or from .npy, float32 or float64 of shape (N,) or (N, 1). Errors: a path or data
+/// that is wrong, or not as many numbers as sites, with file, line and column (input); reading failed or
+/// memory ran out (device).
+Result<std::vector<double>> readSiteNumbers(const std::string& path, std::uint64_t count,
+                                            const NumbersKind& kind);
+
+}  // namespace vorpipe

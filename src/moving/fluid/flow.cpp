@@ -1,0 +1,198 @@
+#include "moving/fluid/flow.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/block_sums.h"
+#include "moving/fluid/incompressible.h"
+
+namespace vorpipe::moving {
+namespace {
+
+/// What is left of the change of areas by velocities, as a part of what it was.
+constexpr double enough_projected = 1e-8;
+
+CellsOptions cellsOptions(const FluidOptions& options) {
+  CellsOptions cells{};
+  cells.domain = options.domain;
+  cells.periodic = options.periodic;
+  cells.search = options.search;
+  cells.progress = options.progress;
+  return cells;
+}
+
+double meanSpacing(const std::vector<double>& volume) {
+  const double sum = carefulSum(volume.size(), 1, [&](std::size_t i) { return volume[i]; });
+  return std::sqrt(sum / static_cast<double>(volume.size()));
+}
+
+double square(Point a) { return a.x * a.x + a.y * a.y; }
+
+/// Adds time times what accelerates.
+void kick(std::vector<Point>& velocity, const std::vector<Point>& acceleration, double time, int threads) {
+  forAll(velocity.size(), threads, [&](std::size_t i) {
+    velocity[i].x += time * acceleration[i].x;
+    velocity[i].y += time * acceleration[i].y;
+  });
+}
+
+}  // namespace
+
+Flow::Flow(Session& session, const FluidOptions& options, const Parcels& parcels)
+    : options_(options),
+      threads_(session.threads()),
+      spacing_(meanSpacing(parcels.volume)),
+      cells_(session, cellsOptions(options), options.surface, parcels.volume) {
+  const double usual = options.surface == Surface::free ? 1 : 2;
+  period_ = spacing_ * (options.epsilon > 0 ? options.epsilon : usual);
+}
+
+/// Finds weights with which the cells have their areas. They begin as they would be if they changed as they
+/// did last, which spares about one diagram of three.
+Result<bool> Flow::areas(Parcels& parcels, double time) {
+  std::vector<double>& weight = parcels.sites.weight;
+  const std::vector<double> before = weight;
+  const bool has_weights = time > 0 && before.size() == parcels.size();
+  if (has_weights && parcels.trend.size() == parcels.size()) {
+    forAll(parcels.size(), threads_, [&](std::size_t i) { weight[i] += time * parcels.trend[i]; });
+  }
+  if (options_.periodic != Periodic::none) {
+    auto inside = wrapped(parcels.sites, options_.domain, options_.periodic, threads_);
+    if (!inside) return tl::unexpected(std::move(inside.error()));
+    parcels.sites = std::move(*inside);
+  }
+  const auto end = cells_.solve(parcels.sites, {options_.tolerance, options_.diagrams});
+  if (!end) return tl::unexpected(end.error());
+  diagrams_ += cells_.trace().size();
+  for (const TransportStep& step : cells_.trace()) iterations_ += step.linear_iterations;
+  if (has_weights) {
+    parcels.trend.resize(parcels.size());
+    forAll(parcels.size(), threads_,
+           [&](std::size_t i) { parcels.trend[i] = (weight[i] - before[i]) / time; });
+  }
+  return *end == TransportEnd::converged;
+}
+
+/// Springs pull sites to the centroids of their cells. Weights are then pressures, up to a factor: by so much
+/// the energy of springs grows with the volume of a cell.
+void Flow::accelerate(Parcels& parcels) const {
+  const bool springs = options_.scheme == FluidScheme::springs;
+  const CellMoments& moments = cells_.cells().moments();
+  parcels.acceleration.resize(parcels.size());
+  if (springs) parcels.pressure.resize(parcels.size());
+  const double stiffness = springs ? 1 / (period_ * period_) : 0;
+  forAll(parcels.size(), threads_, [&](std::size_t i) {
+    const double own = stiffness * parcels.volume[i] / parcels.mass[i];
+    const Point centroid = moments.centroid[i];
+    parcels.acceleration[i] = {own * (centroid.x - parcels.sites.x[i]) + options_.gravity.x,
+                               own * (centroid.y - parcels.sites.y[i]) + options_.gravity.y};
+    if (springs) parcels.pressure[i] = 0.5 * stiffness * parcels.sites.weight[i];
+  });
+}
+
+Result<bool> Flow::place(Parcels& parcels, double time) {
+  auto placed = areas(parcels, time);
+  if (placed && *placed) accelerate(parcels);
+  return placed;
+}
+
+void Flow::drift(Parcels& parcels, double time) const {
+  forAll(parcels.size(), threads_, [&](std::size_t i) {
+    parcels.sites.x[i] += time * parcels.velocity[i].x;
+    parcels.sites.y[i] += time * parcels.velocity[i].y;
+  });
+}
+
+/// Velocity Verlet of x' = v, v' = (c - x) / epsilon^2 + g, with c the centroid of the cell (Gallouet and
+/// Merigot 2018, section 5, who take symplectic Euler).
+Result<bool> Flow::springs(Parcels& parcels, double length) {
+  kick(parcels.velocity, parcels.acceleration, length / 2, threads_);
+  drift(parcels, length);
+  auto placed = place(parcels, length);
+  if (placed && *placed) kick(parcels.velocity, parcels.acceleration, length / 2, threads_);
+  return placed;
+}
+
+/// Zehnder, Narain and Thomaszewski 2018, algorithm 1, for sites that carry their velocities: half a step,
+/// reflection about the velocities that change no area, the other half, projection to them.
+Result<bool> Flow::reflection(Parcels& parcels, double length) {
+  const auto half = [&] {
+    drift(parcels, length / 2);
+    auto placed = place(parcels, length / 2);
+    if (placed && *placed) kick(parcels.velocity, parcels.acceleration, length / 2, threads_);
+    return placed;
+  };
+  const auto projectInto = [&](std::vector<double>& pressure) {
+    const AreaChange change(cells_.cells(), parcels.sites, options_.domain, threads_);
+    iterations_ += project(change, parcels.mass, enough_projected, threads_, pressure, parcels.velocity);
+  };
+  auto placed = half();
+  if (!placed || !*placed) return placed;
+  const std::vector<Point> before = parcels.velocity;
+  // The step before left a pressure: what changes areas grows with the time since, and so does this.
+  const double scale = -length / 2;
+  for (double& pressure : parcels.pressure) pressure *= scale;
+  projectInto(parcels.pressure);
+  for (double& pressure : parcels.pressure) pressure /= scale;
+  forAll(parcels.size(), threads_, [&](std::size_t i) {
+    parcels.velocity[i].x += parcels.velocity[i].x - before[i].x;
+    parcels.velocity[i].y += parcels.velocity[i].y - before[i].y;
+  });
+  placed = half();
+  if (!placed || !*placed) return placed;
+  std::vector<double> pressure;
+  projectInto(pressure);
+  return true;
+}
+
+Result<bool> Flow::advance(Parcels& parcels, double length) {
+  return options_.scheme == FluidScheme::springs ? springs(parcels, length) : reflection(parcels, length);
+}
+
+/// A site goes no farther than a part of the spacing, and springs swing in no less than 8 pi steps, with
+/// which the energy keeps to 1e-3.
+double Flow::length(const Parcels& parcels) const {
+  if (options_.step > 0) return options_.step;
+  const bool free = options_.surface == Surface::free;
+  const double part = (free ? 0.2 : 0.5) * spacing_;
+  double fastest = 0;
+  for (const Point& v : parcels.velocity) fastest = std::max(fastest, square(v));
+  const double pull = std::hypot(options_.gravity.x, options_.gravity.y);
+  double length = options_.scheme == FluidScheme::springs ? period_ / 4 : spacing_;
+  if (fastest > 0) length = std::min(length, part / std::sqrt(fastest));
+  if (pull > 0) length = std::min(length, std::sqrt(part / pull) / 2);
+  return length;
+}
+
+void Flow::measure(const Parcels& parcels, FluidStep& step) const {
+  const CellMoments& moments = cells_.cells().moments();
+  const auto sum = [&](const auto& term) { return carefulSum(parcels.size(), threads_, term); };
+  const auto away = [&](std::size_t i) {
+    return Point{moments.centroid[i].x - parcels.sites.x[i], moments.centroid[i].y - parcels.sites.y[i]};
+  };
+  step.kinetic = sum([&](std::size_t i) { return parcels.mass[i] * square(parcels.velocity[i]) / 2; });
+  step.potential = -sum([&](std::size_t i) {
+    return parcels.mass[i] *
+           (options_.gravity.x * parcels.sites.x[i] + options_.gravity.y * parcels.sites.y[i]);
+  });
+  step.spring = 0;
+  if (options_.scheme == FluidScheme::springs) {
+    step.spring = sum([&](std::size_t i) { return moments.spread[i] + moments.mass[i] * square(away(i)); }) /
+                  (2 * period_ * period_);
+  }
+  step.momentum.x = sum([&](std::size_t i) { return parcels.mass[i] * parcels.velocity[i].x; });
+  step.momentum.y = sum([&](std::size_t i) { return parcels.mass[i] * parcels.velocity[i].y; });
+  step.worst = step.farthest = 0;
+  for (std::size_t i = 0; i < parcels.size(); ++i) {
+    step.worst = std::max(step.worst, std::abs(moments.mass[i] - parcels.volume[i]) / parcels.volume[i]);
+    step.farthest = std::max(step.farthest, square(away(i)));
+  }
+  step.farthest = std::sqrt(step.farthest) / spacing_;
+}
+
+void Flow::count(FluidStep& step) {
+  step.diagrams += std::exchange(diagrams_, 0);
+  step.linear_iterations += std::exchange(iterations_, 0);
+}
+
+}  // namespace vorpipe::moving

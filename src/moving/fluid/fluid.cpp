@@ -1,0 +1,227 @@
+#include "vorpipe/fluid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/refusal.h"
+#include "base/stopwatch.h"
+#include "moving/fluid/flow.h"
+#include "moving/fluid/parcels.h"
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+using namespace moving;
+
+namespace {
+
+/// After so many steps the order in memory follows the sites.
+constexpr std::uint64_t steps_of_order = 32;
+/// A step whose areas cannot be found is halved at most so often.
+constexpr int most_halvings = 6;
+
+tl::unexpected<Error> refuse(std::string message) {
+  return tl::unexpected(Error{ErrorCode::input, std::move(message)});
+}
+
+bool isPermutation(const std::vector<std::uint32_t>& order, std::size_t count) {
+  if (order.size() != count) return false;
+  std::vector<bool> seen(count);
+  for (const std::uint32_t i : order) {
+    if (i >= count || seen[i]) return false;
+    seen[i] = true;
+  }
+  return true;
+}
+
+Result<void> checkOptions(const FluidOptions& options) {
+  if (!(options.step >= 0) || !std::isfinite(options.step)) return refuse("step: it is not 0 or more");
+  if (!(options.epsilon >= 0) || !std::isfinite(options.epsilon)) {
+    return refuse("epsilon: it is not 0 or more");
+  }
+  if (!std::isfinite(options.gravity.x) || !std::isfinite(options.gravity.y)) {
+    return refuse("gravity: it is not finite");
+  }
+  if (!(options.tolerance > 0)) return refuse("tolerance: it is not more than 0");
+  if (options.scheme == FluidScheme::projection && options.surface == Surface::free) {
+    return refuse("scheme: projection is for domains that are full; springs have free surfaces");
+  }
+  return {};
+}
+
+/// Refuses arrays that are none of these sites, and fills in those that may be left out.
+Result<void> completeState(const FluidOptions& options, FluidState& state) {
+  const std::size_t count = state.sites.size();
+  const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
+  const auto fits = [&](std::size_t size) { return size == count || size == 0; };
+  if (!fits(state.velocity.size())) return refuse("velocity: there is not one for each site");
+  if (!fits(state.volume.size())) return refuse("volume: there is not one for each site");
+  if (!fits(state.density.size())) return refuse("density: there is not one for each site");
+  if (!fits(state.pressure.size())) return refuse("pressure: there is not one for each site");
+  if (!state.order.empty() && !isPermutation(state.order, count)) {
+    return refuse("order: it does not name each site once");
+  }
+  if (!std::ranges::all_of(state.velocity,
+                           [](Point v) { return std::isfinite(v.x) && std::isfinite(v.y); })) {
+    return refuse("velocity: it is not finite");
+  }
+  if (!std::ranges::all_of(state.volume, positive)) return refuse("volume: it is not more than 0");
+  if (!std::ranges::all_of(state.density, positive)) return refuse("density: it is not more than 0");
+  if (!std::ranges::all_of(state.pressure, [](double p) { return std::isfinite(p); })) {
+    return refuse("pressure: it is not finite");
+  }
+  state.velocity.resize(count, Point{0, 0});
+  if (!state.volume.empty()) return {};
+  if (options.surface == Surface::free) return refuse("volume: a free surface asks for one of each site");
+  const Box& box = options.domain;
+  const double area = (box.xmax - box.xmin) * (box.ymax - box.ymin);
+  state.volume.assign(count, area / static_cast<double>(count));
+  return {};
+}
+
+}  // namespace
+
+struct Fluid::State {
+  State(Session& from, FluidOptions how, FluidState begin)
+      : session(from),
+        options(std::move(how)),
+        callers(std::move(begin)),
+        now(parcelsOf(callers, options.domain)),
+        flow(std::make_unique<Flow>(session, options, now)) {}
+
+  Session& session;
+  FluidOptions options;
+  FluidState callers;  ///< in the caller's order, once it was asked for
+  bool callers_are_old = false;
+  Parcels now;
+  std::unique_ptr<Flow> flow;
+  Stopwatch watch{};
+  FluidStep last{};
+  FluidEnd end = FluidEnd::none;
+
+  void update();
+  Result<bool> reorder();
+  Result<bool> attempt(double length, int halvings, FluidStep& step);
+  Result<bool> advance();
+};
+
+/// Brings the caller's state up to date.
+void Fluid::State::update() {
+  if (!std::exchange(callers_are_old, false)) return;
+  backFrom(now, callers);
+}
+
+/// Neighbors drift apart in memory. What accelerates stays as it is: it follows the parcels.
+Result<bool> Fluid::State::reorder() {
+  update();
+  callers.order.clear();
+  now = parcelsOf(callers, options.domain);
+  callers.order = now.order;
+  flow = std::make_unique<Flow>(session, options, now);
+  return flow->place(now);
+}
+
+/// A step, or two of half its length where areas cannot be found, and so on.
+Result<bool> Fluid::State::attempt(double length, int halvings, FluidStep& step) {
+  const Parcels before = now;
+  auto done = flow->advance(now, length);
+  flow->count(step);
+  if (done && *done) return done;
+  now = before;
+  if (!done || halvings == 0) return done;
+  ++step.halvings;
+  for (int half = 0; half < 2; ++half) {
+    done = attempt(length / 2, halvings - 1, step);
+    if (!done || !*done) return done;
+  }
+  return done;
+}
+
+Result<bool> Fluid::State::advance() {
+  if (end != FluidEnd::none) return false;
+  FluidStep step{callers.step + 1};
+  const double left = options.until - callers.time;
+  double length = flow->length(now);
+  // What is left after the last whole step may be nothing but rounding.
+  constexpr double rounding = 1e-9;
+  if (!(left > rounding * length)) {
+    end = FluidEnd::time;
+    return false;
+  }
+  const bool is_last = left <= length * (1 + rounding);
+  if (is_last) length = left;
+  const Parcels before = now;
+  Result<bool> done = true;
+  if (callers.step > 0 && callers.step % steps_of_order == 0) done = reorder();
+  if (done && *done) done = attempt(length, most_halvings, step);
+  if (done && *done) {
+    callers_are_old = true;
+    callers.step = step.step;
+    callers.time = is_last ? options.until : callers.time + length;
+    step.time = callers.time;
+    step.length = length;
+    flow->measure(now, step);
+    step.seconds = watch.seconds();
+    last = step;
+    return true;
+  }
+  now = before;
+  if (!done && done.error().code != ErrorCode::cancelled) return done;
+  end = done ? FluidEnd::areas : FluidEnd::cancelled;
+  return false;
+}
+
+Fluid::Fluid() = default;
+Fluid::Fluid(Fluid&&) noexcept = default;
+Fluid& Fluid::operator=(Fluid&&) noexcept = default;
+Fluid::~Fluid() = default;
+
+Result<Fluid> Fluid::begin(Session& session, FluidState state, FluidOptions options) {
+  if (auto checked = checkOptions(options); !checked) return tl::unexpected(std::move(checked.error()));
+  CellsOptions cells{};
+  cells.domain = options.domain;
+  cells.periodic = options.periodic;
+  cells.search = options.search;
+  if (auto checked = checkInput(state.sites, cells); !checked) {
+    return tl::unexpected(std::move(checked.error()));
+  }
+  if (auto complete = completeState(options, state); !complete) {
+    return tl::unexpected(std::move(complete.error()));
+  }
+  Fluid fluid;
+  fluid.state_ = std::make_unique<State>(session, std::move(options), std::move(state));
+  State& s = *fluid.state_;
+  const auto placed = s.flow->place(s.now);
+  if (!placed) return tl::unexpected(placed.error());
+  if (!*placed) return refuse("volume: areas of the first cells could not be found");
+  s.callers_are_old = true;
+  s.last.step = s.callers.step;
+  s.last.time = s.callers.time;
+  s.flow->count(s.last);
+  s.flow->measure(s.now, s.last);
+  s.last.seconds = s.watch.seconds();
+  return fluid;
+}
+
+Result<bool> Fluid::step() { return state_->advance(); }
+
+const FluidState& Fluid::state() const {
+  state_->update();
+  return state_->callers;
+}
+const FluidStep& Fluid::last() const { return state_->last; }
+FluidEnd Fluid::end() const { return state_->end; }
+const Report& Fluid::report() const { return state_->flow->report(); }
+
+void Fluid::push(const std::vector<Point>& velocities) {
+  State& s = *state_;
+  for (std::size_t k = 0; k < s.now.size() && velocities.size() == s.now.size(); ++k) {
+    const Point more = velocities[s.now.order[k]];
+    s.now.velocity[k].x += more.x;
+    s.now.velocity[k].y += more.y;
+  }
+  s.callers_are_old = true;
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,60 @@
+#include "moving/transport/start_weights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace vorpipe::moving {
+namespace {
+
+struct Range {
+  double low, high;
+  [[nodiscard]] double middle() const { return low + (high - low) / 2; }
+  [[nodiscard]] double length() const { return high - low; }
+};
+
+Range rangeOf(const std::vector<double>& values) {
+  const auto [low, high] = std::ranges::minmax_element(values);
+  return {*low, *high};
+}
+
+/// Adds what one axis adds to the weights: with z the coordinate from the middle of `to`, and s(z - m) the
+/// place it is to have there, the weight is z^2 less twice the integral of that place.
+void addAxis(const std::vector<double>& coordinates, Range to, std::vector<double>& weights) {
+  const Range from = rangeOf(coordinates);
+  // Places at the wall would leave those sites a line of no area, were it not for their neighbors.
+  constexpr double inside = 0.999;
+  const double scale = from.length() > 0 ? inside * to.length() / from.length() : 1;
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    const double z = coordinates[i] - to.middle(), offset = coordinates[i] - from.middle();
+    weights[i] += z * z - scale * offset * offset;
+  }
+}
+
+}  // namespace
+
+std::vector<double> spreadWeights(const Sites& sites, const Box& into) {
+  std::vector<double> weights(sites.size());
+  addAxis(sites.x, {into.xmin, into.xmax}, weights);
+  addAxis(sites.y, {into.ymin, into.ymax}, weights);
+  return weights;
+}
+
+bool fillDomain(const Sites& sites, const Box& domain) {
+  const auto fill = [](Range sites_range, Range whole) {
+    constexpr double most_beside = 0.2;
+    const double slack = most_beside * whole.length();
+    return sites_range.low >= whole.low && sites_range.high <= whole.high &&
+           sites_range.low <= whole.low + slack && sites_range.high >= whole.high - slack;
+  };
+  return fill(rangeOf(sites.x), {domain.xmin, domain.xmax}) &&
+         fill(rangeOf(sites.y), {domain.ymin, domain.ymax});
+}
+
+std::vector<double> discWeights(std::span<const double> masses) {
+  std::vector<double> weights(masses.size());
+  std::ranges::transform(masses, weights.begin(), [](double mass) { return mass / std::numbers::pi; });
+  return weights;
+}
+
+}  // namespace vorpipe::moving

@@ -1,0 +1,22 @@
+/// Weights with which every cell has some of its mass, to begin with.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "vorpipe.h"
+
+namespace vorpipe::moving {
+
+/// Weights for which the point of `into` that lies as the site does in the box of all sites belongs to the
+/// site's cell, so that no cell is empty, wherever the sites are (Meyron 2019, section 3.3: the weights of a
+/// convex function's gradient). Sites on one line, or all at one place, stay as they are across it.
+std::vector<double> spreadWeights(const Sites& sites, const Box& into);
+
+/// Whether the box of all sites is about that of the domain: then equal weights are a better start.
+bool fillDomain(const Sites& sites, const Box& domain);
+
+/// Weights of discs that have the masses where no two of them meet.
+std::vector<double> discWeights(std::span<const double> masses);
+
+}  // namespace vorpipe::moving

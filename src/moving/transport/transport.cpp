@@ -1,0 +1,126 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "base/block_sums.h"
+#include "base/refusal.h"
+#include "moving/relax/memory_order.h"
+#include "moving/transport/prescribed_cells.h"
+#include "moving/transport/targets.h"
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+using namespace moving;
+
+namespace {
+
+CellsOptions cellsOptions(const TransportOptions& options) {
+  CellsOptions cells{};
+  cells.domain = options.domain;
+  cells.outline = options.outline;
+  cells.periodic = options.periodic;
+  cells.density = options.density;
+  cells.search = options.search;
+  cells.progress = options.progress;
+  return cells;
+}
+
+/// Of two sites at one place neither can have a mass of its own.
+Result<void> checkPlaces(const Sites& sites) {
+  std::vector<std::uint32_t> order(sites.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto placeOf = [&](std::uint32_t i) { return std::pair(sites.x[i], sites.y[i]); };
+  std::ranges::sort(order,
+                    [&](auto a, auto b) { return std::pair(placeOf(a), a) < std::pair(placeOf(b), b); });
+  const auto same =
+      std::ranges::adjacent_find(order, [&](auto a, auto b) { return placeOf(a) == placeOf(b); });
+  if (same == order.end()) return {};
+  return tl::unexpected(refusal(
+      Subject::sites,
+      fmt::format("sites {} and {} (counted from 0) are at one place, so that neither can have its mass",
+                  *same, *std::next(same))));
+}
+
+/// The mass of the domain: what all cells of a first diagram have.
+Result<double> wholeMass(Session& session, const Sites& sites, const TransportOptions& options) {
+  const Box& box = options.domain;
+  if (options.outline.empty() && options.density.values.empty()) {
+    return (box.xmax - box.xmin) * (box.ymax - box.ymin);
+  }
+  Sites equal = sites;
+  equal.weight.clear();
+  MovingCells cells(session, cellsOptions(options));
+  if (auto done = cells.update(equal); !done) return tl::unexpected(std::move(done.error()));
+  const auto& mass = cells.moments().mass;
+  return carefulSum(mass.size(), session.threads(), [&](std::size_t i) { return mass[i]; });
+}
+
+double costOf(const Sites& sites, const CellMoments& cells, int threads) {
+  return carefulSum(sites.size(), threads, [&](std::size_t i) {
+    const double dx = cells.centroid[i].x - sites.x[i], dy = cells.centroid[i].y - sites.y[i];
+    return cells.spread[i] + cells.mass[i] * (dx * dx + dy * dy);
+  });
+}
+
+/// Adding a number to all weights changes no cell, but for a free surface's.
+void centerWeights(std::vector<double>& weights) {
+  CarefulSum sum;
+  for (const double weight : weights) sum.add(weight);
+  const double mean = sum.value() / static_cast<double>(weights.size());
+  for (double& weight : weights) weight -= mean;
+}
+
+template <class Value>
+std::vector<Value> back(const std::vector<std::uint32_t>& order, const std::vector<Value>& values) {
+  std::vector<Value> to(values.size());
+  for (std::size_t k = 0; k < values.size(); ++k) to[order[k]] = values[k];
+  return to;
+}
+
+CellMoments back(const std::vector<std::uint32_t>& order, const CellMoments& cells) {
+  return {back(order, cells.status), back(order, cells.area), back(order, cells.mass),
+          back(order, cells.centroid), back(order, cells.spread)};
+}
+
+}  // namespace
+
+Result<Transported> transport(Session& session, Sites sites, const TransportOptions& options,
+                              const TransportWatcher& watcher) {
+  const CellsOptions cells = cellsOptions(options);
+  if (auto checked = checkInput(sites, cells); !checked) return tl::unexpected(std::move(checked.error()));
+  auto places = options.periodic == Periodic::none
+                    ? Result<Sites>(std::move(sites))
+                    : wrapped(sites, options.domain, options.periodic, session.threads());
+  if (!places) return tl::unexpected(std::move(places.error()));
+  if (auto checked = checkPlaces(*places); !checked) return tl::unexpected(std::move(checked.error()));
+  const auto whole = wholeMass(session, *places, options);
+  if (!whole) return tl::unexpected(whole.error());
+  const auto targets = targetsOf(options, places->size(), *whole);
+  if (!targets) return tl::unexpected(targets.error());
+  const auto order = memoryOrder(*places, options.domain);
+  std::vector<double> ordered(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) ordered[k] = (*targets)[order[k]];
+  Sites at = inOrder(*places, order);
+  PrescribedCells prescribed(session, cells, options.surface, std::move(ordered));
+  const auto end = prescribed.solve(at, {options.tolerance, options.diagrams}, watcher);
+  if (!end) return tl::unexpected(end.error());
+  Transported done;
+  done.end = *end;
+  done.trace = prescribed.trace();
+  done.report = prescribed.cells().report();
+  if (prescribed.areMeasured()) {
+    const CellMoments& moments = prescribed.cells().moments();
+    done.cost = costOf(at, moments, session.threads());
+    done.cells = back(order, moments);
+  }
+  if (options.surface == Surface::none) centerWeights(at.weight);
+  done.sites = std::move(*places);
+  done.sites.weight = back(order, at.weight);
+  return done;
+}
+
+}  // namespace vorpipe

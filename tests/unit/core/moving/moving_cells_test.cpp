@@ -1,0 +1,346 @@
+/// What solvers rely on: masses to 1e-12 of the mean cell, and edges that say how masses change.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <tuple>
+
+#include "unit/fixtures/checked_runs.h"
+#include "unit/fixtures/outlines.h"
+
+namespace vorpipe::test {
+namespace {
+
+constexpr std::size_t sites_of_a_case = 60;
+
+struct Case {
+  const char* name;
+  CellsOptions options;
+};
+
+Density speckled(int width, int height) {
+  Density density{width, height, {}};
+  for (int k = 0; k < width * height; ++k)
+    density.values.push_back(0.1 + std::abs(std::sin(12.9898 * k + 4.1 * std::sin(0.37 * k))));
+  return density;
+}
+
+std::vector<Case> cases() {
+  const Outline outline{{{0.02, 0.03},
+                         {0.97, 0.1},
+                         {0.6, 0.45},
+                         {0.9, 0.98},
+                         {0.1, 0.9},
+                         {0.31, 0.31},
+                         {0.34, 0.62},
+                         {0.52, 0.55}},
+                        {0, 5, 8},
+                        {0, 2}};
+  const auto options = [](Periodic periodic, const Outline& inside, const Density& density) {
+    CellsOptions wanted{};
+    wanted.domain = {0, 0, 1, 1};
+    wanted.periodic = periodic;
+    wanted.outline = inside;
+    wanted.density = density;
+    return wanted;
+  };
+  const Density density = speckled(13, 9);
+  return {{"box", options(Periodic::none, {}, {})},
+          {"periodic", options(Periodic::xy, {}, {})},
+          {"outline", options(Periodic::none, outline, {})},
+          {"density", options(Periodic::none, {}, density)},
+          {"periodic density", options(Periodic::xy, {}, density)},
+          {"half periodic density", options(Periodic::y, {}, density)},
+          {"outlined density", options(Periodic::none, outline, density)}};
+}
+
+/// Every site has a cell, in the outline of the cases as well.
+Sites weightedSites(std::uint64_t seed) {
+  Sites sites = generate(Pattern::jitter, sites_of_a_case, seed);
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    sites.weight.push_back(1e-3 * std::sin(7.0 * static_cast<double>(i)));
+  }
+  return sites;
+}
+
+std::vector<double> massesOf(MovingCells& cells, const Sites& sites) {
+  const auto updated = cells.update(sites);
+  EXPECT_TRUE(updated) << updated.error().message;
+  return cells.moments().mass;
+}
+
+/// Central differences of all masses, by a change that `move` makes of the sites.
+template <class Move>
+std::vector<double> differences(MovingCells& cells, const Sites& sites, const Move& move) {
+  constexpr double step = 1e-6;
+  Sites more = sites, less = sites;
+  move(more, step);
+  move(less, -step);
+  auto slope = massesOf(cells, more);
+  const auto below = massesOf(cells, less);
+  for (std::size_t i = 0; i < slope.size(); ++i) slope[i] = (slope[i] - below[i]) / (2 * step);
+  return slope;
+}
+
+/// What the edges say.
+struct Slopes {
+  std::vector<double> by_weight, by_x, by_y;  ///< of all masses, by what one site does
+};
+
+/// Where the neighbor of cell i across edge e stands.
+Point neighborAt(const CellsThatMeet& meet, const Sites& sites, std::size_t e) {
+  const auto j = static_cast<std::size_t>(meet.neighbors[e]);
+  if (meet.shifts.empty()) return {sites.x[j], sites.y[j]};
+  return {sites.x[j] + meet.shifts[e][0], sites.y[j] + meet.shifts[e][1]};
+}
+
+Slopes slopesBy(std::size_t site, const CellsThatMeet& meet, const EdgesOfCells& edges, const Sites& sites) {
+  Slopes slopes{std::vector<double>(sites.size()), std::vector<double>(sites.size()),
+                std::vector<double>(sites.size())};
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    for (auto e = meet.offsets[i]; e < meet.offsets[i + 1]; ++e) {
+      if (meet.neighbors[e] < 0) continue;
+      const double c = edges.coupling[e];
+      const Point b = edges.middle[e], p = neighborAt(meet, sites, e);
+      if (static_cast<std::size_t>(meet.neighbors[e]) == site) {
+        slopes.by_weight[i] -= c;
+        slopes.by_x[i] += 2 * c * (p.x - b.x);
+        slopes.by_y[i] += 2 * c * (p.y - b.y);
+      }
+      if (i == site) {
+        slopes.by_weight[i] += c;
+        slopes.by_x[i] -= 2 * c * (sites.x[i] - b.x);
+        slopes.by_y[i] -= 2 * c * (sites.y[i] - b.y);
+      }
+    }
+  }
+  return slopes;
+}
+
+void expectNear(const std::vector<double>& a, const std::vector<double>& b, double slack) {
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a[i], b[i], slack) << "cell " << i;
+}
+
+TEST(MovingCells, edgesAreTheDerivativesOfMasses) {
+  Session session = cpuSession();
+  const Sites sites = weightedSites(3);
+  for (const auto& [name, options] : cases()) {
+    SCOPED_TRACE(name);
+    MovingCells cells(session, options), moved(session, options);
+    massesOf(cells, sites);
+    for (const std::size_t site : {0u, 8u, 27u, 41u}) {
+      SCOPED_TRACE(testing::Message() << "by site " << site);
+      const Slopes slopes = slopesBy(site, cells.neighbors(), cells.edges(), sites);
+      const auto by_weight =
+          differences(moved, sites, [=](Sites& s, double step) { s.weight[site] += step; });
+      expectNear(slopes.by_weight, by_weight, 1e-7);
+      expectNear(slopes.by_x, differences(moved, sites, [=](Sites& s, double step) { s.x[site] += step; }),
+                 1e-7);
+      expectNear(slopes.by_y, differences(moved, sites, [=](Sites& s, double step) { s.y[site] += step; }),
+                 1e-7);
+    }
+  }
+}
+
+/// Couplings by their two cells and the shift between them; those of several edges are added up.
+std::map<std::tuple<std::size_t, std::size_t, std::int32_t, std::int32_t>, double> couplingsOf(
+    const CellsThatMeet& meet, const EdgesOfCells& edges) {
+  std::map<std::tuple<std::size_t, std::size_t, std::int32_t, std::int32_t>, double> couplings;
+  for (std::size_t i = 0; i + 1 < meet.offsets.size(); ++i) {
+    for (auto e = meet.offsets[i]; e < meet.offsets[i + 1]; ++e) {
+      if (meet.neighbors[e] < 0) {
+        EXPECT_EQ(edges.coupling[e], 0);
+        continue;
+      }
+      const auto shift = meet.shifts.empty() ? std::array<std::int32_t, 2>{} : meet.shifts[e];
+      couplings[{i, static_cast<std::size_t>(meet.neighbors[e]), shift[0], shift[1]}] += edges.coupling[e];
+    }
+  }
+  return couplings;
+}
+
+TEST(MovingCells, couplingsAreThoseOfTheOtherCell) {
+  Session session = cpuSession();
+  for (const auto& [name, options] : cases()) {
+    SCOPED_TRACE(name);
+    MovingCells cells(session, options);
+    massesOf(cells, weightedSites(4));
+    const auto couplings = couplingsOf(cells.neighbors(), cells.edges());
+    for (const auto& [key, coupling] : couplings) {
+      const auto [i, j, x, y] = key;
+      const auto back = couplings.find({j, i, -x, -y});
+      ASSERT_NE(back, couplings.end()) << i << " and " << j;
+      EXPECT_NEAR(coupling, back->second, 1e-13) << i << " and " << j;
+      EXPECT_GT(coupling, 0);
+    }
+  }
+}
+
+struct LongPoint {
+  long double x, y;
+};
+using LongRing = std::vector<LongPoint>;
+
+/// The part of a convex ring where beyond(p), which is linear, is not positive.
+template <class Beyond>
+LongRing cutRing(const LongRing& ring, const Beyond& beyond) {
+  LongRing kept;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const LongPoint a = ring[k], b = ring[k + 1 < ring.size() ? k + 1 : 0];
+    const long double at_a = beyond(a), at_b = beyond(b);
+    if (at_a <= 0) kept.push_back(a);
+    if ((at_a < 0 && at_b > 0) || (at_a > 0 && at_b < 0)) {
+      const long double t = at_a / (at_a - at_b);
+      kept.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)});
+    }
+  }
+  return kept;
+}
+
+long double areaOf(const LongRing& ring) {
+  long double twice = 0;
+  for (std::size_t k = 1; k + 1 < ring.size(); ++k) {
+    const LongPoint o = ring[0], a = ring[k], b = ring[k + 1];
+    twice += (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+  }
+  return twice / 2;
+}
+
+LongRing ringOf(long double xmin, long double ymin, long double xmax, long double ymax) {
+  return {{xmin, ymin}, {xmax, ymin}, {xmax, ymax}, {xmin, ymax}};
+}
+
+/// Cells in 64 bits of mantissa, by the bisectors with sites at most `reach` away; the domain is the unit
+/// square. The outline, if any, is convex.
+class LongCells {
+ public:
+  LongCells(const Sites& sites, const CellsOptions& options, double reach)
+      : sites_(sites), options_(options), reach_(reach) {}
+
+  [[nodiscard]] long double massOf(std::size_t i) const {
+    const LongRing ring = ringOfCell(i);
+    const Density& density = options_.density;
+    if (density.values.empty()) return areaOf(ring);
+    long double mass = 0;
+    for (int row = -density.height; row < 2 * density.height; ++row) {
+      const LongRing strip = between(ring, &LongPoint::y, row, density.height);
+      for (int column = -density.width; column < 2 * density.width && !strip.empty(); ++column) {
+        const int from_top = density.height - 1 - (row + density.height) % density.height;
+        const int own = from_top * density.width + (column + density.width) % density.width;
+        mass += density.values[static_cast<std::size_t>(own)] *
+                areaOf(between(strip, &LongPoint::x, column, density.width));
+      }
+    }
+    return mass;
+  }
+
+ private:
+  /// The part between the lines `at` and at + 1 of `of` per unit.
+  static LongRing between(const LongRing& ring, long double LongPoint::*axis, int at, int of) {
+    const long double low = static_cast<long double>(at) / of, high = static_cast<long double>(at + 1) / of;
+    return cutRing(cutRing(ring, [=](LongPoint p) { return low - p.*axis; }),
+                   [=](LongPoint p) { return p.*axis - high; });
+  }
+
+  [[nodiscard]] LongRing ringOfCell(std::size_t i) const {
+    const bool is_periodic = options_.periodic == Periodic::xy;
+    LongRing ring = is_periodic ? ringOf(-1, -1, 2, 2) : ringOf(0, 0, 1, 1);
+    const int images = is_periodic ? 1 : 0;
+    for (std::size_t j = 0; j < sites_.size(); ++j) {
+      for (int sy = -images; sy <= images; ++sy) {
+        for (int sx = -images; sx <= images; ++sx) ring = cutBySite(std::move(ring), i, j, sx, sy);
+      }
+    }
+    const auto& points = options_.outline.points;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const Point a = points[k], b = points[(k + 1) % points.size()];
+      ring = cutRing(ring, [=](LongPoint p) {
+        return (p.x - a.x) * (static_cast<long double>(b.y) - a.y) -
+               (p.y - a.y) * (static_cast<long double>(b.x) - a.x);
+      });
+    }
+    return ring;
+  }
+
+  [[nodiscard]] LongRing cutBySite(LongRing ring, std::size_t i, std::size_t j, int sx, int sy) const {
+    const long double dx = static_cast<long double>(sites_.x[j]) + sx - sites_.x[i];
+    const long double dy = static_cast<long double>(sites_.y[j]) + sy - sites_.y[i];
+    const long double squared = dx * dx + dy * dy;
+    if (squared == 0 || squared > reach_ * reach_) return ring;
+    const long double heavier =
+        sites_.weight.empty() ? 0 : static_cast<long double>(sites_.weight[i]) - sites_.weight[j];
+    return cutRing(ring, [=, this](LongPoint p) {
+      return 2 * ((p.x - sites_.x[i]) * dx + (p.y - sites_.y[i]) * dy) - squared - heavier;
+    });
+  }
+
+  const Sites& sites_;
+  const CellsOptions& options_;
+  long double reach_;
+};
+
+/// A lattice whose sites are moved, and get weights, by some parts of its spacing.
+Sites disturbed(Pattern lattice, double by, double weights) {
+  constexpr std::uint64_t count = 144;
+  const double spacing = 1 / std::sqrt(static_cast<double>(count));
+  Sites sites = generate(lattice, count, 1);
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const auto k = static_cast<double>(i);
+    sites.x[i] += by * spacing * std::sin(78.233 * k);
+    sites.y[i] += by * spacing * std::sin(12.9898 * k * k);
+    if (weights > 0) sites.weight.push_back(weights * spacing * spacing * std::sin(7.0 * k));
+  }
+  return sites;
+}
+
+std::vector<Case> exactCases() {
+  std::vector<Case> all = cases();
+  std::erase_if(all, [](const Case& c) { return c.options.periodic == Periodic::y; });
+  for (Case& c : all) {
+    if (!c.options.outline.empty())
+      c.options.outline = {{{0.04, 0.03}, {0.97, 0.11}, {0.9, 0.98}, {0.1, 0.9}}, {0, 4}, {0, 1}};
+  }
+  return all;
+}
+
+double worstMass(const Sites& sites, const CellsOptions& options) {
+  Session session = cpuSession();
+  MovingCells cells(session, options);
+  const auto masses = massesOf(cells, sites);
+  const auto placed = wrapped(sites, options.domain, options.periodic);
+  EXPECT_TRUE(placed);
+  const LongCells exact(*placed, options, 0.35);
+  double worst = 0;
+  long double total = 0;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const long double right = exact.massOf(i);
+    total += right;
+    worst = std::max(worst, static_cast<double>(std::abs(masses[i] - right)));
+  }
+  const double sum = std::reduce(masses.begin(), masses.end());
+  EXPECT_NEAR(sum, static_cast<double>(total), 1e-13 * sum);
+  return worst / (sum / static_cast<double>(sites.size()));
+}
+
+/// All corners of a lattice are ties, or nearly so.
+TEST(MovingCells, massesOfDisturbedLatticesAreExact) {
+  for (const auto& [name, options] : exactCases()) {
+    for (const Pattern lattice : {Pattern::square, Pattern::hex}) {
+      for (const double by : {0.0, 1e-8, 1e-6, 1e-3}) {
+        for (const double weights : {0.0, 1e-8, 1e-3}) {
+          const double worst = worstMass(disturbed(lattice, by, weights), options);
+          // Cells in an outline are those of its polygons, after ties join their corners.
+          EXPECT_LT(worst, options.outline.empty() ? 1e-12 : 1e-5)
+              << name << (lattice == Pattern::hex ? ", hexagonal" : ", square") << ", moved by " << by
+              << ", weights " << weights;
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace vorpipe::test

@@ -1,0 +1,177 @@
+#include "vorpipe/fluid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "moving/fluid/incompressible.h"
+#include "vorpipe.h"
+
+namespace vorpipe {
+namespace {
+
+Session openCpu(int threads = 0) {
+  BackendOptions options{};
+  options.name = "cpu";
+  options.threads = threads;
+  auto session = Session::open(options);
+  EXPECT_TRUE(session);
+  return std::move(*session);
+}
+
+/// What a run came to, and what it was on the way.
+struct Ran {
+  FluidState state;
+  FluidStep first, last;
+  double drift = 0, worst = 0;
+  std::uint64_t steps = 0;
+};
+
+Ran runSteps(Session& session, const FluidSetup& setup, std::uint64_t most = UINT64_MAX) {
+  Ran ran;
+  auto fluid = Fluid::begin(session, setup.state, setup.options);
+  EXPECT_TRUE(fluid) << fluid.error().message;
+  if (!fluid) return ran;
+  ran.first = fluid->last();
+  for (; ran.steps < most; ++ran.steps) {
+    const auto more = fluid->step();
+    EXPECT_TRUE(more);
+    if (!more || !*more) break;
+    ran.drift = std::max(ran.drift, std::abs(fluid->last().energy() / ran.first.energy() - 1));
+    ran.worst = std::max(ran.worst, fluid->last().worst);
+  }
+  ran.state = fluid->state();
+  ran.last = fluid->last();
+  return ran;
+}
+
+double velocityError(FluidCase which, const FluidSetup& setup, const FluidState& state) {
+  double error = 0, whole = 0;
+  for (std::size_t i = 0; i < state.sites.size(); ++i) {
+    const Point exact = *steadyVelocity(which, {state.sites.x[i], state.sites.y[i]});
+    error += std::pow(state.velocity[i].x - exact.x, 2) + std::pow(state.velocity[i].y - exact.y, 2);
+    whole += std::pow(setup.state.velocity[i].x, 2) + std::pow(setup.state.velocity[i].y, 2);
+  }
+  return std::sqrt(error / whole);
+}
+
+FluidSetup taylorGreen(std::uint64_t parcels, FluidScheme scheme, double step_in_spacings) {
+  FluidSetup setup = fluidCase(FluidCase::taylor_green, parcels);
+  setup.options.scheme = scheme;
+  setup.options.step = step_in_spacings / std::sqrt(static_cast<double>(parcels));
+  return setup;
+}
+
+TEST(Fluid, SpringsKeepEnergyToTheSecondOrder) {
+  Session session = openCpu();
+  const Ran coarse = runSteps(session, taylorGreen(256, FluidScheme::springs, 0.5));
+  const Ran fine = runSteps(session, taylorGreen(256, FluidScheme::springs, 0.25));
+  EXPECT_EQ(coarse.steps, 16U);
+  EXPECT_LE(coarse.drift, 1e-3);
+  EXPECT_LE(fine.drift, coarse.drift / 3.5);
+  EXPECT_LE(std::max(coarse.worst, fine.worst), 1e-6);
+  EXPECT_NEAR(coarse.last.momentum.x, 0, 1e-9);
+}
+
+TEST(Fluid, ReflectionIsOfSecondOrder) {
+  Session session = openCpu();
+  const FluidSetup small = taylorGreen(256, FluidScheme::projection, 0.5);
+  const FluidSetup large = taylorGreen(1024, FluidScheme::projection, 0.5);
+  const Ran coarse = runSteps(session, small), fine = runSteps(session, large);
+  const double error = velocityError(FluidCase::taylor_green, small, coarse.state);
+  const double less = velocityError(FluidCase::taylor_green, large, fine.state);
+  EXPECT_LE(error, 0.16);
+  EXPECT_GE(std::log2(error / less), 1.7);
+  EXPECT_NEAR(fine.last.kinetic / fine.first.kinetic, 1, 1e-4);
+}
+
+/// Across a change of the order in memory, which comes after 32 steps.
+TEST(Fluid, GoesOnFromAStateToTheSameBytes) {
+  for (const auto scheme : {FluidScheme::springs, FluidScheme::projection}) {
+    Session session = openCpu();
+    FluidSetup setup = taylorGreen(100, scheme, 0);
+    setup.options.until = 10;
+    const Ran whole = runSteps(session, setup, 36);
+    setup.state = runSteps(session, setup, 30).state;
+    EXPECT_EQ(setup.state.step, 30U);
+    Session other = openCpu(1);
+    const Ran rest = runSteps(other, setup, 6);
+    EXPECT_EQ(rest.state.step, 36U);
+    EXPECT_EQ(rest.state.time, whole.state.time);
+    EXPECT_EQ(rest.state.sites.x, whole.state.sites.x);
+    EXPECT_EQ(rest.state.sites.weight, whole.state.sites.weight);
+    EXPECT_EQ(rest.state.velocity, whole.state.velocity);
+    EXPECT_EQ(rest.state.pressure, whole.state.pressure);
+  }
+}
+
+TEST(Fluid, AreasChangeAsTheDerivativesSay) {
+  Session session = openCpu();
+  const Sites sites = generate(Pattern::jitter, 36, 4);
+  const Box box{0, 0, 1, 1};
+  MovingCells cells(session, {.domain = box, .search = {}, .progress = {}});
+  ASSERT_TRUE(cells.update(sites));
+  std::vector<Point> velocity;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    velocity.push_back({std::sin(7.0 * static_cast<double>(i)), std::cos(3.0 * static_cast<double>(i))});
+  }
+  std::vector<double> change;
+  moving::AreaChange(cells, sites, box, 1).apply(velocity, change);
+  constexpr double step = 1e-6;
+  const auto areasAfter = [&](double time) {
+    Sites moved = sites;
+    for (std::size_t i = 0; i < sites.size(); ++i) {
+      moved.x[i] += time * velocity[i].x;
+      moved.y[i] += time * velocity[i].y;
+    }
+    EXPECT_TRUE(cells.update(moved));
+    return cells.moments().area;
+  };
+  const std::vector<double> after = areasAfter(step), before = areasAfter(-step);
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    EXPECT_NEAR(change[i], (after[i] - before[i]) / (2 * step), 1e-7);
+  }
+}
+
+TEST(Fluid, RefusesWhatDoesNotFit) {
+  Session session = openCpu();
+  const auto refused = [&](const auto& spoil) {
+    FluidSetup setup = fluidCase(FluidCase::taylor_green, 16);
+    spoil(setup);
+    const auto fluid = Fluid::begin(session, setup.state, setup.options);
+    EXPECT_FALSE(fluid);
+    return fluid ? std::string() : fluid.error().message;
+  };
+  EXPECT_EQ(refused([](FluidSetup& s) { s.state.velocity.pop_back(); }),
+            "velocity: there is not one for each site");
+  EXPECT_EQ(refused([](FluidSetup& s) { s.state.density = {1}; }), "density: there is not one for each site");
+  EXPECT_EQ(refused([](FluidSetup& s) { s.state.order.assign(16, 0); }),
+            "order: it does not name each site once");
+  EXPECT_EQ(refused([](FluidSetup& s) { s.options.step = -1; }), "step: it is not 0 or more");
+  EXPECT_EQ(refused([](FluidSetup& s) { s.state.velocity[3].x = NAN; }), "velocity: it is not finite");
+  EXPECT_EQ(refused([](FluidSetup& s) {
+              s.options.scheme = FluidScheme::projection;
+              s.options.surface = Surface::free;
+            }),
+            "scheme: projection is for domains that are full; springs have free surfaces");
+}
+
+TEST(Fluid, StopsWhereProgressSaysSo) {
+  Session session = openCpu();
+  FluidSetup setup = taylorGreen(64, FluidScheme::springs, 0.5);
+  bool go_on = true;
+  setup.options.progress = [&](std::string_view, double) { return go_on; };
+  auto fluid = Fluid::begin(session, setup.state, setup.options);
+  ASSERT_TRUE(fluid);
+  EXPECT_TRUE(fluid->step().value());
+  const FluidState before = fluid->state();
+  go_on = false;
+  EXPECT_FALSE(fluid->step().value());
+  EXPECT_EQ(fluid->end(), FluidEnd::cancelled);
+  EXPECT_EQ(fluid->state().sites.x, before.sites.x);
+}
+
+}  // namespace
+}  // namespace vorpipe

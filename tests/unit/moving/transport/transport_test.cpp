@@ -1,0 +1,246 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "moving/transport/start_weights.h"
+#include "vorpipe.h"
+
+namespace vorpipe::test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+Session sessionOf(int threads = 0) {
+  BackendOptions options;
+  options.name = "cpu";
+  options.threads = threads;
+  return std::move(Session::open(options).value());
+}
+
+TransportOptions unitSquare(double tolerance = 1e-12) {
+  TransportOptions options{};
+  options.domain = {0, 0, 1, 1};
+  options.tolerance = tolerance;
+  return options;
+}
+
+Transported transported(const Sites& sites, const TransportOptions& options, int threads = 0) {
+  Session session = sessionOf(threads);
+  auto done = transport(session, sites, options);
+  EXPECT_TRUE(done) << (done ? "" : done.error().message);
+  return done ? std::move(*done) : Transported{};
+}
+
+Error refused(const Sites& sites, const TransportOptions& options) {
+  Session session = sessionOf();
+  const auto done = transport(session, sites, options);
+  EXPECT_FALSE(done);
+  return done ? Error{} : done.error();
+}
+
+double worstOf(const std::vector<double>& mass, const std::vector<double>& target) {
+  double worst = 0;
+  for (std::size_t i = 0; i < mass.size(); ++i) {
+    worst = std::max(worst, std::abs(mass[i] - target[i]) / target[i]);
+  }
+  return worst;
+}
+
+std::vector<double> equalShares(std::size_t count) {
+  return std::vector<double>(count, 1.0 / static_cast<double>(count));
+}
+
+/// The masses 1 to `most`, as the sites come, of the unit square.
+std::vector<double> unequal(std::size_t count, std::size_t most) {
+  std::vector<double> masses(count);
+  for (std::size_t i = 0; i < count; ++i) masses[i] = static_cast<double>(1 + i * 7919 % most);
+  const double sum = std::accumulate(masses.begin(), masses.end(), 0.0);
+  for (double& mass : masses) mass /= sum;
+  return masses;
+}
+
+Sites lattice(int side, double x_scale, double y_scale) {
+  Sites sites;
+  for (int row = 0; row < side; ++row) {
+    for (int column = 0; column < side; ++column) {
+      sites.x.push_back(x_scale * (column + 0.5) / side);
+      sites.y.push_back(y_scale * (row + 0.5) / side);
+    }
+  }
+  return sites;
+}
+
+Density blob(int side) {
+  Density density{side, side, {}};
+  for (int k = 0; k < side * side; ++k) {
+    const double x = (k % side + 0.5) / side - 0.4, y = (k / side + 0.5) / side - 0.6;
+    density.values.push_back(std::exp(-8 * (x * x + y * y)) + 0.01);
+  }
+  return density;
+}
+
+TEST(Transport, randomSitesGetEqualAreasInFewDiagrams) {
+  const Sites sites = generate(Pattern::random, 10000, 1);
+  const Transported done = transported(sites, unitSquare());
+  EXPECT_EQ(done.end, TransportEnd::converged);
+  EXPECT_LE(done.trace.size(), 12u);
+  EXPECT_LE(worstOf(done.cells.mass, equalShares(sites.size())), 1e-12);
+  EXPECT_EQ(done.sites.x, sites.x);
+}
+
+TEST(Transport, theCellsOfItsWeightsAreItsCells) {
+  const Transported done = transported(generate(Pattern::random, 3000, 2), unitSquare());
+  Session session = sessionOf();
+  CellsOptions options{};
+  options.domain = {0, 0, 1, 1};
+  const Diagram diagram = session.cells(done.sites, options).value();
+  EXPECT_LE(worstOf(diagram.area, equalShares(diagram.size())), 2e-12);
+}
+
+/// The map from the unit square to the lattice halves it, so that weights are those of its convex function.
+TEST(Transport, aLatticeOfHalfTheSizeHasTheWeightsOfAScaling) {
+  constexpr int side = 24;
+  const Sites sites = lattice(side, 0.5, 0.5);
+  const Transported done = transported(sites, unitSquare(1e-13));
+  for (std::size_t i = 1; i < sites.size(); ++i) {
+    const auto expected = [&](std::size_t k) { return -(sites.x[k] * sites.x[k] + sites.y[k] * sites.y[k]); };
+    EXPECT_NEAR(done.sites.weight[i] - done.sites.weight[0], expected(i) - expected(0), 1e-12);
+  }
+  const double spacing = 1.0 / side;
+  EXPECT_NEAR(done.cost, 1.0 / 6 + spacing * spacing / 8, 1e-12);
+}
+
+TEST(Transport, affineMapsHaveTheirClosedForm) {
+  const Sites sites = lattice(20, 0.5, 0.8);
+  const Transported done = transported(sites, unitSquare(1e-13));
+  const auto expected = [&](std::size_t k) {
+    return sites.x[k] * sites.x[k] * (1 - 1 / 0.5) + sites.y[k] * sites.y[k] * (1 - 1 / 0.8);
+  };
+  for (std::size_t i = 1; i < sites.size(); ++i) {
+    EXPECT_NEAR(done.sites.weight[i] - done.sites.weight[0], expected(i) - expected(0), 1e-12);
+  }
+}
+
+TEST(Transport, aHexagonalLatticeThatRepeatsIsThereAlready) {
+  TransportOptions options = unitSquare();
+  Sites sites;
+  constexpr int columns = 16, rows = 18;
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      sites.x.push_back((column + (row % 2) * 0.5) / columns);
+      sites.y.push_back((row + 0.5) / rows);
+    }
+  }
+  options.domain = {0, 0, 1, rows * std::sqrt(3.0) / 2 / columns};
+  for (double& y : sites.y) y *= options.domain.ymax;
+  options.periodic = Periodic::xy;
+  const Transported done = transported(sites, options);
+  EXPECT_EQ(done.trace.size(), 1u);
+  for (const double weight : done.sites.weight) EXPECT_NEAR(weight, 0, 1e-15);
+}
+
+TEST(Transport, massesMayBeFarFromEachOther) {
+  const Sites sites = generate(Pattern::random, 4000, 3);
+  TransportOptions options = unitSquare(1e-8);
+  options.masses = unequal(sites.size(), 10000);
+  const Transported done = transported(sites, options);
+  EXPECT_EQ(done.end, TransportEnd::converged);
+  EXPECT_LE(worstOf(done.cells.mass, options.masses), 1e-8);
+}
+
+TEST(Transport, clustersAndSitesOutsideGetTheirShares) {
+  for (Sites sites : {generate(Pattern::clusters, 3000, 4), generate(Pattern::random, 3000, 5)}) {
+    const bool clusters = sites.x == generate(Pattern::clusters, 3000, 4).x;
+    for (double& x : sites.x) x = clusters ? x : 0.9 + 0.3 * x;
+    for (double& y : sites.y) y = clusters ? y : -0.5 + 0.3 * y;
+    const Transported done = transported(sites, unitSquare(1e-9));
+    EXPECT_EQ(done.end, TransportEnd::converged);
+    EXPECT_LE(worstOf(done.cells.mass, equalShares(sites.size())), 1e-9);
+  }
+}
+
+TEST(Transport, densitiesEndQuadratically) {
+  const Sites sites = generate(Pattern::random, 1000, 6);
+  TransportOptions options = unitSquare(1e-10);
+  options.density = blob(64);
+  const Transported done = transported(sites, options);
+  EXPECT_EQ(done.end, TransportEnd::converged);
+  std::vector<double> worst;
+  for (const TransportStep& step : done.trace) {
+    if (step.taken) worst.push_back(step.worst);
+  }
+  ASSERT_GE(worst.size(), 3u);
+  // Before rounding: the digits double.
+  const double before = worst[worst.size() - 3], then = worst[worst.size() - 2];
+  EXPECT_LT(then, 10 * before * before + 1e-10);
+}
+
+TEST(Transport, sitesMayLieWhereThereIsNoMass) {
+  Sites sites = generate(Pattern::random, 300, 10);
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    sites.x[i] = 0.6 + 0.4 * sites.x[i];
+    sites.y[i] = 0.6 + 0.4 * sites.y[i];
+  }
+  TransportOptions letter = unitSquare(1e-8), half = unitSquare(1e-8);
+  letter.outline = {{{0, 0}, {1, 0}, {1, 0.2}, {0.2, 0.2}, {0.2, 1}, {0, 1}}, {0, 6}, {0, 1}};
+  half.density = {2, 1, {1, 0}};
+  for (const TransportOptions& options : {letter, half}) {
+    const Transported done = transported(sites, options);
+    EXPECT_EQ(done.end, TransportEnd::converged);
+    const auto [least, most] = std::ranges::minmax(done.cells.mass);
+    EXPECT_NEAR(least / most, 1, 1e-7);
+  }
+}
+
+TEST(Transport, weightsThatAreRightAreLeft) {
+  const Transported first = transported(generate(Pattern::random, 2000, 7), unitSquare(1e-9));
+  const Transported second = transported(first.sites, unitSquare(1e-8));
+  EXPECT_EQ(second.trace.size(), 1u);
+}
+
+TEST(Transport, threadsDoNotMatter) {
+  const Sites sites = generate(Pattern::clusters, 2500, 8);
+  const Transported one = transported(sites, unitSquare(1e-8), 1);
+  const Transported three = transported(sites, unitSquare(1e-8), 3);
+  EXPECT_EQ(one.sites.weight, three.sites.weight);
+  EXPECT_EQ(one.cells.mass, three.cells.mass);
+}
+
+TEST(Transport, whatTheWatcherStopsIsReturned) {
+  Session session = sessionOf();
+  const auto done = transport(session, generate(Pattern::random, 500, 9), unitSquare(),
+                              [](const TransportStep& step) { return step.diagram < 2; });
+  ASSERT_TRUE(done);
+  EXPECT_EQ(done->end, TransportEnd::cancelled);
+  EXPECT_EQ(done->sites.weight.size(), 500u);
+}
+
+TEST(Transport, massesThatCannotBeAreRefused) {
+  const Sites sites = generate(Pattern::random, 4, 1);
+  TransportOptions options = unitSquare();
+  const auto refusedWith = [&](std::vector<double> masses, auto text) {
+    options.masses = std::move(masses);
+    const Error error = refused(sites, options);
+    EXPECT_EQ(error.code, ErrorCode::input);
+    EXPECT_EQ(error.subject, Subject::masses);
+    EXPECT_THAT(error.message, text);
+  };
+  refusedWith({0.5, 0.5}, HasSubstr("2 for 4 sites"));
+  refusedWith({0.5, -0.5, 0.5, 0.5}, HasSubstr("site 1 (counted from 0) is -0.5"));
+  refusedWith({0.5, 0.5, std::nan(""), 0.5}, HasSubstr("site 2"));
+  refusedWith({0.5, 0.5, 0.5, 0.5}, AllOf(HasSubstr("add up to 2"), HasSubstr("to 1")));
+}
+
+TEST(Transport, sitesAtOnePlaceAreRefused) {
+  Sites sites = generate(Pattern::random, 10, 1);
+  sites.x[7] = sites.x[3];
+  sites.y[7] = sites.y[3];
+  EXPECT_THAT(refused(sites, unitSquare()).message, HasSubstr("sites 3 and 7"));
+}
+
+}  // namespace
+}  // namespace vorpipe::test
