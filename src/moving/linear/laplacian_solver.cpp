@@ -13,7 +13,7 @@
 namespace vorpipe::moving {
 namespace {
 
-/// Rows up to which factors are found about as soon as conjugate gradients end (decision D107).
+/// Rows up to which factors are found about as soon as conjugate gradients end (decision D110).
 constexpr std::size_t most_factored = 10000;
 
 /// What conjugate gradients take off before what is left is computed anew.
@@ -46,7 +46,7 @@ std::uint64_t LaplacianSolver::State::improve(const Laplacian& matrix, double le
 LinearSolution LaplacianSolver::State::solve(const Laplacian& matrix, double tolerance,
                                              std::vector<double>& x) {
   const auto singular = SingularParts::of(matrix, threads);
-  singular.removeMeans(right);
+  singular.removeMeans(right, threads);
   x.assign(right.size(), 0);
   const double norm = normOf(right, threads);
   if (!(norm > 0)) return {};
@@ -65,14 +65,14 @@ LinearSolution LaplacianSolver::State::solve(const Laplacian& matrix, double tol
     // A little less, since the recurrence of conjugate gradients does not know of all rounding; nor does it
     // notice where there is nothing but that, so that not too much is asked of it at a time.
     solution.iterations += improve(matrix, std::max(0.99 * tolerance, at_a_time * solution.residual));
-    singular.removeMeans(found);
+    singular.removeMeans(found, threads);
     forAll(found.size(), threads, [&](std::size_t i) { residual[i] = right[i] - imageAt(matrix, found, i); });
     const double left = normOf(residual, threads);
     halved = left < solution.residual / 2;
     if (!(left < solution.residual)) break;
     solution.residual = left;
     x.swap(found);
-    singular.removeMeans(residual);
+    singular.removeMeans(residual, threads);
   }
   forAll(x.size(), threads, [&](std::size_t i) { x[i] *= norm; });
   return solution;

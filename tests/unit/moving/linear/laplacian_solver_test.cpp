@@ -13,7 +13,7 @@
 namespace vorpipe::moving {
 namespace {
 
-// Below and above what is solved by factors (decision D107); of the last, loops run on several threads.
+// Below and above what is solved by factors (decision D110); of the last, loops run on several threads.
 constexpr std::uint32_t few = 40, many = 150, very_many = 200;
 
 /// Numbers from 0 to 1, the same everywhere.
