@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/cells/segment_density.h"
 #include "unit/fixtures/checked_runs.h"
 #include "unit/fixtures/long_cells.h"
 
@@ -178,6 +179,39 @@ TEST(MovingCells, couplingsAreThoseOfTheOtherCell) {
       EXPECT_GT(coupling, 0);
     }
   }
+}
+
+TEST(MovingCells, edgesAlongALineOfPixelsHaveTheMeanOfBothSides) {
+  // Rows count from the top.
+  const Density density{2, 2, {1, 2, 3, 5}};
+  const core::DensityPixels box(density, {0, 0, 4, 2}, Periodic::none);
+  const core::DensityPixels repeated(density, {0, 0, 4, 2}, Periodic::xy);
+  const auto expect = [](const core::SegmentDensity& along, double mean, double center) {
+    EXPECT_DOUBLE_EQ(along.mean, mean);
+    EXPECT_DOUBLE_EQ(along.center, center);
+  };
+  expect(densityAlong(box, {2, 0.25}, {2, 0.75}), 4, 0.5);
+  expect(densityAlong(box, {1, 1}, {3, 1}), 2.75, (2 * 0.25 + 3.5 * 0.75) / 5.5);
+  expect(densityAlong(box, {3, 1}, {1, 1}), 2.75, 1 - (2 * 0.25 + 3.5 * 0.75) / 5.5);
+  expect(densityAlong(box, {0, 0.5}, {0, 1.5}), 2, (3 * 0.25 + 1 * 0.75) / 4);
+  expect(densityAlong(repeated, {4, 0.5}, {4, 1.5}), 2.75, (4 * 0.25 + 1.5 * 0.75) / 5.5);
+  expect(densityAlong(repeated, {-1, -0.5}, {1, -0.5}), 1.5, (2 * 0.25 + 1 * 0.75) / 3);
+  expect(densityAlong(repeated, {1, 0.5}, {1, 0.5}), 3, 0.5);
+  expect(densityAlong(box, {1, 0}, {3, 2}), 2.5, (3 * 0.25 + 2 * 0.75) / 5);
+}
+
+TEST(MovingCells, aSiteWithoutMassIsAsOneWithoutACell) {
+  Session session = cpuSession();
+  CellsOptions options{};
+  options.domain = {0, 0, 1, 1};
+  options.density = {2, 1, {1, 0}};
+  MovingCells cells(session, options);
+  const auto some = cells.updateUnlessEmpty({{0.3, 0.6}, {0.5, 0.5}, {}});
+  ASSERT_TRUE(some);
+  EXPECT_TRUE(*some);
+  const auto without = cells.updateUnlessEmpty({{0.3, 0.9}, {0.5, 0.5}, {}});
+  ASSERT_TRUE(without);
+  EXPECT_FALSE(*without);
 }
 
 /// A lattice whose sites are moved, and get weights, by some parts of its spacing.
