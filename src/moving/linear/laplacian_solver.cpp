@@ -1,5 +1,6 @@
 #include "moving/linear/laplacian_solver.h"
 
+#include <algorithm>
 #include <limits>
 #include <new>
 
@@ -12,8 +13,11 @@
 namespace vorpipe::moving {
 namespace {
 
-/// Rows up to which factors are found about as soon as conjugate gradients end (decision D107).
+/// Rows up to which factors are found about as soon as conjugate gradients end (decision D110).
 constexpr std::size_t most_factored = 10000;
+
+/// What conjugate gradients take off before what is left is computed anew.
+constexpr double at_a_time = 1e-6;
 
 }  // namespace
 
@@ -42,7 +46,7 @@ std::uint64_t LaplacianSolver::State::improve(const Laplacian& matrix, double le
 LinearSolution LaplacianSolver::State::solve(const Laplacian& matrix, double tolerance,
                                              std::vector<double>& x) {
   const auto singular = SingularParts::of(matrix, threads);
-  singular.removeMeans(right);
+  singular.removeMeans(right, threads);
   x.assign(right.size(), 0);
   const double norm = normOf(right, threads);
   if (!(norm > 0)) return {};
@@ -58,16 +62,17 @@ LinearSolution LaplacianSolver::State::solve(const Laplacian& matrix, double tol
   // What is left is solved for again, as long as that takes off half of it.
   for (bool halved = true; halved && solution.residual > tolerance;) {
     found = x;
-    // A little less, since the recurrence of conjugate gradients does not know all rounding.
-    solution.iterations += improve(matrix, 0.99 * tolerance);
-    singular.removeMeans(found);
+    // A little less, since the recurrence of conjugate gradients does not know of all rounding; nor does it
+    // notice where there is nothing but that, so that not too much is asked of it at a time.
+    solution.iterations += improve(matrix, std::max(0.99 * tolerance, at_a_time * solution.residual));
+    singular.removeMeans(found, threads);
     forAll(found.size(), threads, [&](std::size_t i) { residual[i] = right[i] - imageAt(matrix, found, i); });
     const double left = normOf(residual, threads);
     halved = left < solution.residual / 2;
     if (!(left < solution.residual)) break;
     solution.residual = left;
     x.swap(found);
-    singular.removeMeans(residual);
+    singular.removeMeans(residual, threads);
   }
   forAll(x.size(), threads, [&](std::size_t i) { x[i] *= norm; });
   return solution;

@@ -49,9 +49,9 @@ void Multigrid::solveCoarsest() {
   auto& level = levels_[count_ - 1];
   // Means are removed before and after, so that the two together are symmetric.
   coarsest_right_.assign(level.right.begin(), level.right.end());
-  singular_.removeMeans(coarsest_right_);
+  singular_.removeMeans(coarsest_right_, threads_);
   coarsest_.solve(coarsest_right_, coarsest_x_);
-  singular_.removeMeans(coarsest_x_);
+  singular_.removeMeans(coarsest_x_, threads_);
   for (std::size_t i = 0; i < level.rows(); ++i) level.x[i] = static_cast<float>(coarsest_x_[i]);
 }
 

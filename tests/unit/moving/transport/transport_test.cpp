@@ -196,6 +196,16 @@ TEST(Transport, sitesMayLieWhereThereIsNoMass) {
   }
 }
 
+TEST(Transport, islandsShareTheirSites) {
+  TransportOptions options = unitSquare(1e-8);
+  options.outline = {
+      {{0, 0}, {0.3, 0}, {0.3, 1}, {0, 1}, {0.6, 0.1}, {1, 0.1}, {1, 0.7}, {0.6, 0.7}}, {0, 4, 8}, {0, 1, 2}};
+  const Transported done = transported(generate(Pattern::random, 200, 11), options);
+  EXPECT_EQ(done.end, TransportEnd::converged);
+  const auto [least, most] = std::ranges::minmax(done.cells.mass);
+  EXPECT_NEAR(least / most, 1, 1e-7);
+}
+
 TEST(Transport, weightsThatAreRightAreLeft) {
   const Transported first = transported(generate(Pattern::random, 2000, 7), unitSquare(1e-9));
   const Transported second = transported(first.sites, unitSquare(1e-8));

@@ -1,0 +1,41 @@
+#!/usr/bin/env bash
+# A fluid: its files, checkpoints that go on to equal bytes, what is refused.
+# Usage: fluid.sh VORPIPE
+source "$(dirname "${BASH_SOURCE[0]}")/harness.sh"
+
+vortex="fluid --backend cpu --case taylor-green --particles 64"
+
+# -- Files ----------------------------------------------------------------------------------------------
+succeeds "files" $vortex --steps 4 --every 2 --frames out/frames --size 40 --series out/series --trace out/trace.csv \
+  --stats out/stats.json -o out/sites.csv --cells out/cells.npz
+expect "64 cells by springs, "
+expect " after 4 steps (steps)"
+[ "$(head -n 1 out/trace.csv | cut -d, -f1-4)" = step,time,length,kinetic ] || fail "the header of the trace"
+[ "$(wc -l <out/trace.csv)" -eq 6 ] || fail "not one row for each step"
+[ "$(ls out/frames | wc -l)" -eq 3 ] || fail "not a picture of every second step"
+[ "$(grep -c 'file="step-00000[024].vtp"' out/series/series.pvd)" -eq 3 ] || fail "the series has not its files"
+grep -q '"end": "steps"' out/stats.json || fail "the stats have no end"
+awk -F, 'NR > 1 && $10 > 1e-6 { exit 1 }' out/trace.csv || fail "areas are not within 1e-6"
+succeeds "a free surface" fluid --backend cpu --case dam-break --particles 32 --steps 2 --frames out/dam --size 40 --series out/dam-series
+
+# -- Going on -------------------------------------------------------------------------------------------
+for scheme in springs projection; do
+  succeeds "a whole run by $scheme" $vortex --scheme $scheme --steps 6 --checkpoint out/whole.npz -o out/whole.csv
+  succeeds "a part of it" $vortex --scheme $scheme --steps 3 --checkpoint out/part.npz
+  succeeds "the rest" fluid --backend cpu --threads 1 --resume out/part.npz --steps 3 --checkpoint out/rest.npz -o out/rest.csv
+  cmp out/whole.npz out/rest.npz || fail "other checkpoints"
+  cmp out/whole.csv out/rest.csv || fail "other sites"
+done
+
+# -- What is refused ------------------------------------------------------------------------------------
+refused() { fails 2 "$1" "$@"; }
+refused '--case: name what to begin with (or --resume a checkpoint)' fluid -o out/a.csv
+refused '--case: "river" is not ' fluid --case river -o out/a.csv
+refused '-o: name what to write' fluid --case gresho
+refused '--scheme: projection is for domains that are full; springs have free surfaces' \
+  fluid --backend cpu --case dam-break --particles 32 --scheme projection -o out/a.csv
+refused '--frames: out/frames: the folder holds something' $vortex --frames out/frames
+cp out/whole.csv in/copy.npz
+refused 'in/copy.npz: it is no whole .npz file' fluid --case in/copy.npz -o out/a.csv
+
+finish
