@@ -22,7 +22,7 @@ for backend in $backends; do
   expect " diagrams (converged), $backend on "
   worst out/$backend.json 1e-8
 done
-succeeds "files of a run" transport --backend cpu --sites random:300 -o out/a.csv -o out/a.geojson --cells out/a.npz \
+succeeds "files of a run" transport --backend cpu --sites random:300 -o out/a.csv -o out/a.npy --cells out/a.npz \
   --cells out/a-cells.csv --picture out/a.png --picture out/a.svg --size 100 --trace out/trace.csv --stats out/a.json \
   --save-weights out/w.npy
 same_areas out/a-cells.csv 1e-8
@@ -34,7 +34,7 @@ awk -F, 'NR > 1 && $4 && $5 >= before && before { exit 1 } NR > 1 && $4 { before
 mkdir twice && cp -r out/. twice
 succeeds "again" rerun --quiet out/a.json
 cmp out/a.npz twice/a.npz || fail "a run that is done again differs"
-for kind in csv geojson; do
+for kind in csv npy; do
   succeeds "a.$kind is read back" cells --backend cpu --sites out/a.$kind --domain 0,0,1,1 -o out/back.npz
   cmp out/a.npz out/back.npz || fail "other cells than those of the run"
 done

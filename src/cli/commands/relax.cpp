@@ -60,10 +60,7 @@ Parsed<double> parseTolerance(std::string_view text) {
 
 /// The output files that were asked for, in the order in which they are created.
 std::vector<std::string> outputPaths(const RelaxCommand& command) {
-  std::vector<std::string> paths = command.targets.paths();
-  if (!command.targets.trace.empty()) paths.push_back(command.targets.trace);
-  if (!command.stats.empty()) paths.push_back(command.stats);
-  return paths;
+  return command.targets.pathsWith({command.targets.trace, command.stats});
 }
 
 std::string_view wordOf(RelaxEnd end) {
@@ -198,14 +195,10 @@ Result<void> checkCommand(RelaxCommand& command) {
     return inputError(
         "-o: name what to write, as in -o sites.csv (or give --cells, --picture, --trace or --stats)");
   }
-  const bool given = !command.input.format.output.empty();
-  if (given && command.input.sites != "-" && !command.targets.useStandardOutput()) {
-    return inputError("--format: neither --sites - nor -o - is there to take it");
-  }
   if (command.equal_masses && command.density.empty()) {
     return inputError("--equal-masses: is for a --density; without one masses are areas");
   }
-  return takeFormat(command.targets, command.input.format.output);
+  return takeFormat(command.targets, command.input);
 }
 
 Result<ExitCode> relax(RelaxCommand& command, const Invocation& how) {
@@ -293,10 +286,7 @@ void addRelax(CommandLine& line) {
   addMethodOptions(options, *command);
   options.group("Output");
   addRelaxTargets(options, command->targets);
-  options.group("Picture");
-  addSizeOptions(options, command->picture);
-  addColorOptions(options, command->picture.render);
-  addMarkOptions(options, command->picture);
+  addPictureGroup(options, command->picture);
   addBackendChoice(options, command->backend);
   addSearchOptions(options, command->search);
   addRunOptions(options, command->backend, command->memory_limit);

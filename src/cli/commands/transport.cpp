@@ -50,11 +50,7 @@ Parsed<double> parseTolerance(std::string_view text) {
 
 /// The output files that were asked for, in the order in which they are created.
 std::vector<std::string> outputPaths(const TransportCommand& command) {
-  std::vector<std::string> paths = command.targets.paths();
-  for (const std::string& path : {command.weights, command.targets.trace, command.stats}) {
-    if (!path.empty()) paths.push_back(path);
-  }
-  return paths;
+  return command.targets.pathsWith({command.weights, command.targets.trace, command.stats});
 }
 
 /// What a run takes: cells, the matrix and the levels of its solver, then what files take.
@@ -81,10 +77,6 @@ Result<void> checkCommand(TransportCommand& command) {
         "-o: name what to write, as in -o sites.csv (or give --save-weights, --cells, --picture, --trace or "
         "--stats)");
   }
-  const bool given = !command.input.format.output.empty();
-  if (given && command.input.sites != "-" && !command.targets.useStandardOutput()) {
-    return inputError("--format: neither --sites - nor -o - is there to take it");
-  }
   if (auto checked = checkMasses(command.masses); !checked) return checked;
   const bool has_air = command.masses.around() == Surface::free;
   if (has_air && !(command.targets.cells.empty() && command.targets.pictures.empty())) {
@@ -98,7 +90,7 @@ Result<void> checkCommand(TransportCommand& command) {
       return named("--save-weights", std::move(checked.error()));
     }
   }
-  return takeFormat(command.targets, command.input.format.output);
+  return takeFormat(command.targets, command.input);
 }
 
 /// What is sought, but for the scale of its masses.
@@ -143,21 +135,6 @@ Result<Transported> transportIn(TransportRun& run, Session& session, TransportOp
   });
 }
 
-/// Masses that were read are finite and as many as sites: what can be wrong with them now is their sum.
-Error withAdvice(Error error, const MassOptions& masses) {
-  if (error.subject == Subject::masses && !masses.areEqual()) {
-    error.message +=
-        masses.around() == Surface::free ? "; --fill V scales them" : "; --normalize scales them";
-  }
-  return error;
-}
-
-std::string summaryOf(const Transported& found) {
-  const TransportStep& last = lastKept(found.trace);
-  return fmt::format("worst cell off by {:.3g} of its mass after {} Newton steps, {} diagrams ({})",
-                     last.worst, newtonSteps(found.trace), found.trace.size(), wordOf(found.end));
-}
-
 TransportFigures figuresOf(const TransportRun& run, const Transported& found) {
   const TransportStep& last = lastKept(found.trace);
   return {std::string(wordOf(found.end)),
@@ -194,24 +171,6 @@ Result<void> writeFiles(TransportRun& run, Session& session, const Transported& 
     return statsJson(stats);
   };
   return writeOutputs(run.files, writers, run.log, json);
-}
-
-/// Says how the run ended, where it did not come to the tolerance.
-ExitCode exitCodeOf(const Transported& found, bool interrupted) {
-  const TransportStep& last = lastKept(found.trace);
-  const std::string reached = fmt::format(
-      "the files have what was reached after {} diagrams, the worst cell "
-      "off by {:.3g} of its mass",
-      found.trace.size(), last.worst);
-  if (interrupted) {
-    printError(fmt::format("interrupted: {}", reached));
-    return static_cast<ExitCode>(signalExitCode());
-  }
-  if (found.end == TransportEnd::converged) return exit_done;
-  const std::string_view why =
-      found.end == TransportEnd::diagrams ? "no more are allowed by --diagrams" : "rounding allows no more";
-  printError(fmt::format("not converged: {}; {}", reached, why));
-  return exit_different;
 }
 
 Result<ExitCode> transportCells(TransportCommand& command, const Invocation& how) {
@@ -295,10 +254,7 @@ void addTransport(CommandLine& line) {
   addMassOptions(options, command->masses);
   addSolverOptions(options, *command);
   addTransportOutputs(options, *command);
-  options.group("Picture");
-  addSizeOptions(options, command->picture);
-  addColorOptions(options, command->picture.render);
-  addMarkOptions(options, command->picture);
+  addPictureGroup(options, command->picture);
   addBackendChoice(options, command->backend);
   addSearchOptions(options, command->search);
   addRunOptions(options, command->backend, command->memory_limit);

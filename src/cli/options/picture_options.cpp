@@ -149,4 +149,11 @@ PictureSize sizeBefore(const SizeChoice& size) {
   return size.sides.value_or(PictureSize{std::max(1, size.longer_side), 1});
 }
 
+void addPictureGroup(Options& options, PictureOptions& picture) {
+  options.group("Picture");
+  addSizeOptions(options, picture);
+  addColorOptions(options, picture.render);
+  addMarkOptions(options, picture);
+}
+
 }  // namespace vorpipe::cli

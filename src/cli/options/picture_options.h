@@ -36,6 +36,8 @@ Option addViewOption(Options& options, std::optional<Box>& view);
 void addColorOptions(Options& options, RenderOptions& picture);
 /// --edges, --dual, --edge-width, --show-sites, --dot-size, --labels, --label-size, --no-fill, --antialias
 void addMarkOptions(Options& options, PictureOptions& picture);
+/// All of these, in a group of their own.
+void addPictureGroup(Options& options, PictureOptions& picture);
 
 /// The size that is known before the sites are; 1 x 1 where it is not.
 PictureSize sizeBefore(const SizeChoice& size);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <utility>
 
 #include "cli/options/options.h"
@@ -55,6 +56,13 @@ std::vector<std::string> ResultTargets::paths() const {
   for (const CellsTarget& target : cells) paths.push_back(target.path);
   for (const PictureFile& file : pictures) paths.push_back(file.path);
   return paths;
+}
+
+std::vector<std::string> ResultTargets::pathsWith(std::initializer_list<std::string> others) const {
+  std::vector<std::string> all = paths();
+  std::ranges::copy_if(others, std::back_inserter(all),
+                       [](const std::string& path) { return !path.empty(); });
+  return all;
 }
 
 std::vector<std::string> ResultTargets::numberedPaths(std::uint64_t diagram) const {
@@ -119,7 +127,11 @@ void addRelaxTargets(Options& options, ResultTargets& targets) {
       [](std::string_view text) { return parseWhole(text, 1, UINT32_MAX); });
 }
 
-Result<void> takeFormat(ResultTargets& targets, const std::string& kind) {
+Result<void> takeFormat(ResultTargets& targets, const InputOptions& input) {
+  const std::string& kind = input.format.output;
+  if (!kind.empty() && input.sites != "-" && !targets.useStandardOutput()) {
+    return inputError("--format: neither --sites - nor -o - is there to take it");
+  }
   bool taken = false;
   for (PointsTarget& target : targets.points) {
     if (target.format != nullptr) continue;

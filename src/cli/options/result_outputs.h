@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "cli/options/cells_outputs.h"
 #include "cli/options/command_line.h"
+#include "cli/options/options.h"
 #include "cli/options/picture_files.h"
 #include "io/points/points_file.h"
 
@@ -27,6 +29,8 @@ struct ResultTargets {
 
   /// Those of sites, cells and pictures, in the order in which they are created; the trace comes after them.
   [[nodiscard]] std::vector<std::string> paths() const;
+  /// The same, and those of options that are only files, where they are given.
+  [[nodiscard]] std::vector<std::string> pathsWith(std::initializer_list<std::string> others) const;
   /// The same with a number before each extension: sites-0010.csv.
   [[nodiscard]] std::vector<std::string> numberedPaths(std::uint64_t diagram) const;
   /// The parts of a Diagram that files of cells take.
@@ -40,9 +44,9 @@ void addResultTargets(Options& options, ResultTargets& targets, std::string_view
 /// The same, and --trace and --save-every.
 void addRelaxTargets(Options& options, ResultTargets& targets);
 
-/// Gives what goes to standard output its format, the extension `kind` without its dot, or csv; and refuses
-/// what contradicts itself. Errors (input): the kind is none of sites; standard output is named twice;
+/// Gives what goes to standard output the format that --format names, or csv; and refuses what contradicts
+/// itself. Errors (input): the kind is none of sites, or nothing takes it; standard output is named twice;
 /// --save-every has no file to number.
-Result<void> takeFormat(ResultTargets& targets, const std::string& kind);
+Result<void> takeFormat(ResultTargets& targets, const InputOptions& input);
 
 }  // namespace vorpipe::cli

@@ -8,6 +8,8 @@
 #include <iterator>
 #include <utility>
 
+#include "cli/terminal/error_line.h"
+#include "cli/terminal/progress.h"
 #include "io/sites/masses_file.h"
 #include "vorpipe/masses.h"
 
@@ -46,6 +48,37 @@ std::string_view wordOf(TransportEnd end) {
 double partDone(const TransportStep& step, double first_worst, double tolerance) {
   const double way = std::log(first_worst / tolerance), done = std::log(first_worst / step.worst);
   return std::isfinite(done) && way > 0 ? std::clamp(done / way, 0.0, 1.0) : 0;
+}
+
+Error withAdvice(Error error, const MassOptions& masses) {
+  if (error.subject == Subject::masses && !masses.areEqual()) {
+    error.message +=
+        masses.around() == Surface::free ? "; --fill V scales them" : "; --normalize scales them";
+  }
+  return error;
+}
+
+std::string summaryOf(const Transported& found) {
+  return fmt::format("worst cell off by {:.3g} of its mass after {} Newton steps, {} diagrams ({})",
+                     lastKept(found.trace).worst, newtonSteps(found.trace), found.trace.size(),
+                     wordOf(found.end));
+}
+
+ExitCode exitCodeOf(const Transported& found, bool interrupted) {
+  const TransportStep& last = lastKept(found.trace);
+  const std::string reached = fmt::format(
+      "the files have what was reached after {} diagrams, the worst cell "
+      "off by {:.3g} of its mass",
+      found.trace.size(), last.worst);
+  if (interrupted) {
+    printError(fmt::format("interrupted: {}", reached));
+    return static_cast<ExitCode>(signalExitCode());
+  }
+  if (found.end == TransportEnd::converged) return exit_done;
+  const std::string_view why =
+      found.end == TransportEnd::diagrams ? "no more are allowed by --diagrams" : "rounding allows no more";
+  printError(fmt::format("not converged: {}; {}", reached, why));
+  return exit_different;
 }
 
 std::string traceText(const std::vector<TransportStep>& trace, bool with_times) {

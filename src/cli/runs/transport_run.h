@@ -29,6 +29,16 @@ std::string_view wordOf(TransportEnd end);
 /// Where the worst cell of a step came to between that of the first one and the tolerance, by their powers.
 double partDone(const TransportStep& step, double first_worst, double tolerance);
 
+/// The error with what would help: masses that were read are finite and as many as sites, and only their sum
+/// can be wrong.
+Error withAdvice(Error error, const MassOptions& masses);
+
+/// "worst cell off by 1e-13 of its mass after 6 Newton steps, 7 diagrams (converged)".
+std::string summaryOf(const Transported& found);
+
+/// The exit code; prints how the run ended, where it did not come to the tolerance.
+ExitCode exitCodeOf(const Transported& found, bool interrupted);
+
 /// The rows of --trace; without `with_times` what every run has alike.
 std::string traceText(const std::vector<TransportStep>& trace, bool with_times);
 
