@@ -77,6 +77,25 @@ python3 "$root/docs/examples/spheres.py" "$spheres"
 "$program" relax --backend cpu --sites density:20000 --density "$spheres" --equal-masses --iterations 100 \
   --picture "$into/stipple.png" --no-fill --show-sites --dot-size 3 --antialias 4 --size 800
 
+# transport NAME OPTION...: NAME.png of cells with prescribed masses
+transport() {
+  local name=$1
+  shift
+  "$program" transport --backend cpu --picture "$into/$name.png" --color area --edges --antialias 4 --size 600 "$@"
+}
+transport shares --sites "$root/docs/examples/states.csv" --domain "$root/docs/examples/disc.wkt" --masses @people \
+  --normalize --edge-width 3
+
+made=$(dirname "$spheres")
+python3 "$root/docs/examples/towns.py" "$made/towns.png"
+"$program" relax --backend cpu --sites density:24 --density "$made/towns.png" --equal-masses -o "$made/centers.csv"
+transport districts --sites "$made/centers.csv" --domain 0,0,300,200 --density "$made/towns.png" --edge-width 3 --show-sites
+
+awk 'BEGIN { for (i = 0; i < 300; i++) print i % 25 ? 1 + i % 5 : 40 }' >"$made/bubbles.txt"
+"$program" relax --backend cpu --sites random:300 --periodic xy --iterations 10 -o "$made/middles.csv"
+transport bubbles --sites "$made/middles.csv" --domain 0,0,1,1 --periodic xy --masses "$made/bubbles.txt" --normalize \
+  --color-scale log --edge-width 2
+
 draw masts --sites "$root/docs/examples/masts.csv" --color weight --edges --show-sites --antialias 4 --size 800
 
 alike airports --sites "$root/tests/data/navaids.csv" --domain -180,-90,180,90 --color area --legend --antialias 2 \

@@ -1,6 +1,7 @@
 /// Sums over many terms that do not depend on the number of threads: blocks of one size are added in order.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -48,6 +49,16 @@ double carefulSum(std::size_t count, int threads, const Term& term) {
   CarefulSum sum;
   for (const double part : parts) sum.add(part);
   return sum.value();
+}
+
+/// Several sums at a time: part(begin, end) returns those of a block.
+template <std::size_t count, class Part>
+std::array<double, count> sumsByBlocks(std::size_t size, int threads, const Part& part) {
+  std::array<double, count> sums{};
+  for (const auto& of_block : byBlocks<std::array<double, count>>(size, threads, part)) {
+    for (std::size_t k = 0; k < count; ++k) sums[k] += of_block[k];
+  }
+  return sums;
 }
 
 /// Calls each(i) for all of [0, count), on several threads.

@@ -713,7 +713,8 @@ VORPIPE_API double vorpipe_transported_cost(const vorpipe_transported* transport
 VORPIPE_API vorpipe_code vorpipe_transported_report(const vorpipe_transported* transported,
                                                     vorpipe_report* report);
 VORPIPE_API const char* vorpipe_transported_note(const vorpipe_transported* transported, size_t index);
-/* The sites with these weights, as an input: for cells and pictures, or to save. For the caller to free. */
+/* The sites with these weights, as an input: for cells and pictures, which fill the domain, or to save. For
+ * the caller to free. */
 VORPIPE_API vorpipe_code vorpipe_transported_input(const vorpipe_transported* transported,
                                                    vorpipe_input** input);
 /* As vorpipe_relaxation_write and vorpipe_relaxation_save: the sites with these weights. */

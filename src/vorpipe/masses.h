@@ -14,9 +14,9 @@ class Session;
 /// those of Session::cells.
 Result<double> massOfDomain(Session& session, const TransportOptions& options);
 
-/// Scales the masses of `options`, equal ones where there are none, so that those of all `sites` add up to this
-/// part of massOfDomain(). Masses that are not finite and more than 0 stay as they are, for transport() to
-/// refuse. Errors: those of massOfDomain.
+/// Scales the masses of `options`, equal ones where there are none, so that those of all `sites` add up to
+/// this part of massOfDomain(). Masses that are not finite and more than 0 stay as they are, for transport()
+/// to refuse. Errors: those of massOfDomain.
 Result<void> fillDomain(Session& session, std::size_t sites, double part, TransportOptions& options);
 
 }  // namespace vorpipe

@@ -22,9 +22,9 @@ class Moving : public Cells {
 
   static void expectMoments(const CellMoments& moments, const Diagram& whole, double largest) {
     EXPECT_EQ(moments.status, whole.status);
-    EXPECT_EQ(moments.area, whole.area);
     ASSERT_EQ(moments.spread.size(), whole.size());
-    if (!whole.mass.empty()) return expectMass(moments, whole);
+    if (!whole.ring_starts.empty() || !whole.mass.empty()) return expectNearly(moments, whole);
+    EXPECT_EQ(moments.area, whole.area);
     EXPECT_EQ(moments.mass, whole.area);
     EXPECT_EQ(moments.centroid, whole.centroid);
     for (std::size_t i = 0; i < whole.size(); ++i) {
@@ -34,12 +34,15 @@ class Moving : public Cells {
   }
 
   /// Those of one run are of polygons, whose corners are rounded.
-  static void expectMass(const CellMoments& moments, const Diagram& whole) {
+  static void expectNearly(const CellMoments& moments, const Diagram& whole) {
+    const auto& masses = whole.mass.empty() ? whole.area : whole.mass;
+    const auto& centers = whole.mass.empty() ? whole.centroid : whole.mass_centroid;
     ASSERT_EQ(moments.mass.size(), whole.size());
     for (std::size_t i = 0; i < whole.size(); ++i) {
-      EXPECT_NEAR(moments.mass[i], whole.mass[i], 1e-11 * whole.mass[i]) << "site " << i;
-      EXPECT_NEAR(moments.centroid[i].x, whole.mass_centroid[i].x, 1e-11) << "site " << i;
-      EXPECT_NEAR(moments.centroid[i].y, whole.mass_centroid[i].y, 1e-11) << "site " << i;
+      EXPECT_NEAR(moments.area[i], whole.area[i], 1e-11 * whole.area[i]) << "site " << i;
+      EXPECT_NEAR(moments.mass[i], masses[i], 1e-11 * masses[i]) << "site " << i;
+      EXPECT_NEAR(moments.centroid[i].x, centers[i].x, 1e-11) << "site " << i;
+      EXPECT_NEAR(moments.centroid[i].y, centers[i].y, 1e-11) << "site " << i;
     }
   }
 
@@ -109,7 +112,7 @@ TEST_P(Moving, endWhereASiteHasNoCell) {
   Sites sites = generate(Pattern::jitter, 3000, 4);
   EXPECT_TRUE(has(sites));
   for (std::size_t i = 0; i < sites.size(); ++i) {
-    sites.weight.push_back(1e-5 * std::sin(static_cast<double>(i)));
+    sites.weight.push_back(1e-6 * std::sin(static_cast<double>(i)));
   }
   for (const std::size_t hidden : {0U, 1234U, 2915U}) {
     Sites with_hidden = sites;

@@ -86,6 +86,13 @@ Result<void> checkCommand(TransportCommand& command) {
     return inputError("--format: neither --sites - nor -o - is there to take it");
   }
   if (auto checked = checkMasses(command.masses); !checked) return checked;
+  const bool has_air = command.masses.around() == Surface::free;
+  if (has_air && !(command.targets.cells.empty() && command.targets.pictures.empty())) {
+    return inputError(
+        "--fill: files of cells and pictures know no air; -o and --save-weights have the weights, which are "
+        "the "
+        "squares of the discs' radii");
+  }
   if (!command.weights.empty()) {
     if (auto checked = checkWeightsPath(command.weights); !checked) {
       return named("--save-weights", std::move(checked.error()));
@@ -136,10 +143,19 @@ Result<Transported> transportIn(TransportRun& run, Session& session, TransportOp
   });
 }
 
+/// Masses that were read are finite and as many as sites: what can be wrong with them now is their sum.
+Error withAdvice(Error error, const MassOptions& masses) {
+  if (error.subject == Subject::masses && !masses.areEqual()) {
+    error.message +=
+        masses.around() == Surface::free ? "; --fill V scales them" : "; --normalize scales them";
+  }
+  return error;
+}
+
 std::string summaryOf(const Transported& found) {
   const TransportStep& last = lastKept(found.trace);
   return fmt::format("worst cell off by {:.3g} of its mass after {} Newton steps, {} diagrams ({})",
-                     last.worst, last.newton, found.trace.size(), wordOf(found.end));
+                     last.worst, newtonSteps(found.trace), found.trace.size(), wordOf(found.end));
 }
 
 TransportFigures figuresOf(const TransportRun& run, const Transported& found) {
@@ -147,6 +163,7 @@ TransportFigures figuresOf(const TransportRun& run, const Transported& found) {
   return {std::string(wordOf(found.end)),
           run.command.masses.around() == Surface::free,
           found.trace.size(),
+          newtonSteps(found.trace),
           last,
           std::accumulate(found.cells.mass.begin(), found.cells.mass.end(), 0.0),
           found.cost};
@@ -230,7 +247,7 @@ Result<ExitCode> transportCells(TransportCommand& command, const Invocation& how
   if (!forecast) return tl::unexpected(forecast.error());
   TransportRun run{command, job, log, std::move(*files)};
   const auto found = transportIn(run, *session, std::move(options));
-  if (!found) return asOption(found.error(), reading);
+  if (!found) return asOption(withAdvice(found.error(), command.masses), reading);
   const bool interrupted = takeSignal();
   printNotes(command.talk, found->report);
   if (!validationIsSilent(found->report)) return exit_device;

@@ -106,6 +106,31 @@ Prose ofRelax() {
         {"vorpipe relax --sites clusters:500 --method lloyd --iterations 4 --save-every 1 -o step.csv"}}}};
 }
 
+Prose ofTransport() {
+  return {
+      "transport",
+      {"The cell of site p of weight w is where |x - p|^2 - w is least. For any masses that add up to what "
+       "the "
+       "domain has there are weights that give each cell its own, and only one choice of them but for a "
+       "number "
+       "added to all: the solution of semi-discrete optimal transport. Newton's method finds it (Kitagawa, "
+       "Merigot and Thibert 2019), from the weights of the sites if these leave each cell some mass.",
+       "Sites do not move, and may lie anywhere: outside of the domain, or crowded in a corner. Two at one "
+       "place "
+       "are refused. With a free surface cells are cut by discs, whose squared radii are the weights.",
+       "Where the tolerance is not reached, or after Ctrl-C, the files have what was reached; the exit code "
+       "is 1 "
+       "then, or 130."},
+      {{"Give 1,000 random sites equal areas, and see how the worst cell came to its own:",
+        {"vorpipe transport --sites random:1000 -o equal.csv --trace trace.csv"}},
+       {"Share a square out by the numbers in a file, with a picture:",
+        {"seq 1 6 >masses.txt",
+         "vorpipe transport --sites random:6 --masses masses.txt --normalize --picture shares.png"}},
+       {"Begin with the weights of another run:",
+        {"vorpipe transport --sites jitter:500 --save-weights weights.npy",
+         "vorpipe transport --sites jitter:500 --weights weights.npy --cells cells.npz"}}}};
+}
+
 Prose ofFluid() {
   return {
       "fluid",
@@ -163,7 +188,8 @@ Prose ofCompare() {
 
 Prose ofRerun() {
   return {"rerun",
-          {"`--stats` of `render`, `cells`, `relax` and `compare` writes the arguments of a run, and for "
+          {"`--stats` of `render`, `cells`, `relax`, `transport` and `compare` writes the arguments of a "
+           "run, and for "
            "each file that "
            "it read and wrote how many bytes it has and their hash, as `xxh128sum` prints it. Where an input "
            "has changed since, that is refused. Else the run is done again, files are written where they "
@@ -213,7 +239,9 @@ Prose ofSelftest() {
 
 constexpr std::array<Row, 5> exit_statuses = {
     {{"0", "Done, and everything is certified."},
-     {"1", "A comparison found a difference, or a promise is broken; `rerun` came to other bytes."},
+     {"1",
+      "A comparison found a difference, or a promise is broken; `rerun` came to other bytes, `transport` not "
+      "to the tolerance."},
      {"2",
       "The command line or an input file is wrong; the message names the option, or file, line and column."},
      {"3", "There is no such device or backend here, or it failed; the message says what would help."},
@@ -230,8 +258,8 @@ constexpr std::array<Row, 5> variables = {
 }  // namespace
 
 Prose proseOf(std::string_view subcommand) {
-  for (const auto of : {ofProgram, ofRender, ofCells, ofRelax, ofFluid, ofView, ofDiff, ofCompare, ofRerun, ofDevices,
-                        ofBench, ofSelftest}) {
+  for (const auto of : {ofProgram, ofRender, ofCells, ofRelax, ofTransport, ofFluid, ofView, ofDiff,
+                        ofCompare, ofRerun, ofDevices, ofBench, ofSelftest}) {
     if (Prose prose = of(); prose.subcommand == subcommand) return prose;
   }
   return {subcommand, {}, {}};

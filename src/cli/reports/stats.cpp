@@ -97,7 +97,7 @@ Json transportJson(const TransportFigures& figures) {
   const TransportStep& last = figures.last;
   return {{"surface", figures.free_surface ? Json("free") : Json(nullptr)},
           {"diagrams", figures.diagrams},
-          {"newton", last.newton},
+          {"newton", figures.newton},
           {"end", figures.end},
           {"worst", last.worst},
           {"norm", last.norm},

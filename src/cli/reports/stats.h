@@ -24,7 +24,7 @@ struct RelaxFigures {
 struct TransportFigures {
   std::string end;
   bool free_surface;
-  std::uint64_t diagrams;
+  std::uint64_t diagrams, newton;
   TransportStep last;  ///< that was kept
   double mass;         ///< of all cells together
   double cost;

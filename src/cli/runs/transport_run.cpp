@@ -32,6 +32,12 @@ const TransportStep& lastKept(const std::vector<TransportStep>& trace) {
   return kept == trace.rend() ? trace.back() : *kept;
 }
 
+std::uint64_t newtonSteps(const std::vector<TransportStep>& trace) {
+  std::uint64_t most = 0;
+  for (const TransportStep& step : trace) most = std::max(most, step.newton);
+  return most;
+}
+
 std::string_view wordOf(TransportEnd end) {
   constexpr std::array<std::string_view, 4> words{"converged", "stagnated", "diagrams", "cancelled"};
   return words[static_cast<std::size_t>(end)];

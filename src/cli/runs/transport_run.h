@@ -20,6 +20,9 @@ Result<void> fitMasses(const MassOptions& masses, std::size_t sites, Session& se
 /// The last step that was kept; the last one where there is none.
 const TransportStep& lastKept(const std::vector<TransportStep>& trace);
 
+/// Newton steps that were tried.
+std::uint64_t newtonSteps(const std::vector<TransportStep>& trace);
+
 /// "converged", as reports have it.
 std::string_view wordOf(TransportEnd end);
 

@@ -167,7 +167,8 @@ void DiscCut::addPolygon() {
   }
   if (polygon_.size() < 3) return;
   const Measures m = measurePolygon(polygon_);
-  if (m.area > 0) parts_.push_back({m.area, {origin.x + m.centroid.x, origin.y + m.centroid.y}, spreadOf(m)});
+  if (m.area > 0)
+    parts_.push_back({m.area, {origin.x + m.centroid.x, origin.y + m.centroid.y}, m.second_moments});
 }
 
 /// Adds what lies between an arc and its chord.
@@ -180,12 +181,16 @@ void DiscCut::addSegment(const Arc& arc, double radius) {
   // Away from the center; the chord of nearly a whole turn is too short to tell the direction.
   const bool is_short = half_angle > 0.75 * pi;
   const Point normal = is_short ? Point{-sum.x, -sum.y} : Point{way.y, -way.x};
-  const double height = m.height / lengthOf(normal);
-  parts_.push_back({m.area, {sum.x / 2 + height * normal.x, sum.y / 2 + height * normal.y}, m.spread});
+  const double length = lengthOf(normal), x = normal.x / length, y = normal.y / length;
+  const double turned = m.across - m.along;
+  parts_.push_back({m.area,
+                    {sum.x / 2 + m.height * x, sum.y / 2 + m.height * y},
+                    {m.along + turned * x * x, turned * x * y, m.along + turned * y * y}});
 }
 
 void DiscCut::addUp() {
-  area_ = spread_ = 0;
+  area_ = 0;
+  second_ = {};
   Point moment{0, 0};  // about the first part's centroid
   for (const Part& part : parts_) {
     area_ += part.area;
@@ -196,7 +201,9 @@ void DiscCut::addUp() {
   centroid_ = {parts_[0].centroid.x + moment.x / area_, parts_[0].centroid.y + moment.y / area_};
   for (const Part& part : parts_) {
     const Point way{part.centroid.x - centroid_.x, part.centroid.y - centroid_.y};
-    spread_ += part.spread + part.area * dot(way, way);
+    second_[0] += part.second[0] + part.area * way.x * way.x;
+    second_[1] += part.second[1] + part.area * way.x * way.y;
+    second_[2] += part.second[2] + part.area * way.y * way.y;
   }
 }
 

@@ -1,6 +1,7 @@
 /// What a disc has of a convex polygon.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -41,10 +42,12 @@ class DiscCut {
   // Of a part. Places are relative to what the corners were relative to.
   [[nodiscard]] double area() const { return area_; }
   [[nodiscard]] Point centroid() const { return centroid_; }
-  [[nodiscard]] double spread() const {
-    return spread_;
-  }                                       ///< integral of the squared distance to the centroid
-  [[nodiscard]] double arcAngle() const;  ///< of all arcs together
+  /// Integrals of xx, xy, yy about the centroid.
+  [[nodiscard]] std::array<double, 3> secondMoments() const { return second_; }
+  /// The integral of the squared distance to the centroid.
+  [[nodiscard]] double spread() const { return second_[0] + second_[2]; }
+  /// Of all arcs together.
+  [[nodiscard]] double arcAngle() const;
   [[nodiscard]] std::span<const Chord> chords() const { return chords_; }  ///< by edge
   [[nodiscard]] std::span<const Arc> arcs() const { return arcs_; }        ///< counter-clockwise
 
@@ -52,7 +55,7 @@ class DiscCut {
   struct Part {
     double area;
     Point centroid;
-    double spread;
+    std::array<double, 3> second;
   };
 
   void findArcs(std::span<const EdgeLine> lines, double squared_radius);
@@ -68,8 +71,9 @@ class DiscCut {
   std::vector<Arc> arcs_;
   std::vector<Point> polygon_;
   std::vector<Part> parts_;
-  double area_ = 0, spread_ = 0;
+  double area_ = 0;
   Point centroid_{0, 0};
+  std::array<double, 3> second_{};
 };
 
 }  // namespace vorpipe::core

@@ -45,9 +45,9 @@ Integrals seriesOfIntegrals(double a) {
 
 SegmentMeasures measureSegment(double radius, double half_angle) {
   const Integrals of = half_angle < 1 ? seriesOfIntegrals(half_angle) : closedIntegrals(half_angle);
-  if (!(of.one > 0)) return {0, 0, 0};
-  const double height = of.y / of.one, squared = radius * radius;
-  return {squared * of.one, radius * height, squared * squared * (of.xx + (of.yy - of.y * height))};
+  if (!(of.one > 0)) return {0, 0, 0, 0};
+  const double height = of.y / of.one, squared = radius * radius, fourth = squared * squared;
+  return {squared * of.one, radius * height, fourth * of.xx, fourth * (of.yy - of.y * height)};
 }
 
 }  // namespace vorpipe::core

@@ -7,7 +7,7 @@ struct SegmentMeasures {
   double area;
   double
       height;  ///< of the centroid above the chord, away from the disc's center; its distance from the chord
-  double spread;  ///< integral of the squared distance to the centroid
+  double along, across;  ///< second moments about the centroid: along the chord, and across it
 };
 
 /// Of the segment whose arc is seen from the center under twice `half_angle`, which is 0 to pi; more than

@@ -9,6 +9,7 @@
 #include "core/cells/cells_run.h"
 #include "core/moving/box_edges.h"
 #include "core/moving/disc_cells.h"
+#include "core/moving/outlined_cells.h"
 #include "core/moving/own_corners.h"
 #include "core/moving/polygon_edges.h"
 #include "core/session/input_check.h"
@@ -45,7 +46,7 @@ struct MovingCells::State {
   Result<void> update(const Sites& sites, bool unless_empty);
   Result<void> findInBox(const Sites& sites, bool unless_empty);
   Result<void> findPolygons(const Sites& sites);
-  void takePolygons(FoundCells cells);
+  Result<void> takePolygons(FoundCells cells);
   void weigh(const SiteRun& run, const NeighborRows& rows, int exponent, const Sites& sites);
 };
 
@@ -58,7 +59,7 @@ Result<void> MovingCells::State::findInBox(const Sites& sites, bool unless_empty
     const auto find = unless_empty ? findMomentsUnlessEmpty : findMoments;
     auto made = find(machine, sites, options, found, moments);
     if (!made) return tl::unexpected(made.error());
-    if (surface == Surface::free && found.cells)
+    if (found.cells && surface == Surface::free)
       cutByDiscs(found, sites, machine.threads, moments, *made, free_surface);
     return Done{std::move(*made)};
   });
@@ -94,11 +95,10 @@ Result<void> MovingCells::State::findPolygons(const Sites& sites) {
   auto placed = wrapped(sites, options.domain, options.periodic, session->threads);
   if (!placed) return tl::unexpected(placed.error());
   places = std::move(*placed);
-  takePolygons(std::move(done->cells));
-  return {};
+  return takePolygons(std::move(done->cells));
 }
 
-void MovingCells::State::takePolygons(FoundCells cells) {
+Result<void> MovingCells::State::takePolygons(FoundCells cells) {
   Diagram& d = cells.diagram;
   constexpr std::size_t grain = 1 << 14;
   moments.spread.resize(d.size());
@@ -114,12 +114,16 @@ void MovingCells::State::takePolygons(FoundCells cells) {
   neighbors = {std::move(d.cell_offsets), std::move(d.neighbors), std::move(d.neighbor_shifts)};
   has_neighbors = true;
   polygons = {std::move(d.vertices), std::move(d.edge_lengths), std::move(d.ring_starts)};
+  const SiteRun& run = *cells.run;
   if (options.outline.empty()) {
-    const int exponent = cells.run->prepared.exponent + scaleExponent(options.domain);
-    weigh(*cells.run, *cells.run->cells, exponent, places);
-  } else if (const auto density_pixels = pixels()) {
-    weighCells(polygons, neighbors.offsets, *density_pixels, session->threads, moments);
+    weigh(run, *run.cells, run.prepared.exponent + scaleExponent(options.domain), places);
+    return {};
   }
+  const auto density_pixels = pixels();
+  const int exponent = run.prepared.exponent;
+  return measureOutlined({run.prepared.set, *run.cells, Unscale(exponent), places, session->threads},
+                         options.outline, exponent, neighbors, polygons,
+                         density_pixels ? &*density_pixels : nullptr, moments);
 }
 
 MovingCells::MovingCells(Session& session, CellsOptions options, Surface surface)

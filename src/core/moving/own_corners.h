@@ -22,8 +22,4 @@ struct OwnCorners {
 /// mass is the centroid where there is none.
 void weighCells(const OwnCorners& cells, const DensityPixels& pixels, CellMoments& moments);
 
-/// The same for the cells that have these polygons.
-void weighCells(const CellPolygons& polygons, std::span<const std::uint64_t> offsets,
-                const DensityPixels& pixels, int threads, CellMoments& moments);
-
 }  // namespace vorpipe::core

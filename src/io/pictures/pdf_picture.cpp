@@ -81,10 +81,24 @@ void printBox(Bytes& text, double left, double top, double width, double height)
   put(text, " re\n");
 }
 
+/// The way along a short arc to its end.
+void printArc(Bytes& text, const PixelArc& arc, Point end) {
+  for (const Point handle : arc.handles()) {
+    printPoint(text, handle);
+    text.push_back(' ');
+  }
+  printPoint(text, end);
+  put(text, " c\n");
+}
+
 void printLines(Bytes& text, const Lines& lines, bool closed) {
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const auto line = lines[k];
     for (std::size_t i = 0; i < line.size(); ++i) {
+      if (const PixelArc* arc = lines.arcTo(k, i)) {
+        printArc(text, *arc, line[i]);
+        continue;
+      }
       printPoint(text, line[i]);
       put(text, i == 0 ? " m\n" : " l\n");
     }

@@ -39,11 +39,29 @@ void printLength(Bytes& text, std::string_view name, double pixels) {
   text.push_back('"');
 }
 
+/// The way along an arc of less than half an ellipse to its end.
+void printArc(Bytes& text, const PixelArc& arc, Point end) {
+  text.push_back('A');
+  printPoint(text, arc.radii);
+  put(text, arc.angle > 0 ? " 0 0 1 " : " 0 0 0 ");
+  printPoint(text, end);
+}
+
 /// The data of a path; `end` is Z where lines are closed.
 void printLines(Bytes& text, const Lines& lines, std::string_view end) {
   for (std::size_t k = 0; k < lines.size(); ++k) {
     text.push_back('M');
-    join(text, lines[k].size(), " ", [&](Bytes& out, std::size_t i) { printPoint(out, lines[k][i]); });
+    bool after_arc = false;
+    for (std::size_t i = 0; i < lines[k].size(); ++i) {
+      const PixelArc* arc = lines.arcTo(k, i);
+      if (arc != nullptr) {
+        printArc(text, *arc, lines[k][i]);
+      } else {
+        put(text, after_arc ? "L" : i > 0 ? " " : "");
+        printPoint(text, lines[k][i]);
+      }
+      after_arc = arc != nullptr;
+    }
     put(text, end);
   }
 }

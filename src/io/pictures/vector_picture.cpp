@@ -2,12 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
+#include <vector>
 
 namespace vorpipe {
 namespace {
 
 constexpr std::size_t least_vertices = 3;
+
+/// Of arcs: a Bezier curve of this angle is as near to its circle as 1e-6 of the radius.
+constexpr double longest_piece = std::numbers::pi / 6;
 
 /// Adds the edges that a cell draws, as lines as long as they are connected.
 template <class Place>
@@ -34,13 +39,17 @@ void addEdges(const Cell& cell, Lines& lines, const Place& place) {
 
 }  // namespace
 
-VectorPicture::VectorPicture(const Diagram& diagram, const RenderOptions& options)
-    : diagram_(&diagram), options_(&options), places_(options) {}
+VectorPicture::VectorPicture(const Sites& sites, const Diagram& diagram, const RenderOptions& options)
+    : sites_(&sites),
+      diagram_(&diagram),
+      options_(&options),
+      free_surface_(hasFreeSurface(diagram, options.outline)),
+      places_(options) {}
 
 Result<VectorPicture> VectorPicture::make(const Sites& sites, const Diagram& diagram,
                                           const RenderOptions& options, int threads) {
   if (auto checked = checkPicture(options); !checked) return tl::unexpected(std::move(checked.error()));
-  VectorPicture picture(diagram, options);
+  VectorPicture picture(sites, diagram, options);
   auto colors = siteColors(sites, diagram, options);
   if (!colors) return tl::unexpected(std::move(colors.error()));
   picture.colors_ = std::move(*colors);
@@ -142,11 +151,58 @@ Lines VectorPicture::outline() const {
   return lines;
 }
 
+/// Adds an arc that begins at the last point, in pieces short enough for both formats.
+void VectorPicture::addArc(const BorderPart& part, Point site, Lines& lines) const {
+  const double radius = std::hypot(part.from.x - site.x, part.from.y - site.y);
+  const Point center = pixelOf(site), corner = pixelOf({site.x + radius, site.y + radius});
+  const double begin = std::atan2(part.from.y - site.y, part.from.x - site.x);
+  const int pieces = std::max(1, static_cast<int>(std::ceil(part.angle / longest_piece)));
+  const double step = part.angle / pieces;
+  for (int k = 0; k < pieces; ++k) {
+    // Downward in pixels.
+    const PixelArc arc{center, {corner.x - center.x, center.y - corner.y}, -(begin + k * step), -step};
+    lines.addArc(arc, k + 1 < pieces ? arc.at(1) : pixelOf(part.to));
+  }
+}
+
+void VectorPicture::addRing(const Cell& cell, Lines& lines) const {
+  const Point site{sites_->x[cell.index()], sites_->y[cell.index()]};
+  const std::vector<BorderPart> border = borderOf(cell, site);
+  if (border.empty()) return;
+  lines.begin();
+  lines.add(pixelOf(border[0].from));
+  for (const BorderPart& part : border) {
+    if (part.angle > 0) {
+      addArc(part, site, lines);
+    } else {
+      lines.add(pixelOf(part.to));
+    }
+  }
+}
+
+/// Adds the arcs of a cell, each as a line.
+void VectorPicture::addSurface(const Cell& cell, Lines& lines) const {
+  const Point site{sites_->x[cell.index()], sites_->y[cell.index()]};
+  for (const BorderPart& part : borderOf(cell, site)) {
+    if (!(part.angle > 0)) continue;
+    lines.begin();
+    lines.add(pixelOf(part.from));
+    addArc(part, site, lines);
+  }
+}
+
 Result<void> VectorPicture::eachCell(const UseCell& use) const {
   Lines rings;
   for (const Cell cell : *diagram_) {
     const CellRings all = cell.rings();
     if (all.empty()) continue;
+    if (free_surface_) {
+      rings.clear();
+      addRing(cell, rings);
+      if (rings.empty()) continue;
+      if (auto used = use(cell.index(), rings); !used) return used;
+      continue;
+    }
     for (const Point by : shownCopies(boxOf(cell.vertices()), *options_, places_)) {
       rings.clear();
       for (std::size_t r = 0; r < all.size(); ++r) {
@@ -168,6 +224,7 @@ Result<void> VectorPicture::eachEdge(const UseLines& use) const {
     for (const Point by : shownCopies(boxOf(cell.vertices()), *options_, places_)) {
       lines.clear();
       addEdges(cell, lines, [&](Point vertex) { return pixelOf({vertex.x + by.x, vertex.y + by.y}); });
+      if (free_surface_) addSurface(cell, lines);
       if (lines.empty()) continue;
       if (auto used = use(lines); !used) return used;
     }

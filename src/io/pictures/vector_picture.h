@@ -1,6 +1,9 @@
 /// What a picture of cells shows, as shapes: all that its writers have in common.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -9,31 +12,69 @@
 #include <vector>
 
 #include "vorpipe.h"
+#include "vorpipe/free_surface.h"
 #include "vorpipe/shapes.h"
 
 namespace vorpipe {
 
-/// Lines through points, in pixels from the picture's upper left corner, y downward.
+/// A part of an ellipse, in pixels; angles are those of its circle before that was stretched, and grow from
+/// the right downward.
+struct PixelArc {
+  Point center, radii;
+  double begin, angle;
+
+  [[nodiscard]] Point at(double part) const {
+    const double a = begin + part * angle;
+    return {center.x + radii.x * std::cos(a), center.y + radii.y * std::sin(a)};
+  }
+  /// The inner two of the four points of a cubic Bezier curve that has the arc's ends, and its directions
+  /// there (Riskus 2006, "Approximation of a cubic Bezier curve by circular arcs and vice versa").
+  [[nodiscard]] std::array<Point, 2> handles() const {
+    const double length = 4.0 / 3 * std::tan(angle / 4), end = begin + angle;
+    const Point first = at(0), last = at(1);
+    return {Point{first.x - length * radii.x * std::sin(begin), first.y + length * radii.y * std::cos(begin)},
+            Point{last.x + length * radii.x * std::sin(end), last.y - length * radii.y * std::cos(end)}};
+  }
+};
+
+/// Lines through points, in pixels from the picture's upper left corner, y downward. From a point to the next
+/// they are straight, or arcs.
 class Lines {
  public:
   void clear() {
     points_.clear();
     begins_.clear();
+    arcs_.clear();
   }
   /// Begins another line, which has no point yet.
   void begin() { begins_.push_back(points_.size()); }
   void add(Point point) { points_.push_back(point); }
+  /// Adds the end of an arc that begins at the point before.
+  void addArc(const PixelArc& arc, Point end) {
+    arcs_.push_back({points_.size(), arc});
+    points_.push_back(end);
+  }
 
   [[nodiscard]] std::size_t size() const { return begins_.size(); }
   [[nodiscard]] bool empty() const { return begins_.empty(); }
+  /// The arc that ends at point i of line k; null where the line is straight.
+  [[nodiscard]] const PixelArc* arcTo(std::size_t k, std::size_t i) const {
+    const auto found = std::ranges::lower_bound(arcs_, begins_[k] + i, {}, &ArcTo::point);
+    return found != arcs_.end() && found->point == begins_[k] + i ? &found->arc : nullptr;
+  }
   [[nodiscard]] std::span<const Point> operator[](std::size_t k) const {
     const std::size_t end = k + 1 < begins_.size() ? begins_[k + 1] : points_.size();
     return std::span(points_).subspan(begins_[k], end - begins_[k]);
   }
 
  private:
+  struct ArcTo {
+    std::size_t point;
+    PixelArc arc;
+  };
   std::vector<Point> points_;
   std::vector<std::size_t> begins_;
+  std::vector<ArcTo> arcs_;  ///< by point, ascending
 };
 
 /// A picture with the same colors, edges, dual, dots, frame, labels and legend as one in pixels, in the order
@@ -46,9 +87,9 @@ class VectorPicture {
   static constexpr double seam_width = 0.5;
   static constexpr std::uint32_t rim_color = black;
 
-  /// The picture that `options` draw of `diagram`, the cells of `sites` with Detail::polygons. They all
-  /// outlive it. Errors: those of siteColors and wrapped(); a size that is none (input); out of memory
-  /// (device).
+  /// The picture that `options` draw of `diagram`, the cells of `sites` with Detail::polygons, or those with
+  /// a free surface, which is drawn as arcs. They all outlive it. Errors: those of siteColors and wrapped();
+  /// a size that is none (input); out of memory (device).
   static Result<VectorPicture> make(const Sites& sites, const Diagram& diagram, const RenderOptions& options,
                                     int threads = 0);
 
@@ -97,15 +138,21 @@ class VectorPicture {
   [[nodiscard]] std::optional<LegendBox> boxBelow(const SiteLabel& label) const;
 
  private:
-  VectorPicture(const Diagram& diagram, const RenderOptions& options);
+  VectorPicture(const Sites& sites, const Diagram& diagram, const RenderOptions& options);
   [[nodiscard]] Point pixelOf(Point place) const { return places_.pixelOf(place); }
   Result<void> placeDots(const Sites& sites, int threads);
   /// Keeps the sites, by index, whose places `at` have a cell.
   Result<void> keepInOutline(const Sites& at, std::vector<std::uint32_t>& sites, int threads) const;
   [[nodiscard]] double spacingOf(std::span<const std::uint32_t> sites) const;
 
+  void addRing(const Cell& cell, Lines& lines) const;
+  void addSurface(const Cell& cell, Lines& lines) const;
+  void addArc(const BorderPart& part, Point site, Lines& lines) const;
+
+  const Sites* sites_;
   const Diagram* diagram_;
   const RenderOptions* options_;
+  bool free_surface_;
   PicturePlaces places_;
   SiteColors colors_;
   std::optional<Legend> legend_;

@@ -37,7 +37,13 @@ SingularParts SingularParts::of(const Laplacian& matrix, int threads) {
   return parts;
 }
 
-void SingularParts::removeMeans(std::vector<double>& values) const {
+void SingularParts::removeMeans(std::vector<double>& values, int threads) const {
+  if (count() == 1 && rows_.front() == values.size()) {
+    const double mean =
+        carefulSum(values.size(), threads, [&](std::size_t i) { return values[i]; }) / rows_.front();
+    forAll(values.size(), threads, [&](std::size_t i) { values[i] -= mean; });
+    return;
+  }
   std::vector<CarefulSum> sums(count());
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (part_of_[i] < count()) sums[part_of_[i]].add(values[i]);

@@ -14,7 +14,7 @@ class SingularParts {
   static SingularParts of(const Laplacian& matrix, int threads);
 
   /// Takes from `values` their mean over each of these parts.
-  void removeMeans(std::vector<double>& values) const;
+  void removeMeans(std::vector<double>& values, int threads) const;
 
   [[nodiscard]] std::size_t count() const { return rows_.size(); }
   /// The number of the part of each row; count() or more: of none.

@@ -274,8 +274,12 @@ Result<void> Relaxation::State::equalize() {
   }
   if (!measured) return tl::unexpected(std::move(measured.error()));
   keep(std::move(equal->sites), std::move(*measured));
-  equal_note = fmt::format("masses: {} more diagrams made them equal to {:.2g} % of their mean",
-                           equal->diagrams, 100 * equal->worst);
+  if (equal->worst > tolerance) {
+    equal_note = fmt::format(
+        "masses differ by up to {:.2g} % of their mean after {} diagrams that made them "
+        "equal; with more iterations there are more of these",
+        100 * equal->worst, equal->diagrams);
+  }
   return {};
 }
 

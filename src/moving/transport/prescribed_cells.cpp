@@ -9,8 +9,10 @@
 #include "base/refusal.h"
 #include "base/stopwatch.h"
 #include "moving/linear/laplacian_solver.h"
+#include "moving/transport/lacking_part.h"
 #include "moving/transport/mass_matrix.h"
 #include "moving/transport/misfit.h"
+#include "moving/transport/roomy_box.h"
 #include "moving/transport/start_weights.h"
 #include "vorpipe.h"
 
@@ -60,7 +62,9 @@ struct PrescribedCells::State {
   Result<bool> beginAnywhere(Sites& sites);
   Result<bool> begin(Sites& sites);
   void keep(const Sites& sites, const Misfit& now);
-  Result<std::uint64_t> findWay();
+  void tell();
+  Result<bool> joinParts(Sites& sites, double enough);
+  Result<std::uint64_t> findWay(Sites& sites, double enough);
   Result<TransportEnd> iterate(Sites& sites);
   Result<bool> search(Sites& sites, std::uint64_t newton, double enough, double& length);
   [[nodiscard]] double firstLength() const;
@@ -92,14 +96,21 @@ void PrescribedCells::State::keep(const Sites& sites, const Misfit& now) {
   trace.back().taken = true;
 }
 
+/// Tells the watcher of the last diagram.
+void PrescribedCells::State::tell() {
+  if (watcher && !watcher(trace.back())) stopped = true;
+}
+
 /// Whether these weights leave every cell at least that part of its mass. They are kept then.
 Result<bool> PrescribedCells::State::beginWith(Sites& sites, std::vector<double> weights, double least) {
   sites.weight = std::move(weights);
   Misfit now;
   auto whole = measure(sites, {}, now);
-  if (!whole || !*whole || !(now.least >= least)) return whole ? Result<bool>(false) : whole;
-  keep(sites, now);
-  return true;
+  if (!whole) return whole;
+  const bool enough = *whole && now.least >= least;
+  if (enough) keep(sites, now);
+  tell();
+  return enough;
 }
 
 /// Begins with weights that do not depend on those that the sites have.
@@ -121,7 +132,9 @@ Result<bool> PrescribedCells::State::beginAnywhere(Sites& sites) {
   for (std::size_t k = 0; k < starts.size() && begun && !*begun && mayMeasure(); ++k) {
     begun = beginWith(sites, std::move(starts[k]), any);
   }
-  return begun;
+  const bool everywhere = options.outline.empty() && options.density.values.empty();
+  if (!begun || *begun || everywhere || !mayMeasure() || options.periodic != Periodic::none) return begun;
+  return beginWith(sites, spreadWeights(sites, roomyBox(options)), any);
 }
 
 Result<bool> PrescribedCells::State::begin(Sites& sites) {
@@ -132,9 +145,55 @@ Result<bool> PrescribedCells::State::begin(Sites& sites) {
   return beginAnywhere(sites);
 }
 
-/// Finds the Newton step from the weights that are kept; returns the iterations of the linear solver.
-Result<std::uint64_t> PrescribedCells::State::findWay() {
+/// No Newton step moves mass between parts that no edge joins. This raises the weights of the part that lacks
+/// most, until one of its cells reaches into another part; whether that was done.
+Result<bool> PrescribedCells::State::joinParts(Sites& sites, double enough) {
   massMatrix(cells.neighbors(), cells.edges(), threads, matrix);
+  const bool may_be_parts = !options.outline.empty() || !options.density.values.empty();
+  if (surface != Surface::none || !may_be_parts) return false;
+  const LackingPart part = lackingPart(matrix, missing, threads);
+  const double total = carefulSum(masses.size(), threads, [&](std::size_t i) { return masses[i]; });
+  const double mean = total / static_cast<double>(masses.size());
+  if (part.cells.empty() || part.lack <= limits.tolerance * mean) return false;
+  const Box& box = options.domain;
+  const double area = (box.xmax - box.xmin) * (box.ymax - box.ymin);
+  double none = 0, too_much = std::numeric_limits<double>::infinity();
+  for (double raise = area / static_cast<double>(sites.size()); mayMeasure();) {
+    sites.weight = kept;
+    for (const auto i : part.cells) sites.weight[i] += raise;
+    Misfit now;
+    const auto whole = measure(sites, {}, now);
+    if (!whole) return whole;
+    tell();
+    const double lack = *whole ? std::abs(lackOf(part.cells, now_missing)) : part.lack;
+    // Less by this part is no rounding.
+    const bool moved = lack < 0.999 * part.lack;
+    if (*whole && now.least >= enough && moved) {
+      keep(sites, now);
+      return true;
+    }
+    const bool nothing = *whole && lackOf(part.cells, now_missing) > 0 && !moved;
+    (nothing ? none : too_much) = raise;
+    const double next = std::isfinite(too_much) ? none + (too_much - none) / 2 : 2 * raise;
+    if (next == raise || !std::isfinite(next)) break;
+    raise = next;
+  }
+  return false;
+}
+
+/// Finds the Newton step from the weights that are kept; returns the iterations of the linear solver.
+Result<std::uint64_t> PrescribedCells::State::findWay(Sites& sites, double enough) {
+  Result<bool> joined = true;
+  while (joined && *joined) joined = joinParts(sites, enough);
+  if (!joined) return tl::unexpected(std::move(joined.error()));
+  // What was tried last may not be what is kept.
+  if (!current) {
+    sites.weight = kept;
+    Misfit now;
+    if (auto again = measure(sites, {}, now); !again) return tl::unexpected(std::move(again.error()));
+    keep(sites, now);
+    massMatrix(cells.neighbors(), cells.edges(), threads, matrix);
+  }
   // A system solved to r leaves r of the misfit where the step itself would leave its square.
   constexpr double coarsest = 1e-3, finest = 1e-9;
   const double tolerance = std::clamp(0.1 * misfit.worst, finest, coarsest);
@@ -147,7 +206,7 @@ Result<std::uint64_t> PrescribedCells::State::findWay() {
 /// less (Kitagawa, Merigot and Thibert 2019, algorithm 1). Whether there was one.
 Result<bool> PrescribedCells::State::search(Sites& sites, std::uint64_t newton, double enough,
                                             double& length) {
-  const auto iterations = findWay();
+  const auto iterations = findWay(sites, enough);
   if (!iterations) return tl::unexpected(iterations.error());
   while (length >= least_length && mayMeasure()) {
     forAll(sites.size(), threads, [&](std::size_t i) { sites.weight[i] = kept[i] + length * way[i]; });
@@ -161,7 +220,7 @@ Result<bool> PrescribedCells::State::search(Sites& sites, std::uint64_t newton, 
     const bool less = now.norm <= (1 - length / 2) * misfit.norm;
     const bool taken = *whole && now.least >= enough && less;
     if (taken) keep(sites, now);
-    if (watcher && !watcher(trace.back())) stopped = true;
+    tell();
     if (taken) return true;
     // Near the end a whole step is right; that it gains nothing is rounding.
     if (*whole && length == 1 && misfit.worst < near_rounding) {
@@ -218,6 +277,9 @@ Result<TransportEnd> PrescribedCells::solve(Sites& sites, const PrescribedLimits
   s.stopped = s.current = false;
   const auto begun = s.begin(sites);
   if (!begun) return tl::unexpected(begun.error());
+  if (!*begun && s.stopped) {
+    return tl::unexpected(Error{ErrorCode::cancelled, "stopped before every cell had some of its mass"});
+  }
   if (!*begun) return tl::unexpected(refusal(Subject::sites, "no weights give each site a cell with mass"));
   auto end = s.iterate(sites);
   if (!end && end.error().code == ErrorCode::cancelled) {
@@ -230,6 +292,7 @@ Result<TransportEnd> PrescribedCells::solve(Sites& sites, const PrescribedLimits
     Misfit now;
     if (auto again = s.measure(sites, {}, now); !again) return tl::unexpected(again.error());
     s.keep(sites, now);
+    s.tell();
   }
   return end;
 }

@@ -5,11 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "vorpipe/transport.h"
-
-namespace vorpipe {
-class Session;
-}
+#include "vorpipe.h"
 
 namespace vorpipe::moving {
 

@@ -1,5 +1,3 @@
-#include "vorpipe/transport.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -13,6 +11,7 @@
 #include "moving/transport/prescribed_cells.h"
 #include "moving/transport/targets.h"
 #include "vorpipe.h"
+#include "vorpipe/masses.h"
 
 namespace vorpipe {
 
@@ -45,20 +44,6 @@ Result<void> checkPlaces(const Sites& sites) {
       Subject::sites,
       fmt::format("sites {} and {} (counted from 0) are at one place, so that neither can have its mass",
                   *same, *std::next(same))));
-}
-
-/// The mass of the domain: what all cells of a first diagram have.
-Result<double> wholeMass(Session& session, const Sites& sites, const TransportOptions& options) {
-  const Box& box = options.domain;
-  if (options.outline.empty() && options.density.values.empty()) {
-    return (box.xmax - box.xmin) * (box.ymax - box.ymin);
-  }
-  Sites equal = sites;
-  equal.weight.clear();
-  MovingCells cells(session, cellsOptions(options));
-  if (auto done = cells.update(equal); !done) return tl::unexpected(std::move(done.error()));
-  const auto& mass = cells.moments().mass;
-  return carefulSum(mass.size(), session.threads(), [&](std::size_t i) { return mass[i]; });
 }
 
 double costOf(const Sites& sites, const CellMoments& cells, int threads) {
@@ -99,7 +84,7 @@ Result<Transported> transport(Session& session, Sites sites, const TransportOpti
                     : wrapped(sites, options.domain, options.periodic, session.threads());
   if (!places) return tl::unexpected(std::move(places.error()));
   if (auto checked = checkPlaces(*places); !checked) return tl::unexpected(std::move(checked.error()));
-  const auto whole = wholeMass(session, *places, options);
+  const auto whole = massOfDomain(session, options);
   if (!whole) return tl::unexpected(whole.error());
   const auto targets = targetsOf(options, places->size(), *whole);
   if (!targets) return tl::unexpected(targets.error());

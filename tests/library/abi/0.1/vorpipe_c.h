@@ -660,8 +660,8 @@ typedef struct vorpipe_transport_options {
   int32_t normalize;    /* not 0: scales the masses so that they add up to what the domain has */
   const double* masses; /* by site, each more than 0; NULL: equal ones */
   uint64_t mass_count;
-  double fill;       /* a free surface, and this part of what the domain has for all cells; 0: cells fill it */
-  double tolerance;  /* ends when no cell differs from its mass by more than this part of it; 0: 1e-8 */
+  double fill;      /* a free surface, and this part of what the domain has for all cells; 0: cells fill it */
+  double tolerance; /* ends when no cell differs from its mass by more than this part of it; 0: 1e-8 */
   uint64_t diagrams; /* the most that are computed; 0: 400 */
   vorpipe_surface surface;
   vorpipe_search search;
@@ -684,9 +684,9 @@ VORPIPE_API void vorpipe_transported_free(vorpipe_transported* transported);
 
 typedef int32_t vorpipe_transported_field;
 enum {
-  VORPIPE_TRANSPORTED_WEIGHTS = 1,   /* by site: double */
-  VORPIPE_TRANSPORTED_MASSES = 2,    /* by site: double, what the cells have; none where nothing was measured */
-  VORPIPE_TRANSPORTED_AREAS = 3,     /* likewise */
+  VORPIPE_TRANSPORTED_WEIGHTS = 1, /* by site: double */
+  VORPIPE_TRANSPORTED_MASSES = 2,  /* by site: double, what the cells have; none where nothing was measured */
+  VORPIPE_TRANSPORTED_AREAS = 3,   /* likewise */
   VORPIPE_TRANSPORTED_CENTROIDS = 4, /* likewise: 2 doubles, of the mass; in degrees where the input is
                                       * projected */
   VORPIPE_TRANSPORTED_STATUS = 5,    /* likewise: uint8 */
@@ -713,7 +713,8 @@ VORPIPE_API double vorpipe_transported_cost(const vorpipe_transported* transport
 VORPIPE_API vorpipe_code vorpipe_transported_report(const vorpipe_transported* transported,
                                                     vorpipe_report* report);
 VORPIPE_API const char* vorpipe_transported_note(const vorpipe_transported* transported, size_t index);
-/* The sites with these weights, as an input: for cells and pictures, or to save. For the caller to free. */
+/* The sites with these weights, as an input: for cells and pictures, which fill the domain, or to save. For
+ * the caller to free. */
 VORPIPE_API vorpipe_code vorpipe_transported_input(const vorpipe_transported* transported,
                                                    vorpipe_input** input);
 /* As vorpipe_relaxation_write and vorpipe_relaxation_save: the sites with these weights. */

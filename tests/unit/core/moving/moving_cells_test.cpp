@@ -2,13 +2,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
+#include "core/cells/segment_density.h"
 #include "unit/fixtures/checked_runs.h"
-#include "unit/fixtures/outlines.h"
+#include "unit/fixtures/long_cells.h"
 
 namespace vorpipe::test {
 namespace {
@@ -174,6 +177,97 @@ TEST(MovingCells, couplingsAreThoseOfTheOtherCell) {
       ASSERT_NE(back, couplings.end()) << i << " and " << j;
       EXPECT_NEAR(coupling, back->second, 1e-13) << i << " and " << j;
       EXPECT_GT(coupling, 0);
+    }
+  }
+}
+
+TEST(MovingCells, edgesAlongALineOfPixelsHaveTheMeanOfBothSides) {
+  // Rows count from the top.
+  const Density density{2, 2, {1, 2, 3, 5}};
+  const core::DensityPixels box(density, {0, 0, 4, 2}, Periodic::none);
+  const core::DensityPixels repeated(density, {0, 0, 4, 2}, Periodic::xy);
+  const auto expect = [](const core::SegmentDensity& along, double mean, double center) {
+    EXPECT_DOUBLE_EQ(along.mean, mean);
+    EXPECT_DOUBLE_EQ(along.center, center);
+  };
+  expect(densityAlong(box, {2, 0.25}, {2, 0.75}), 4, 0.5);
+  expect(densityAlong(box, {1, 1}, {3, 1}), 2.75, (2 * 0.25 + 3.5 * 0.75) / 5.5);
+  expect(densityAlong(box, {3, 1}, {1, 1}), 2.75, 1 - (2 * 0.25 + 3.5 * 0.75) / 5.5);
+  expect(densityAlong(box, {0, 0.5}, {0, 1.5}), 2, (3 * 0.25 + 1 * 0.75) / 4);
+  expect(densityAlong(repeated, {4, 0.5}, {4, 1.5}), 2.75, (4 * 0.25 + 1.5 * 0.75) / 5.5);
+  expect(densityAlong(repeated, {-1, -0.5}, {1, -0.5}), 1.5, (2 * 0.25 + 1 * 0.75) / 3);
+  expect(densityAlong(repeated, {1, 0.5}, {1, 0.5}), 3, 0.5);
+  expect(densityAlong(box, {1, 0}, {3, 2}), 2.5, (3 * 0.25 + 2 * 0.75) / 5);
+}
+
+TEST(MovingCells, aSiteWithoutMassIsAsOneWithoutACell) {
+  Session session = cpuSession();
+  CellsOptions options{};
+  options.domain = {0, 0, 1, 1};
+  options.density = {2, 1, {1, 0}};
+  MovingCells cells(session, options);
+  const auto some = cells.updateUnlessEmpty({{0.3, 0.6}, {0.5, 0.5}, {}});
+  ASSERT_TRUE(some);
+  EXPECT_TRUE(*some);
+  const auto without = cells.updateUnlessEmpty({{0.3, 0.9}, {0.5, 0.5}, {}});
+  ASSERT_TRUE(without);
+  EXPECT_FALSE(*without);
+}
+
+/// A lattice whose sites are moved, and get weights, by some parts of its spacing.
+Sites disturbed(Pattern lattice, double by, double weights) {
+  constexpr std::uint64_t count = 64;
+  const double spacing = 1 / std::sqrt(static_cast<double>(count));
+  Sites sites = generate(lattice, count, 1);
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const auto k = static_cast<double>(i);
+    sites.x[i] += by * spacing * std::sin(78.233 * k);
+    sites.y[i] += by * spacing * std::sin(12.9898 * k * k);
+    if (weights > 0) sites.weight.push_back(weights * spacing * spacing * std::sin(7.0 * k));
+  }
+  return sites;
+}
+
+std::vector<Case> exactCases() {
+  std::vector<Case> all = cases();
+  std::erase_if(all, [](const Case& c) { return c.options.periodic == Periodic::y; });
+  for (Case& c : all) {
+    if (!c.options.outline.empty())
+      c.options.outline = {{{0.04, 0.03}, {0.97, 0.11}, {0.9, 0.98}, {0.1, 0.9}}, {0, 4}, {0, 1}};
+  }
+  return all;
+}
+
+double worstMass(const Sites& sites, const CellsOptions& options) {
+  Session session = cpuSession();
+  MovingCells cells(session, options);
+  const auto masses = massesOf(cells, sites);
+  const auto placed = wrapped(sites, options.domain, options.periodic);
+  EXPECT_TRUE(placed);
+  const LongCells exact(*placed, options, 0.45);
+  double worst = 0;
+  long double total = 0;
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const long double right = exact.massOf(i);
+    total += right;
+    worst = std::max(worst, static_cast<double>(std::abs(masses[i] - right)));
+  }
+  const double sum = std::reduce(masses.begin(), masses.end());
+  EXPECT_NEAR(sum, static_cast<double>(total), 1e-13 * sum);
+  return worst / (sum / static_cast<double>(sites.size()));
+}
+
+/// All corners of a lattice are ties, or nearly so.
+TEST(MovingCells, massesOfDisturbedLatticesAreExact) {
+  constexpr std::pair<double, double> disturbances[] = {{0, 0},    {1e-8, 0},    {1e-6, 0},   {1e-3, 0},
+                                                        {0, 1e-8}, {1e-6, 1e-6}, {1e-3, 1e-3}};
+  for (const auto& [name, options] : exactCases()) {
+    for (const Pattern lattice : {Pattern::square, Pattern::hex}) {
+      for (const auto& [by, weights] : disturbances) {
+        const double worst = worstMass(disturbed(lattice, by, weights), options);
+        EXPECT_LT(worst, 1e-12) << name << (lattice == Pattern::hex ? ", hexagonal" : ", square")
+                                << ", moved by " << by << ", weights " << weights;
+      }
     }
   }
 }

@@ -1,13 +1,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <string>
 #include <string_view>
 
 #include "io/pictures/pdf_picture.h"
 #include "io/pictures/svg_picture.h"
+#include "io/pictures/vector_picture.h"
 #include "unit/fixtures/checked_runs.h"
+#include "vorpipe/free_surface.h"
 
 namespace vorpipe::test {
 namespace {
@@ -148,6 +151,58 @@ TEST(Pdf, ALargePictureFitsOntoAPage) {
   Scene scene = twoHalves();
   scene.options.width = 32000;
   EXPECT_THAT(scene.pdf(), HasSubstr("/MediaBox [0 0 14400 45]"));
+}
+
+/// A disc, and one of which a wall takes a part, in a picture that is twice as wide as the square.
+Scene twoDrops() { return {{{0.3, 0.9}, {0.5, 0.6}, {0.0625, 0.04}}, optionsOf(400, 200)}; }
+
+Diagram dropsOf(const Scene& scene) {
+  Session session = cpuSession();
+  auto cells = freeCells(session, scene.sites, cellsOptions(scene.options));
+  EXPECT_TRUE(cells) << cells.error().message;
+  return std::move(*cells);
+}
+
+TEST(VectorPicture, AFreeSurfaceIsDrawnAsArcs) {
+  Scene scene = twoDrops();
+  scene.options.edges = true;
+  const Diagram cells = dropsOf(scene);
+  MemorySink svg("a.svg"), pdf("a.pdf");
+  ASSERT_TRUE(writeSvgPicture(svg, scene.sites, cells, scene.options));
+  ASSERT_TRUE(writePdfPicture(pdf, scene.sites, cells, scene.options));
+  const std::string text = svg.take();
+  EXPECT_THAT(text, HasSubstr("M220 100A100 50 0 0 0 "));
+  // A whole turn, and one without what the wall takes: as cells and as edges.
+  EXPECT_EQ(countOf(text, "A100 50 0 0 0 "), 2u * 12);
+  EXPECT_EQ(countOf(text, "A80 40 0 0 0 "), 2u * 9);
+}
+
+TEST(VectorPicture, CurvesOfArcsAreRound) {
+  const Scene scene = twoDrops();
+  const Diagram cells = dropsOf(scene);
+  const auto picture = VectorPicture::make(scene.sites, cells, scene.options);
+  ASSERT_TRUE(picture);
+  int arcs = 0;
+  double worst = 0;
+  const auto look = [&](std::size_t, const Lines& rings) -> Result<void> {
+    for (std::size_t i = 0; i < rings[0].size(); ++i) {
+      const PixelArc* arc = rings.arcTo(0, i);
+      if (arc == nullptr) continue;
+      ++arcs;
+      const Point from = rings[0][i - 1], to = rings[0][i];
+      const auto [first, second] = arc->handles();
+      for (double t = 0; t <= 1; t += 1.0 / 64) {
+        const double s = 1 - t, a = s * s * s, b = 3 * s * s * t, c = 3 * s * t * t, d = t * t * t;
+        const double x = a * from.x + b * first.x + c * second.x + d * to.x - arc->center.x;
+        const double y = a * from.y + b * first.y + c * second.y + d * to.y - arc->center.y;
+        worst = std::max(worst, std::abs(std::hypot(x / arc->radii.x, y / arc->radii.y) - 1));
+      }
+    }
+    return {};
+  };
+  ASSERT_TRUE(picture->eachCell(look));
+  EXPECT_EQ(arcs, 12 + 9);
+  EXPECT_LT(worst, 1e-6);
 }
 
 TEST(VectorPicture, TheSameCellsGiveTheSameBytes) {

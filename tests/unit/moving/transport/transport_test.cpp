@@ -179,6 +179,33 @@ TEST(Transport, densitiesEndQuadratically) {
   EXPECT_LT(then, 10 * before * before + 1e-10);
 }
 
+TEST(Transport, sitesMayLieWhereThereIsNoMass) {
+  Sites sites = generate(Pattern::random, 300, 10);
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    sites.x[i] = 0.6 + 0.4 * sites.x[i];
+    sites.y[i] = 0.6 + 0.4 * sites.y[i];
+  }
+  TransportOptions letter = unitSquare(1e-8), half = unitSquare(1e-8);
+  letter.outline = {{{0, 0}, {1, 0}, {1, 0.2}, {0.2, 0.2}, {0.2, 1}, {0, 1}}, {0, 6}, {0, 1}};
+  half.density = {2, 1, {1, 0}};
+  for (const TransportOptions& options : {letter, half}) {
+    const Transported done = transported(sites, options);
+    EXPECT_EQ(done.end, TransportEnd::converged);
+    const auto [least, most] = std::ranges::minmax(done.cells.mass);
+    EXPECT_NEAR(least / most, 1, 1e-7);
+  }
+}
+
+TEST(Transport, islandsShareTheirSites) {
+  TransportOptions options = unitSquare(1e-8);
+  options.outline = {
+      {{0, 0}, {0.3, 0}, {0.3, 1}, {0, 1}, {0.6, 0.1}, {1, 0.1}, {1, 0.7}, {0.6, 0.7}}, {0, 4, 8}, {0, 1, 2}};
+  const Transported done = transported(generate(Pattern::random, 200, 11), options);
+  EXPECT_EQ(done.end, TransportEnd::converged);
+  const auto [least, most] = std::ranges::minmax(done.cells.mass);
+  EXPECT_NEAR(least / most, 1, 1e-7);
+}
+
 TEST(Transport, weightsThatAreRightAreLeft) {
   const Transported first = transported(generate(Pattern::random, 2000, 7), unitSquare(1e-9));
   const Transported second = transported(first.sites, unitSquare(1e-8));

@@ -1,0 +1,46 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "vorpipe.h"
+#include "vorpipe/free_surface.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr auto air = static_cast<std::int64_t>(Wall::outline);
+
+/// Under which a place sees a line from a to b, which runs counter-clockwise around it.
+double angleOf(Point a, Point b, Point from) {
+  const double ax = a.x - from.x, ay = a.y - from.y, bx = b.x - from.x, by = b.y - from.y;
+  return std::atan2(ax * by - ay * bx, ax * bx + ay * by);
+}
+
+}  // namespace
+
+std::vector<BorderPart> borderOf(const Cell& cell, Point site) {
+  const auto vertices = cell.vertices();
+  const auto neighbors = cell.neighbors();
+  const std::size_t count = vertices.size();
+  std::vector<BorderPart> parts;
+  bool in_arc = false;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Point from = vertices[k], to = vertices[k + 1 < count ? k + 1 : 0];
+    const bool is_arc = neighbors[k] == air;
+    if (!in_arc || !is_arc) parts.push_back({from, to, 0, neighbors[k]});
+    if (is_arc) {
+      parts.back().to = to;
+      parts.back().angle += angleOf(from, to, site);
+    }
+    in_arc = is_arc;
+  }
+  if (parts.size() == 1) parts[0].angle = 2 * std::numbers::pi;
+  return parts;
+}
+
+bool hasFreeSurface(const Diagram& diagram, const Outline& outline) {
+  return outline.empty() && !diagram.vertices.empty() &&
+         std::ranges::find(diagram.neighbors, air) != diagram.neighbors.end();
+}
+
+}  // namespace vorpipe
