@@ -29,14 +29,14 @@ case_of "the page of the program has all subcommands"
 for subcommand in $subcommands; do
   grep -qxF "\\fB$subcommand\\fP" man/vorpipe.1 || fail "not $subcommand"
 done
-[ "$(echo $pages | wc -w)" -eq 14 ] || fail "there are not thirteen subcommands: $subcommands"
+[ "$(echo $pages | wc -w)" -eq 13 ] || fail "there are not twelve subcommands: $subcommands"
 
 # Options stand in groups, in one order everywhere, and each in one.
 for subcommand in $subcommands; do
   case_of "groups of $subcommand"
   "$vorpipe" "$subcommand" --help >files/help
   groups=$(grep -oE '^[A-Z][a-z]+:$' files/help | tr -d : | grep -vx 'Positionals\|Examples\?')
-  ordered=$(for group in Input Domain Cells Relaxation Masses Picture Window Measurement Output Device Run Help; do
+  ordered=$(for group in Input Domain Cells Relaxation Masses Fluid Picture Window Measurement Output Device Run Help; do
     grep -x $group <<<"$groups"
   done)
   [ "$groups" = "$ordered" ] || fail "they are: $(xargs <<<"$groups")"
