@@ -171,9 +171,11 @@ void Flow::measure(const Parcels& parcels, FluidStep& step) const {
     return Point{moments.centroid[i].x - parcels.sites.x[i], moments.centroid[i].y - parcels.sites.y[i]};
   };
   step.kinetic = sum([&](std::size_t i) { return parcels.mass[i] * square(parcels.velocity[i]) / 2; });
+  // Springs accelerate sites; by projection a site may leave the middle of its cell, which the mass is in.
+  const bool at_sites = options_.scheme == FluidScheme::springs;
   step.potential = -sum([&](std::size_t i) {
-    return parcels.mass[i] *
-           (options_.gravity.x * parcels.sites.x[i] + options_.gravity.y * parcels.sites.y[i]);
+    const Point at = at_sites ? Point{parcels.sites.x[i], parcels.sites.y[i]} : moments.centroid[i];
+    return parcels.mass[i] * (options_.gravity.x * at.x + options_.gravity.y * at.y);
   });
   step.spring = 0;
   if (options_.scheme == FluidScheme::springs) {
