@@ -78,13 +78,6 @@ Result<void> checkCommand(TransportCommand& command) {
         "--stats)");
   }
   if (auto checked = checkMasses(command.masses); !checked) return checked;
-  const bool has_air = command.masses.around() == Surface::free;
-  if (has_air && !(command.targets.cells.empty() && command.targets.pictures.empty())) {
-    return inputError(
-        "--fill: files of cells and pictures know no air; -o and --save-weights have the weights, which are "
-        "the "
-        "squares of the discs' radii");
-  }
   if (!command.weights.empty()) {
     if (auto checked = checkWeightsPath(command.weights); !checked) {
       return named("--save-weights", std::move(checked.error()));
@@ -190,8 +183,8 @@ Result<ExitCode> transportCells(TransportCommand& command, const Invocation& how
   auto masses = loadMasses(command.masses, *input);
   if (!masses) return tl::unexpected(std::move(masses.error()));
   TransportOptions options = transportOptions(command, *input, *density, std::move(*masses));
-  const ResultJob job{command.targets, reading,        command.picture,        *input,
-                      *density,        command.search, command.backend.threads};
+  const ResultJob job{command.targets, reading,        command.picture,         *input,
+                      *density,        command.search, command.backend.threads, command.masses.around()};
   if (auto checked = checkBefore(job); !checked) return tl::unexpected(std::move(checked.error()));
   printNotes(command.talk, *input);
   const auto paths = outputPaths(command);

@@ -6,11 +6,11 @@
 namespace vorpipe::cli {
 
 std::vector<std::string> inOrder(std::vector<std::string> groups) {
-  constexpr std::array<std::string_view, 12> order = {"Input",  "Domain",  "Cells",  "Relaxation",
-                                                      "Masses", "Picture", "Window", "Measurement",
-                                                      "Output", "Device",  "Run",    help_group};
+  constexpr std::array<std::string_view, 13> order = {"Input",  "Domain",  "Cells",   "Relaxation",  "Masses",
+                                                      "Fluid",  "Picture", "Window",  "Measurement", "Output",
+                                                      "Device", "Run",     help_group};
   // One that is not known here stands before the device.
-  constexpr std::size_t unknown = 8;
+  constexpr std::size_t unknown = 9;
   const auto place = [&](const std::string& group) {
     const auto found = std::ranges::find(order, group);
     return found == order.end() ? unknown : static_cast<std::size_t>(found - order.begin());

@@ -7,8 +7,10 @@
 #include <iterator>
 #include <utility>
 
+#include "cli/runs/free_drawing.h"
 #include "cli/runs/picture.h"
 #include "io/forecast/forecast_files.h"
+#include "vorpipe/free_surface.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -57,7 +59,10 @@ Result<void> checkBefore(const ResultJob& job) {
   if (auto checked = checkInput(job.options, job.input, cellsOptions(job), job.threads); !checked)
     return checked;
   if (job.targets.pictures.empty()) return {};
-  return pictureOf(job.picture, job.options, job.input).map([](const RenderOptions&) {});
+  const auto render = pictureOf(job.picture, job.options, job.input);
+  if (!render) return tl::unexpected(render.error());
+  return job.surface == Surface::free ? checkFreePicture(*render, needsOf(job.targets.pictures))
+                                      : Result<void>();
 }
 
 DrawingNeeds needsOf(const std::vector<PictureFile>& pictures) {
@@ -66,19 +71,23 @@ DrawingNeeds needsOf(const std::vector<PictureFile>& pictures) {
 }
 
 Result<ResultParts> partsOf(Session& session, const ResultJob& job, const Sites& sites) {
+  const bool has_air = job.surface == Surface::free;
   ResultParts parts{sites};
   if (!job.targets.pictures.empty()) {
     auto render = pictureOf(job.picture, job.options, job.input);
     if (!render) return tl::unexpected(std::move(render.error()));
     parts.render = std::move(*render);
     parts.render.search = job.search;
-    auto drawing = draw(session, sites, parts.render, needsOf(job.targets.pictures));
+    const auto needs = needsOf(job.targets.pictures);
+    auto drawing =
+        has_air ? drawFree(session, sites, parts.render, needs) : draw(session, sites, parts.render, needs);
     if (!drawing) return tl::unexpected(std::move(drawing.error()));
     parts.drawing = std::move(*drawing);
   }
   Diagram none;
   if (!job.targets.cells.empty()) {
-    auto cells = session.cells(sites, cellsOptions(job));
+    auto cells =
+        has_air ? freeCells(session, sites, cellsOptions(job)) : session.cells(sites, cellsOptions(job));
     if (!cells) return tl::unexpected(std::move(cells.error()));
     parts.cells = std::move(*cells);
   }
