@@ -62,6 +62,11 @@ printf '0.1\n0.2\n0.3\n0.4\n' >in/whole.txt
 succeeds "masses that add up" transport --backend cpu --sites random:4 --masses in/whole.txt -o out/whole.csv
 succeeds "a free surface" transport --backend cpu --sites random:200 --fill 0.5 -o out/free.csv --stats out/free.json
 worst out/free.json 1e-8
+succeeds "cells with arcs" transport --backend cpu --sites random:20 --fill 0.5 --cells out/free-cells.csv --picture out/free.svg --picture out/free.png --size 200
+same_areas out/free-cells.csv 1e-8
+cut -d, -f6 out/free-cells.csv | sed 1d | awk '{ sum += $1 } END { exit !(sum > 0.4999999 && sum < 0.5000001) }' ||
+  fail "areas do not add up to what is filled"
+grep -q 'A[0-9.]* [0-9.]* 0 0 0 ' out/free.svg || fail "there are no arcs"
 grep -q '"surface": "free"' out/free.json || fail "the stats do not say so"
 
 # -- Runs that end early --------------------------------------------------------------------------------
@@ -115,6 +120,7 @@ printf 'x,y\n0,0\n1,0\n0,0\n' >in/twice.csv
 wrong "two sites at one place" "sites 0 and 2 (counted from 0)" --sites in/twice.csv -o out/old.csv
 wrong "nothing to scale" "--normalize: scales what --masses names" --sites random:9 --normalize -o out/old.csv
 wrong "a surface without masses" "--surface: equal masses do not say" --sites random:9 --surface free -o out/old.csv
+wrong "a legend in air" "takes no legend yet" --sites random:9 --fill 0.5 --picture out/old.png --color weight --legend
 wrong "too full" "--fill: 2 is not a part" --sites random:9 --fill 2 -o out/old.csv
 wrong "no tolerance" "--tolerance: 0" --sites random:9 --tolerance 0 -o out/old.csv
 wrong "a kind of weights" "--save-weights: out/old.doc: unknown kind" --sites random:9 --save-weights out/old.doc

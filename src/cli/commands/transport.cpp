@@ -224,8 +224,8 @@ Result<ExitCode> transportCells(TransportCommand& command, const Invocation& how
   auto masses = loadMasses(command.masses, *input);
   if (!masses) return tl::unexpected(std::move(masses.error()));
   TransportOptions options = transportOptions(command, *input, *density, std::move(*masses));
-  const ResultJob job{command.targets, reading,        command.picture,        *input,
-                      *density,        command.search, command.backend.threads};
+  const ResultJob job{command.targets, reading,        command.picture,         *input,
+                      *density,        command.search, command.backend.threads, command.masses.around()};
   if (auto checked = checkBefore(job); !checked) return tl::unexpected(std::move(checked.error()));
   printNotes(command.talk, *input);
   const auto paths = outputPaths(command);

@@ -9,6 +9,7 @@
 
 #include "cli/runs/picture.h"
 #include "io/forecast/forecast_files.h"
+#include "vorpipe/free_surface.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -40,6 +41,32 @@ CellsOptions cellsOptions(const ResultJob& job) {
   return options;
 }
 
+Result<Diagram> cellsOf(Session& session, const ResultJob& job, const Sites& sites,
+                        const CellsOptions& options) {
+  return job.surface == Surface::free ? freeCells(session, sites, options) : session.cells(sites, options);
+}
+
+/// The drawing of cells with a free surface. Errors: also those of takeOutAir.
+Result<Drawing> drawFree(Session& session, const ResultJob& job, const Sites& sites,
+                         const RenderOptions& render) {
+  const DrawingNeeds needs = needsOf(job.targets.pictures);
+  Drawing drawing;
+  if (needs.pixels) {
+    auto drawn = draw(session, sites, render, {true, false});
+    if (!drawn) return drawn;
+    drawing = std::move(*drawn);
+    if (auto taken = takeOutAir(sites, render, drawing.pixels->image, job.threads); !taken) {
+      return tl::unexpected(std::move(taken.error()));
+    }
+  }
+  if (needs.cells) {
+    auto cells = freeCells(session, sites, shapesOptions(render));
+    if (!cells) return tl::unexpected(std::move(cells.error()));
+    drawing.cells = std::move(*cells);
+  }
+  return drawing;
+}
+
 }  // namespace
 
 void planFiles(MemoryPlan& plan, const Workload& work, const ResultTargets& targets,
@@ -57,7 +84,11 @@ Result<void> checkBefore(const ResultJob& job) {
   if (auto checked = checkInput(job.options, job.input, cellsOptions(job), job.threads); !checked)
     return checked;
   if (job.targets.pictures.empty()) return {};
-  return pictureOf(job.picture, job.options, job.input).map([](const RenderOptions&) {});
+  const auto render = pictureOf(job.picture, job.options, job.input);
+  if (!render) return tl::unexpected(render.error());
+  if (job.surface == Surface::none || !needsOf(job.targets.pictures).pixels) return {};
+  Image no_pixels;
+  return takeOutAir({}, *render, no_pixels, job.threads);
 }
 
 DrawingNeeds needsOf(const std::vector<PictureFile>& pictures) {
@@ -72,13 +103,15 @@ Result<ResultParts> partsOf(Session& session, const ResultJob& job, const Sites&
     if (!render) return tl::unexpected(std::move(render.error()));
     parts.render = std::move(*render);
     parts.render.search = job.search;
-    auto drawing = draw(session, sites, parts.render, needsOf(job.targets.pictures));
+    auto drawing = job.surface == Surface::free
+                       ? drawFree(session, job, sites, parts.render)
+                       : draw(session, sites, parts.render, needsOf(job.targets.pictures));
     if (!drawing) return tl::unexpected(std::move(drawing.error()));
     parts.drawing = std::move(*drawing);
   }
   Diagram none;
   if (!job.targets.cells.empty()) {
-    auto cells = session.cells(sites, cellsOptions(job));
+    auto cells = cellsOf(session, job, sites, cellsOptions(job));
     if (!cells) return tl::unexpected(std::move(cells.error()));
     parts.cells = std::move(*cells);
   }

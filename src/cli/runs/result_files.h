@@ -23,6 +23,7 @@ struct ResultJob {
   const Density& density;  ///< for the masses of cells
   SearchOptions search;
   int threads;
+  Surface surface = Surface::none;  ///< of the cells
 };
 
 /// Sites, with what the files want of them.
