@@ -120,7 +120,7 @@ printf 'x,y\n0,0\n1,0\n0,0\n' >in/twice.csv
 wrong "two sites at one place" "sites 0 and 2 (counted from 0)" --sites in/twice.csv -o out/old.csv
 wrong "nothing to scale" "--normalize: scales what --masses names" --sites random:9 --normalize -o out/old.csv
 wrong "a surface without masses" "--surface: equal masses do not say" --sites random:9 --surface free -o out/old.csv
-wrong "a legend in air" "takes no legend yet" --sites random:9 --fill 0.5 --picture out/old.png --color weight --legend
+wrong "labels in air" "takes no labels yet" --sites random:9 --fill 0.5 --picture out/old.png --labels
 wrong "too full" "--fill: 2 is not a part" --sites random:9 --fill 2 -o out/old.csv
 wrong "no tolerance" "--tolerance: 0" --sites random:9 --tolerance 0 -o out/old.csv
 wrong "a kind of weights" "--save-weights: out/old.doc: unknown kind" --sites random:9 --save-weights out/old.doc
