@@ -38,8 +38,9 @@ bool hasFreeSurface(const Diagram& diagram, const Outline& outline);
 
 /// Takes from the picture of a power diagram, which Session::render drew with these options, what is air:
 /// these pixels have no site. With several places in a pixel, its color covers as much of it as is not air.
-/// Errors (input): a period; a legend, labels, the dual or sites in the picture, which would lose what lies
-/// over air.
+/// Errors (input): a period; colors by area or by neighbors, which are those before; a legend, labels, the
+/// dual or sites, which would lose what lies over air. Pictures of shapes (.svg, .pdf) of freeCells() have
+/// all but the first.
 Result<void> takeOutAir(const Sites& sites, const RenderOptions& options, Image& image, int threads = 0);
 
 }  // namespace vorpipe

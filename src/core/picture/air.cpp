@@ -57,6 +57,10 @@ Result<void> refuseWhatIsOverAir(const RenderOptions& options) {
         refusal(Subject::none, std::string("a picture with a free surface takes no ") + what + " yet"));
   };
   if (options.periodic != Periodic::none) return refused("period");
+  // Their values would be those of the cells before air was taken from them.
+  if (options.color == ColorBy::area || options.color == ColorBy::neighbors) {
+    return refused("colors by area or neighbors");
+  }
   if (options.legend) return refused("legend");
   if (options.labels) return refused("labels");
   if (options.dual) return refused("dual");
