@@ -25,7 +25,24 @@ function(vorpipe_batches target)
 endfunction()
 
 # Rooms whose sources are compiled so, but for those that are alone.
-set(vorpipe_alone edges.cpp fish.cpp nearest_site.cpp outline.cpp picture_files.cpp stages.cpp stats.cpp thesis.cpp zsh.cpp)
+set(vorpipe_alone
+    cells_vtk.cpp
+    draw_marks.cpp
+    edges.cpp
+    fish.cpp
+    legend.cpp
+    nearest_site.cpp
+    outline.cpp
+    palette_index.cpp
+    picture_files.cpp
+    png_file.cpp
+    polygon_drawing.cpp
+    stages.cpp
+    stats.cpp
+    svg_picture.cpp
+    thesis.cpp
+    uncovered.cpp
+    zsh.cpp)
 set(vorpipe_batched_rooms
     vorpipe_bench_lab
     vorpipe_bench_tables
@@ -36,15 +53,21 @@ set(vorpipe_batched_rooms
     vorpipe_cli_reports
     vorpipe_cli_runs
     vorpipe_cli_terminal
+    vorpipe_drawing
     vorpipe_forecast
     vorpipe_geometry
     vorpipe_io_arrays
+    vorpipe_io_cells
     vorpipe_io_domain
+    vorpipe_io_edges
     vorpipe_io_files
     vorpipe_io_geopackage
+    vorpipe_io_pictures
+    vorpipe_io_points
     vorpipe_io_text
     vorpipe_opengl_device
     vorpipe_opengl_memory
+    vorpipe_picture
     vorpipe_session
     vorpipe_tiles
     vorpipe_topology

@@ -9,6 +9,7 @@
 
 #include "io/files/error.h"
 #include "io/text/field_text.h"
+#include "io/text/lower_case.h"
 
 namespace vorpipe {
 namespace {
@@ -35,13 +36,6 @@ constexpr std::array<std::string_view, 21> own_fields{"fid",
                                                       "mass_centroid",
                                                       "mass_centroid_x",
                                                       "mass_centroid_y"};
-
-std::string lowerCase(std::string_view name) {
-  std::string lower(name);
-  std::ranges::transform(lower, lower.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return lower;
-}
 
 }  // namespace
 

@@ -61,7 +61,7 @@ void printRecord(Bytes& text, const CellsOutput& output, std::size_t site) {
 /// where the domain is periodic; rings where it has an outline; mass,mass_centroid_x,mass_centroid_y where it
 /// has a density; then the attributes. The weight is 0 where sites have none; `vertices` and `rings` are
 /// numbers; neighbors are separated by spaces, and so are shifts, each kx:ky.
-Result<void> write(ByteSink& sink, const CellsOutput& output) {
+Result<void> writeCsvCells(ByteSink& sink, const CellsOutput& output) {
   const Bytes header = headerOf(output);
   return sink.write({header.data(), header.size()}).and_then([&] {
     return writeEach(sink, output.sites.size(),
@@ -73,6 +73,6 @@ Result<void> write(ByteSink& sink, const CellsOutput& output) {
 
 extern const CellsFormat csv_cells;
 const CellsFormat csv_cells{
-    .extension = ".csv", .detail = Detail::polygons, .write = write, .attributes = true};
+    .extension = ".csv", .detail = Detail::polygons, .write = writeCsvCells, .attributes = true};
 
 }  // namespace vorpipe

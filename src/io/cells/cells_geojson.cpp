@@ -5,7 +5,7 @@ namespace vorpipe {
 namespace {
 
 /// A FeatureCollection, with a feature for each site.
-Result<void> write(ByteSink& sink, const CellsOutput& output) {
+Result<void> writeGeojsonCells(ByteSink& sink, const CellsOutput& output) {
   return writeCellFeatures(sink, FeaturesAs::collection, output);
 }
 
@@ -14,7 +14,7 @@ Result<void> write(ByteSink& sink, const CellsOutput& output) {
 extern const CellsFormat geojson_cells;
 const CellsFormat geojson_cells{.extension = ".geojson",
                                 .detail = Detail::polygons,
-                                .write = write,
+                                .write = writeGeojsonCells,
                                 .attributes = true,
                                 .features = true};
 

@@ -5,7 +5,7 @@ namespace vorpipe {
 namespace {
 
 /// A feature for each site, each on a line of its own.
-Result<void> write(ByteSink& sink, const CellsOutput& output) {
+Result<void> writeGeojsonlCells(ByteSink& sink, const CellsOutput& output) {
   return writeCellFeatures(sink, FeaturesAs::lines, output);
 }
 
@@ -14,7 +14,7 @@ Result<void> write(ByteSink& sink, const CellsOutput& output) {
 extern const CellsFormat geojsonl_cells;
 const CellsFormat geojsonl_cells{.extension = ".geojsonl",
                                  .detail = Detail::polygons,
-                                 .write = write,
+                                 .write = writeGeojsonlCells,
                                  .attributes = true,
                                  .features = true};
 

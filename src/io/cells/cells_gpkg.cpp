@@ -107,7 +107,7 @@ class Rows {
 
 /// A GeoPackage with the layer `cells`, of MultiPolygons, NULL where there is no cell. Its fields are the
 /// columns of .csv and `owner`; weight, mass and the like only where there are some.
-Result<void> write(ByteSink& sink, const CellsOutput& output) {
+Result<void> writeGpkgCells(ByteSink& sink, const CellsOutput& output) {
   const Layer layer{"cells", GeometryType::multi_polygon, fieldsOf(output), output.system};
   Rows rows(output);
   return writeGeoPackage(sink, layer, output.sites.size(),
@@ -119,7 +119,7 @@ Result<void> write(ByteSink& sink, const CellsOutput& output) {
 extern const CellsFormat gpkg_cells;
 const CellsFormat gpkg_cells{.extension = ".gpkg",
                              .detail = Detail::polygons,
-                             .write = write,
+                             .write = writeGpkgCells,
                              .attributes = true,
                              .features = true,
                              .in_memory = true};

@@ -40,7 +40,7 @@ ZipBody pairsOf(const Sites& sites) {
 /// (N + 1), neighbors int64 (M), edge_lengths (M), triangles uint32 (T, 3); float64 where nothing is said.
 /// Where a diagram has them: neighbor_shifts int32 (M, 2); ring_starts int64, one for each ring; mass (N) and
 /// mass_centroids (N, 2).
-Result<void> write(ByteSink& sink, const CellsOutput& output) {
+Result<void> writeNpzCells(ByteSink& sink, const CellsOutput& output) {
   const Sites& sites = output.sites;
   const Diagram& diagram = output.diagram;
   std::vector<ZipEntry> entries;
@@ -78,6 +78,6 @@ Result<void> write(ByteSink& sink, const CellsOutput& output) {
 }  // namespace
 
 extern const CellsFormat npz_cells;
-const CellsFormat npz_cells{.extension = ".npz", .detail = Detail::everything, .write = write};
+const CellsFormat npz_cells{.extension = ".npz", .detail = Detail::everything, .write = writeNpzCells};
 
 }  // namespace vorpipe

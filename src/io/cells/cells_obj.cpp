@@ -8,7 +8,7 @@ namespace {
 
 /// The faces stand in the order of their sites; z is 0. A piece of a cell is a face, one with holes several
 /// triangles; where cells may have several faces, these stand in groups site_N.
-Result<void> write(ByteSink& sink, const CellsOutput& output) {
+Result<void> writeObjCells(ByteSink& sink, const CellsOutput& output) {
   const Diagram& diagram = output.diagram;
   const auto mesh = cellsMesh(sink, diagram);
   if (!mesh) {
@@ -42,6 +42,7 @@ Result<void> write(ByteSink& sink, const CellsOutput& output) {
 }  // namespace
 
 extern const CellsFormat obj_cells;
-const CellsFormat obj_cells{.extension = ".obj", .detail = Detail::polygons, .write = write, .mesh = true};
+const CellsFormat obj_cells{
+    .extension = ".obj", .detail = Detail::polygons, .write = writeObjCells, .mesh = true};
 
 }  // namespace vorpipe

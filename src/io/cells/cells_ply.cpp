@@ -13,7 +13,7 @@ void append(Bytes& bytes, Number number) {
 
 /// Binary, little-endian, z is 0; faces, as in .obj, have vertex_indices, site and
 /// area, the whole cell's.
-Result<void> write(ByteSink& sink, const CellsOutput& output) {
+Result<void> writePlyCells(ByteSink& sink, const CellsOutput& output) {
   const Diagram& diagram = output.diagram;
   const auto mesh = cellsMesh(sink, diagram);
   if (!mesh) {
@@ -51,6 +51,7 @@ Result<void> write(ByteSink& sink, const CellsOutput& output) {
 }  // namespace
 
 extern const CellsFormat ply_cells;
-const CellsFormat ply_cells{.extension = ".ply", .detail = Detail::polygons, .write = write, .mesh = true};
+const CellsFormat ply_cells{
+    .extension = ".ply", .detail = Detail::polygons, .write = writePlyCells, .mesh = true};
 
 }  // namespace vorpipe

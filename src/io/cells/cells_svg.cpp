@@ -88,7 +88,7 @@ void printCell(Bytes& text, const PixelMap& map, const Diagram& diagram, std::si
 }
 
 /// The longer side is 1000 pixels, the largest y is at the top; a site's hue follows from its index.
-Result<void> write(ByteSink& sink, const CellsOutput& output) {
+Result<void> writeSvgCells(ByteSink& sink, const CellsOutput& output) {
   const Diagram& diagram = output.diagram;
   const PixelMap map = pixelMap(diagram);
   const std::string head = fmt::format(
@@ -111,6 +111,6 @@ Result<void> write(ByteSink& sink, const CellsOutput& output) {
 }  // namespace
 
 extern const CellsFormat svg_cells;
-const CellsFormat svg_cells{.extension = ".svg", .detail = Detail::polygons, .write = write};
+const CellsFormat svg_cells{.extension = ".svg", .detail = Detail::polygons, .write = writeSvgCells};
 
 }  // namespace vorpipe

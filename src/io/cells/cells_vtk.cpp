@@ -54,7 +54,7 @@ Result<void> writeCellData(ByteSink& sink, const CellsMesh& mesh, std::string_vi
 
 /// Legacy format, version 3.0, binary, POLYDATA, z is 0; faces as in .obj; cell data are site, area,
 /// perimeter, neighbors (their number) and status (as in .npz), the whole cell's.
-Result<void> write(ByteSink& sink, const CellsOutput& output) {
+Result<void> writeVtkCells(ByteSink& sink, const CellsOutput& output) {
   const Diagram& diagram = output.diagram;
   return cellsMesh(sink, diagram).and_then([&](const CellsMesh& mesh) {
     const auto data = [&](std::string_view name, std::string_view type, const auto& numberOf) {
@@ -78,6 +78,7 @@ Result<void> write(ByteSink& sink, const CellsOutput& output) {
 }  // namespace
 
 extern const CellsFormat vtk_cells;
-const CellsFormat vtk_cells{.extension = ".vtk", .detail = Detail::polygons, .write = write, .mesh = true};
+const CellsFormat vtk_cells{
+    .extension = ".vtk", .detail = Detail::polygons, .write = writeVtkCells, .mesh = true};
 
 }  // namespace vorpipe

@@ -7,7 +7,7 @@ namespace vorpipe {
 namespace {
 
 /// PolyData, z is 0; faces as in .obj, with the whole cell's data.
-Result<void> write(ByteSink& sink, const CellsOutput& output) {
+Result<void> writeVtpCells(ByteSink& sink, const CellsOutput& output) {
   return cellsMesh(sink, output.diagram).and_then([&](const CellsMesh& mesh) {
     return writeVtkXml(
         sink,
@@ -22,6 +22,7 @@ Result<void> write(ByteSink& sink, const CellsOutput& output) {
 }  // namespace
 
 extern const CellsFormat vtp_cells;
-const CellsFormat vtp_cells{.extension = ".vtp", .detail = Detail::polygons, .write = write, .mesh = true};
+const CellsFormat vtp_cells{
+    .extension = ".vtp", .detail = Detail::polygons, .write = writeVtpCells, .mesh = true};
 
 }  // namespace vorpipe

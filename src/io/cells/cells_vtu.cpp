@@ -9,7 +9,7 @@ namespace vorpipe {
 namespace {
 
 /// UnstructuredGrid, z is 0; faces as in .obj, with the whole cell's data.
-Result<void> write(ByteSink& sink, const CellsOutput& output) {
+Result<void> writeVtuCells(ByteSink& sink, const CellsOutput& output) {
   return cellsMesh(sink, output.diagram).and_then([&](const CellsMesh& mesh) {
     constexpr std::uint8_t polygon = 7;  // VTK_POLYGON
     auto faces = meshFaces(mesh);
@@ -24,6 +24,7 @@ Result<void> write(ByteSink& sink, const CellsOutput& output) {
 }  // namespace
 
 extern const CellsFormat vtu_cells;
-const CellsFormat vtu_cells{.extension = ".vtu", .detail = Detail::polygons, .write = write, .mesh = true};
+const CellsFormat vtu_cells{
+    .extension = ".vtu", .detail = Detail::polygons, .write = writeVtuCells, .mesh = true};
 
 }  // namespace vorpipe

@@ -24,7 +24,7 @@ void printCell(Bytes& text, const Diagram& diagram, std::size_t site) {
 }
 
 /// Polygons begin and end at the same vertex.
-Result<void> write(ByteSink& sink, const CellsOutput& output) {
+Result<void> writeWktCells(ByteSink& sink, const CellsOutput& output) {
   const Diagram& diagram = output.diagram;
   if (diagram.status.empty()) {
     return sink.write("GEOMETRYCOLLECTION EMPTY\n");
@@ -45,6 +45,6 @@ Result<void> write(ByteSink& sink, const CellsOutput& output) {
 }  // namespace
 
 extern const CellsFormat wkt_cells;
-const CellsFormat wkt_cells{.extension = ".wkt", .detail = Detail::polygons, .write = write};
+const CellsFormat wkt_cells{.extension = ".wkt", .detail = Detail::polygons, .write = writeWktCells};
 
 }  // namespace vorpipe

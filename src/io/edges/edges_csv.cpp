@@ -5,7 +5,7 @@ namespace vorpipe {
 namespace {
 
 /// Columns edge,site_a,site_b,length,x1,y1,x2,y2.
-Result<void> write(ByteSink& sink, const EdgesOutput& output) {
+Result<void> writeCsvEdges(ByteSink& sink, const EdgesOutput& output) {
   return sink.write("edge,site_a,site_b,length,x1,y1,x2,y2\n").and_then([&] {
     return writeEach(sink, output.topology.edge_entry.size(), [&](Bytes& text, std::size_t edge) {
       const EdgeLine line = edgeLine(output, edge);
@@ -18,6 +18,6 @@ Result<void> write(ByteSink& sink, const EdgesOutput& output) {
 }  // namespace
 
 extern const EdgesFormat csv_edges;
-const EdgesFormat csv_edges{.extension = ".csv", .write = write};
+const EdgesFormat csv_edges{.extension = ".csv", .write = writeCsvEdges};
 
 }  // namespace vorpipe

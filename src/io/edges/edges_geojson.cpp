@@ -3,13 +3,13 @@
 namespace vorpipe {
 namespace {
 
-Result<void> write(ByteSink& sink, const EdgesOutput& output) {
+Result<void> writeGeojsonEdges(ByteSink& sink, const EdgesOutput& output) {
   return writeEdgeFeatures(sink, FeaturesAs::collection, output);
 }
 
 }  // namespace
 
 extern const EdgesFormat geojson_edges;
-const EdgesFormat geojson_edges{.extension = ".geojson", .write = write};
+const EdgesFormat geojson_edges{.extension = ".geojson", .write = writeGeojsonEdges};
 
 }  // namespace vorpipe

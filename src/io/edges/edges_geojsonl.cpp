@@ -3,13 +3,13 @@
 namespace vorpipe {
 namespace {
 
-Result<void> write(ByteSink& sink, const EdgesOutput& output) {
+Result<void> writeGeojsonlEdges(ByteSink& sink, const EdgesOutput& output) {
   return writeEdgeFeatures(sink, FeaturesAs::lines, output);
 }
 
 }  // namespace
 
 extern const EdgesFormat geojsonl_edges;
-const EdgesFormat geojsonl_edges{.extension = ".geojsonl", .write = write};
+const EdgesFormat geojsonl_edges{.extension = ".geojsonl", .write = writeGeojsonlEdges};
 
 }  // namespace vorpipe

@@ -5,7 +5,7 @@ namespace vorpipe {
 namespace {
 
 /// A GeoPackage with the layer `edges`, of LineStrings.
-Result<void> write(ByteSink& sink, const EdgesOutput& output) {
+Result<void> writeGpkgEdges(ByteSink& sink, const EdgesOutput& output) {
   const Layer layer{"edges",
                     GeometryType::line_string,
                     {{"edge", FieldType::integer},
@@ -33,6 +33,6 @@ Result<void> write(ByteSink& sink, const EdgesOutput& output) {
 }  // namespace
 
 extern const EdgesFormat gpkg_edges;
-const EdgesFormat gpkg_edges{.extension = ".gpkg", .write = write, .in_memory = true};
+const EdgesFormat gpkg_edges{.extension = ".gpkg", .write = writeGpkgEdges, .in_memory = true};
 
 }  // namespace vorpipe

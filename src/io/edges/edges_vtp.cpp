@@ -8,7 +8,7 @@ namespace {
 
 /// PolyData with lines, z is 0. Edges share their ends, but in a periodic domain, where each has its own two:
 /// there a vertex stands in several places.
-Result<void> write(ByteSink& sink, const EdgesOutput& output) {
+Result<void> writeVtpEdges(ByteSink& sink, const EdgesOutput& output) {
   const Topology& topology = output.topology;
   const std::size_t count = topology.edge_entry.size();
   const bool periodic = !output.diagram.neighbor_shifts.empty();
@@ -45,6 +45,6 @@ Result<void> write(ByteSink& sink, const EdgesOutput& output) {
 }  // namespace
 
 extern const EdgesFormat vtp_edges;
-const EdgesFormat vtp_edges{.extension = ".vtp", .write = write};
+const EdgesFormat vtp_edges{.extension = ".vtp", .write = writeVtpEdges};
 
 }  // namespace vorpipe

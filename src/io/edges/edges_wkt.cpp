@@ -5,7 +5,7 @@ namespace vorpipe {
 namespace {
 
 /// A line for each edge, from where it begins to where it ends.
-Result<void> write(ByteSink& sink, const EdgesOutput& output) {
+Result<void> writeWktEdges(ByteSink& sink, const EdgesOutput& output) {
   const std::size_t count = output.topology.edge_entry.size();
   if (count == 0) return sink.write("GEOMETRYCOLLECTION EMPTY\n");
   return sink.write("GEOMETRYCOLLECTION (")
@@ -22,6 +22,6 @@ Result<void> write(ByteSink& sink, const EdgesOutput& output) {
 }  // namespace
 
 extern const EdgesFormat wkt_edges;
-const EdgesFormat wkt_edges{.extension = ".wkt", .write = write};
+const EdgesFormat wkt_edges{.extension = ".wkt", .write = writeWktEdges};
 
 }  // namespace vorpipe

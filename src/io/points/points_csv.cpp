@@ -6,7 +6,7 @@ namespace vorpipe {
 namespace {
 
 /// Columns x,y, or lon,lat where the sites are in degrees; weight where they have one; then the attributes.
-Result<void> write(ByteSink& sink, const PointsOutput& output) {
+Result<void> writeCsvPoints(ByteSink& sink, const PointsOutput& output) {
   const Sites& sites = output.sites;
   const bool weighted = !sites.weight.empty();
   Bytes header;
@@ -33,6 +33,6 @@ Result<void> write(ByteSink& sink, const PointsOutput& output) {
 }  // namespace
 
 extern const PointsFormat csv_points;
-const PointsFormat csv_points{.extension = ".csv", .write = write, .attributes = true};
+const PointsFormat csv_points{.extension = ".csv", .write = writeCsvPoints, .attributes = true};
 
 }  // namespace vorpipe

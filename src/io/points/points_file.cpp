@@ -8,6 +8,7 @@
 
 #include "io/files/error.h"
 #include "io/files/format_list.h"
+#include "io/text/lower_case.h"
 
 namespace vorpipe {
 
@@ -33,13 +34,6 @@ namespace {
 constexpr std::array formats{POINTS_FORMATS(LISTED)};
 #undef LISTED
 constexpr std::span<const PointsFormat* const> all_formats(formats);
-
-std::string lowerCase(std::string_view name) {
-  std::string lower(name);
-  std::ranges::transform(lower, lower.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return lower;
-}
 
 }  // namespace
 

@@ -3,13 +3,13 @@
 namespace vorpipe {
 namespace {
 
-Result<void> write(ByteSink& sink, const PointsOutput& output) {
+Result<void> writeGeojsonPoints(ByteSink& sink, const PointsOutput& output) {
   return writePointFeatures(sink, FeaturesAs::collection, output);
 }
 
 }  // namespace
 
 extern const PointsFormat geojson_points;
-const PointsFormat geojson_points{.extension = ".geojson", .write = write, .attributes = true};
+const PointsFormat geojson_points{.extension = ".geojson", .write = writeGeojsonPoints, .attributes = true};
 
 }  // namespace vorpipe

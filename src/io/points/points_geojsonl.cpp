@@ -3,13 +3,14 @@
 namespace vorpipe {
 namespace {
 
-Result<void> write(ByteSink& sink, const PointsOutput& output) {
+Result<void> writeGeojsonlPoints(ByteSink& sink, const PointsOutput& output) {
   return writePointFeatures(sink, FeaturesAs::lines, output);
 }
 
 }  // namespace
 
 extern const PointsFormat geojsonl_points;
-const PointsFormat geojsonl_points{.extension = ".geojsonl", .write = write, .attributes = true};
+const PointsFormat geojsonl_points{
+    .extension = ".geojsonl", .write = writeGeojsonlPoints, .attributes = true};
 
 }  // namespace vorpipe

@@ -7,7 +7,7 @@ namespace vorpipe {
 namespace {
 
 /// A GeoPackage with the layer `sites`, of Points; the weight where sites have one, then the attributes.
-Result<void> write(ByteSink& sink, const PointsOutput& output) {
+Result<void> writeGpkgPoints(ByteSink& sink, const PointsOutput& output) {
   const Sites& sites = output.sites;
   Layer layer{"sites", GeometryType::point, {}, output.system};
   if (!sites.weight.empty()) layer.fields.push_back({"weight", FieldType::real});
@@ -29,6 +29,7 @@ Result<void> write(ByteSink& sink, const PointsOutput& output) {
 }  // namespace
 
 extern const PointsFormat gpkg_points;
-const PointsFormat gpkg_points{.extension = ".gpkg", .write = write, .attributes = true, .in_memory = true};
+const PointsFormat gpkg_points{
+    .extension = ".gpkg", .write = writeGpkgPoints, .attributes = true, .in_memory = true};
 
 }  // namespace vorpipe

@@ -6,7 +6,7 @@ namespace vorpipe {
 namespace {
 
 /// float64, a row for each site: x, y, and its weight where it has one.
-Result<void> write(ByteSink& sink, const PointsOutput& output) {
+Result<void> writeNpyPoints(ByteSink& sink, const PointsOutput& output) {
   const Sites& sites = output.sites;
   const bool weighted = !sites.weight.empty();
   const std::uint64_t shape[] = {sites.size(), weighted ? 3U : 2U};
@@ -26,6 +26,6 @@ Result<void> write(ByteSink& sink, const PointsOutput& output) {
 }  // namespace
 
 extern const PointsFormat npy_points;
-const PointsFormat npy_points{.extension = ".npy", .write = write};
+const PointsFormat npy_points{.extension = ".npy", .write = writeNpyPoints};
 
 }  // namespace vorpipe

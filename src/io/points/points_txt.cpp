@@ -5,7 +5,7 @@ namespace vorpipe {
 namespace {
 
 /// A site to a line: x, y, and its weight where it has one.
-Result<void> write(ByteSink& sink, const PointsOutput& output) {
+Result<void> writeTxtPoints(ByteSink& sink, const PointsOutput& output) {
   const Sites& sites = output.sites;
   return writeEach(sink, sites.size(), [&](Bytes& text, std::size_t site) {
     print(text, FMT_COMPILE("{} {}"), sites.x[site], sites.y[site]);
@@ -17,6 +17,6 @@ Result<void> write(ByteSink& sink, const PointsOutput& output) {
 }  // namespace
 
 extern const PointsFormat txt_points;
-const PointsFormat txt_points{.extension = ".txt", .write = write};
+const PointsFormat txt_points{.extension = ".txt", .write = writeTxtPoints};
 
 }  // namespace vorpipe

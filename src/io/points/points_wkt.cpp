@@ -5,7 +5,7 @@ namespace vorpipe {
 namespace {
 
 /// A POINT to a line.
-Result<void> write(ByteSink& sink, const PointsOutput& output) {
+Result<void> writeWktPoints(ByteSink& sink, const PointsOutput& output) {
   return writeEach(sink, output.sites.size(), [&](Bytes& text, std::size_t site) {
     print(text, FMT_COMPILE("POINT ({} {})\n"), output.sites.x[site], output.sites.y[site]);
   });
@@ -14,6 +14,6 @@ Result<void> write(ByteSink& sink, const PointsOutput& output) {
 }  // namespace
 
 extern const PointsFormat wkt_points;
-const PointsFormat wkt_points{.extension = ".wkt", .write = write};
+const PointsFormat wkt_points{.extension = ".wkt", .write = writeWktPoints};
 
 }  // namespace vorpipe

@@ -9,6 +9,7 @@
 
 #include "io/files/error.h"
 #include "io/sites/column_choice.h"
+#include "io/text/lower_case.h"
 
 namespace vorpipe {
 namespace {

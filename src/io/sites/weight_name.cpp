@@ -4,15 +4,9 @@
 #include <cmath>
 
 #include "io/files/error.h"
+#include "io/text/lower_case.h"
 
 namespace vorpipe {
-
-std::string lowerCase(std::string_view text) {
-  std::string lower(text);
-  std::ranges::transform(lower, lower.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return lower;
-}
 
 std::optional<WeightKind> weightNamed(std::string_view name, bool letters) {
   const std::string lower = lowerCase(name);

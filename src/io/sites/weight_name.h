@@ -10,9 +10,6 @@
 
 namespace vorpipe {
 
-/// ASCII letters in lower case.
-std::string lowerCase(std::string_view text);
-
 enum class WeightKind : std::uint8_t {
   weight,
   radius,  ///< its square is the weight

@@ -37,7 +37,26 @@ void Viewer::accept(Frame& frame) {
   if (history_.size() > history_length) history_.erase(history_.begin());
   ++pictures_;
   frame_ = std::move(frame);
+  preview_.reset();
   ++shown_version_;
+}
+
+/// Where two backends are compared, their pictures as one: the line between them stands in the window,
+/// wherever the pictures do.
+void Viewer::putSideBySide() {
+  const Frame* const frame = seen();
+  if (frame == nullptr || !frame->compared || !settings_.compared) {
+    if (std::exchange(put_, nullptr) != nullptr) ++shown_version_;
+    return;
+  }
+  const Image& image = frame->rendering->image;
+  const Placement at = camera_.placementOf(*frame->picture.view);
+  const double along = (settings_.wipe * camera_.width() - at.left) / at.width;
+  const int column = static_cast<int>(std::lround(std::clamp(along, 0.0, 1.0) * image.width));
+  if (put_ != nullptr && column == put_column_ && shown_version_ == put_version_) return;
+  put_ = &wipe_.put(image, *frame->compared, column);
+  put_column_ = column;
+  put_version_ = ++shown_version_;
 }
 
 void Viewer::refuse(const Answer& answer) {
@@ -47,12 +66,15 @@ void Viewer::refuse(const Answer& answer) {
   }
   message_ = answer.error->message;
   if (answer.wish == 0) return;
+  // What stays is sharp.
+  if (std::exchange(preview_, std::nullopt)) ++shown_version_;
   settings_.motion = Motion::rests;
   document_.settle();
   if (answer.wish < wished_ || drawTheSame(settings_, drawn_settings_)) return;
   // What could be drawn before is drawn again.
   settings_.picture = drawn_settings_.picture;
   settings_.backend = drawn_settings_.backend;
+  settings_.compared = drawn_settings_.compared;
   settings_.cells = drawn_settings_.cells;
   want(Changed::sites);
 }
@@ -81,6 +103,10 @@ void Viewer::accept(Answer& answer) {
   if (!answer.devices.empty()) devices_ = std::move(answer.devices);
   if (answer.measures) measures_ = std::move(answer.measures);
   if (answer.frame) accept(*answer.frame);
+  if (answer.preview && frame_) {
+    preview_ = std::move(answer.preview);
+    ++shown_version_;
+  }
   if (answer.error) refuse(answer);
   if (answer.loaded) open(std::move(*answer.loaded), answer.loaded_path);
   if (!answer.saved.empty()) {
@@ -98,19 +124,23 @@ bool Viewer::takeAnswers() {
     any = true;
     accept(*answer);
   }
+  if (any) putSideBySide();
   saveWhatIsSettled();
   return any;
 }
 
 Shown Viewer::shown() const {
-  if (!frame_) return {};
-  return {&frame_->rendering->image, shown_version_, camera_.placementOf(*frame_->picture.view)};
+  const Frame* const frame = seen();
+  if (frame == nullptr) return {};
+  const Image* const image = put_ != nullptr ? put_ : &frame->rendering->image;
+  return {image, shown_version_, camera_.placementOf(*frame->picture.view)};
 }
 
 std::uint32_t Viewer::ownerAt(Place place) const {
-  if (!frame_ || frame_->sites != document_.sites()) return no_site;
-  const Image& image = frame_->rendering->image;
-  const Placement stands = camera_.placementOf(*frame_->picture.view);
+  const Frame* const frame = seen();
+  if (frame == nullptr || frame->sites != document_.sites()) return no_site;
+  const Image& image = frame->rendering->image;
+  const Placement stands = camera_.placementOf(*frame->picture.view);
   const double column = std::floor((place.x - stands.left) / stands.width * image.width);
   const double row = std::floor((place.y - stands.top) / stands.height * image.height);
   if (!(column >= 0 && column < image.width && row >= 0 && row < image.height)) return no_site;
@@ -144,6 +174,10 @@ PanelInput Viewer::panelInput(const std::string& presenter, double present_milli
   input.message = message_;
   input.sites = document_.sites()->size();
   input.relaxed = step_;
+  if (settings_.compared && frame_ && frame_->compared) {
+    input.compared = Compared{frame_->differing, frame_->compared->rgba.size(), frame_->compared_by};
+  }
+  input.scale = scale_;
   input.can_undo = document_.canUndo();
   input.can_redo = document_.canRedo();
   input.width = camera_.width();

@@ -18,6 +18,7 @@ class Screen {
   virtual void apply(const Event& event) = 0;
   [[nodiscard]] virtual int width() const = 0;
   [[nodiscard]] virtual int height() const = 0;
+  [[nodiscard]] virtual double scale() const { return 1; }
   virtual void setTitle(const std::string& title) = 0;
   virtual void copyToClipboard(const std::string& text) = 0;
   [[nodiscard]] virtual Presenter& presenter() = 0;

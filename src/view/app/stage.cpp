@@ -34,6 +34,7 @@ Result<void> Stage::show(const PanelTriangles* triangles) {
 
 Result<void> Stage::draw() {
   if (screen_.width() <= 0 || screen_.height() <= 0) return {};
+  viewer_.setScale(screen_.scale());
   PanelTriangles triangles;
   const PanelAnswer answer =
       panel_.draw(viewer_.panelInput(screen_.presenter().name(), present_milliseconds_), triangles);

@@ -8,6 +8,12 @@
 #include "vorpipe/legend.h"
 
 namespace vorpipe::view {
+namespace {
+
+/// Pixels from the line between two pictures within which the pointer has it.
+constexpr double wipe_reach = 5;
+
+}  // namespace
 
 Viewer::Viewer(ViewerOptions options, int width, int height, std::function<void()> wake)
     : given_(std::move(options)),
@@ -44,6 +50,9 @@ void Viewer::take(const Event& event) {
     return;
   }
   if (std::holds_alternative<Close>(event)) closes_ = true;
+  const bool wipes = settings_.compared && wipe_.take(event, pointer_.place(), camera_.width(),
+                                                      wipe_reach * scale_, settings_.wipe);
+  if (wipes && !std::holds_alternative<Move>(event)) return;
   const std::uint32_t owner = pointer_.place() ? ownerAt(*pointer_.place()) : no_site;
   want(pointer_.take(event, document_, camera_, owner));
 }
@@ -75,6 +84,8 @@ void Viewer::act(Action action) {
       return copyCommand();
     case Action::next_backend:
       return nextBackend();
+    case Action::compare:
+      return compare();
     case Action::close:
       closes_ = true;
   }
@@ -93,18 +104,39 @@ void Viewer::change(const Settings& settings) {
   const bool moves_otherwise = settings.motion != settings_.motion || settings.method != settings_.method ||
                                settings.density_path != settings_.density_path;
   if (settings.motion == Motion::rests) document_.settle();
+  if (!settings.compared) wipe_.release();
   if (settings.density_path.empty()) density_.reset();
   if (moves_otherwise || !drawTheSame(settings, settings_)) want(Changed::sites);
   settings_ = settings;
 }
 
-void Viewer::nextBackend() {
+std::vector<std::string> Viewer::backendsThatWork() const {
   std::vector<std::string> names;
   for (const DeviceInfo& device : devices_) {
     if (device.usable && std::ranges::find(names, device.backend) == names.end()) {
       names.push_back(device.backend);
     }
   }
+  return names;
+}
+
+/// With the next backend of those that work here, or no more.
+void Viewer::compare() {
+  Settings changed = settings_;
+  if (changed.compared) {
+    changed.compared.reset();
+    return change(changed);
+  }
+  const auto names = backendsThatWork();
+  if (names.empty() || !device_) return;
+  const auto now = std::ranges::find(names, device_->backend);
+  const bool last = now == names.end() || now + 1 == names.end();
+  changed.compared = comparedWith(settings_.backend, last ? names.front() : *(now + 1), "");
+  change(changed);
+}
+
+void Viewer::nextBackend() {
+  const auto names = backendsThatWork();
   if (names.empty() || !device_) return;
   const auto now = std::ranges::find(names, device_->backend);
   const bool last = now == names.end() || now + 1 == names.end();
@@ -118,6 +150,11 @@ void Viewer::resize(int width, int height) {
   if (minimized_ || (width == camera_.width() && height == camera_.height())) return;
   camera_.resize(width, height);
   want(Changed::sites);
+}
+
+void Viewer::setScale(double scale) {
+  scale_ = scale;
+  pointer_.setScale(scale);
 }
 
 void Viewer::drawAgain() { want(Changed::sites); }
@@ -141,6 +178,7 @@ RenderOptions Viewer::picture() const {
 }
 
 void Viewer::wish() {
+  putSideBySide();
   const bool in_flight = answered_ < wished_;
   const bool moves = settings_.motion != Motion::rests && !in_flight;
   if (minimized_ || closes_ || (wanted_ == Wanted::nothing && !moves)) return;
@@ -151,6 +189,7 @@ void Viewer::wish() {
   }
   if (std::exchange(wanted_, Wanted::nothing) == Wanted::other) ++gesture_;
   Wish wish{++wished_, gesture_, document_.sites(), picture(), settings_.backend};
+  wish.compared = settings_.compared;
   wish.motion = pointer_.holdsSite() ? Motion::rests : settings_.motion;
   wish.method = settings_.method;
   wish.density = density_;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "view/app/wipe.h"
 #include "view/document/camera.h"
 #include "view/document/document.h"
 #include "view/document/pointer.h"
@@ -38,6 +39,8 @@ class Viewer {
   /// As the panel has changed them.
   void change(const Settings& settings);
   void resize(int width, int height);
+  /// Of letters, and of what the pointer reaches.
+  void setScale(double scale);
   /// Draws the same again, or takes the next step.
   void drawAgain();
 
@@ -50,6 +53,8 @@ class Viewer {
   [[nodiscard]] Shown shown() const;
   /// As the last picture has it, with its ids; null before the first.
   [[nodiscard]] const Frame* frame() const { return frame_ ? &*frame_ : nullptr; }
+  /// The picture that is shown, which may be a preview; null before the first.
+  [[nodiscard]] const Frame* seen() const { return preview_ ? &*preview_ : frame(); }
   [[nodiscard]] PanelInput panelInput(const std::string& presenter, double present_milliseconds) const;
   [[nodiscard]] const Document& document() const { return document_; }
   [[nodiscard]] const Settings& settings() const { return settings_; }
@@ -75,9 +80,12 @@ class Viewer {
   [[nodiscard]] RenderOptions picture() const;
   void accept(Answer& answer);
   void accept(Frame& frame);
+  void compare();
+  void putSideBySide();
   void refuse(const Answer& answer);
   void open(Loaded loaded, const std::string& path);
   void undoOrRedo(Action action);
+  [[nodiscard]] std::vector<std::string> backendsThatWork() const;
   void nextBackend();
   void save(const char* extension);
   void saveWhatIsSettled();
@@ -92,12 +100,17 @@ class Viewer {
   std::shared_ptr<const Density> density_;
   Camera camera_;
   Pointer pointer_{};
+  double scale_ = 1;
   bool minimized_ = false;
 
   Wanted wanted_ = Wanted::other;
   std::uint64_t wished_ = 0, gesture_ = 0, answered_ = 0, pictures_ = 0;
   std::uint64_t shown_version_ = 0;
-  std::optional<Frame> frame_{};
+  std::optional<Frame> frame_{}, preview_{};  ///< the preview only until there is a sharp one
+  Wipe wipe_{};
+  const Image* put_ = nullptr;  ///< two pictures as one, where they are compared
+  int put_column_ = 0;
+  std::uint64_t put_version_ = 0;
   std::shared_ptr<const Measures> measures_{};
   std::optional<RelaxStep> step_{};
   std::vector<float> history_{};

@@ -16,6 +16,7 @@ class WindowScreen final : public Screen {
   void apply(const Event& event) override { window_.apply(event); }
   [[nodiscard]] int width() const override { return window_.width(); }
   [[nodiscard]] int height() const override { return window_.height(); }
+  [[nodiscard]] double scale() const override { return window_.scale(); }
   void setTitle(const std::string& title) override { window_.setTitle(title); }
   void copyToClipboard(const std::string& text) override { window_.copyToClipboard(text); }
   [[nodiscard]] Presenter& presenter() override { return window_.presenter(); }

@@ -16,6 +16,7 @@ enum class Action : std::uint8_t {
   save_svg,
   save_sites,    ///< a .csv of the sites
   next_backend,  ///< of those that work here
+  compare,       ///< with another backend, or no more
   copy_command,  ///< the command line that makes this picture, to the clipboard and to standard output
   close,
 };

@@ -55,6 +55,7 @@ std::vector<KeyBinding> table() {
           {"4", plain, "colors by weight", colorBy<ColorBy::weight>},
           {"m", plain, "takes the next colors", nextColormap},
           {"b", plain, "takes the next backend that works here", Action::next_backend},
+          {"w", plain, "compares with the next backend, side by side; again, it does not", Action::compare},
           {"space", plain, "relaxes: sites move to the centers of their cells; again, it pauses", runOrPause},
           {"n", plain, "relaxes by one step", Action::step},
           {"z", control, "undoes", Action::undo},

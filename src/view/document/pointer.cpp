@@ -23,7 +23,7 @@ double leastImage(double difference, double period) {
 
 }  // namespace
 
-std::uint32_t siteNear(const Document& document, const Camera& camera, Place place) {
+std::uint32_t siteNear(const Document& document, const Camera& camera, Place place, double scale) {
   const Sites& sites = *document.sites();
   const Opened& opened = document.opened();
   const bool in_x = opened.periodic == Periodic::x || opened.periodic == Periodic::xy;
@@ -31,7 +31,7 @@ std::uint32_t siteNear(const Document& document, const Camera& camera, Place pla
   const double width = in_x ? opened.domain.xmax - opened.domain.xmin : 0;
   const double height = in_y ? opened.domain.ymax - opened.domain.ymin : 0;
   const Point at = camera.pointAt(place);
-  const double farthest = reach * camera.unitsPerPixel();
+  const double farthest = reach * scale * camera.unitsPerPixel();
   double least = farthest * farthest;
   std::uint32_t nearest = no_site;
   for (std::size_t i = 0; i < sites.size(); ++i) {
@@ -55,7 +55,7 @@ Changed Pointer::take(const Event& event, Document& document, Camera& camera, st
 
 Changed Pointer::press(const Press& press, Document& document, const Camera& camera, std::uint32_t owner) {
   if (held_ != Held::nothing) return Changed::nothing;
-  const std::uint32_t near = siteNear(document, camera, *place_);
+  const std::uint32_t near = siteNear(document, camera, *place_, scale_);
   if (press.button == Button::right) {
     const std::uint32_t site = near != no_site ? near : owner;
     if (site == no_site || site >= document.sites()->size()) return Changed::nothing;
@@ -79,7 +79,7 @@ Changed Pointer::move(Place to, Document& document, Camera& camera) {
   place_ = to;
   if (held_ == Held::nothing) return Changed::nothing;
   const bool started = travelled_;
-  travelled_ = travelled_ || std::hypot(to.x - pressed_.x, to.y - pressed_.y) > click_travel;
+  travelled_ = travelled_ || std::hypot(to.x - pressed_.x, to.y - pressed_.y) > click_travel * scale_;
   if (!travelled_) return Changed::nothing;
   if (held_ == Held::view) {
     const Place since = started ? from : pressed_;
@@ -111,7 +111,7 @@ Changed Pointer::scroll(const Scroll& scroll, Document& document, Camera& camera
     camera.zoom(*place_, std::pow(zoom_step, scroll.by));
     return Changed::view;
   }
-  const std::uint32_t near = siteNear(document, camera, *place_);
+  const std::uint32_t near = siteNear(document, camera, *place_, scale_);
   const std::uint32_t site = owner != no_site ? owner : near;
   if (site == no_site || site >= document.sites()->size()) return Changed::nothing;
   const Box& box = document.opened().domain;

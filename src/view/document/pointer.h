@@ -18,14 +18,16 @@ enum class Changed : std::uint8_t {
   sites,  ///< sites, once
 };
 
-/// The site nearest to a place, if it is some pixels away at most; else no_site.
-std::uint32_t siteNear(const Document& document, const Camera& camera, Place place);
+/// The site nearest to a place, if it is some pixels away at most, times `scale`; else no_site.
+std::uint32_t siteNear(const Document& document, const Camera& camera, Place place, double scale = 1);
 
 class Pointer {
  public:
   /// `owner` is the site of the cell under the pointer, or no_site.
   Changed take(const Event& event, Document& document, Camera& camera, std::uint32_t owner);
 
+  /// As many times as far does it reach: where pixels are small.
+  void setScale(double scale) { scale_ = scale; }
   /// Where it was last; none before it came.
   [[nodiscard]] const std::optional<Place>& place() const { return place_; }
   [[nodiscard]] bool holdsSite() const { return held_ == Held::site && travelled_; }
@@ -41,6 +43,7 @@ class Pointer {
   Changed scroll(const Scroll& scroll, Document& document, Camera& camera, std::uint32_t owner);
 
   std::optional<Place> place_{};
+  double scale_ = 1;
   Held held_ = Held::nothing;
   Button button_ = Button::left;
   Place pressed_{};         ///< where

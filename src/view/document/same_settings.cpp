@@ -21,12 +21,16 @@ auto tied(const BackendOptions& b) {
   return std::tie(b.name, b.device, b.threads, b.mask.disabled, b.mask.limits, b.validation);
 }
 
+bool isSame(const std::optional<BackendOptions>& a, const std::optional<BackendOptions>& b) {
+  return a.has_value() == b.has_value() && (!a || tied(*a) == tied(*b));
+}
+
 auto tied(const SearchOptions& s) { return std::tie(s.method, s.neighbors); }
 
 }  // namespace
 
 bool drawTheSame(const Settings& a, const Settings& b) {
-  return a.cells == b.cells && tied(a.backend) == tied(b.backend) &&
+  return a.cells == b.cells && tied(a.backend) == tied(b.backend) && isSame(a.compared, b.compared) &&
          colorsOf(a.picture) == colorsOf(b.picture) && marksOf(a.picture) == marksOf(b.picture) &&
          isSame(a.picture.color_range, b.picture.color_range) &&
          tied(a.picture.search) == tied(b.picture.search);

@@ -1,7 +1,9 @@
 /// What a window shows of its sites, apart from where: what keys, the panel and the command line change.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "vorpipe/devices.h"
 #include "vorpipe/picture.h"
@@ -19,10 +21,22 @@ struct Settings {
   bool cells = true;  ///< filled; else cells are white
   bool panel = true, help = false;
   BackendOptions backend{};
+  std::optional<BackendOptions> compared{};  ///< draws the same, to the right of a line
+  double wipe = 0.5;                         ///< where that stands, of the window's width
   RelaxMethod method = RelaxMethod::lloyd;
   Motion motion = Motion::rests;
   Density density{};         ///< for relaxing
   std::string density_path;  ///< where it came from
 };
+
+/// A backend to compare one with: what it shares is how many threads it has, and who watches.
+inline BackendOptions comparedWith(const BackendOptions& backend, std::string name, std::string device) {
+  BackendOptions other{};
+  other.name = std::move(name);
+  other.device = std::move(device);
+  other.threads = backend.threads;
+  other.validation = backend.validation;
+  return other;
+}
 
 }  // namespace vorpipe::view

@@ -1,5 +1,6 @@
 #include "view/frames/frames.h"
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <deque>
@@ -12,6 +13,21 @@
 #include "view/frames/painter.h"
 
 namespace vorpipe::view {
+namespace {
+
+/// The same of half as many rows and columns, with marks as large beside it; without what would be illegible.
+Wish previewOf(Wish wish) {
+  RenderOptions& picture = wish.picture;
+  picture.width /= 2;
+  picture.height /= 2;
+  picture.antialias = 1;
+  picture.legend = picture.labels = false;
+  picture.edge_width = std::max(1.0, picture.edge_width / 2);
+  picture.dot_size /= 2;
+  return wish;
+}
+
+}  // namespace
 
 struct Frames::State {
   State(std::function<void()> waker, Load loader) : wake(std::move(waker)), load(std::move(loader)) {}
@@ -30,10 +46,14 @@ struct Frames::State {
   // Of the thread alone.
   Painter painter{};
   bool may_measure = false;
+  std::uint64_t gesture = 0;      ///< of the wish before
+  double sharp_milliseconds = 0;  ///< that the last sharp picture took
   bool knows_devices = false;
   std::thread thread{};
 
   void work();
+  Answer paint(const Wish& next, const Outdated& outdated);
+  void preview(const Wish& next, const Outdated& outdated);
   void fulfill(const Wish& next);
   void write(const Save& next);
   void read(const std::string& path);
@@ -49,14 +69,37 @@ void Frames::State::tell(Answer answer) {
   wake();
 }
 
-void Frames::State::fulfill(const Wish& next) {
-  Answer answer{};
+Answer Frames::State::paint(const Wish& next, const Outdated& outdated) {
   try {
-    answer = painter.paint(next, [&] { return gives_up || latest_gesture != next.gesture; });
+    return painter.paint(next, outdated);
   } catch (const std::bad_alloc&) {
+    Answer answer{};
     answer.wish = next.number;
     answer.error = Error{ErrorCode::device, "there is not enough memory for this"};
+    return answer;
   }
+}
+
+/// While something is dragged, and sharp pictures are late, one that is there sooner.
+void Frames::State::preview(const Wish& next, const Outdated& outdated) {
+  Answer answer = paint(previewOf(next), outdated);
+  // What is wrong is told by the sharp one.
+  if (!answer.frame) return;
+  answer.wish = 0;
+  answer.preview = std::exchange(answer.frame, std::nullopt);
+  tell(std::move(answer));
+}
+
+void Frames::State::fulfill(const Wish& next) {
+  const bool goes_on = std::exchange(gesture, next.gesture) == next.gesture && next.motion == Motion::rests;
+  const bool previews = goes_on && sharp_milliseconds > next.longest_without_preview &&
+                        next.picture.width > 1 && next.picture.height > 1;
+  const Outdated other_gesture = [&] { return gives_up || latest_gesture != next.gesture; };
+  if (previews) preview(next, other_gesture);
+  // Where there is a preview, a sharp picture that is late already is not finished.
+  Answer answer = paint(
+      next, previews ? Outdated([&] { return gives_up || latest_wish != next.number; }) : other_gesture);
+  if (answer.frame) sharp_milliseconds = answer.frame->milliseconds;
   may_measure = answer.frame && next.motion != Motion::runs;
   // A wish that was given up is answered with the one that took its place.
   if (!answer.error || answer.error->code != ErrorCode::cancelled) tell(std::move(answer));

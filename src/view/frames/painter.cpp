@@ -1,5 +1,7 @@
 #include "view/frames/painter.h"
 
+#include <fmt/format.h>
+
 #include <limits>
 #include <utility>
 
@@ -8,30 +10,13 @@
 namespace vorpipe::view {
 namespace {
 
-bool isSame(const BackendOptions& a, const BackendOptions& b) {
-  return a.name == b.name && a.device == b.device && a.threads == b.threads && a.validation == b.validation &&
-         a.mask.disabled == b.mask.disabled && a.mask.limits == b.mask.limits;
-}
-
-/// A picture of a domain without sites: it is white.
-Rendering empty(const RenderOptions& options) {
-  constexpr std::uint32_t white = 0xFFFFFFFF;
-  Rendering rendering{};
-  Image& image = rendering.image;
-  image.width = options.width;
-  image.height = options.height;
-  const Box& domain = options.domain;
-  const Box view = options.view.value_or(domain);
-  for (int row = 0; row < image.height; ++row) {
-    const double y = view.ymax - (row + 0.5) / image.height * (view.ymax - view.ymin);
-    for (int column = 0; column < image.width; ++column) {
-      const double x = view.xmin + (column + 0.5) / image.width * (view.xmax - view.xmin);
-      const bool inside = x > domain.xmin && x < domain.xmax && y > domain.ymin && y < domain.ymax;
-      image.rgba.push_back(inside ? white : 0);
-    }
+/// In how many pixels two pictures of the same size differ.
+std::uint64_t countDifferent(const Image& a, const Image& b) {
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < a.rgba.size(); ++i) {
+    if (a.rgba[i] != b.rgba[i] || a.ids[i] != b.ids[i]) ++count;
   }
-  image.ids.assign(image.rgba.size(), no_site);
-  return rendering;
+  return count;
 }
 
 }  // namespace
@@ -40,17 +25,17 @@ Progress Painter::progress() const {
   return [this](std::string_view /*stage*/, double /*fraction*/) { return !outdated_ || !outdated_(); };
 }
 
-Result<void> Painter::open(const BackendOptions& backend, Answer& answer) {
-  if (session_ && isSame(backend, backend_)) return {};
-  auto session = Session::open(backend);
-  if (!session) return tl::unexpected(std::move(session.error()));
-  relaxation_.reset();
-  kept_.reset();
-  kept_of_.reset();
-  measured_.reset();
-  session_ = std::make_unique<Session>(std::move(*session));
-  backend_ = backend;
-  answer.device = session_->device();
+Result<void> Painter::open(const Wish& wish, Answer& answer) {
+  if (!wish.compared) compared_.close();
+  const auto opened = main_.open(wish.backend, [this] { relaxation_.reset(); });
+  if (!opened) return tl::unexpected(opened.error());
+  if (*opened) {
+    measured_.reset();
+    answer.device = main_.session().device();
+  }
+  if (!wish.compared) return {};
+  const auto other = compared_.open(*wish.compared);
+  if (!other) return tl::unexpected(other.error());
   return {};
 }
 
@@ -72,7 +57,7 @@ Result<void> Painter::begin(const Wish& wish) {
   options.iterations = std::numeric_limits<std::uint32_t>::max();
   options.progress = progress();
   relaxation_.reset();
-  auto begun = Relaxation::begin(*session_, *wish.sites, std::move(options));
+  auto begun = Relaxation::begin(main_.session(), *wish.sites, std::move(options));
   if (!begun) return tl::unexpected(std::move(begun.error()));
   relaxation_ = std::move(*begun);
   relaxed_ = wish.sites;
@@ -109,14 +94,26 @@ Result<void> Painter::step(const Wish& wish, Frame& frame) {
   return {};
 }
 
-Result<Rendering> Painter::render(const FixedSites& sites, RenderOptions options) {
-  if (sites->size() == 0) return empty(options);
-  if (!kept_ || kept_of_ != sites) {
-    kept_.emplace(*session_, *sites);
-    kept_of_ = sites;
-  }
+Result<void> Painter::draw(const Wish& wish, Frame& frame, Answer& answer) {
+  RenderOptions options = wish.picture;
   options.progress = progress();
-  return kept_->render(options);
+  auto rendering = main_.render(frame.sites, options);
+  if (!rendering) return tl::unexpected(std::move(rendering.error()));
+  const auto keep = [&answer](const std::vector<std::string>& said) {
+    answer.validation.insert(answer.validation.end(), said.begin(), said.end());
+  };
+  keep(rendering->report.validation_messages);
+  frame.picture = wish.picture;
+  frame.rendering = std::make_shared<const Rendering>(std::move(*rendering));
+  if (!wish.compared) return {};
+  auto compared = compared_.render(frame.sites, options);
+  if (!compared) return tl::unexpected(std::move(compared.error()));
+  keep(compared->report.validation_messages);
+  frame.differing = countDifferent(frame.rendering->image, compared->image);
+  frame.compared = std::make_shared<const Image>(std::move(compared->image));
+  const DeviceInfo device = compared_.session().device();
+  frame.compared_by = fmt::format("{} on {}", device.backend, device.name);
+  return {};
 }
 
 Answer Painter::paint(const Wish& wish, const Outdated& outdated) {
@@ -124,48 +121,38 @@ Answer Painter::paint(const Wish& wish, const Outdated& outdated) {
   outdated_ = outdated;
   Answer answer{};
   answer.wish = wish.number;
-  if (auto opened = open(wish.backend, answer); !opened) {
-    answer.error = std::move(opened.error());
+  const auto fails = [&answer](Error& error) {
+    answer.error = std::move(error);
     return answer;
-  }
+  };
+  if (auto opened = open(wish, answer); !opened) return fails(opened.error());
   Frame frame{wish.number, wish.sites};
   if (wish.motion != Motion::rests && wish.sites->size() > 0) {
-    if (auto stepped = step(wish, frame); !stepped) {
-      answer.error = std::move(stepped.error());
-      return answer;
-    }
+    if (auto stepped = step(wish, frame); !stepped) return fails(stepped.error());
+    answer.validation = relaxation_->report().validation_messages;
   }
-  auto rendering = render(frame.sites, wish.picture);
-  if (!rendering) {
-    answer.error = std::move(rendering.error());
-    return answer;
-  }
-  answer.validation = rendering->report.validation_messages;
-  if (frame.step) {
-    const auto& more = relaxation_->report().validation_messages;
-    answer.validation.insert(answer.validation.end(), more.begin(), more.end());
-  }
-  frame.picture = painted_ = wish.picture;
-  frame.rendering = std::make_shared<const Rendering>(std::move(*rendering));
+  if (auto drawn = draw(wish, frame, answer); !drawn) return fails(drawn.error());
+  painted_ = wish.picture;
   frame.milliseconds = watch.milliseconds();
   answer.frame = std::move(frame);
   return answer;
 }
 
 std::shared_ptr<const Measures> Painter::measure(const Outdated& outdated) {
-  if (!kept_ || measured_ == kept_of_) return {};
+  KeptSites* const kept = main_.kept();
+  if (kept == nullptr || measured_ == main_.keptOf()) return {};
   outdated_ = outdated;
   CellsOptions options = cellsOptions(painted_);
   options.progress = progress();
-  const auto cells = kept_->measures(options);
+  const auto cells = kept->measures(options);
   if (!cells) {
-    if (cells.error().code != ErrorCode::cancelled) measured_ = kept_of_;
+    if (cells.error().code != ErrorCode::cancelled) measured_ = main_.keptOf();
     return {};
   }
-  measured_ = kept_of_;
+  measured_ = main_.keptOf();
   const Diagram& diagram = **cells;
   auto measures = std::make_shared<Measures>();
-  measures->sites = kept_of_;
+  measures->sites = measured_;
   measures->area = diagram.area;
   measures->neighbors.resize(diagram.size());
   for (std::size_t i = 0; i < diagram.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "view/frames/renderer.h"
 #include "view/frames/wish.h"
 #include "vorpipe.h"
 
@@ -27,18 +28,16 @@ class Painter {
   Result<void> save(const Save& save);
 
  private:
-  Result<void> open(const BackendOptions& backend, Answer& answer);
+  Result<void> open(const Wish& wish, Answer& answer);
   [[nodiscard]] bool isAt(const Wish& wish) const;
   Result<void> begin(const Wish& wish);
   Result<void> step(const Wish& wish, Frame& frame);
-  Result<Rendering> render(const FixedSites& sites, RenderOptions options);
+  Result<void> draw(const Wish& wish, Frame& frame, Answer& answer);
   [[nodiscard]] Progress progress() const;
 
   Outdated outdated_{};
-  BackendOptions backend_{};
-  std::unique_ptr<Session> session_;  ///< outlives what follows
-  std::optional<KeptSites> kept_;
-  FixedSites kept_of_{};
+  Renderer main_;            ///< outlives what follows
+  Renderer compared_;        ///< the other one, while two are compared
   RenderOptions painted_{};  ///< the last picture
   FixedSites measured_{};
   std::optional<Relaxation> relaxation_;

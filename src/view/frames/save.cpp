@@ -11,13 +11,14 @@ Result<void> Painter::save(const Save& save) {
   const auto format = pictureFormatOf(save.path);
   if (!format) return tl::unexpected(format.error());
   PictureOutput output{*save.sites, save.picture};
-  output.threads = backend_.threads;
+  output.threads = main_.threads();
   std::optional<Diagram> cells;
   if ((*format)->of_shapes) {
-    if (!session_) return tl::unexpected(Error{ErrorCode::device, save.path + ": nothing computes yet"});
+    if (!main_.isOpen())
+      return tl::unexpected(Error{ErrorCode::device, save.path + ": nothing computes yet"});
     CellsOptions options = cellsOptions(save.picture);
     options.detail = Detail::polygons;
-    auto found = session_->cells(*save.sites, options);
+    auto found = main_.session().cells(*save.sites, options);
     if (!found) return tl::unexpected(std::move(found.error()));
     cells = std::move(*found);
     output.diagram = &*cells;

@@ -24,12 +24,15 @@ struct Wish {
   FixedSites sites{};
   RenderOptions picture{};  ///< with all that is drawn: domain, view, size; its progress is not read
   BackendOptions backend{};
+  std::optional<BackendOptions> compared{};  ///< draws the same picture, to compare with
+  /// Milliseconds of a sharp picture, above which a preview comes before it while something is dragged.
+  double longest_without_preview = 60;
   Motion motion = Motion::rests;  ///< sites take a step before the picture is drawn, unless they rest
   RelaxMethod method = RelaxMethod::lloyd;
   std::shared_ptr<const Density> density{};  ///< may be null
 };
 
-/// A sharp picture.
+/// A picture.
 struct Frame {
   std::uint64_t wish = 0;
   FixedSites sites{};         ///< that are drawn
@@ -38,6 +41,10 @@ struct Frame {
   bool relaxed = false;  ///< there is nothing more to move
   RenderOptions picture{};
   std::shared_ptr<const Rendering> rendering{};
+  std::shared_ptr<const Image>
+      compared{};               ///< the same picture by the other backend; null: none was asked for
+  std::uint64_t differing = 0;  ///< pixels in which the two differ
+  std::string compared_by{};    ///< "cpu on ..."
   double milliseconds = 0;
 };
 
@@ -64,8 +71,10 @@ struct Loaded {
 
 /// Any of these.
 struct Answer {
-  std::uint64_t wish = 0;  ///< that it answers; 0: none
-  std::optional<Frame> frame{};
+  std::uint64_t wish = 0;        ///< that it answers; 0: none
+  std::optional<Frame> frame{};  ///< sharp
+  std::optional<Frame>
+      preview{};  ///< of half as many rows and columns, before the sharp one; `wish` is 0 then
   std::shared_ptr<const Measures> measures{};
   std::optional<DeviceInfo> device{};  ///< that computes from now on
   std::vector<DeviceInfo> devices{};   ///< all there are

@@ -28,6 +28,8 @@ void drawTimes(PanelFrame& frame);   ///< what frames take
 void drawTip(PanelFrame& frame);
 /// The keys, in the middle of the window.
 void drawHelp(PanelFrame& frame);
+/// The line between the pictures of two backends.
+void drawWipe(const PanelFrame& frame);
 /// The message, at the bottom of the window.
 void drawMessage(PanelFrame& frame);
 

@@ -81,6 +81,24 @@ void drawHelp(PanelFrame& frame) {
   ImGui::End();
 }
 
+void drawWipe(const PanelFrame& frame) {
+  const PanelInput& input = frame.input;
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float at = std::round(static_cast<float>(frame.answer.settings.wipe * input.width));
+  const auto bottom = static_cast<float>(input.height);
+  const float half = frame.widgets.px(1), pad = frame.widgets.px(8), line = ImGui::GetTextLineHeight();
+  list.AddRectFilled({at - half, 0}, {at + half, bottom}, look::accent);
+  const auto name = [&](const std::string& text, float left) {
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    list.AddRectFilled({left - pad / 2, bottom - line - 1.5F * pad},
+                       {left + width + pad / 2, bottom - pad / 2}, look::surface,
+                       ImGui::GetStyle().FrameRounding);
+    list.AddText({left, bottom - line - pad}, look::text, text.c_str());
+  };
+  name(input.computed_by, std::round(at - 2 * pad - ImGui::CalcTextSize(input.computed_by.c_str()).x));
+  name(input.compared->by, at + 2 * pad);
+}
+
 void drawMessage(PanelFrame& frame) {
   Widgets& widgets = frame.widgets;
   const PanelInput& input = frame.input;

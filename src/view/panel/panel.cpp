@@ -170,6 +170,7 @@ void Panel::State::drawFrame(const PanelInput& input, PanelAnswer& answer) {
   help_open = answer.settings.help;
   if (help_open) drawHelp(frame);
   if (!input.message.empty()) drawMessage(frame);
+  if (input.compared) drawWipe(frame);
   list_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
   if (answer.settings.panel && holder == Holder::none && !list_open && !covers(pointer)) drawTip(frame);
   ImGui::Render();

@@ -33,6 +33,12 @@ struct FrameTimes {
   std::vector<float> history{};  ///< of `frame`, the latest last
 };
 
+/// What two backends draw, where they are compared.
+struct Compared {
+  std::uint64_t differing = 0, pixels = 0;
+  std::string by{};  ///< "cpu on 2 threads": the other one
+};
+
 struct PanelInput {
   Settings settings;
   std::optional<Hovered> hovered{};
@@ -41,6 +47,7 @@ struct PanelInput {
   std::string presenter{}, message{};  ///< what presents; what was saved or went wrong last, or empty
   std::uint64_t sites = 0;
   std::optional<RelaxStep> relaxed{};  ///< the last step
+  std::optional<Compared> compared{};
   bool can_undo = false, can_redo = false;
   int width = 0, height = 0;  ///< of the window
   double scale = 1;           ///< of letters and all else: 2 where pixels are half as large as usual

@@ -93,9 +93,11 @@ Result<void> Film::begin(int width, int height) {
   std::vector<std::string> arguments = {
       ffmpeg_, "-y", "-loglevel", "error", "-f", "rawvideo", "-pixel_format", "rgba", "-video_size",
       fmt::format("{}x{}", width, height), "-framerate", std::to_string(frame_rate), "-i", "-",
-      // The usual color format of films takes even sides.
-      "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f", "mp4",
-      partial_};
+      // The usual color format of films takes even sides. Unless a film says how its colors are meant,
+      // players take those of large ones otherwise than ffmpeg writes them.
+      "-vf", "scale=out_color_matrix=bt709:out_range=tv,pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p",
+      "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709", "-color_range", "tv",
+      "-movflags", "+faststart", "-f", "mp4", partial_};
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);

@@ -27,6 +27,7 @@
   USE(setWindowSize, glfwSetWindowSize)                                 \
   USE(getWindowSize, glfwGetWindowSize)                                 \
   USE(getFramebufferSize, glfwGetFramebufferSize)                       \
+  USE(getWindowContentScale, glfwGetWindowContentScale)                 \
   USE(iconifyWindow, glfwIconifyWindow)                                 \
   USE(restoreWindow, glfwRestoreWindow)                                 \
   USE(setClipboardString, glfwSetClipboardString)                       \
@@ -46,6 +47,7 @@
   USE(setWindowIconifyCallback, glfwSetWindowIconifyCallback)           \
   USE(setWindowRefreshCallback, glfwSetWindowRefreshCallback)           \
   USE(setFramebufferSizeCallback, glfwSetFramebufferSizeCallback)       \
+  USE(setWindowContentScaleCallback, glfwSetWindowContentScaleCallback) \
   USE(getCurrentContext, glfwGetCurrentContext)                         \
   USE(makeContextCurrent, glfwMakeContextCurrent)                       \
   USE(swapInterval, glfwSwapInterval)                                   \

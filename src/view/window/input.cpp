@@ -162,6 +162,9 @@ void onRefresh(GLFWwindow* window) {
   onSize(window, width, height);
 }
 
+// Letters are to be drawn anew.
+void onScale(GLFWwindow* window, float /*x*/, float /*y*/) { onRefresh(window); }
+
 }  // namespace
 
 void listen(GLFWwindow* window, Input& input) {
@@ -178,6 +181,7 @@ void listen(GLFWwindow* window, Input& input) {
   glfw.setWindowIconifyCallback(window, onIconify);
   glfw.setWindowRefreshCallback(window, onRefresh);
   glfw.setFramebufferSizeCallback(window, onSize);
+  glfw.setWindowContentScaleCallback(window, onScale);
 }
 
 }  // namespace vorpipe::view

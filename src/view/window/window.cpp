@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <variant>
@@ -129,6 +130,13 @@ int Window::height() const {
   int width = 0, height = 0;
   if (!state_->input.minimized) state_->glfw->getFramebufferSize(state_->window, &width, &height);
   return height;
+}
+
+double Window::scale() const {
+  float x = 1, y = 1;
+  state_->glfw->getWindowContentScale(state_->window, &x, &y);
+  // Some desktops do not know it.
+  return x > 0 ? std::clamp(static_cast<double>(x), 0.5, 8.0) : 1;
 }
 
 void Window::setTitle(const std::string& title) {

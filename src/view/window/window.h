@@ -43,6 +43,9 @@ class Window {
   /// In pixels of the framebuffer; 0 x 0 while it is minimized.
   [[nodiscard]] int width() const;
   [[nodiscard]] int height() const;
+  /// Of letters and all that is pointed at: 2 where pixels are half as large as usual, by the desktop's
+  /// setting.
+  [[nodiscard]] double scale() const;
   void setTitle(const std::string& title);
   void copyToClipboard(const std::string& text);
 

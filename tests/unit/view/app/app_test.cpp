@@ -15,6 +15,7 @@
 #include "io/sites/sites_file.h"
 #include "unit/fixtures/temporary_directory.h"
 #include "view/app/app.h"
+#include "view/app/wipe.h"
 
 namespace vorpipe::view {
 namespace {
@@ -186,6 +187,43 @@ TEST_F(AppTest, OpensDroppedFilesAndSaves) {
   EXPECT_EQ(contents(path("sites.csv")), "x,y\n0.5,0.5\n");
   EXPECT_EQ(shot("vorpipe.png").width, 400);
   EXPECT_THAT(contents(path("vorpipe.svg")), HasSubstr("<svg"));
+}
+
+TEST(Wipe, PutsTwoPicturesSideBySide) {
+  const Image first{3, 2, {1, 2, 3, 4, 5, 6}, {}}, other{3, 2, {7, 8, 9, 10, 11, 12}, {}};
+  Wipe wipe;
+  EXPECT_THAT(wipe.put(first, other, 1).rgba, ElementsAre(1, 8, 9, 4, 11, 12));
+  EXPECT_EQ(wipe.put(first, other, 3).rgba, first.rgba);
+  EXPECT_EQ(wipe.put(first, other, -4).rgba, other.rgba);
+}
+
+TEST(Wipe, IsDraggedByItsLine) {
+  Wipe wipe;
+  double at = 0.5;
+  EXPECT_FALSE(wipe.take(Press{}, Place{90, 5}, 200, 5, at));
+  EXPECT_FALSE(wipe.take(Move{{50, 5}}, Place{90, 5}, 200, 5, at));
+  EXPECT_TRUE(wipe.take(Press{}, Place{104, 5}, 200, 5, at));
+  EXPECT_TRUE(wipe.take(Move{{50, 5}}, Place{104, 5}, 200, 5, at));
+  EXPECT_EQ(at, 0.25);
+  EXPECT_TRUE(wipe.take(Move{{-50, 5}}, Place{50, 5}, 200, 5, at));
+  EXPECT_EQ(at, 0);
+  EXPECT_TRUE(wipe.take(Release{}, Place{-50, 5}, 200, 5, at));
+  EXPECT_FALSE(wipe.take(Move{{50, 5}}, Place{-50, 5}, 200, 5, at));
+  EXPECT_EQ(at, 0);
+}
+
+TEST_F(AppTest, ComparesTwoBackendsWhosePicturesAreTheSame) {
+  const auto alone = play("wait\nscreenshot a.png\nclose\n");
+  ASSERT_TRUE(alone) << alone.error().message;
+  options.viewer.settings.compared = comparedWith(options.viewer.settings.backend, "cpu", "");
+  // The line is dragged; elsewhere the pointer does what it does.
+  const auto end = play(
+      "wait\nscreenshot b.png\nmove 202 150\npress left\nmove 100 150\nrelease left\nwait\nscreenshot c.png\n"
+      "move 200 40\npress left\nrelease left\nwait\nscreenshot d.png\nclose\n");
+  ASSERT_TRUE(end) << end.error().message;
+  EXPECT_EQ(shot("a.png").rgba, shot("b.png").rgba);
+  EXPECT_EQ(shot("a.png").rgba, shot("c.png").rgba);
+  EXPECT_NE(shot("a.png").rgba, shot("d.png").rgba);
 }
 
 TEST_F(AppTest, LegendsAreDrawnWhereTheyCanBe) {

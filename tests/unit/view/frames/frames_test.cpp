@@ -125,6 +125,27 @@ TEST_F(FramesTest, GoOnAfterABackendThatIsNotHere) {
   EXPECT_EQ(wrong.error->code, ErrorCode::input);
 }
 
+TEST_F(FramesTest, PreviewWhatIsDragged) {
+  Wish wish = wishOf(1, randomSites(50));
+  wish.longest_without_preview = 0;
+  frames.wish(wish);
+  EXPECT_TRUE(await([](const Answer& one) { return one.preview || one.frame; }).frame)
+      << "nothing is dragged";
+  wish.number = 2;
+  wish.picture.view = Box{0.25, 0.25, 0.75, 0.75};
+  wish.picture.labels = true;
+  frames.wish(wish);
+  const Answer early = await([](const Answer& one) { return one.preview || one.frame; });
+  ASSERT_TRUE(early.preview);
+  EXPECT_EQ(early.wish, 0U);
+  EXPECT_EQ(early.preview->rendering->image.width, 32);
+  EXPECT_EQ(early.preview->picture.view->xmin, 0.25);
+  EXPECT_EQ(awaitWish(2).frame->rendering->image.width, 64);
+  wish.number = wish.gesture = 3;
+  frames.wish(wish);
+  EXPECT_TRUE(await([](const Answer& one) { return one.preview || one.frame; }).frame) << "another gesture";
+}
+
 TEST_F(FramesTest, SavePictures) {
   const FixedSites sites = randomSites(10);
   frames.wish(wishOf(1, sites));
@@ -178,6 +199,21 @@ TEST(Painter, RelaxesOnAfterAStepThatWasGivenUp) {
   ASSERT_TRUE(answer.frame);
   EXPECT_FALSE(answer.frame->relaxed);
   EXPECT_NE(answer.frame->sites->x, wish.sites->x);
+}
+
+TEST(Painter, DrawsByAnotherBackendToCompare) {
+  Painter painter;
+  Wish wish = wishOf(1, randomSites(30));
+  wish.compared = comparedWith(wish.backend, "cpu", "");
+  Answer answer = painter.paint(wish, never);
+  ASSERT_TRUE(answer.frame && answer.frame->compared);
+  EXPECT_EQ(answer.frame->compared->ids, answer.frame->rendering->image.ids);
+  EXPECT_EQ(answer.frame->differing, 0U);
+  EXPECT_FALSE(answer.frame->compared_by.empty());
+  wish.compared->device = "no device is called so";
+  EXPECT_EQ(painter.paint(wish, never).error->code, ErrorCode::device);
+  wish.compared.reset();
+  EXPECT_FALSE(painter.paint(wish, never).frame->compared);
 }
 
 TEST(Painter, GivesUpWhatIsOutdated) {

@@ -278,6 +278,20 @@ TEST_F(PanelTest, BackendsAreChosenButThoseThatCannotBeUsed) {
   EXPECT_EQ(backend.device, "");
 }
 
+TEST_F(PanelTest, ABackendIsComparedWith) {
+  click("Compare");
+  click("Compare/cpu");
+  ASSERT_TRUE(input_.settings.compared);
+  EXPECT_EQ(input_.settings.compared->name, "cpu");
+  const std::size_t without = triangles_.vertices.size();
+  input_.compared = Compared{12, 1280 * 1000, "cpu on 2 threads"};
+  draw();
+  EXPECT_GT(triangles_.vertices.size(), without) << "there is no line";
+  click("Compare");
+  click("Compare/none");
+  EXPECT_FALSE(input_.settings.compared);
+}
+
 TEST_F(PanelTest, ReasonsAreTold) {
   click("Backend");
   panel_.take(Move{middleOf("Backend/cpu")});
