@@ -8,6 +8,7 @@
 #include "io/files/error.h"
 #include "io/sites/site_numbers.h"
 #include "io/sites/weight_name.h"
+#include "io/text/lower_case.h"
 #include "io/text/number.h"
 
 namespace vorpipe {
