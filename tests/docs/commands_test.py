@@ -60,6 +60,7 @@ NOT_RUN = {
     'tests/bench/run.sh --sites 100000 --patterns random,clusters --backends cpu --threads 1,2 --peers cgal,boost': BUILDS,
     'tests/bench/run.sh --weights 0.5 --json speed.json': BUILDS,
     'cmake --preset asan && cmake --build --preset asan && ctest --preset asan': BUILDS,
+    "cmake --preset asan && cmake --build --preset asan --target vorpipe keep_loaded && ctest --preset asan -R '^view$'": BUILDS,
     'cmake --build build/dev --target update-spv': BUILDS,
     'cmake --preset dev': BUILDS,
     'pip install --no-index .': BUILDS,
