@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/block_sums.h"
-#include "moving/fluid/incompressible.h"
+#include "moving/linear/mass_change.h"
 
 namespace vorpipe::moving {
 namespace {
@@ -34,6 +34,19 @@ void kick(std::vector<Point>& velocity, const std::vector<Point>& acceleration, 
     velocity[i].x += time * acceleration[i].x;
     velocity[i].y += time * acceleration[i].y;
   });
+}
+
+/// Takes from the velocities what changes areas: what is left is the nearest velocity that changes none, as
+/// masses weigh it. `pressure` and the result as solvePressure() has them.
+std::uint64_t project(const MassChange& change, std::span<const double> mass, int threads,
+                      std::vector<double>& pressure, std::vector<Point>& velocity) {
+  std::vector<double> changed;
+  change.apply(velocity, changed);
+  const auto iterations = solvePressure(change, mass, changed, enough_projected, threads, pressure);
+  std::vector<Point> pushed;
+  change.push(pressure, mass, pushed);
+  kick(velocity, pushed, -1, threads);
+  return iterations;
 }
 
 }  // namespace
@@ -123,8 +136,8 @@ Result<bool> Flow::reflection(Parcels& parcels, double length) {
     return placed;
   };
   const auto projectInto = [&](std::vector<double>& pressure) {
-    const AreaChange change(cells_.cells(), parcels.sites, options_.domain, threads_);
-    iterations_ += project(change, parcels.mass, enough_projected, threads_, pressure, parcels.velocity);
+    const MassChange change(cells_.cells(), parcels.sites, options_.domain, threads_);
+    iterations_ += project(change, parcels.mass, threads_, pressure, parcels.velocity);
   };
   auto placed = half();
   if (!placed || !*placed) return placed;

@@ -301,14 +301,4 @@ bool PrescribedCells::areMeasured() const { return state_->current; }
 const MovingCells& PrescribedCells::cells() const { return state_->cells; }
 const std::vector<TransportStep>& PrescribedCells::trace() const { return state_->trace; }
 
-Result<std::vector<double>> PrescribedCells::solveLinear(std::span<const double> right_side,
-                                                         double tolerance) {
-  State& s = *state_;
-  massMatrix(s.cells.neighbors(), s.cells.edges(), s.threads, s.matrix);
-  std::vector<double> x;
-  auto solved = s.solver.solve(s.matrix, right_side, tolerance, x);
-  if (!solved) return tl::unexpected(std::move(solved.error()));
-  return x;
-}
-
 }  // namespace vorpipe::moving

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "vorpipe.h"
@@ -36,9 +35,6 @@ class PrescribedCells {
   [[nodiscard]] const MovingCells& cells() const;
   /// Each diagram of the last solve().
   [[nodiscard]] const std::vector<TransportStep>& trace() const;
-
-  /// As LaplacianSolver::solve(), with the matrix of the cells that solve() left: that of d mass / d weight.
-  Result<std::vector<double>> solveLinear(std::span<const double> right_side, double tolerance);
 
  private:
   struct State;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "moving/fluid/incompressible.h"
+#include "moving/linear/mass_change.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -118,7 +118,7 @@ TEST(Fluid, AreasChangeAsTheDerivativesSay) {
     velocity.push_back({std::sin(7.0 * static_cast<double>(i)), std::cos(3.0 * static_cast<double>(i))});
   }
   std::vector<double> change;
-  moving::AreaChange(cells, sites, box, 1).apply(velocity, change);
+  moving::MassChange(cells, sites, box, 1).apply(velocity, change);
   constexpr double step = 1e-6;
   const auto areasAfter = [&](double time) {
     Sites moved = sites;

@@ -1,4 +1,4 @@
-#include "moving/fluid/incompressible.h"
+#include "moving/linear/mass_change.h"
 
 #include <cmath>
 
@@ -13,7 +13,7 @@ double dot(std::span<const double> a, std::span<const double> b, int threads) {
 
 }  // namespace
 
-AreaChange::AreaChange(const MovingCells& cells, const Sites& sites, const Box& domain, int threads)
+MassChange::MassChange(const MovingCells& cells, const Sites& sites, const Box& domain, int threads)
     : threads_(threads) {
   const CellsThatMeet& meet = cells.neighbors();
   const EdgesOfCells& edges = cells.edges();
@@ -50,7 +50,7 @@ AreaChange::AreaChange(const MovingCells& cells, const Sites& sites, const Box& 
   });
 }
 
-void AreaChange::apply(std::span<const Point> velocity, std::vector<double>& change) const {
+void MassChange::apply(std::span<const Point> velocity, std::vector<double>& change) const {
   change.resize(velocity.size());
   forAll(velocity.size(), threads_, [&](std::size_t i) {
     double sum = 0;
@@ -65,7 +65,7 @@ void AreaChange::apply(std::span<const Point> velocity, std::vector<double>& cha
   });
 }
 
-void AreaChange::push(std::span<const double> pressure, std::span<const double> mass,
+void MassChange::push(std::span<const double> pressure, std::span<const double> inertia,
                       std::vector<Point>& result) const {
   result.resize(pressure.size());
   forAll(pressure.size(), threads_, [&](std::size_t i) {
@@ -76,37 +76,37 @@ void AreaChange::push(std::span<const double> pressure, std::span<const double> 
       sum.x += e.from_own.x * rise;
       sum.y += e.from_own.y * rise;
     }
-    result[i] = {sum.x / mass[i], sum.y / mass[i]};
+    result[i] = {sum.x / inertia[i], sum.y / inertia[i]};
   });
 }
 
-std::vector<double> AreaChange::diagonal(std::span<const double> mass) const {
-  std::vector<double> diagonal(mass.size());
-  forAll(mass.size(), threads_, [&](std::size_t i) {
+std::vector<double> MassChange::diagonal(std::span<const double> inertia) const {
+  std::vector<double> diagonal(inertia.size());
+  forAll(inertia.size(), threads_, [&](std::size_t i) {
     Point own{0, 0};
     double sum = 0;
     for (auto k = offsets_[i]; k < offsets_[i + 1]; ++k) {
       const Entry& e = entries_[k];
-      sum += (e.from_other.x * e.from_other.x + e.from_other.y * e.from_other.y) / mass[e.other];
+      sum += (e.from_other.x * e.from_other.x + e.from_other.y * e.from_other.y) / inertia[e.other];
       own.x += e.from_own.x;
       own.y += e.from_own.y;
     }
-    diagonal[i] = sum + (own.x * own.x + own.y * own.y) / mass[i];
+    diagonal[i] = sum + (own.x * own.x + own.y * own.y) / inertia[i];
   });
   return diagonal;
 }
 
-std::uint64_t project(const AreaChange& change, std::span<const double> mass, double tolerance, int threads,
-                      std::vector<double>& pressure, std::vector<Point>& velocity) {
-  const std::size_t count = mass.size();
+std::uint64_t solvePressure(const MassChange& change, std::span<const double> inertia,
+                            std::span<const double> wanted, double tolerance, int threads,
+                            std::vector<double>& pressure) {
+  const std::size_t count = inertia.size();
   constexpr std::uint64_t most_iterations = 10000;
   if (pressure.size() != count) pressure.assign(count, 0.0);
-  const std::vector<double> diagonal = change.diagonal(mass);
-  std::vector<double> rest, scaled(count), way, answer;
+  const std::vector<double> diagonal = change.diagonal(inertia);
+  std::vector<double> rest(wanted.begin(), wanted.end()), scaled(count), way, answer;
   std::vector<Point> pushed;
-  change.apply(velocity, rest);
   const double enough = tolerance * tolerance * dot(rest, rest, threads);
-  change.push(pressure, mass, pushed);
+  change.push(pressure, inertia, pushed);
   change.apply(pushed, answer);
   forAll(count, threads, [&](std::size_t i) { rest[i] -= answer[i]; });
   const auto scale = [&] {
@@ -117,7 +117,7 @@ std::uint64_t project(const AreaChange& change, std::span<const double> mass, do
   way = scaled;
   std::uint64_t iteration = 0;
   for (; iteration < most_iterations && dot(rest, rest, threads) > enough; ++iteration) {
-    change.push(way, mass, pushed);
+    change.push(way, inertia, pushed);
     change.apply(pushed, answer);
     const double curvature = dot(way, answer, threads);
     if (!(curvature > 0)) break;
@@ -131,11 +131,6 @@ std::uint64_t project(const AreaChange& change, std::span<const double> mass, do
     product = next;
     forAll(count, threads, [&](std::size_t i) { way[i] = scaled[i] + turn * way[i]; });
   }
-  change.push(pressure, mass, pushed);
-  forAll(count, threads, [&](std::size_t i) {
-    velocity[i].x -= pushed[i].x;
-    velocity[i].y -= pushed[i].y;
-  });
   return iteration;
 }
 

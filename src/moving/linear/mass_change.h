@@ -1,0 +1,48 @@
+/// How masses change as sites move, and the least moves that change them so.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "vorpipe.h"
+
+namespace vorpipe::moving {
+
+/// How masses of cells change as their sites move, while weights stay: D in d mass = D v, with a row for each
+/// cell. With b the middle of the edge between the cells i and j, and c its coupling (see EdgesOfCells),
+///
+///     (D v)_i = sum over j of 2 c (p_j - b) . v_j - 2 c (p_i - b) . v_i.
+///
+/// No flow through the domain's walls follows from it: nothing else would take what leaves there.
+class MassChange {
+ public:
+  /// Of cells that fill the domain, which is periodic or not.
+  MassChange(const MovingCells& cells, const Sites& sites, const Box& domain, int threads);
+
+  void apply(std::span<const Point> velocity, std::vector<double>& change) const;  ///< D v
+  /// D^T p, each row divided by the site's inertia: the acceleration that this pressure gives.
+  void push(std::span<const double> pressure, std::span<const double> inertia,
+            std::vector<Point>& result) const;
+  /// The diagonal of D M^-1 D^T.
+  [[nodiscard]] std::vector<double> diagonal(std::span<const double> inertia) const;
+
+ private:
+  struct Entry {
+    std::uint32_t other;
+    Point from_other, from_own;  ///< 2 c (p_j - b) and 2 c (p_i - b)
+  };
+  int threads_;
+  std::vector<std::uint64_t> offsets_;
+  std::vector<Entry> entries_;
+};
+
+/// Finds p with (D M^-1 D^T) p = wanted. Of all v with D v = wanted, M^-1 D^T p is then the one with the
+/// least sum of inertia |v|^2. `pressure` is where the search begins, from 0 where it has another size, and
+/// the p that was found. Returns the iterations of conjugate gradients, which end where what is left is
+/// `tolerance` of `wanted`, or where rounding allows no more.
+std::uint64_t solvePressure(const MassChange& change, std::span<const double> inertia,
+                            std::span<const double> wanted, double tolerance, int threads,
+                            std::vector<double>& pressure);
+
+}  // namespace vorpipe::moving
