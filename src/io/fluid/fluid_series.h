@@ -12,8 +12,8 @@ namespace vorpipe {
 
 /// Writes a step as a .vtp file: a polygon for each cell with its site, velocity, pressure, volume
 /// and density. `diagram` has the cells of its sites in the options' domain, with Detail::polygons; with a
-/// free surface they are cut by polygons of so many corners as their discs need to look round. Errors: those
-/// of cellsMesh(); writing failed (device).
+/// free surface they are cut by polygons that have enough corners to look like discs. Errors: those of
+/// cellsMesh(); writing failed (device).
 Result<void> writeFluidStep(ByteSink& sink, const FluidState& state, const FluidOptions& options,
                             const Diagram& diagram);
 

@@ -16,9 +16,9 @@ using namespace moving;
 
 namespace {
 
-/// After so many steps the order in memory follows the sites.
+/// Steps after which sites that have moved get a new order in memory.
 constexpr std::uint64_t steps_of_order = 32;
-/// A step whose areas cannot be found is halved at most so often.
+/// A step whose areas cannot be found is halved, at most this number of times.
 constexpr int most_halvings = 6;
 
 tl::unexpected<Error> refuse(std::string message) {

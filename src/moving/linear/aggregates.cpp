@@ -19,7 +19,8 @@ class Finder {
     for (auto i = begin_; i < end_; ++i) {
       if (level_.aggregate[i] == no_aggregate && isRoot(i)) takeAround(i);
     }
-    // As they are by now: what joins takes nobody with it.
+    // All choose among the aggregates as they are by now, so that a row which joins one draws no other after
+    // it.
     joining_.clear();
     for (auto i = begin_; i < end_; ++i) {
       if (level_.aggregate[i] == no_aggregate && !isLeftToSweeps(i)) joining_.push_back({i, nearest(i)});

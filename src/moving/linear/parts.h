@@ -17,7 +17,7 @@ class SingularParts {
   void removeMeans(std::vector<double>& values, int threads) const;
 
   [[nodiscard]] std::size_t count() const { return rows_.size(); }
-  /// The number of the part of each row; count() or more: of none.
+  /// The number of the part of each row; count() or more where it belongs to no such part.
   [[nodiscard]] const std::vector<std::uint32_t>& partOf() const { return part_of_; }
 
  private:
