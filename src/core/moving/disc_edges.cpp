@@ -1,54 +1,35 @@
 #include <cmath>
 
-#include "base/parallel.h"
 #include "core/geometry/polygon_measures.h"
 #include "core/moving/disc_cells.h"
 #include "core/moving/discs.h"
-#include "core/vertices/cell_walk.h"
+#include "core/moving/edge_walk.h"
 
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 4096;
-
-/// Writes the parts of edges that lie in discs, in the order of the set, for one thread.
+/// Writes the parts of edges that lie in discs, for one thread.
 class ChordWriter {
  public:
-  ChordWriter(const FoundBox& found, const FreeSurface& surface, const ProposedCells& proposed,
-              const CellsThatMeet& meet, EdgesOfCells& edges)
+  ChordWriter(const FoundBox& found, const FreeSurface& surface, EdgesOfCells& edges)
       : discs_(found, surface.weight),
-        proposed_(proposed),
-        tied_(found.cells->tied),
+        sites_(found.run->prepared.set),
         unscale_(found.run->prepared.exponent),
-        meet_(meet),
         edges_(edges) {}
 
-  void write(std::uint32_t cell, std::span<const std::int32_t> row, std::span<const AnchoredPoint> corners) {
-    auto out = meet_.offsets[proposed_.sites.id[cell]];
-    if (!tied_.has(cell)) {
-      for (std::size_t e = 0; e < row.size(); ++e) writeEdge(cell, row, corners, e, out++);
-      return;
-    }
-    keptEdges(proposed_, tied_, tied_.entry[cell], kept_);
-    for (const auto e : kept_) writeEdge(cell, row, corners, e, out++);
-  }
-
- private:
-  void writeEdge(std::uint32_t cell, std::span<const std::int32_t> row,
-                 std::span<const AnchoredPoint> corners, std::size_t e, std::uint64_t out) {
-    const AnchoredPoint &begin = corners[e], &end = corners[e + 1 < row.size() ? e + 1 : 0];
-    const std::int32_t neighbor = row[e];
+  void operator()(const WalkedEdge& edge) {
+    const auto [cell, neighbor, begin, end, out] = edge;
     const auto other = static_cast<std::uint32_t>(neighbor);
     const bool from_other = neighbor >= 0 && discs_.smallerOf(cell, other) == other;
     const Part part = from_other ? partOf(other, static_cast<std::int32_t>(cell), end, begin)
                                  : partOf(cell, neighbor, begin, end);
     edges_.middle[out] = unscale_(part.middle);
     if (neighbor < 0) return;
-    const SiteSet& sites = proposed_.sites;
-    const double dx = sites.x[other] - sites.x[cell], dy = sites.y[other] - sites.y[cell];
+    const double dx = sites_.x[other] - sites_.x[cell], dy = sites_.y[other] - sites_.y[cell];
     edges_.coupling[out] = part.length / (2 * std::sqrt(dx * dx + dy * dy));
   }
 
+ private:
   struct Part {
     Point middle;
     double length;
@@ -73,12 +54,9 @@ class ChordWriter {
   }
 
   Discs discs_;
-  const ProposedCells& proposed_;
-  const TiedCells& tied_;
+  const SiteSet& sites_;
   Unscale unscale_;
-  const CellsThatMeet& meet_;
   EdgesOfCells& edges_;
-  std::vector<std::uint32_t> kept_;
 };
 
 }  // namespace
@@ -89,15 +67,7 @@ EdgesOfCells edgesInDiscs(const FoundBox& found, const FreeSurface& surface, con
   edges.coupling.resize(meet.neighbors.size());
   edges.middle.resize(meet.neighbors.size());
   edges.arc = surface.arc;
-  const SiteSet& set = found.run->prepared.set;
-  const NeighborRows& cells = found.cells->rows;
-  const EdgeIndex index(cells, threads);
-  const ProposedCells proposed{set, cells, index, threads};
-  parallelFor(set.size(), grainFor(set.size(), grain), threads, [&](std::size_t begin, std::size_t end) {
-    ChordWriter writer(found, surface, proposed, meet, edges);
-    CellWalk walk(set, cells);
-    walk(begin, end, [&](std::uint32_t cell, auto row, auto corners) { writer.write(cell, row, corners); });
-  });
+  walkEdges(found, meet, threads, [&] { return ChordWriter(found, surface, edges); });
   return edges;
 }
 

@@ -19,9 +19,6 @@ class AllowedPlaces {
   AllowedPlaces& operator=(AllowedPlaces&&) noexcept;
   ~AllowedPlaces();
 
-  /// Whether they are all of the plane, or a convex part of it: then what lies between two of them is
-  /// allowed.
-  [[nodiscard]] bool areConvex() const { return shape_ == nullptr; }
   [[nodiscard]] bool contain(Point place) const;
   /// The place itself, or the nearest that is allowed.
   [[nodiscard]] Point nearestTo(Point place) const { return shape_ ? nearestInShape(place) : inBox(place); }
