@@ -4,13 +4,18 @@
 #include <cmath>
 
 #include "base/block_sums.h"
+#include "moving/linear/conjugate_gradients.h"
 #include "moving/linear/mass_change.h"
 
 namespace vorpipe::moving {
 namespace {
 
-/// What is left of the change of areas by velocities, as a part of what it was.
-constexpr double enough_projected = 1e-8;
+/// What projected velocities may change areas by in a step, as a part of what areas may be off. Measured:
+/// velocities of a vortex are no better after less.
+constexpr double enough_projected = 0.1;
+
+/// The tolerance of areas in the middle of a step, where only the directions of projections come from them.
+constexpr double tolerance_in_the_middle = 1e-3;
 
 CellsOptions cellsOptions(const FluidOptions& options) {
   CellsOptions cells{};
@@ -37,12 +42,12 @@ void kick(std::vector<Point>& velocity, const std::vector<Point>& acceleration, 
 }
 
 /// Takes from the velocities what changes areas: what is left is the nearest velocity that changes none, as
-/// masses weigh it. `pressure` and the result as solvePressure() has them.
-std::uint64_t project(const MassChange& change, std::span<const double> mass, int threads,
+/// masses weigh it. `least`, `pressure` and the result as solvePressure() has them.
+std::uint64_t project(const MassChange& change, std::span<const double> mass, double least, int threads,
                       std::vector<double>& pressure, std::vector<Point>& velocity) {
   std::vector<double> changed;
   change.apply(velocity, changed);
-  const auto iterations = solvePressure(change, mass, changed, enough_projected, threads, pressure);
+  const auto iterations = solvePressure(change, mass, changed, least, threads, pressure);
   std::vector<Point> pushed;
   change.push(pressure, mass, pushed);
   kick(velocity, pushed, -1, threads);
@@ -62,7 +67,7 @@ Flow::Flow(Session& session, const FluidOptions& options, const Parcels& parcels
 
 /// Finds weights with which the cells have their areas. They begin as they would be if they changed as they
 /// did last, which spares about one diagram of three.
-Result<bool> Flow::areas(Parcels& parcels, double time) {
+Result<bool> Flow::areas(Parcels& parcels, double time, double tolerance) {
   std::vector<double>& weight = parcels.sites.weight;
   const std::vector<double> before = weight;
   const bool has_weights = time > 0 && before.size() == parcels.size();
@@ -74,7 +79,7 @@ Result<bool> Flow::areas(Parcels& parcels, double time) {
     if (!inside) return tl::unexpected(std::move(inside.error()));
     parcels.sites = std::move(*inside);
   }
-  const auto end = cells_.solve(parcels.sites, {options_.tolerance, options_.diagrams});
+  const auto end = cells_.solve(parcels.sites, {tolerance, options_.diagrams});
   if (!end) return tl::unexpected(end.error());
   diagrams_ += cells_.trace().size();
   for (const TransportStep& step : cells_.trace()) iterations_ += step.linear_iterations;
@@ -103,8 +108,10 @@ void Flow::accelerate(Parcels& parcels) const {
   });
 }
 
-Result<bool> Flow::place(Parcels& parcels, double time) {
-  auto placed = areas(parcels, time);
+Result<bool> Flow::place(Parcels& parcels, double time) { return place(parcels, time, options_.tolerance); }
+
+Result<bool> Flow::place(Parcels& parcels, double time, double tolerance) {
+  auto placed = areas(parcels, time, tolerance);
   if (placed && *placed) accelerate(parcels);
   return placed;
 }
@@ -129,17 +136,18 @@ Result<bool> Flow::springs(Parcels& parcels, double length) {
 /// Zehnder, Narain and Thomaszewski 2018, algorithm 1, for sites that carry their velocities: half a step,
 /// reflection about the velocities that change no area, the other half, projection to them.
 Result<bool> Flow::reflection(Parcels& parcels, double length) {
-  const auto half = [&] {
+  const auto half = [&](double tolerance) {
     drift(parcels, length / 2);
-    auto placed = place(parcels, length / 2);
+    auto placed = place(parcels, length / 2, tolerance);
     if (placed && *placed) kick(parcels.velocity, parcels.acceleration, length / 2, threads_);
     return placed;
   };
+  const double least = enough_projected * options_.tolerance * normOf(parcels.volume, threads_) / length;
   const auto projectInto = [&](std::vector<double>& pressure) {
     const MassChange change(cells_.cells(), parcels.sites, options_.domain, threads_);
-    iterations_ += project(change, parcels.mass, threads_, pressure, parcels.velocity);
+    iterations_ += project(change, parcels.mass, least, threads_, pressure, parcels.velocity);
   };
-  auto placed = half();
+  auto placed = half(std::max(options_.tolerance, tolerance_in_the_middle));
   if (!placed || !*placed) return placed;
   const std::vector<Point> before = parcels.velocity;
   // The step before left a pressure: what changes areas grows with the time since, and so does this.
@@ -151,7 +159,7 @@ Result<bool> Flow::reflection(Parcels& parcels, double length) {
     parcels.velocity[i].x += parcels.velocity[i].x - before[i].x;
     parcels.velocity[i].y += parcels.velocity[i].y - before[i].y;
   });
-  placed = half();
+  placed = half(options_.tolerance);
   if (!placed || !*placed) return placed;
   std::vector<double> pressure;
   projectInto(pressure);

@@ -33,7 +33,8 @@ class Flow {
  private:
   Result<bool> springs(Parcels& parcels, double length);
   Result<bool> reflection(Parcels& parcels, double length);
-  Result<bool> areas(Parcels& parcels, double time);
+  Result<bool> place(Parcels& parcels, double time, double tolerance);
+  Result<bool> areas(Parcels& parcels, double time, double tolerance);
   void drift(Parcels& parcels, double time) const;
   void accelerate(Parcels& parcels) const;
 

@@ -97,7 +97,7 @@ std::vector<double> MassChange::diagonal(std::span<const double> inertia) const 
 }
 
 std::uint64_t solvePressure(const MassChange& change, std::span<const double> inertia,
-                            std::span<const double> wanted, double tolerance, int threads,
+                            std::span<const double> wanted, double least, int threads,
                             std::vector<double>& pressure) {
   const std::size_t count = inertia.size();
   constexpr std::uint64_t most_iterations = 10000;
@@ -105,7 +105,6 @@ std::uint64_t solvePressure(const MassChange& change, std::span<const double> in
   const std::vector<double> diagonal = change.diagonal(inertia);
   std::vector<double> rest(wanted.begin(), wanted.end()), scaled(count), way, answer;
   std::vector<Point> pushed;
-  const double enough = tolerance * tolerance * dot(rest, rest, threads);
   change.push(pressure, inertia, pushed);
   change.apply(pushed, answer);
   forAll(count, threads, [&](std::size_t i) { rest[i] -= answer[i]; });
@@ -116,7 +115,7 @@ std::uint64_t solvePressure(const MassChange& change, std::span<const double> in
   double product = scale();
   way = scaled;
   std::uint64_t iteration = 0;
-  for (; iteration < most_iterations && dot(rest, rest, threads) > enough; ++iteration) {
+  for (; iteration < most_iterations && dot(rest, rest, threads) > least * least; ++iteration) {
     change.push(way, inertia, pushed);
     change.apply(pushed, answer);
     const double curvature = dot(way, answer, threads);

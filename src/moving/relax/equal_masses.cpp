@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/block_sums.h"
+#include "moving/linear/conjugate_gradients.h"
 #include "moving/linear/mass_change.h"
 #include "moving/relax/allowed_places.h"
 
@@ -17,7 +18,7 @@ std::vector<Point> shortestWays(const MassChange& change, const std::vector<doub
   constexpr double enough = 1e-3;
   const std::vector<double> alike(missing.size(), 1.0);
   std::vector<double> pressure;
-  solvePressure(change, alike, missing, enough, threads, pressure);
+  solvePressure(change, alike, missing, enough * normOf(missing, threads), threads, pressure);
   std::vector<Point> way;
   change.push(pressure, alike, way);
   return way;
