@@ -8,7 +8,7 @@
 #include "base/block_sums.h"
 #include "base/refusal.h"
 #include "moving/relax/memory_order.h"
-#include "moving/transport/prescribed_cells.h"
+#include "moving/transport/density_levels.h"
 #include "moving/transport/targets.h"
 #include "vorpipe.h"
 #include "vorpipe/masses.h"
@@ -92,15 +92,15 @@ Result<Transported> transport(Session& session, Sites sites, const TransportOpti
   std::vector<double> ordered(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) ordered[k] = (*targets)[order[k]];
   Sites at = inOrder(*places, order);
-  PrescribedCells prescribed(session, cells, options.surface, std::move(ordered));
-  const auto end = prescribed.solve(at, {options.tolerance, options.diagrams}, watcher);
-  if (!end) return tl::unexpected(end.error());
+  auto reached = reachWeights(session, cells, options.surface, ordered, at,
+                              {options.tolerance, options.diagrams}, watcher);
+  if (!reached) return tl::unexpected(std::move(reached.error()));
   Transported done;
-  done.end = *end;
-  done.trace = prescribed.trace();
-  done.report = prescribed.cells().report();
-  if (prescribed.areMeasured()) {
-    const CellMoments& moments = prescribed.cells().moments();
+  done.end = reached->end;
+  done.trace = std::move(reached->trace);
+  done.report = reached->cells.cells().report();
+  if (reached->cells.areMeasured()) {
+    const CellMoments& moments = reached->cells.cells().moments();
     done.cost = costOf(at, moments, session.threads());
     done.cells = back(order, moments);
   }

@@ -179,6 +179,30 @@ TEST(Transport, densitiesEndQuadratically) {
   EXPECT_LT(then, 10 * before * before + 1e-10);
 }
 
+/// A chessboard whose black squares have a thousandth of what the white ones have.
+TEST(Transport, densitiesMayBeFarFromEven) {
+  const Sites sites = generate(Pattern::random, 1000, 1);
+  TransportOptions options = unitSquare(1e-8);
+  options.density = {5, 5, {}};
+  for (int k = 0; k < 25; ++k) options.density.values.push_back(k % 2 == 0 ? 1 : 1e-3);
+  const Transported done = transported(sites, options);
+  EXPECT_EQ(done.end, TransportEnd::converged);
+  const auto [least, most] = std::ranges::minmax(done.cells.mass);
+  EXPECT_NEAR(least / most, 1, 1e-7);
+  // What ends on its way through softer densities has cells of the density all the same.
+  options.diagrams = done.trace.size() - 20;
+  const Transported ended = transported(sites, options);
+  EXPECT_EQ(ended.end, TransportEnd::diagrams);
+  EXPECT_LE(ended.trace.size(), options.diagrams);
+  const auto last =
+      std::find_if(ended.trace.rbegin(), ended.trace.rend(), [](auto& step) { return step.taken; });
+  ASSERT_NE(last, ended.trace.rend());
+  EXPECT_NEAR(last->least,
+              std::ranges::min(ended.cells.mass) * 1000 /
+                  std::reduce(ended.cells.mass.begin(), ended.cells.mass.end()),
+              1e-9);
+}
+
 TEST(Transport, sitesMayLieWhereThereIsNoMass) {
   Sites sites = generate(Pattern::random, 300, 10);
   for (std::size_t i = 0; i < sites.size(); ++i) {
