@@ -135,14 +135,6 @@ Result<void> checkCommand(const FluidCommand& command, const FluidSetup& setup) 
   return {};
 }
 
-/// An error of the library, which begins with what is wrong, in the words of the command line.
-tl::unexpected<Error> asFluidOption(Error error) {
-  for (const std::string_view name : {"step", "epsilon", "gravity", "tolerance", "scheme"}) {
-    if (error.message.starts_with(std::string(name) + ":")) error.message = "--" + error.message;
-  }
-  return tl::unexpected(std::move(error));
-}
-
 Result<void> writeFiles(const FluidCommand& command, const FluidOptions& options, Session& session,
                         const Outcome& outcome, std::vector<OutputFile>& files, RunLog& log,
                         const Stopwatch& total) {

@@ -54,7 +54,7 @@ void Viewer::take(const Event& event) {
                                                       wipe_reach * scale_, settings_.wipe);
   if (wipes && !std::holds_alternative<Move>(event)) return;
   const std::uint32_t owner = pointer_.place() ? ownerAt(*pointer_.place()) : no_site;
-  want(pointer_.take(event, document_, camera_, owner));
+  changed(pointer_.take(event, document_, camera_, owner));
 }
 
 void Viewer::act(Action action) {
@@ -78,8 +78,14 @@ void Viewer::act(Action action) {
       return save(".png");
     case Action::save_svg:
       return save(".svg");
+    case Action::begin_again:
+      return beginAgain();
     case Action::save_sites:
       return save(".csv");
+    case Action::save_fluid:
+      if (document_.fluid()) return save(".npz");
+      message_ = no_fluid;
+      return;
     case Action::copy_command:
       return copyCommand();
     case Action::next_backend:
@@ -95,6 +101,7 @@ void Viewer::undoOrRedo(Action action) {
   const Box before = document_.opened().domain;
   pointer_.release();
   settings_.motion = Motion::rests;
+  strokes_.clear();
   action == Action::undo ? document_.undo() : document_.redo();
   if (!isEqual(before, document_.opened().domain)) camera_.setDomain(document_.opened().domain);
   want(Changed::sites);
@@ -180,7 +187,7 @@ RenderOptions Viewer::picture() const {
 void Viewer::wish() {
   putSideBySide();
   const bool in_flight = answered_ < wished_;
-  const bool moves = settings_.motion != Motion::rests && !in_flight;
+  const bool moves = (settings_.motion != Motion::rests || !strokes_.empty()) && !in_flight;
   if (minimized_ || closes_ || (wanted_ == Wanted::nothing && !moves)) return;
   if (settings_.picture.color == ColorBy::weight && document_.sites()->weight.empty()) {
     settings_.picture.color = ColorBy::site;
@@ -193,6 +200,8 @@ void Viewer::wish() {
   wish.motion = pointer_.holdsSite() ? Motion::rests : settings_.motion;
   wish.method = settings_.method;
   wish.density = density_;
+  wish.fluid = document_.fluid();
+  wish.strokes = strokes_;
   wished_settings_ = settings_;
   frames_.wish(std::move(wish));
 }
@@ -201,7 +210,7 @@ bool Viewer::isSettled(std::uint64_t wish) const {
   if (minimized_) return files_ == 0;
   const bool is_drawn = answered_ >= (settings_.motion == Motion::runs ? wish : wished_);
   return is_drawn && wanted_ == Wanted::nothing && files_ == 0 && to_save_.empty() &&
-         settings_.motion != Motion::steps_once;
+         settings_.motion != Motion::steps_once && (strokes_.empty() || settings_.motion == Motion::runs);
 }
 
 }  // namespace vorpipe::view

@@ -1,6 +1,7 @@
 /// What a window shows of its sites, apart from where: what keys, the panel and the command line change.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,6 +14,12 @@ namespace vorpipe::view {
 
 /// Whether sites move by themselves.
 enum class Motion : std::uint8_t { rests, steps_once, runs };
+
+/// What stirs a fluid.
+struct Brush {
+  double radius = 0.1;  ///< as a part of the shorter side of the domain
+  double push = 1;      ///< how much a stroke adds, in speeds that are usual in the fluid
+};
 
 struct Settings {
   /// Colors, edges, sites, dual, labels, legend, outline, period, domain; width, height and view are the
@@ -27,6 +34,8 @@ struct Settings {
   Motion motion = Motion::rests;
   Density density{};         ///< for relaxing
   std::string density_path;  ///< where it came from
+  Brush brush{};
+  std::uint64_t parcels = 2048;  ///< of a fluid that is begun
 };
 
 /// A backend to compare one with: what it shares is how many threads it has, and who watches.
