@@ -253,6 +253,7 @@ void addFluid(CommandLine& line) {
   options.group("Picture");
   addSizeOptions(options, command->picture);
   addColorOptions(options, command->picture.render);
+  addFlowColor(options, command->targets.color);
   addMarkOptions(options, command->picture);
   addBackendChoice(options, command->backend);
   addSearchOptions(options, command->search);

@@ -39,6 +39,7 @@ struct ViewCommand {
   std::optional<std::uint64_t> frames;
   bool relax = false, run = false;
   FluidChoices fluid;
+  std::optional<view::FlowColor> flow_color;
   std::optional<std::uint64_t> memory_limit;
 };
 
@@ -97,11 +98,15 @@ Result<void> checkFluid(const ViewCommand& command) {
                                   isFluid(command) ? "is for sites that are not a fluid's"
                                                    : "is for fluids; name one with --case or --resume"));
   };
-  const std::pair<const char*, bool> of_fluids[] = {
-      {"--particles", fluid.particles_named},       {"--time", fluid.until.has_value()},
-      {"--step", fluid.step.has_value()},           {"--scheme", fluid.scheme.has_value()},
-      {"--epsilon", fluid.epsilon.has_value()},     {"--gravity", fluid.gravity.has_value()},
-      {"--tolerance", fluid.tolerance.has_value()}, {"--run", command.run}};
+  const std::pair<const char*, bool> of_fluids[] = {{"--particles", fluid.particles_named},
+                                                    {"--time", fluid.until.has_value()},
+                                                    {"--step", fluid.step.has_value()},
+                                                    {"--scheme", fluid.scheme.has_value()},
+                                                    {"--epsilon", fluid.epsilon.has_value()},
+                                                    {"--gravity", fluid.gravity.has_value()},
+                                                    {"--tolerance", fluid.tolerance.has_value()},
+                                                    {"--flow-color", command.flow_color.has_value()},
+                                                    {"--run", command.run}};
   const std::pair<const char*, bool> of_sites[] = {
       {"--sites", !input.sites.empty()},
       {"--weights", !input.weights.empty()},
@@ -146,6 +151,10 @@ Result<view::AppOptions> appOf(const ViewCommand& command) {
   if (command.picture.edge_width) options.viewer.settings.picture.edge_width = *command.picture.edge_width;
   options.viewer.settings.cells = !command.picture.no_fill;
   options.viewer.settings.backend = command.backend;
+  if (const auto& fluid = options.viewer.opened.fluid) {
+    options.viewer.settings.flow_color =
+        command.flow_color.value_or(view::usualFlowColor(fluid->setup.state, command.picture.render.color));
+  }
   options.viewer.settings.parcels = command.fluid.particles;
   // Of a fluid there is another picture after a step.
   const bool runs = command.relax || command.run || (isFluid(command) && command.frames);
@@ -217,6 +226,7 @@ void addWindowOptions(Options& options, ViewCommand& command) {
 
 void addFluidOfView(Options& options, ViewCommand& command) {
   addFluidStart(options, command.fluid, "never");
+  addFlowColor(options, command.flow_color);
   options.addFlag("--run", command.run, "has the fluid flow from the start; else Space does");
 }
 

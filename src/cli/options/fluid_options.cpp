@@ -16,6 +16,15 @@
 namespace vorpipe::cli {
 namespace {
 
+std::vector<std::string> flowColorNames() { return {"none", "density", "speed"}; }
+
+Parsed<view::FlowColor> parseFlowColor(std::string_view text) {
+  if (text == "none") return view::FlowColor::none;
+  if (text == "density") return view::FlowColor::density;
+  if (text == "speed") return view::FlowColor::speed;
+  return tl::unexpected(fmt::format("{} is not {}", quoted(text), anyOf(flowColorNames())));
+}
+
 std::vector<std::string> schemeNames() { return {"springs", "projection"}; }
 
 Parsed<FluidScheme> parseScheme(std::string_view text) {
@@ -137,6 +146,12 @@ void addFluidChoices(Options& options, FluidChoices& choices) {
             [](std::string_view text) { return parseWhole(text, 0, UINT32_MAX); });
   addParsed(options, "--seconds", choices.seconds, "S", "ends after so much time of the clock",
             parsePositive);
+}
+
+void addFlowColor(Options& options, std::optional<view::FlowColor>& color) {
+  addParsed(options, "--flow-color", color, "NAME",
+            "colors cells by density or speed, in place of --color [density, where there are several]",
+            parseFlowColor, {flowColorNames(), {}});
 }
 
 void addFluidTargets(Options& options, FluidTargets& targets) {

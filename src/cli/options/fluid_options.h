@@ -10,6 +10,7 @@
 #include "cli/options/cells_outputs.h"
 #include "cli/options/command_line.h"
 #include "io/points/points_file.h"
+#include "view/document/flowing.h"
 #include "vorpipe/fluid.h"
 
 namespace vorpipe::cli {
@@ -37,6 +38,7 @@ struct FluidTargets {
   std::vector<CellsTarget> cells;
   std::string checkpoint, trace, stats;  ///< files at the end
   std::string frames, series;            ///< a film or a folder; a folder
+  std::optional<view::FlowColor> color;  ///< of frames
   std::uint64_t every = 10;              ///< steps between frames, files of the series and checkpoints
 
   /// Of the files at the end, in the order in which they are created.
@@ -49,6 +51,9 @@ void addFluidStart(Options& options, FluidChoices& choices, std::string_view usu
 
 /// All of these, --steps and --seconds
 void addFluidChoices(Options& options, FluidChoices& choices);
+
+/// --flow-color
+void addFlowColor(Options& options, std::optional<view::FlowColor>& color);
 
 /// -o, --cells, --checkpoint, --trace, --frames, --series, --every
 void addFluidTargets(Options& options, FluidTargets& targets);

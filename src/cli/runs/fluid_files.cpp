@@ -11,6 +11,7 @@
 #include "io/files/error.h"
 #include "io/files/output_file.h"
 #include "io/fluid/fluid_state.h"
+#include "view/frames/flow_colors.h"
 #include "vorpipe/free_surface.h"
 
 namespace vorpipe::cli {
@@ -30,16 +31,25 @@ CellsOptions cellsOptions(const FluidOptions& options) {
 }  // namespace
 
 Result<Image> drawFluid(Session& session, const FluidState& state, const FluidOptions& options,
-                        const PictureOptions& picture) {
+                        const PictureOptions& picture, std::optional<view::FlowColor> color) {
+  const view::FlowColor by = color.value_or(view::usualFlowColor(state, picture.render.color));
+  const bool by_flow = by != view::FlowColor::none && !picture.no_fill;
+  PictureOptions asked = picture;
+  // These have scales and ranges as those have.
+  if (by_flow) asked.render.color = ColorBy::weight;
   Input input{};
   input.sites = state.sites;
   input.domain = options.domain;
   input.periodic = options.periodic;
-  auto render = pictureOf(picture, {}, input);
+  auto render = pictureOf(asked, {}, input);
   if (!render) return tl::unexpected(std::move(render.error()));
   render->search = options.search;
-  auto drawn = session.render(state.sites, *render);
+  auto drawn = session.render(state.sites, by_flow ? view::ofWhiteCells(*render) : *render);
   if (!drawn) return tl::unexpected(std::move(drawn.error()));
+  if (by_flow) {
+    auto colored = view::colorFlow(state, by, *render, drawn->image);
+    if (!colored) return tl::unexpected(std::move(colored.error()));
+  }
   if (options.surface == Surface::free) whitenAir(state.sites, *render, drawn->image, session.threads());
   return std::move(drawn->image);
 }
@@ -77,7 +87,7 @@ Result<FluidRecord> FluidRecord::open(const FluidTargets& targets, const Picture
 
 Result<void> FluidRecord::add(Session& session, const FluidState& state, const FluidOptions& options) {
   if (recorder_) {
-    const auto image = drawFluid(session, state, options, *picture_);
+    const auto image = drawFluid(session, state, options, *picture_, targets_->color);
     if (!image) return tl::unexpected(image.error());
     if (auto added = recorder_->add(*image); !added) return added;
   }

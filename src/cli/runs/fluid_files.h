@@ -16,7 +16,7 @@ namespace vorpipe::cli {
 
 /// A picture of the cells; of a free surface the air is white.
 Result<Image> drawFluid(Session& session, const FluidState& state, const FluidOptions& options,
-                        const PictureOptions& picture);
+                        const PictureOptions& picture, std::optional<view::FlowColor> color);
 
 /// The header of --trace and its rows.
 std::string traceHead();

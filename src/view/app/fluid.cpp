@@ -53,8 +53,10 @@ void Viewer::beginAgain() {
 void Viewer::beginFluid(FluidCase which) {
   FluidSetup setup = fluidCase(which, settings_.parcels);
   setup.options.until = FluidOptions{}.until;
+  settings_.flow_color = usualFlowColor(setup.state, settings_.picture.color);
   const auto index = static_cast<std::size_t>(which);
   putAnother(openedFluid(toBegin(std::move(setup)), fluidCaseNames().at(index)));
+  message_ = how_to_flow;
 }
 
 void Viewer::flowBy(const FluidOptions& options) {

@@ -35,7 +35,7 @@ void Viewer::saveWhatIsSettled() {
   ++files_;
   const char* const stem = extension == ".csv" ? "sites" : extension == ".npz" ? "fluid" : "vorpipe";
   frames_.save({freeName(stem, extension), frame_->sites, frame_->picture, frame_->rendering,
-                extension == ".npz" ? document_.fluid() : frame_->fluid});
+                extension == ".npz" ? document_.fluid() : frame_->fluid, frame_->flow_color});
 }
 
 /// Where sites are not those of a file, they are written first.
@@ -68,7 +68,7 @@ void Viewer::copyCommand() {
 void Viewer::copyFluidCommand() {
   const bool is_written = !command_sites_.empty() && command_revision_ == document_.revision();
   if (!is_written) command_sites_ = freeName("vorpipe-fluid", ".npz");
-  command_ = shellText(commandForFluid(command_sites_, picture(), settings_.backend));
+  command_ = shellText(commandForFluid(command_sites_, picture(), settings_.flow_color, settings_.backend));
   if (is_written) return tellCommand();
   command_revision_ = document_.revision();
   command_waits_ = true;

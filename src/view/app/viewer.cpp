@@ -21,7 +21,9 @@ Viewer::Viewer(ViewerOptions options, int width, int height, std::function<void(
       settings_(std::move(given_.settings)),
       density_(std::move(given_.density)),
       camera_(document_.opened().domain, width, height),
-      frames_(std::move(wake), given_.load) {}
+      frames_(std::move(wake), given_.load) {
+  if (document_.fluid() && settings_.motion == Motion::rests) message_ = how_to_flow;
+}
 
 void Viewer::want(Changed changed) {
   if (changed == Changed::nothing) return;
@@ -201,6 +203,7 @@ void Viewer::wish() {
   wish.method = settings_.method;
   wish.density = density_;
   wish.fluid = document_.fluid();
+  wish.flow_color = settings_.flow_color;
   wish.strokes = strokes_;
   wished_settings_ = settings_;
   frames_.wish(std::move(wish));

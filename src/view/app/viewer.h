@@ -24,6 +24,9 @@ namespace vorpipe::view {
 /// What is told where only a fluid has what is asked for.
 inline constexpr const char* no_fluid = "There is no fluid; the panel begins one.";
 
+/// What is told of a fluid that does not flow yet.
+inline constexpr const char* how_to_flow = "Space has it flow, N makes a step, a left drag stirs.";
+
 struct ViewerOptions {
   Opened opened{};
   Settings settings{};  ///< colors and marks; its domain, outline, period, size and view are not read

@@ -43,6 +43,7 @@ std::string_view nameIn(const std::array<std::string_view, N>& names, Enum value
 }
 
 constexpr std::array<std::string_view, 4> color_names = {"site", "area", "neighbors", "weight"};
+constexpr std::array<std::string_view, 3> flow_color_names = {"none", "density", "speed"};
 constexpr std::array<std::string_view, 4> scale_names = {"automatic", "linear", "log", "quantile"};
 constexpr std::array<std::string_view, 4> periodic_names = {"none", "x", "y", "xy"};
 
@@ -134,7 +135,7 @@ std::vector<std::string> commandFor(const Document& document, const RenderOption
 }
 
 std::vector<std::string> commandForFluid(const std::string& checkpoint, const RenderOptions& picture,
-                                         const BackendOptions& backend) {
+                                         FlowColor color, const BackendOptions& backend) {
   Arguments arguments({"vorpipe", "fluid"});
   arguments.add("--resume", checkpoint);
   arguments.add("--steps", 100);
@@ -142,6 +143,7 @@ std::vector<std::string> commandForFluid(const std::string& checkpoint, const Re
   BackendOptions unmasked = backend;
   unmasked.mask = {};
   addPicture(arguments, picture, unmasked);
+  arguments.add("--flow-color", nameIn(flow_color_names, color));
   arguments.add("--frames", "frames");
   return arguments.take();
 }

@@ -24,7 +24,7 @@ std::vector<std::string> commandFor(const Document& document, const RenderOption
 
 /// `vorpipe fluid` and its options, which go on from a checkpoint: of its pictures the first is `picture`.
 std::vector<std::string> commandForFluid(const std::string& checkpoint, const RenderOptions& picture,
-                                         const BackendOptions& backend);
+                                         FlowColor color, const BackendOptions& backend);
 
 /// A command line as a shell reads it.
 std::string shellText(const std::vector<std::string>& arguments);

@@ -30,6 +30,12 @@ FixedFluid toBegin(FluidSetup setup) {
   return flowing;
 }
 
+FlowColor usualFlowColor(const FluidState& state, ColorBy color) {
+  const auto differs = [&](double density) { return density != state.density.front(); };
+  const bool are_several = std::ranges::any_of(state.density, differs);
+  return color == ColorBy::site && are_several ? FlowColor::density : FlowColor::none;
+}
+
 std::vector<Point> pushOf(const Stroke& stroke, const FluidSetup& fluid) {
   const Sites& sites = fluid.state.sites;
   const FluidOptions& options = fluid.options;

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "vorpipe/fluid.h"
+#include "vorpipe/picture.h"
 #include "vorpipe/sites.h"
 
 namespace vorpipe::view {
@@ -25,6 +26,16 @@ using FixedFluid = std::shared_ptr<const Flowing>;
 
 /// A fluid that is to begin, or to go on with other options.
 FixedFluid toBegin(FluidSetup setup);
+
+/// What colors of a fluid's cells stand for.
+enum class FlowColor : std::uint8_t {
+  none,  ///< what ColorBy says
+  density,
+  speed,
+};
+
+/// Density where there are several, and cells would have the colors of their indices.
+FlowColor usualFlowColor(const FluidState& state, ColorBy color);
 
 /// The pointer, as it was dragged through a fluid.
 struct Stroke {

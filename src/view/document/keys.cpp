@@ -21,11 +21,17 @@ void toggleOwn(Settings& settings) {
 /// Where colors stand for something else, values and scales of before mean nothing.
 template <ColorBy By>
 void colorBy(Settings& settings) {
+  settings.flow_color = FlowColor::none;
   if (settings.picture.color == By) return;
   settings.picture.color = By;
   settings.picture.color_range.reset();
   settings.picture.color_scale = ColorScale::automatic;
   if (By == ColorBy::site) settings.picture.legend = false;
+}
+
+template <FlowColor By>
+void colorFlowBy(Settings& settings) {
+  settings.flow_color = By;
 }
 
 void nextColormap(Settings& settings) {
@@ -54,6 +60,8 @@ std::vector<KeyBinding> table() {
       {"2", plain, "colors by area", colorBy<ColorBy::area>},
       {"3", plain, "colors by the number of neighbors", colorBy<ColorBy::neighbors>},
       {"4", plain, "colors by weight", colorBy<ColorBy::weight>},
+      {"5", plain, "colors a fluid by density", colorFlowBy<FlowColor::density>},
+      {"6", plain, "colors a fluid by speed", colorFlowBy<FlowColor::speed>},
       {"m", plain, "takes the next colors", nextColormap},
       {"b", plain, "takes the next backend that works here", Action::next_backend},
       {"w", plain, "compares with the next backend, side by side; again, it does not", Action::compare},

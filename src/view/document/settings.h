@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "view/document/flowing.h"
 #include "vorpipe/devices.h"
 #include "vorpipe/picture.h"
 #include "vorpipe/relax.h"
@@ -25,7 +26,8 @@ struct Settings {
   /// Colors, edges, sites, dual, labels, legend, outline, period, domain; width, height and view are the
   /// window's.
   RenderOptions picture{};
-  bool cells = true;  ///< filled; else cells are white
+  FlowColor flow_color = FlowColor::none;  ///< of fluids
+  bool cells = true;                       ///< filled; else cells are white
   bool panel = true, help = false;
   BackendOptions backend{};
   std::optional<BackendOptions> compared{};  ///< draws the same, to the right of a line

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/stopwatch.h"
+#include "view/frames/flow_colors.h"
 #include "vorpipe/free_surface.h"
 
 namespace vorpipe::view {
@@ -24,8 +25,18 @@ bool hasFreeSurface(const FixedFluid& fluid) {
   return fluid && fluid->setup.options.surface == Surface::free;
 }
 
-void whitenAirOf(const Frame& frame, const RenderOptions& options, int threads, Image& image) {
-  if (hasFreeSurface(frame.fluid)) whitenAir(*frame.sites, options, image, threads);
+bool isColoredByFlow(const Frame& frame) {
+  return frame.fluid && frame.flow_color != FlowColor::none && frame.picture.fill;
+}
+
+/// What a picture of a fluid has besides those of other sites.
+Result<void> finish(const Frame& frame, int threads, Image& image) {
+  if (isColoredByFlow(frame)) {
+    const auto colored = colorFlow(frame.fluid->setup.state, frame.flow_color, frame.picture, image);
+    if (!colored) return colored;
+  }
+  if (hasFreeSurface(frame.fluid)) whitenAir(*frame.sites, frame.picture, image, threads);
+  return {};
 }
 
 }  // namespace
@@ -107,7 +118,9 @@ Result<void> Painter::step(const Wish& wish, Frame& frame) {
 }
 
 Result<void> Painter::draw(const Wish& wish, Frame& frame, Answer& answer) {
-  RenderOptions options = wish.picture;
+  frame.picture = wish.picture;
+  frame.flow_color = wish.flow_color;
+  RenderOptions options = isColoredByFlow(frame) ? ofWhiteCells(wish.picture) : wish.picture;
   options.progress = progress();
   auto rendering = main_.render(frame.sites, options);
   if (!rendering) return tl::unexpected(std::move(rendering.error()));
@@ -115,14 +128,13 @@ Result<void> Painter::draw(const Wish& wish, Frame& frame, Answer& answer) {
     answer.validation.insert(answer.validation.end(), said.begin(), said.end());
   };
   keep(rendering->report.validation_messages);
-  whitenAirOf(frame, options, main_.threads(), rendering->image);
-  frame.picture = wish.picture;
+  if (auto done = finish(frame, main_.threads(), rendering->image); !done) return done;
   frame.rendering = std::make_shared<const Rendering>(std::move(*rendering));
   if (!wish.compared) return {};
   auto compared = compared_.render(frame.sites, options);
   if (!compared) return tl::unexpected(std::move(compared.error()));
   keep(compared->report.validation_messages);
-  whitenAirOf(frame, options, compared_.threads(), compared->image);
+  if (auto done = finish(frame, compared_.threads(), compared->image); !done) return done;
   frame.differing = countDifferent(frame.rendering->image, compared->image);
   frame.compared = std::make_shared<const Image>(std::move(compared->image));
   const DeviceInfo device = compared_.session().device();

@@ -3,6 +3,7 @@
 #include "io/fluid/fluid_state.h"
 #include "io/pictures/picture_file.h"
 #include "view/document/command.h"
+#include "view/frames/flow_colors.h"
 #include "view/frames/painter.h"
 #include "vorpipe/free_surface.h"
 
@@ -23,7 +24,16 @@ Result<void> Painter::save(const Save& save) {
   if (lowerExtension(save.path) == ".npz") return saveFluid(save.path, *save.fluid);
   const auto format = pictureFormatOf(save.path);
   if (!format) return tl::unexpected(format.error());
-  PictureOutput output{*save.sites, save.picture};
+  // In shapes colors by weight are those of any values.
+  const bool by_flow = save.fluid && save.flow_color != FlowColor::none && save.picture.fill;
+  const Sites values = by_flow ? valuesOf(save.fluid->setup.state, save.flow_color) : Sites{};
+  RenderOptions picture = save.picture;
+  if (by_flow) {
+    picture.color = ColorBy::weight;
+    picture.legend = false;
+    if (picture.color_scale == ColorScale::automatic) picture.color_scale = ColorScale::linear;
+  }
+  PictureOutput output{by_flow ? values : *save.sites, picture};
   output.threads = main_.threads();
   std::optional<Diagram> cells;
   if ((*format)->of_shapes) {

@@ -31,6 +31,7 @@ struct Wish {
   RelaxMethod method = RelaxMethod::lloyd;
   std::shared_ptr<const Density> density{};  ///< may be null
   FixedFluid fluid{};  ///< that the sites are of, which flows instead of relaxing; null: they are no fluid's
+  FlowColor flow_color = FlowColor::none;
   std::vector<Stroke> strokes{};  ///< through it, up to the latest: those that it does not have yet count
 };
 
@@ -40,9 +41,10 @@ struct Frame {
   FixedSites sites{};         ///< that are drawn
   FixedSites relaxed_from{};  ///< null: `sites` are those of the wish; else they moved one step from these
   std::optional<RelaxStep> step{};
-  bool relaxed = false;             ///< there is nothing more to move
-  FixedFluid fluid{};               ///< that is drawn, and `sites` are of
-  FixedFluid fluid_from{};          ///< what it was before the wish; the same where it has not changed
+  bool relaxed = false;     ///< there is nothing more to move
+  FixedFluid fluid{};       ///< that is drawn, and `sites` are of
+  FixedFluid fluid_from{};  ///< what it was before the wish; the same where it has not changed
+  FlowColor flow_color = FlowColor::none;
   bool flowed = false;              ///< by a step
   std::optional<FluidEnd> ended{};  ///< why there was no step, where one was wished
   RenderOptions picture{};
@@ -68,6 +70,7 @@ struct Save {
   RenderOptions picture{};
   std::shared_ptr<const Rendering> rendering{};  ///< for pixels
   FixedFluid fluid{};                            ///< that the sites are of, if there is one
+  FlowColor flow_color = FlowColor::none;
 };
 
 /// What is in a file that was to be loaded: sites, or a density for relaxing.
