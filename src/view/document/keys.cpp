@@ -45,40 +45,40 @@ void runOrPause(Settings& settings) {
 }
 
 std::vector<KeyBinding> table() {
-  return {
-      {"question", plain, "lists what keys and the pointer do", toggleOwn<&Settings::help>},
-      {"f1", plain, "lists what keys and the pointer do", toggleOwn<&Settings::help>},
-      {"tab", plain, "hides the panel, or shows it", toggleOwn<&Settings::panel>},
-      {"home", plain, "shows all of the domain", Action::fit},
-      {"f", plain, "shows all of the domain", Action::fit},
-      {"c", plain, "fills cells with colors, or not", toggleOwn<&Settings::cells>},
-      {"e", plain, "draws edges", toggle<&RenderOptions::edges>},
-      {"s", plain, "draws sites", toggle<&RenderOptions::show_sites>},
-      {"d", plain, "draws the dual: lines between sites whose cells meet", toggle<&RenderOptions::dual>},
-      {"l", plain, "writes the index of each site", toggle<&RenderOptions::labels>},
-      {"1", plain, "colors by site", colorBy<ColorBy::site>},
-      {"2", plain, "colors by area", colorBy<ColorBy::area>},
-      {"3", plain, "colors by the number of neighbors", colorBy<ColorBy::neighbors>},
-      {"4", plain, "colors by weight", colorBy<ColorBy::weight>},
-      {"5", plain, "colors a fluid by density", colorFlowBy<FlowColor::density>},
-      {"6", plain, "colors a fluid by speed", colorFlowBy<FlowColor::speed>},
-      {"m", plain, "takes the next colors", nextColormap},
-      {"b", plain, "takes the next backend that works here", Action::next_backend},
-      {"w", plain, "compares with the next backend, side by side; again, it does not", Action::compare},
-      {"space", plain,
-       "relaxes: sites move to the centers of their cells; or a fluid flows; again, it pauses", runOrPause},
-      {"n", plain, "relaxes or flows by one step", Action::step},
-      {"r", plain, "begins the fluid again", Action::begin_again},
-      {"z", control, "undoes", Action::undo},
-      {"y", control, "does again what was undone", Action::redo},
-      {"z", control_shift, "does again what was undone", Action::redo},
-      {"s", control, "saves the picture as PNG", Action::save_png},
-      {"s", control_shift, "saves the picture as SVG", Action::save_svg},
-      {"e", control, "saves the sites as CSV", Action::save_sites},
-      {"e", control_shift, "saves the fluid, for vorpipe fluid --resume", Action::save_fluid},
-      {"c", control, "copies the command line that makes this picture", Action::copy_command},
-      {"q", control, "closes the window", Action::close},
-      {"escape", plain, "closes the window", Action::close}};
+  return {{"question", plain, "lists what keys and the pointer do", toggleOwn<&Settings::help>},
+          {"f1", plain, "lists what keys and the pointer do", toggleOwn<&Settings::help>},
+          {"tab", plain, "hides the panel, or shows it", toggleOwn<&Settings::panel>},
+          {"home", plain, "shows all of the domain", Action::fit},
+          {"f", plain, "shows all of the domain", Action::fit},
+          {"c", plain, "fills cells with colors, or not", toggleOwn<&Settings::cells>},
+          {"e", plain, "draws edges", toggle<&RenderOptions::edges>},
+          {"s", plain, "draws sites", toggle<&RenderOptions::show_sites>},
+          {"d", plain, "draws the dual: lines between sites whose cells meet", toggle<&RenderOptions::dual>},
+          {"l", plain, "writes the index of each site", toggle<&RenderOptions::labels>},
+          {"1", plain, "colors by site", colorBy<ColorBy::site>},
+          {"2", plain, "colors by area", colorBy<ColorBy::area>},
+          {"3", plain, "colors by the number of neighbors", colorBy<ColorBy::neighbors>},
+          {"4", plain, "colors by weight", colorBy<ColorBy::weight>},
+          {"5", plain, "colors a fluid by density", colorFlowBy<FlowColor::density>},
+          {"6", plain, "colors a fluid by speed", colorFlowBy<FlowColor::speed>},
+          {"m", plain, "takes the next colors", nextColormap},
+          {"b", plain, "takes the next backend that works here", Action::next_backend},
+          {"w", plain, "compares with the next backend, side by side; again, it does not", Action::compare},
+          {"space", plain,
+           "relaxes sites to the centers of their cells, or has a fluid flow; again, it pauses", runOrPause},
+          {"n", plain, "relaxes or flows by one step", Action::step},
+          {"r", plain, "begins the fluid again", Action::begin_again},
+          {"z", control, "undoes", Action::undo},
+          {"y", control, "does again what was undone", Action::redo},
+          {"z", control_shift, "does again what was undone", Action::redo},
+          {"s", control, "saves the picture as PNG", Action::save_png},
+          {"s", control_shift, "saves the picture as SVG", Action::save_svg},
+          {"e", control, "saves the sites as CSV", Action::save_sites},
+          {"e", control_shift, "saves the fluid, for vorpipe fluid --resume", Action::save_fluid},
+          {"c", control, "copies the command line that makes this picture, or goes on with the fluid",
+           Action::copy_command},
+          {"q", control, "closes the window", Action::close},
+          {"escape", plain, "closes the window", Action::close}};
 }
 
 }  // namespace
@@ -114,14 +114,15 @@ std::string labelOf(const KeyBinding& binding) {
 }
 
 std::vector<HelpLine> helpLines() {
-  std::vector<HelpLine> lines = {{"Left click", "adds a site, where there is none"},
-                                 {"Left drag", "moves the site under the pointer; elsewhere, what is shown"},
-                                 {"Left drag in a fluid", "stirs it"},
-                                 {"Middle drag", "moves what is shown"},
-                                 {"Right click", "removes the site under the pointer, or that of the cell"},
-                                 {"Wheel", "zooms to the pointer"},
-                                 {"Ctrl+Wheel", "changes the weight of the cell under the pointer"},
-                                 {"Drop a file", "opens its sites"}};
+  std::vector<HelpLine> lines = {
+      {"Left click", "adds a site, where there is none"},
+      {"Left drag", "stirs a fluid; else moves the site under the pointer, or what is shown"},
+
+      {"Middle drag", "moves what is shown"},
+      {"Right click", "removes the site under the pointer, or that of the cell"},
+      {"Wheel", "zooms to the pointer"},
+      {"Ctrl+Wheel", "changes the weight of the cell under the pointer"},
+      {"Drop a file", "opens its sites"}};
   for (const KeyBinding& binding : keyBindings()) {
     if (lines.back().what == binding.what) {
       lines.back().keys += " or " + labelOf(binding);
