@@ -210,6 +210,12 @@ flows() {
 flows vulkan cpu
 flows opengl opengl
 
+name="a checkpoint that is dropped"
+cases=$((cases + 1))
+printf 'key tab\ndrop two.npz\nwait\nmove 100 150\nscroll 3\nwait\nscreenshot dropped.png\nclose\n' >drop.txt
+run 0 view --window opengl --backend opengl --size 320x240 --script drop.txt
+cmp -s dropped.png 1.png || fail "another picture than that of the fluid"
+
 name="some pictures of a fluid that flows"
 cases=$((cases + 1))
 run 0 view --case shear --particles 64 --window opengl --backend cpu --size 64x48 --frames 2 --screenshot flown.png

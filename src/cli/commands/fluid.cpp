@@ -129,6 +129,10 @@ Result<void> checkCommand(const FluidCommand& command, const FluidSetup& setup) 
         "-o: name what to write, as in -o sites.csv (or give --cells, --trace, --frames, --series, "
         "--checkpoint or --stats)");
   }
+  const bool by_flow = flowColorOf(setup.state, command.picture, targets.color) != view::FlowColor::none;
+  if (!targets.frames.empty() && command.picture.render.legend && by_flow) {
+    return inputError("--legend: colors by --flow-color have none");
+  }
   if (setup.options.surface == Surface::free && !targets.cells.empty()) {
     return inputError("--cells: those of a free surface are cut by discs; --series writes them");
   }

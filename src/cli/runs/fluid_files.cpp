@@ -30,10 +30,16 @@ CellsOptions cellsOptions(const FluidOptions& options) {
 
 }  // namespace
 
+view::FlowColor flowColorOf(const FluidState& state, const PictureOptions& picture,
+                            std::optional<view::FlowColor> color) {
+  if (picture.no_fill) return view::FlowColor::none;
+  return color.value_or(view::usualFlowColor(state, picture.render.color));
+}
+
 Result<Image> drawFluid(Session& session, const FluidState& state, const FluidOptions& options,
                         const PictureOptions& picture, std::optional<view::FlowColor> color) {
-  const view::FlowColor by = color.value_or(view::usualFlowColor(state, picture.render.color));
-  const bool by_flow = by != view::FlowColor::none && !picture.no_fill;
+  const view::FlowColor by = flowColorOf(state, picture, color);
+  const bool by_flow = by != view::FlowColor::none;
   PictureOptions asked = picture;
   // These have scales and ranges as those have.
   if (by_flow) asked.render.color = ColorBy::weight;

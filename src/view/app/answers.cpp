@@ -104,6 +104,9 @@ void Viewer::putAnother(Opened opened) {
   step_.reset();
   strokes_.clear();
   steps_.clear();
+  if (opened.fluid) {
+    settings_.flow_color = usualFlowColor(opened.fluid->setup.state, settings_.picture.color);
+  }
   document_.open(std::move(opened));
   camera_.setDomain(document_.opened().domain);
   want(Changed::sites);

@@ -53,7 +53,7 @@ void Viewer::beginAgain() {
 void Viewer::beginFluid(FluidCase which) {
   FluidSetup setup = fluidCase(which, settings_.parcels);
   setup.options.until = FluidOptions{}.until;
-  settings_.flow_color = usualFlowColor(setup.state, settings_.picture.color);
+  setup.options.search = settings_.picture.search;
   const auto index = static_cast<std::size_t>(which);
   putAnother(openedFluid(toBegin(std::move(setup)), fluidCaseNames().at(index)));
   message_ = how_to_flow;
