@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
-#include <span>
 #include <utility>
+#include <vector>
 
 #include "bench/measured/driver_threads.h"
 #include "cli/commands/command.h"
@@ -98,17 +98,22 @@ Result<void> checkFluid(const ViewCommand& command) {
                                   isFluid(command) ? "is for sites that are not a fluid's"
                                                    : "is for fluids; name one with --case or --resume"));
   };
-  const std::pair<const char*, bool> of_fluids[] = {{"--particles", fluid.particles_named},
-                                                    {"--time", fluid.until.has_value()},
-                                                    {"--step", fluid.step.has_value()},
-                                                    {"--scheme", fluid.scheme.has_value()},
-                                                    {"--epsilon", fluid.epsilon.has_value()},
-                                                    {"--gravity", fluid.gravity.has_value()},
-                                                    {"--tolerance", fluid.tolerance.has_value()},
-                                                    {"--flow-color", command.flow_color.has_value()},
-                                                    {"--run", command.run}};
-  const std::pair<const char*, bool> of_sites[] = {
+  const std::vector<std::pair<const char*, bool>> of_fluids{{"--particles", fluid.particles_named},
+                                                            {"--time", fluid.until.has_value()},
+                                                            {"--step", fluid.step.has_value()},
+                                                            {"--scheme", fluid.scheme.has_value()},
+                                                            {"--epsilon", fluid.epsilon.has_value()},
+                                                            {"--gravity", fluid.gravity.has_value()},
+                                                            {"--tolerance", fluid.tolerance.has_value()},
+                                                            {"--flow-color", command.flow_color.has_value()},
+                                                            {"--run", command.run}};
+  const std::vector<std::pair<const char*, bool>> of_sites{
       {"--sites", !input.sites.empty()},
+      {"--seed", input.seed != InputOptions{}.seed},
+      {"--columns", !input.reading.columns.empty()},
+      {"--missing", input.reading.skip_missing},
+      {"--layer", !input.reading.layer.empty()},
+      {"--repair", input.repair},
       {"--weights", !input.weights.empty()},
       {"--random-weights", input.random_weights.has_value()},
       {"--domain", input.domain.hull || input.domain.box || !input.domain.file.empty()},
@@ -118,9 +123,7 @@ Result<void> checkFluid(const ViewCommand& command) {
       {"--memory-limit", command.memory_limit.has_value()},
       {"--density", !command.density.empty()},
       {"--relax", command.relax}};
-  for (const auto& [option, is_given] : isFluid(command)
-                                            ? std::span<const std::pair<const char*, bool>>(of_sites)
-                                            : std::span<const std::pair<const char*, bool>>(of_fluids)) {
+  for (const auto& [option, is_given] : isFluid(command) ? of_sites : of_fluids) {
     if (is_given) return refused(option);
   }
   return {};
