@@ -43,4 +43,8 @@ bool hasFreeSurface(const Diagram& diagram, const Outline& outline);
 /// all but the first.
 Result<void> takeOutAir(const Sites& sites, const RenderOptions& options, Image& image, int threads = 0);
 
+/// Whitens what is air in such a picture, with all that was drawn there: for pictures that follow one
+/// another, which have any marks and colors of the cells before. These pixels have no site either.
+void whitenAir(const Sites& sites, const RenderOptions& options, Image& image, int threads = 0);
+
 }  // namespace vorpipe

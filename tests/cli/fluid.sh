@@ -16,6 +16,8 @@ expect " after 4 steps (steps)"
 [ "$(grep -c 'file="step-00000[024].vtp"' out/series/series.pvd)" -eq 3 ] || fail "the series has not its files"
 grep -q '"end": "steps"' out/stats.json || fail "the stats have no end"
 awk -F, 'NR > 1 && $10 > 1e-6 { exit 1 }' out/trace.csv || fail "areas are not within 1e-6"
+succeeds "colors by speed" $vortex --steps 2 --every 2 --frames out/speeds --flow-color speed --size 40
+cmp -s out/frames/frame-00002.png out/speeds/frame-00002.png && fail "speeds have no colors of their own"
 succeeds "a free surface" fluid --backend cpu --case dam-break --particles 32 --steps 2 --frames out/dam --size 40 --series out/dam-series
 
 # -- Going on -------------------------------------------------------------------------------------------
@@ -34,6 +36,8 @@ refused '--case: "river" is not ' fluid --case river -o out/a.csv
 refused '-o: name what to write' fluid --case gresho
 refused '--scheme: projection is for domains that are full; springs have free surfaces' \
   fluid --backend cpu --case dam-break --particles 32 --scheme projection -o out/a.csv
+refused '--legend: colors by --flow-color have none' $vortex --frames out/none --steps 1 --flow-color speed --legend
+refused '--flow-color: "heat" is not ' $vortex --frames out/none --flow-color heat
 refused '--frames: out/frames: the folder holds something' $vortex --frames out/frames
 cp out/whole.csv in/copy.npz
 refused 'in/copy.npz: it is no whole .npz file' fluid --case in/copy.npz -o out/a.csv

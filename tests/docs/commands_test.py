@@ -41,6 +41,9 @@ NOT_RUN = {
     './run view --sites random:1000 --script play.txt': WINDOW,
     './run view --sites random:1000 --edges --screenshot window.png': WINDOW,
     './run view --sites random:1000 --relax --frames 50 --screenshot relaxed.png': WINDOW,
+    './run view --case dam-break': WINDOW,
+    './run view --case rayleigh-taylor --particles 4096 --run': WINDOW,
+    './run view --case shear --frames 20 --screenshot shear.png': WINDOW,
     './run view --sites random:500 --script play.txt --record frames': WINDOW,
     './run relax --sites density:20000 --density spheres.png --equal-masses --iterations 100 -o stipple.csv '
     '--cells stipple.npz \\\n  --picture stipple.png --no-fill --show-sites --dot-size 3 --antialias 4 --size 800':

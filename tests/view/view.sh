@@ -117,6 +117,110 @@ plays vulkan cpu
 plays vulkan vulkan-compute
 plays opengl opengl
 
+# A fluid: steps, strokes, a pause. The view lies inside the box, in which there is water and air.
+cat >stir.txt <<'END'
+key tab
+wait
+move 100 150
+scroll 3
+wait
+key n
+wait
+key n
+wait
+screenshot 1.png
+key c control
+wait
+key e
+move 60 160
+press left
+move 90 170
+move 120 160
+release left
+wait
+key n
+wait
+screenshot 2.png
+key c control
+wait
+key 6
+wait
+screenshot 3.png
+key c control
+wait
+# A fluid is not edited.
+press right
+release right
+key z control
+wait
+screenshot 4.png
+key space
+wait
+wait
+key space
+wait
+screenshot 5.png
+wait 0.2
+screenshot 6.png
+key r
+wait
+key n
+wait
+key n
+wait
+key e
+key 1
+wait
+screenshot 7.png
+key c control
+wait
+close
+END
+
+# flows WINDOW BACKEND: plays it twice, and compares pictures with those of films that go on from there.
+flows() {
+  local window=$1 backend=$2 i line
+  name="a fluid in a window by $window, drawn by $backend"
+  cases=$((cases + 1))
+  rm -rf ./*.png ./*.npz film-* first
+  local fluid="--case dam-break --particles 128 --time 0.5 --backend $backend"
+  for turn in 1 2; do
+    run 0 view $fluid --window "$window" --size 320x240 --script stir.txt
+    [ -s log/err ] && fail "something on standard error"
+    if [ $turn = 1 ]; then mkdir first && mv ./*.png ./*.npz first && cp log/out commands; fi
+  done
+  for i in 1 2 3 4 7; do cmp -s $i.png first/$i.png || fail "picture $i of the same script differs"; done
+  i=0
+  while IFS= read -r line; do
+    i=$((i + 1))
+    line=${line/--steps 100/--steps 0} && line=${line/--frames frames/--frames film-$i}
+    bash -c "$line" >log/out 2>log/err || fail "the command line fails: $line"
+    vorpipe diff "$([ $i = 4 ] && echo 7 || echo $i).png" film-$i/frame-00001.png >log/out 2>log/err ||
+      fail "the film does not begin with the picture: $line"
+  done <commands
+  [ $i -eq 4 ] || fail "there are $i command lines"
+  run 0 fluid $fluid --steps 2 --checkpoint two.npz
+  cmp -s two.npz vorpipe-fluid.npz || fail "two steps are not those of vorpipe fluid"
+  cmp -s 1.png 7.png || fail "it does not begin again"
+  cmp -s 3.png 4.png || fail "an edit changes the fluid"
+  cmp -s 4.png 5.png && fail "it does not flow"
+  cmp -s 5.png 6.png || fail "it does not pause"
+  cmp -s vorpipe-fluid.npz vorpipe-fluid-2.npz && fail "strokes and a step change nothing"
+}
+flows vulkan cpu
+flows opengl opengl
+
+name="a checkpoint that is dropped"
+cases=$((cases + 1))
+printf 'key tab\ndrop two.npz\nwait\nmove 100 150\nscroll 3\nwait\nscreenshot dropped.png\nclose\n' >drop.txt
+run 0 view --window opengl --backend opengl --size 320x240 --script drop.txt
+cmp -s dropped.png 1.png || fail "another picture than that of the fluid"
+
+name="some pictures of a fluid that flows"
+cases=$((cases + 1))
+run 0 view --case shear --particles 64 --window opengl --backend cpu --size 64x48 --frames 2 --screenshot flown.png
+[ -s flown.png ] || fail "there is no screenshot"
+
 name="a film of numbered pictures"
 cases=$((cases + 1))
 printf 'wait\nkey e\nwait 0.1\nclose\n' >film.txt
@@ -131,5 +235,10 @@ run 0 view --sites random:50 --relax --window opengl --backend cpu --size 64x48 
 # Before there is a window.
 echo jump >wrong.txt
 fails 2 "a script that is wrong" 'wrong.txt:1:1: "jump" is no event' view --script wrong.txt
+fails 2 "no such case" '--case: "river" is not' view --case river
+fails 2 "a fluid that cannot begin" '--scheme: projection is for domains that are full' view --backend cpu \
+  --case dam-break --particles 32 --scheme projection
+fails 2 "sites beside a fluid" "--sites: is for sites that are not a fluid's" view --case shear --sites random:9
+fails 2 "an option of fluids" '--run: is for fluids; name one with --case or --resume' view --run
 DISPLAY='' fails 3 "no display" display view --sites random:9
 finish

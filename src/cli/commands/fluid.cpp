@@ -129,18 +129,14 @@ Result<void> checkCommand(const FluidCommand& command, const FluidSetup& setup) 
         "-o: name what to write, as in -o sites.csv (or give --cells, --trace, --frames, --series, "
         "--checkpoint or --stats)");
   }
+  const bool by_flow = flowColorOf(setup.state, command.picture, targets.color) != view::FlowColor::none;
+  if (!targets.frames.empty() && command.picture.render.legend && by_flow) {
+    return inputError("--legend: colors by --flow-color have none");
+  }
   if (setup.options.surface == Surface::free && !targets.cells.empty()) {
     return inputError("--cells: those of a free surface are cut by discs; --series writes them");
   }
   return {};
-}
-
-/// An error of the library, which begins with what is wrong, in the words of the command line.
-tl::unexpected<Error> asFluidOption(Error error) {
-  for (const std::string_view name : {"step", "epsilon", "gravity", "tolerance", "scheme"}) {
-    if (error.message.starts_with(std::string(name) + ":")) error.message = "--" + error.message;
-  }
-  return tl::unexpected(std::move(error));
 }
 
 Result<void> writeFiles(const FluidCommand& command, const FluidOptions& options, Session& session,
@@ -261,6 +257,7 @@ void addFluid(CommandLine& line) {
   options.group("Picture");
   addSizeOptions(options, command->picture);
   addColorOptions(options, command->picture.render);
+  addFlowColor(options, command->targets.color);
   addMarkOptions(options, command->picture);
   addBackendChoice(options, command->backend);
   addSearchOptions(options, command->search);

@@ -5,15 +5,18 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "bench/measured/driver_threads.h"
 #include "cli/commands/command.h"
+#include "cli/options/fluid_options.h"
 #include "cli/options/options.h"
 #include "cli/options/picture_options.h"
 #include "cli/runs/drawing.h"
 #include "cli/runs/forecast.h"
 #include "cli/runs/input.h"
 #include "cli/runs/run_end.h"
+#include "cli/runs/view_fluid.h"
 #include "cli/runs/view_input.h"
 #include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
@@ -34,7 +37,9 @@ struct ViewCommand {
   std::optional<view::WindowApi> window;
   std::string density, script, record, screenshot;
   std::optional<std::uint64_t> frames;
-  bool relax = false;
+  bool relax = false, run = false;
+  FluidChoices fluid;
+  std::optional<view::FlowColor> flow_color;
   std::optional<std::uint64_t> memory_limit;
 };
 
@@ -80,6 +85,55 @@ bool isInterrupted() {
   return true;
 }
 
+bool isFluid(const ViewCommand& command) {
+  return !command.fluid.begin.empty() || !command.fluid.resume.empty();
+}
+
+/// Refuses options of a fluid that there is not, and of sites that a fluid has its own of.
+Result<void> checkFluid(const ViewCommand& command) {
+  const FluidChoices& fluid = command.fluid;
+  const InputOptions& input = command.input;
+  const auto refused = [&](const char* option) {
+    return inputError(fmt::format("{}: {}", option,
+                                  isFluid(command) ? "is for sites that are not a fluid's"
+                                                   : "is for fluids; name one with --case or --resume"));
+  };
+  const std::vector<std::pair<const char*, bool>> of_fluids{{"--particles", fluid.particles_named},
+                                                            {"--time", fluid.until.has_value()},
+                                                            {"--step", fluid.step.has_value()},
+                                                            {"--scheme", fluid.scheme.has_value()},
+                                                            {"--epsilon", fluid.epsilon.has_value()},
+                                                            {"--gravity", fluid.gravity.has_value()},
+                                                            {"--tolerance", fluid.tolerance.has_value()},
+                                                            {"--flow-color", command.flow_color.has_value()},
+                                                            {"--run", command.run}};
+  const std::vector<std::pair<const char*, bool>> of_sites{
+      {"--sites", !input.sites.empty()},
+      {"--seed", input.seed != InputOptions{}.seed},
+      {"--columns", !input.reading.columns.empty()},
+      {"--missing", input.reading.skip_missing},
+      {"--layer", !input.reading.layer.empty()},
+      {"--repair", input.repair},
+      {"--weights", !input.weights.empty()},
+      {"--random-weights", input.random_weights.has_value()},
+      {"--domain", input.domain.hull || input.domain.box || !input.domain.file.empty()},
+      {"--margin", input.margin.has_value()},
+      {"--project", input.project.has_value()},
+      {"--periodic", input.periodic != Periodic::none},
+      {"--memory-limit", command.memory_limit.has_value()},
+      {"--density", !command.density.empty()},
+      {"--relax", command.relax}};
+  for (const auto& [option, is_given] : isFluid(command) ? of_sites : of_fluids) {
+    if (is_given) return refused(option);
+  }
+  return {};
+}
+
+Result<view::Opened> openedBy(const ViewCommand& command) {
+  if (!isFluid(command)) return openForView(command.input, command.talk);
+  return openFluidForView(command.fluid, command.backend, command.picture.render.search);
+}
+
 Result<view::AppOptions> appOf(const ViewCommand& command) {
   view::AppOptions options;
   if (!command.script.empty()) {
@@ -93,14 +147,21 @@ Result<view::AppOptions> appOf(const ViewCommand& command) {
     options.viewer.density = std::make_shared<const Density>(std::move(*density));
     options.viewer.settings.density_path = command.density;
   }
-  auto opened = openForView(command.input, command.talk);
+  auto opened = openedBy(command);
   if (!opened) return tl::unexpected(std::move(opened.error()));
   options.viewer.opened = std::move(*opened);
   options.viewer.settings.picture = command.picture.render;
   if (command.picture.edge_width) options.viewer.settings.picture.edge_width = *command.picture.edge_width;
   options.viewer.settings.cells = !command.picture.no_fill;
   options.viewer.settings.backend = command.backend;
-  if (command.relax) options.viewer.settings.motion = view::Motion::runs;
+  if (const auto& fluid = options.viewer.opened.fluid) {
+    options.viewer.settings.flow_color =
+        command.flow_color.value_or(view::usualFlowColor(fluid->setup.state, command.picture.render.color));
+  }
+  options.viewer.settings.parcels = command.fluid.particles;
+  // Of a fluid there is another picture after a step.
+  const bool runs = command.relax || command.run || (isFluid(command) && command.frames);
+  if (runs) options.viewer.settings.motion = view::Motion::runs;
   options.viewer.load = [input = command.input](const std::string& path) { return loadForView(path, input); };
   options.viewer.print = [](const std::string& line) {
     fmt::print("{}\n", line);
@@ -115,6 +176,7 @@ Result<view::AppOptions> appOf(const ViewCommand& command) {
 
 Result<ExitCode> runView(const ViewCommand& command) {
   setDriverThreads(command.backend.threads);
+  if (auto checked = checkFluid(command); !checked) return tl::unexpected(checked.error());
   if (!command.input.sites.empty()) {
     const auto fits = forecastGenerated(command.input, planOf(command), command.memory_limit);
     if (!fits) return tl::unexpected(fits.error());
@@ -124,7 +186,8 @@ Result<ExitCode> runView(const ViewCommand& command) {
   auto window = openWindow(command);
   if (!window) return tl::unexpected(std::move(window.error()));
   view::WindowScreen screen(std::move(*window));
-  screen.setTitle(command.input.sites.empty() ? "vorpipe" : fmt::format("{} - vorpipe", command.input.sites));
+  const std::string& name = isFluid(command) ? options->viewer.opened.fluid_name : command.input.sites;
+  screen.setTitle(name.empty() ? "vorpipe" : fmt::format("{} - vorpipe", name));
   options->viewer.copy = [&screen](const std::string& text) { screen.copyToClipboard(text); };
   stopOnSignals();
   const auto end = view::run(screen, std::move(*options));
@@ -156,12 +219,18 @@ void addWindowOptions(Options& options, ViewCommand& command) {
                               "saves the picture that the window shows, and closes it");
   screenshot.excludes(record);
   addParsed(options, "--frames", command.frames, "N",
-            "how many pictures are drawn before --screenshot; each is a step of --relax [1]",
+            "how many pictures are drawn before --screenshot; each is a step of --relax, or of a fluid [1]",
             [](std::string_view text) { return parseWhole(text, 1, UINT32_MAX); })
       .needs(screenshot);
   options.addFlag("--relax", command.relax, "has sites move to the centers of their cells from the start");
   addAnyFile(options, "--density", command.density, {".png", ".npy"},
              "what sites gather by when they relax: the darkness of a .png, or an array");
+}
+
+void addFluidOfView(Options& options, ViewCommand& command) {
+  addFluidStart(options, command.fluid, "never");
+  addFlowColor(options, command.flow_color);
+  options.addFlag("--run", command.run, "has the fluid flow from the start; else Space does");
 }
 
 }  // namespace
@@ -172,6 +241,7 @@ void addView(CommandLine& line) {
       line.addSubcommand("view", "opens a window to look at sites and their cells, and to change them",
                          [command](const Invocation& /*how*/) { return runView(*command); });
   addInputOptions(options, command->input);
+  addFluidOfView(options, *command);
   options.group("Picture");
   addColorOptions(options, command->picture.render);
   addMarkOptions(options, command->picture);

@@ -16,6 +16,15 @@
 namespace vorpipe::cli {
 namespace {
 
+std::vector<std::string> flowColorNames() { return {"none", "density", "speed"}; }
+
+Parsed<view::FlowColor> parseFlowColor(std::string_view text) {
+  if (text == "none") return view::FlowColor::none;
+  if (text == "density") return view::FlowColor::density;
+  if (text == "speed") return view::FlowColor::speed;
+  return tl::unexpected(fmt::format("{} is not {}", quoted(text), anyOf(flowColorNames())));
+}
+
 std::vector<std::string> schemeNames() { return {"springs", "projection"}; }
 
 Parsed<FluidScheme> parseScheme(std::string_view text) {
@@ -97,7 +106,7 @@ std::vector<std::string> FluidTargets::paths() const {
   return paths;
 }
 
-void addFluidChoices(Options& options, FluidChoices& choices) {
+void addFluidStart(Options& options, FluidChoices& choices, std::string_view usual_end) {
   options.group("Fluid");
   addParsed(
       options, "--case", choices.begin, "NAME|FILE",
@@ -114,7 +123,7 @@ void addFluidChoices(Options& options, FluidChoices& choices) {
               choices.particles_named = true;
               return parseWhole(text, 4, max_sites);
             });
-  addParsed(options, "--time", choices.until, "T", "the time at which it ends [as the case has it]",
+  addParsed(options, "--time", choices.until, "T", fmt::format("the time at which it ends [{}]", usual_end),
             parsePositive);
   addParsed(options, "--step", choices.step, "S",
             "time of a step; auto: as long as speeds and springs allow [auto]", parseStep);
@@ -129,10 +138,20 @@ void addFluidChoices(Options& options, FluidChoices& choices) {
             parseGravity);
   addParsed(options, "--tolerance", choices.tolerance, "T",
             "no area differs from its own by more than this part of it [1e-6]", parsePositive);
+}
+
+void addFluidChoices(Options& options, FluidChoices& choices) {
+  addFluidStart(options, choices, "as the case has it");
   addParsed(options, "--steps", choices.steps, "N", "ends after so many steps of this run",
             [](std::string_view text) { return parseWhole(text, 0, UINT32_MAX); });
   addParsed(options, "--seconds", choices.seconds, "S", "ends after so much time of the clock",
             parsePositive);
+}
+
+void addFlowColor(Options& options, std::optional<view::FlowColor>& color) {
+  addParsed(options, "--flow-color", color, "NAME",
+            "colors cells by density or speed, in place of --color [density, where there are several]",
+            parseFlowColor, {flowColorNames(), {}});
 }
 
 void addFluidTargets(Options& options, FluidTargets& targets) {
@@ -153,7 +172,7 @@ void addFluidTargets(Options& options, FluidTargets& targets) {
             [](std::string_view text) { return parseWhole(text, 1, UINT32_MAX); });
 }
 
-Result<FluidSetup> setupOf(const FluidChoices& choices) {
+Result<FluidSetup> startOf(const FluidChoices& choices) {
   if (choices.begin.empty() == choices.resume.empty()) {
     return inputError(choices.begin.empty() ? "--case: name what to begin with (or --resume a checkpoint)"
                                             : "--resume: goes on with a fluid, and --case begins one");
@@ -172,10 +191,22 @@ Result<FluidSetup> setupOf(const FluidChoices& choices) {
   if (choices.tolerance) options.tolerance = *choices.tolerance;
   if (choices.gravity) options.gravity = *choices.gravity;
   if (choices.scheme) options.scheme = *choices.scheme;
-  if (!std::isfinite(options.until) && !choices.steps && !choices.seconds) {
+  return setup;
+}
+
+Result<FluidSetup> setupOf(const FluidChoices& choices) {
+  auto setup = startOf(choices);
+  if (setup && !std::isfinite(setup->options.until) && !choices.steps && !choices.seconds) {
     return inputError("--time: name when to end (or --steps or --seconds)");
   }
   return setup;
+}
+
+tl::unexpected<Error> asFluidOption(Error error) {
+  for (const std::string_view name : {"step", "epsilon", "gravity", "tolerance", "scheme"}) {
+    if (error.message.starts_with(std::string(name) + ":")) error.message = "--" + error.message;
+  }
+  return tl::unexpected(std::move(error));
 }
 
 }  // namespace vorpipe::cli

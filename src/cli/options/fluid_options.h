@@ -4,11 +4,13 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cli/options/cells_outputs.h"
 #include "cli/options/command_line.h"
 #include "io/points/points_file.h"
+#include "view/document/flowing.h"
 #include "vorpipe/fluid.h"
 
 namespace vorpipe::cli {
@@ -36,21 +38,34 @@ struct FluidTargets {
   std::vector<CellsTarget> cells;
   std::string checkpoint, trace, stats;  ///< files at the end
   std::string frames, series;            ///< a film or a folder; a folder
+  std::optional<view::FlowColor> color;  ///< of frames
   std::uint64_t every = 10;              ///< steps between frames, files of the series and checkpoints
 
   /// Of the files at the end, in the order in which they are created.
   [[nodiscard]] std::vector<std::string> paths() const;
 };
 
-/// --case, --particles, --time, --step, --scheme, --epsilon, --gravity, --tolerance, --steps, --seconds,
-/// --resume
+/// --case, --resume, --particles, --time, --step, --scheme, --epsilon, --gravity, --tolerance; `usual_end` is
+/// the time at which it ends where none is named
+void addFluidStart(Options& options, FluidChoices& choices, std::string_view usual_end);
+
+/// All of these, --steps and --seconds
 void addFluidChoices(Options& options, FluidChoices& choices);
+
+/// --flow-color
+void addFlowColor(Options& options, std::optional<view::FlowColor>& color);
 
 /// -o, --cells, --checkpoint, --trace, --frames, --series, --every
 void addFluidTargets(Options& options, FluidTargets& targets);
 
-/// The fluid that the options name. Errors (input): they contradict each other; the file's.
+/// The fluid that the options name, which may go on forever. Errors (input): they contradict each other; the
+/// file's.
+Result<FluidSetup> startOf(const FluidChoices& choices);
+/// The same of one that ends. Errors (input): that it does not.
 Result<FluidSetup> setupOf(const FluidChoices& choices);
+
+/// An error of the library, which begins with what is wrong, in the words of the command line.
+tl::unexpected<Error> asFluidOption(Error error);
 
 /// "springs" or "projection".
 std::string_view nameOf(FluidScheme scheme);

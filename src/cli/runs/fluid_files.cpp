@@ -2,44 +2,22 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <system_error>
 #include <utility>
 
-#include "base/parallel.h"
 #include "cli/runs/input.h"
 #include "cli/runs/picture.h"
 #include "io/files/error.h"
 #include "io/files/output_file.h"
 #include "io/fluid/fluid_state.h"
+#include "view/frames/flow_colors.h"
+#include "vorpipe/free_surface.h"
 
 namespace vorpipe::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Whitens the pixels that are in no disc.
-void clearAir(const Sites& sites, const RenderOptions& render, int threads, Image& image) {
-  constexpr std::uint32_t white = 0xFFFFFFFF;
-  const PictureFrame frame = frameOf(shownBox(render), image.width, image.height, render.fit);
-  const Box& box = shownBox(render);
-  const double dx = (box.xmax - box.xmin) / frame.width, dy = (box.ymax - box.ymin) / frame.height;
-  parallelFor(static_cast<std::size_t>(image.height), 16, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto row = begin; row < end; ++row) {
-      const double y = box.ymax - (static_cast<double>(row) - frame.top + 0.5) * dy;
-      for (std::size_t column = 0; column < static_cast<std::size_t>(image.width); ++column) {
-        const std::size_t k = row * static_cast<std::size_t>(image.width) + column;
-        const std::uint32_t site = image.ids[k];
-        if (site == no_site) continue;
-        const double x = box.xmin + (static_cast<double>(column) - frame.left + 0.5) * dx;
-        const double away = std::pow(x - sites.x[site], 2) + std::pow(y - sites.y[site], 2);
-        if (away > sites.weight[site]) image.rgba[k] = white;
-      }
-    }
-  });
-}
 
 CellsOptions cellsOptions(const FluidOptions& options) {
   CellsOptions cells{};
@@ -52,18 +30,33 @@ CellsOptions cellsOptions(const FluidOptions& options) {
 
 }  // namespace
 
+view::FlowColor flowColorOf(const FluidState& state, const PictureOptions& picture,
+                            std::optional<view::FlowColor> color) {
+  if (picture.no_fill) return view::FlowColor::none;
+  return color.value_or(view::usualFlowColor(state, picture.render.color));
+}
+
 Result<Image> drawFluid(Session& session, const FluidState& state, const FluidOptions& options,
-                        const PictureOptions& picture) {
+                        const PictureOptions& picture, std::optional<view::FlowColor> color) {
+  const view::FlowColor by = flowColorOf(state, picture, color);
+  const bool by_flow = by != view::FlowColor::none;
+  PictureOptions asked = picture;
+  // These have scales and ranges as those have.
+  if (by_flow) asked.render.color = ColorBy::weight;
   Input input{};
   input.sites = state.sites;
   input.domain = options.domain;
   input.periodic = options.periodic;
-  auto render = pictureOf(picture, {}, input);
+  auto render = pictureOf(asked, {}, input);
   if (!render) return tl::unexpected(std::move(render.error()));
   render->search = options.search;
-  auto drawn = session.render(state.sites, *render);
+  auto drawn = session.render(state.sites, by_flow ? view::ofWhiteCells(*render) : *render);
   if (!drawn) return tl::unexpected(std::move(drawn.error()));
-  if (options.surface == Surface::free) clearAir(state.sites, *render, session.threads(), drawn->image);
+  if (by_flow) {
+    auto colored = view::colorFlow(state, by, *render, drawn->image);
+    if (!colored) return tl::unexpected(std::move(colored.error()));
+  }
+  if (options.surface == Surface::free) whitenAir(state.sites, *render, drawn->image, session.threads());
   return std::move(drawn->image);
 }
 
@@ -100,7 +93,7 @@ Result<FluidRecord> FluidRecord::open(const FluidTargets& targets, const Picture
 
 Result<void> FluidRecord::add(Session& session, const FluidState& state, const FluidOptions& options) {
   if (recorder_) {
-    const auto image = drawFluid(session, state, options, *picture_);
+    const auto image = drawFluid(session, state, options, *picture_, targets_->color);
     if (!image) return tl::unexpected(image.error());
     if (auto added = recorder_->add(*image); !added) return added;
   }

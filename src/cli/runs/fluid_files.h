@@ -14,9 +14,13 @@
 
 namespace vorpipe::cli {
 
+/// What colors of a picture stand for: `color`, or where there is none what is usual.
+view::FlowColor flowColorOf(const FluidState& state, const PictureOptions& picture,
+                            std::optional<view::FlowColor> color);
+
 /// A picture of the cells; of a free surface the air is white.
 Result<Image> drawFluid(Session& session, const FluidState& state, const FluidOptions& options,
-                        const PictureOptions& picture);
+                        const PictureOptions& picture, std::optional<view::FlowColor> color);
 
 /// The header of --trace and its rows.
 std::string traceHead();

@@ -11,6 +11,7 @@
 #include "cli/runs/run_end.h"
 #include "io/domain/density_file.h"
 #include "io/files/extension.h"
+#include "io/fluid/fluid_state.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -107,6 +108,13 @@ Result<view::Loaded> loadForView(const std::string& path, const InputOptions& op
     auto density = readDensity(path);
     if (!density) return tl::unexpected(std::move(density.error()));
     loaded.density = std::make_shared<const Density>(std::move(*density));
+    return loaded;
+  }
+  if (lowerExtension(path) == ".npz") {
+    auto setup = readFluid(path);
+    if (!setup) return tl::unexpected(std::move(setup.error()));
+    setup->options.until = FluidOptions{}.until;
+    loaded.opened = view::openedFluid(view::toBegin(std::move(*setup)), path);
     return loaded;
   }
   InputOptions dropped;

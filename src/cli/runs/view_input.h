@@ -15,8 +15,8 @@ namespace vorpipe::cli {
 /// of loadInput and checkInput.
 Result<view::Opened> openForView(const InputOptions& options, const TalkOptions& talk);
 
-/// What is in a file that was dropped: of a .png a density, else sites; how files are read is as `options`
-/// have it. Errors: those of readDensity and loadInput.
+/// What is in a file that was dropped: of a .png a density, of an .npz a fluid, else sites; how files are
+/// read is as `options` have it. Errors: those of readDensity, readFluid and loadInput.
 Result<view::Loaded> loadForView(const std::string& path, const InputOptions& options);
 
 /// The options of a command line that read as these do. Those of standard input name nothing.

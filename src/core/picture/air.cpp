@@ -74,26 +74,54 @@ std::uint32_t partly(std::uint32_t rgba, double part) {
   return alpha == 0 ? 0 : (rgba & 0xFFFFFFu) | alpha << 24;
 }
 
+/// A color that covers a part of a white pixel.
+std::uint32_t overWhite(std::uint32_t rgba, double part) {
+  constexpr double most = 255;
+  const double over = part * (rgba >> 24) / most;
+  std::uint32_t mixed = 0xFF000000U;
+  for (int shift = 0; shift < 24; shift += 8) {
+    const double channel = over * (rgba >> shift & 0xFF) + (1 - over) * most;
+    mixed |= static_cast<std::uint32_t>(std::lround(channel)) << shift;
+  }
+  return mixed;
+}
+
+/// `air` gets the color of each pixel some of which is air, and the part of it that is not; it loses its site
+/// where its middle is air.
+template <class Air>
+void forAir(const Sites& sites, const RenderOptions& options, Image& image, int threads, const Air& air) {
+  const PixelsOfDiscs pixels(sites, options);
+  const auto part_of = [&](std::uint32_t site, int row, int column) -> double {
+    if (options.antialias > 1) return pixels.partOf(site, row, column, options.antialias);
+    return pixels.has(site, row, column) ? 1 : 0;
+  };
+  parallelFor(static_cast<std::size_t>(image.height), grain, threads,
+              [&](std::size_t begin, std::size_t end) {
+                for (int row = static_cast<int>(begin); row < static_cast<int>(end); ++row) {
+                  for (int column = 0; column < image.width; ++column) {
+                    const std::size_t at = core::pixelAt(image, row, column);
+                    std::uint32_t& site = image.ids[at];
+                    if (site == no_site) continue;
+                    const double part = part_of(site, row, column);
+                    if (part < 1) air(image.rgba[at], part);
+                    if (!pixels.has(site, row, column)) site = no_site;
+                  }
+                }
+              });
+}
+
 }  // namespace
 
 Result<void> takeOutAir(const Sites& sites, const RenderOptions& options, Image& image, int threads) {
   if (auto checked = refuseWhatIsOverAir(options); !checked) return checked;
-  const PixelsOfDiscs pixels(sites, options);
-  parallelFor(
-      static_cast<std::size_t>(image.height), grain, threads, [&](std::size_t begin, std::size_t end) {
-        for (int row = static_cast<int>(begin); row < static_cast<int>(end); ++row) {
-          for (int column = 0; column < image.width; ++column) {
-            const std::size_t at = core::pixelAt(image, row, column);
-            std::uint32_t& site = image.ids[at];
-            if (site == no_site) continue;
-            const double part = options.antialias > 1 ? pixels.partOf(site, row, column, options.antialias)
-                                                      : (pixels.has(site, row, column) ? 1 : 0);
-            if (part < 1) image.rgba[at] = partly(image.rgba[at], part);
-            if (!pixels.has(site, row, column)) site = no_site;
-          }
-        }
-      });
+  forAir(sites, options, image, threads,
+         [](std::uint32_t& pixel, double part) { pixel = partly(pixel, part); });
   return {};
+}
+
+void whitenAir(const Sites& sites, const RenderOptions& options, Image& image, int threads) {
+  forAir(sites, options, image, threads,
+         [](std::uint32_t& pixel, double part) { pixel = overWhite(pixel, part); });
 }
 
 }  // namespace vorpipe

@@ -18,6 +18,7 @@ constexpr std::size_t history_length = 120;
 }  // namespace
 
 void Viewer::accept(Frame& frame) {
+  if (frame.fluid && !acceptFluid(frame)) return;
   if (frame.relaxed_from && frame.relaxed_from != frame.sites) {
     const bool fits = settings_.motion != Motion::rests && document_.relax(frame.relaxed_from, frame.sites);
     // Sites have changed by something else while they moved: this is a picture of others.
@@ -70,6 +71,12 @@ void Viewer::refuse(const Answer& answer) {
   if (std::exchange(preview_, std::nullopt)) ++shown_version_;
   settings_.motion = Motion::rests;
   document_.settle();
+  if (document_.fluid() && !document_.fluid()->is_begun && document_.canUndo()) {
+    const std::string why = message_;
+    undoOrRedo(Action::undo);
+    message_ = why;
+    return;
+  }
   if (answer.wish < wished_ || drawTheSame(settings_, drawn_settings_)) return;
   // What could be drawn before is drawn again.
   settings_.picture = drawn_settings_.picture;
@@ -86,12 +93,22 @@ void Viewer::open(Loaded loaded, const std::string& path) {
     message_ = fmt::format("Sites relax by the density of {}.", path);
     return;
   }
+  putAnother(std::move(*loaded.opened));
+  message_ = "Opened " + path;
+}
+
+/// What was opened, in place of what is there.
+void Viewer::putAnother(Opened opened) {
   pointer_.release();
   settings_.motion = Motion::rests;
   step_.reset();
-  document_.open(std::move(*loaded.opened));
+  strokes_.clear();
+  steps_.clear();
+  if (opened.fluid) {
+    settings_.flow_color = usualFlowColor(opened.fluid->setup.state, settings_.picture.color);
+  }
+  document_.open(std::move(opened));
   camera_.setDomain(document_.opened().domain);
-  message_ = "Opened " + path;
   want(Changed::sites);
 }
 
@@ -174,6 +191,7 @@ PanelInput Viewer::panelInput(const std::string& presenter, double present_milli
   input.message = message_;
   input.sites = document_.sites()->size();
   input.relaxed = step_;
+  input.fluid = fluidShown();
   if (settings_.compared && frame_ && frame_->compared) {
     input.compared = Compared{frame_->differing, frame_->compared->rgba.size(), frame_->compared_by};
   }

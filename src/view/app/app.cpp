@@ -132,7 +132,8 @@ Result<void> App::countPictures() {
   if (options_.screenshot.empty() || player_ || !isShown() || viewer_.pictures() == counted_) return {};
   counted_ = viewer_.pictures();
   if (counted_ < options_.frames) {
-    viewer_.drawAgain();
+    // The next picture of what moves is on its way.
+    if (viewer_.settings().motion != Motion::runs) viewer_.drawAgain();
     viewer_.wish();
     return {};
   }

@@ -33,12 +33,14 @@ void Viewer::saveWhatIsSettled() {
   const std::string extension = std::move(to_save_.front());
   to_save_.erase(to_save_.begin());
   ++files_;
-  frames_.save({freeName(extension == ".csv" ? "sites" : "vorpipe", extension), frame_->sites,
-                frame_->picture, frame_->rendering});
+  const char* const stem = extension == ".csv" ? "sites" : extension == ".npz" ? "fluid" : "vorpipe";
+  frames_.save({freeName(stem, extension), frame_->sites, frame_->picture, frame_->rendering,
+                extension == ".npz" ? document_.fluid() : frame_->fluid, frame_->flow_color});
 }
 
 /// Where sites are not those of a file, they are written first.
 void Viewer::copyCommand() {
+  if (document_.fluid()) return copyFluidCommand();
   const bool is_file = document_.isAsOpened() && !document_.opened().arguments.empty();
   if (!is_file && document_.sites()->size() == 0) {
     message_ = "There are no sites yet.";
@@ -62,11 +64,24 @@ void Viewer::copyCommand() {
   frames_.save({command_sites_, document_.sites(), picture(), {}});
 }
 
+/// A fluid goes on from a checkpoint.
+void Viewer::copyFluidCommand() {
+  const bool is_written = !command_sites_.empty() && command_revision_ == document_.revision();
+  if (!is_written) command_sites_ = freeName("vorpipe-fluid", ".npz");
+  command_ = shellText(commandForFluid(command_sites_, picture(), settings_.flow_color, settings_.backend));
+  if (is_written) return tellCommand();
+  command_revision_ = document_.revision();
+  command_waits_ = true;
+  ++files_;
+  frames_.save({command_sites_, document_.sites(), picture(), {}, document_.fluid()});
+}
+
 void Viewer::tellCommand() {
   command_waits_ = false;
   if (given_.copy) given_.copy(command_);
   if (given_.print) given_.print(command_);
-  message_ = "Copied, and printed: the command line that makes this picture.";
+  message_ = document_.fluid() ? "Copied, and printed: the command line that draws the fluid from here on."
+                               : "Copied, and printed: the command line that makes this picture.";
 }
 
 }  // namespace vorpipe::view

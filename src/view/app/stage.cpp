@@ -40,6 +40,8 @@ Result<void> Stage::draw() {
       panel_.draw(viewer_.panelInput(screen_.presenter().name(), present_milliseconds_), triangles);
   viewer_.change(answer.settings);
   for (const Action action : answer.actions) viewer_.act(action);
+  if (answer.flows_by) viewer_.flowBy(*answer.flows_by);
+  if (answer.begins) viewer_.beginFluid(*answer.begins);
   const bool new_texture = answer.new_texture || !has_texture_;
   if (new_texture) {
     if (auto set = screen_.presenter().setTexture(panel_.texture()); !set) return set;

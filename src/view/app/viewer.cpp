@@ -21,7 +21,9 @@ Viewer::Viewer(ViewerOptions options, int width, int height, std::function<void(
       settings_(std::move(given_.settings)),
       density_(std::move(given_.density)),
       camera_(document_.opened().domain, width, height),
-      frames_(std::move(wake), given_.load) {}
+      frames_(std::move(wake), given_.load) {
+  if (document_.fluid() && settings_.motion == Motion::rests) message_ = how_to_flow;
+}
 
 void Viewer::want(Changed changed) {
   if (changed == Changed::nothing) return;
@@ -54,7 +56,7 @@ void Viewer::take(const Event& event) {
                                                       wipe_reach * scale_, settings_.wipe);
   if (wipes && !std::holds_alternative<Move>(event)) return;
   const std::uint32_t owner = pointer_.place() ? ownerAt(*pointer_.place()) : no_site;
-  want(pointer_.take(event, document_, camera_, owner));
+  changed(pointer_.take(event, document_, camera_, owner));
 }
 
 void Viewer::act(Action action) {
@@ -78,8 +80,14 @@ void Viewer::act(Action action) {
       return save(".png");
     case Action::save_svg:
       return save(".svg");
+    case Action::begin_again:
+      return beginAgain();
     case Action::save_sites:
       return save(".csv");
+    case Action::save_fluid:
+      if (document_.fluid()) return save(".npz");
+      message_ = no_fluid;
+      return;
     case Action::copy_command:
       return copyCommand();
     case Action::next_backend:
@@ -95,6 +103,7 @@ void Viewer::undoOrRedo(Action action) {
   const Box before = document_.opened().domain;
   pointer_.release();
   settings_.motion = Motion::rests;
+  strokes_.clear();
   action == Action::undo ? document_.undo() : document_.redo();
   if (!isEqual(before, document_.opened().domain)) camera_.setDomain(document_.opened().domain);
   want(Changed::sites);
@@ -180,7 +189,7 @@ RenderOptions Viewer::picture() const {
 void Viewer::wish() {
   putSideBySide();
   const bool in_flight = answered_ < wished_;
-  const bool moves = settings_.motion != Motion::rests && !in_flight;
+  const bool moves = (settings_.motion != Motion::rests || !strokes_.empty()) && !in_flight;
   if (minimized_ || closes_ || (wanted_ == Wanted::nothing && !moves)) return;
   if (settings_.picture.color == ColorBy::weight && document_.sites()->weight.empty()) {
     settings_.picture.color = ColorBy::site;
@@ -193,6 +202,9 @@ void Viewer::wish() {
   wish.motion = pointer_.holdsSite() ? Motion::rests : settings_.motion;
   wish.method = settings_.method;
   wish.density = density_;
+  wish.fluid = document_.fluid();
+  wish.flow_color = settings_.flow_color;
+  wish.strokes = strokes_;
   wished_settings_ = settings_;
   frames_.wish(std::move(wish));
 }
@@ -201,7 +213,7 @@ bool Viewer::isSettled(std::uint64_t wish) const {
   if (minimized_) return files_ == 0;
   const bool is_drawn = answered_ >= (settings_.motion == Motion::runs ? wish : wished_);
   return is_drawn && wanted_ == Wanted::nothing && files_ == 0 && to_save_.empty() &&
-         settings_.motion != Motion::steps_once;
+         settings_.motion != Motion::steps_once && (strokes_.empty() || settings_.motion == Motion::runs);
 }
 
 }  // namespace vorpipe::view

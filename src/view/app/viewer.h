@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/stopwatch.h"
 #include "view/app/wipe.h"
 #include "view/document/camera.h"
 #include "view/document/document.h"
@@ -18,6 +20,12 @@
 #include "view/panel/panel.h"
 
 namespace vorpipe::view {
+
+/// What is told where only a fluid has what is asked for.
+inline constexpr const char* no_fluid = "There is no fluid; the panel begins one.";
+
+/// What is told of a fluid that does not flow yet.
+inline constexpr const char* how_to_flow = "Space has it flow, N makes a step, a left drag stirs.";
 
 struct ViewerOptions {
   Opened opened{};
@@ -38,6 +46,10 @@ class Viewer {
   void act(Action action);
   /// As the panel has changed them.
   void change(const Settings& settings);
+  /// A fluid, as the command line names it, in place of what is there; that can be undone.
+  void beginFluid(FluidCase which);
+  /// The fluid goes on by other options.
+  void flowBy(const FluidOptions& options);
   void resize(int width, int height);
   /// Of letters, and of what the pointer reaches.
   void setScale(double scale);
@@ -80,6 +92,12 @@ class Viewer {
   [[nodiscard]] RenderOptions picture() const;
   void accept(Answer& answer);
   void accept(Frame& frame);
+  bool acceptFluid(const Frame& frame);
+  void changed(Changed by);
+  void stir();
+  void beginAgain();
+  void putAnother(Opened opened);
+  [[nodiscard]] std::optional<FluidShown> fluidShown() const;
   void compare();
   void putSideBySide();
   void refuse(const Answer& answer);
@@ -90,6 +108,7 @@ class Viewer {
   void save(const char* extension);
   void saveWhatIsSettled();
   void copyCommand();
+  void copyFluidCommand();
   void tellCommand();
   [[nodiscard]] std::uint32_t ownerAt(Place place) const;
   [[nodiscard]] std::optional<Hovered> hovered() const;
@@ -114,6 +133,9 @@ class Viewer {
   std::shared_ptr<const Measures> measures_{};
   std::optional<RelaxStep> step_{};
   std::vector<float> history_{};
+  std::vector<Stroke> strokes_{};  ///< that the fluid does not have yet
+  std::uint64_t last_stroke_ = 0;
+  std::deque<Stopwatch> steps_{};  ///< since each of the fluid's last ones
   std::vector<DeviceInfo> devices_{};
   std::optional<DeviceInfo> device_{};
   Settings wished_settings_{}, drawn_settings_{};  ///< of the last wish, and of the last one that was drawn

@@ -43,6 +43,7 @@ std::string_view nameIn(const std::array<std::string_view, N>& names, Enum value
 }
 
 constexpr std::array<std::string_view, 4> color_names = {"site", "area", "neighbors", "weight"};
+constexpr std::array<std::string_view, 3> flow_color_names = {"none", "density", "speed"};
 constexpr std::array<std::string_view, 4> scale_names = {"automatic", "linear", "log", "quantile"};
 constexpr std::array<std::string_view, 4> periodic_names = {"none", "x", "y", "xy"};
 
@@ -96,6 +97,17 @@ void addBackend(Arguments& to, const BackendOptions& backend) {
   for (const auto& [name, value] : backend.mask.limits) to.add("--limit", fmt::format("{}={}", name, value));
 }
 
+void addPicture(Arguments& to, const RenderOptions& picture, const BackendOptions& backend) {
+  if (picture.view) to.box("--view", *picture.view);
+  to.add("--size", fmt::format("{}x{}", picture.width, picture.height));
+  // The view has the picture's aspect.
+  to.add("--fit", "stretch");
+  addColors(to, picture);
+  addMarks(to, picture);
+  addSearch(to, picture.search);
+  addBackend(to, backend);
+}
+
 std::string quotedForShell(const std::string& text) {
   constexpr std::string_view plain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/%@";
@@ -117,15 +129,22 @@ std::vector<std::string> commandFor(const Document& document, const RenderOption
                                     const BackendOptions& backend, const CommandFiles& files) {
   Arguments arguments({"vorpipe", "render"});
   addSites(arguments, document, files);
-  if (picture.view) arguments.box("--view", *picture.view);
-  arguments.add("--size", fmt::format("{}x{}", picture.width, picture.height));
-  // The view has the picture's aspect.
-  arguments.add("--fit", "stretch");
-  addColors(arguments, picture);
-  addMarks(arguments, picture);
-  addSearch(arguments, picture.search);
-  addBackend(arguments, backend);
+  addPicture(arguments, picture, backend);
   arguments.add("-o", files.picture);
+  return arguments.take();
+}
+
+std::vector<std::string> commandForFluid(const std::string& checkpoint, const RenderOptions& picture,
+                                         FlowColor color, const BackendOptions& backend) {
+  Arguments arguments({"vorpipe", "fluid"});
+  arguments.add("--resume", checkpoint);
+  arguments.add("--steps", 100);
+  // It takes no masks.
+  BackendOptions unmasked = backend;
+  unmasked.mask = {};
+  addPicture(arguments, picture, unmasked);
+  arguments.add("--flow-color", nameIn(flow_color_names, color));
+  arguments.add("--frames", "frames");
   return arguments.take();
 }
 

@@ -22,6 +22,10 @@ struct CommandFiles {
 std::vector<std::string> commandFor(const Document& document, const RenderOptions& picture,
                                     const BackendOptions& backend, const CommandFiles& files);
 
+/// `vorpipe fluid` and its options, which go on from a checkpoint: of its pictures the first is `picture`.
+std::vector<std::string> commandForFluid(const std::string& checkpoint, const RenderOptions& picture,
+                                         FlowColor color, const BackendOptions& backend);
+
 /// A command line as a shell reads it.
 std::string shellText(const std::vector<std::string>& arguments);
 

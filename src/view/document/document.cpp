@@ -7,7 +7,9 @@
 namespace vorpipe::view {
 namespace {
 
-FixedSites sitesOf(const std::shared_ptr<const Opened>& opened) { return {opened, &opened->sites}; }
+FixedSites sitesOf(const std::shared_ptr<const Opened>& opened) {
+  return opened->fluid ? opened->fluid->sites : FixedSites(opened, &opened->sites);
+}
 
 /// `value`, moved by whole periods into [low, high).
 double wrappedInto(double value, double low, double high) {
@@ -21,6 +23,7 @@ double wrappedInto(double value, double low, double high) {
 Document::Document(Opened opened) {
   now_.opened = std::make_shared<const Opened>(std::move(opened));
   now_.sites = sitesOf(now_.opened);
+  now_.fluid = now_.opened->fluid;
 }
 
 double Document::weight(std::uint32_t site) const {
@@ -98,6 +101,14 @@ void Document::change(std::uint32_t site, const std::optional<Site>& after, Grow
   }
 }
 
+bool Document::flow(const FixedFluid& from, FixedFluid to) {
+  if (now_.fluid != from) return false;
+  now_.sites = to->sites;
+  now_.fluid = std::move(to);
+  now_.revision = ++revisions_;
+  return true;
+}
+
 std::uint32_t Document::add(Point place) {
   const auto site = static_cast<std::uint32_t>(now_.sites->size());
   change(site, Site{place.x, place.y}, Growing::nothing);
@@ -147,6 +158,7 @@ void Document::open(Opened opened) {
   const State before = now_;
   now_.opened = std::make_shared<const Opened>(std::move(opened));
   now_.sites = sitesOf(now_.opened);
+  now_.fluid = now_.opened->fluid;
   now_.revision = now_.opened_revision = ++revisions_;
   settle();
   record(StateChange{before, now_});

@@ -13,10 +13,6 @@
 
 namespace vorpipe::view {
 
-/// Sites that do not change any more: where they do, there are others. So that a pointer tells which they
-/// are, and another thread may have them.
-using FixedSites = std::shared_ptr<const Sites>;
-
 class Document {
  public:
   explicit Document(Opened opened);
@@ -26,6 +22,8 @@ class Document {
   [[nodiscard]] const Opened& opened() const { return *now_.opened; }
   /// Whether the sites are still, or again, those that were opened.
   [[nodiscard]] bool isAsOpened() const { return now_.revision == now_.opened_revision; }
+  /// The fluid that the sites are of, as it is now; null: they are no fluid's.
+  [[nodiscard]] const FixedFluid& fluid() const { return now_.fluid; }
   /// Equal numbers are equal sites.
   [[nodiscard]] std::uint64_t revision() const { return now_.revision; }
   [[nodiscard]] Point place(std::uint32_t site) const { return {now_.sites->x[site], now_.sites->y[site]}; }
@@ -34,7 +32,11 @@ class Document {
   [[nodiscard]] Point inDomain(Point place) const;
   [[nodiscard]] bool isInDomain(Point place) const;
 
-  // What follows can be undone.
+  /// A fluid goes on, which is not undone. False where `from` is not that of the document any more: nothing
+  /// happens.
+  bool flow(const FixedFluid& from, FixedFluid to);
+
+  // What follows can be undone, and but for open() is not for fluids.
 
   /// Adds a site, of weight 0 among others with weights, and returns its index: the last one.
   std::uint32_t add(Point place);
@@ -64,6 +66,7 @@ class Document {
   struct State {
     std::shared_ptr<const Opened> opened;
     FixedSites sites;
+    FixedFluid fluid{};
     std::uint64_t revision = 0;         ///< equal ones are equal states
     std::uint64_t opened_revision = 0;  ///< that of `opened`
   };

@@ -21,11 +21,17 @@ void toggleOwn(Settings& settings) {
 /// Where colors stand for something else, values and scales of before mean nothing.
 template <ColorBy By>
 void colorBy(Settings& settings) {
+  settings.flow_color = FlowColor::none;
   if (settings.picture.color == By) return;
   settings.picture.color = By;
   settings.picture.color_range.reset();
   settings.picture.color_scale = ColorScale::automatic;
   if (By == ColorBy::site) settings.picture.legend = false;
+}
+
+template <FlowColor By>
+void colorFlowBy(Settings& settings) {
+  settings.flow_color = By;
 }
 
 void nextColormap(Settings& settings) {
@@ -53,18 +59,24 @@ std::vector<KeyBinding> table() {
           {"2", plain, "colors by area", colorBy<ColorBy::area>},
           {"3", plain, "colors by the number of neighbors", colorBy<ColorBy::neighbors>},
           {"4", plain, "colors by weight", colorBy<ColorBy::weight>},
+          {"5", plain, "colors a fluid by density", colorFlowBy<FlowColor::density>},
+          {"6", plain, "colors a fluid by speed", colorFlowBy<FlowColor::speed>},
           {"m", plain, "takes the next colors", nextColormap},
           {"b", plain, "takes the next backend that works here", Action::next_backend},
           {"w", plain, "compares with the next backend, side by side; again, it does not", Action::compare},
-          {"space", plain, "relaxes: sites move to the centers of their cells; again, it pauses", runOrPause},
-          {"n", plain, "relaxes by one step", Action::step},
+          {"space", plain,
+           "relaxes sites to the centers of their cells, or has a fluid flow; again, it pauses", runOrPause},
+          {"n", plain, "relaxes or flows by one step", Action::step},
+          {"r", plain, "begins the fluid again", Action::begin_again},
           {"z", control, "undoes", Action::undo},
           {"y", control, "does again what was undone", Action::redo},
           {"z", control_shift, "does again what was undone", Action::redo},
           {"s", control, "saves the picture as PNG", Action::save_png},
           {"s", control_shift, "saves the picture as SVG", Action::save_svg},
           {"e", control, "saves the sites as CSV", Action::save_sites},
-          {"c", control, "copies the command line that makes this picture", Action::copy_command},
+          {"e", control_shift, "saves the fluid, for vorpipe fluid --resume", Action::save_fluid},
+          {"c", control, "copies the command line that makes this picture, or goes on with the fluid",
+           Action::copy_command},
           {"q", control, "closes the window", Action::close},
           {"escape", plain, "closes the window", Action::close}};
 }
@@ -102,13 +114,15 @@ std::string labelOf(const KeyBinding& binding) {
 }
 
 std::vector<HelpLine> helpLines() {
-  std::vector<HelpLine> lines = {{"Left click", "adds a site, where there is none"},
-                                 {"Left drag", "moves the site under the pointer; elsewhere, what is shown"},
-                                 {"Middle drag", "moves what is shown"},
-                                 {"Right click", "removes the site under the pointer, or that of the cell"},
-                                 {"Wheel", "zooms to the pointer"},
-                                 {"Ctrl+Wheel", "changes the weight of the cell under the pointer"},
-                                 {"Drop a file", "opens its sites"}};
+  std::vector<HelpLine> lines = {
+      {"Left click", "adds a site, where there is none"},
+      {"Left drag", "stirs a fluid; else moves the site under the pointer, or what is shown"},
+
+      {"Middle drag", "moves what is shown"},
+      {"Right click", "removes the site under the pointer, or that of the cell"},
+      {"Wheel", "zooms to the pointer"},
+      {"Ctrl+Wheel", "changes the weight of the cell under the pointer"},
+      {"Drop a file", "opens its sites"}};
   for (const KeyBinding& binding : keyBindings()) {
     if (lines.back().what == binding.what) {
       lines.back().keys += " or " + labelOf(binding);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "view/document/flowing.h"
 #include "vorpipe/sites.h"
 
 namespace vorpipe::view {
@@ -16,6 +17,11 @@ struct Opened {
   /// The options of a command line that name these sites and their domain; none where they came out of
   /// nothing.
   std::vector<std::string> arguments{};
+  FixedFluid fluid{};        ///< as it begins, of which these are the sites; null: they are no fluid's
+  std::string fluid_name{};  ///< a case, or a file
 };
+
+/// A fluid in its domain.
+Opened openedFluid(FixedFluid fluid, std::string name);
 
 }  // namespace vorpipe::view

@@ -55,6 +55,14 @@ Changed Pointer::take(const Event& event, Document& document, Camera& camera, st
 
 Changed Pointer::press(const Press& press, Document& document, const Camera& camera, std::uint32_t owner) {
   if (held_ != Held::nothing) return Changed::nothing;
+  if (document.fluid()) {
+    if (press.button == Button::right) return Changed::refused;
+    button_ = press.button;
+    pressed_ = *place_;
+    travelled_ = false;
+    held_ = press.button == Button::left ? Held::fluid : Held::view;
+    return Changed::nothing;
+  }
   const std::uint32_t near = siteNear(document, camera, *place_, scale_);
   if (press.button == Button::right) {
     const std::uint32_t site = near != no_site ? near : owner;
@@ -78,6 +86,10 @@ Changed Pointer::move(Place to, Document& document, Camera& camera) {
   const Place from = place_.value_or(to);
   place_ = to;
   if (held_ == Held::nothing) return Changed::nothing;
+  if (held_ == Held::fluid) {
+    stroke_ = {camera.pointAt(from), camera.pointAt(to)};
+    return Changed::stroke;
+  }
   const bool started = travelled_;
   travelled_ = travelled_ || std::hypot(to.x - pressed_.x, to.y - pressed_.y) > click_travel * scale_;
   if (!travelled_) return Changed::nothing;
@@ -95,6 +107,7 @@ Changed Pointer::release(Button button, Document& document, const Camera& camera
   if (held_ == Held::nothing || button != button_) return Changed::nothing;
   const Held held = held_;
   held_ = Held::nothing;
+  if (document.fluid()) return Changed::nothing;
   if (held == Held::site) {
     document.settle();
     return travelled_ ? Changed::sites : Changed::nothing;
@@ -111,6 +124,7 @@ Changed Pointer::scroll(const Scroll& scroll, Document& document, Camera& camera
     camera.zoom(*place_, std::pow(zoom_step, scroll.by));
     return Changed::view;
   }
+  if (document.fluid()) return Changed::refused;
   const std::uint32_t near = siteNear(document, camera, *place_, scale_);
   const std::uint32_t site = owner != no_site ? owner : near;
   if (site == no_site || site >= document.sites()->size()) return Changed::nothing;

@@ -1,8 +1,10 @@
-/// What the pointer does in the window: it pans and zooms, adds, drags and removes sites, changes weights.
+/// What the pointer does in the window: it pans and zooms, adds, drags and removes sites, changes weights,
+/// stirs fluids.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "view/document/camera.h"
 #include "view/document/document.h"
@@ -13,9 +15,11 @@ namespace vorpipe::view {
 /// What has changed by an event.
 enum class Changed : std::uint8_t {
   nothing,
-  view,   ///< what of the plane is shown
-  drag,   ///< a site, and it may go on
-  sites,  ///< sites, once
+  view,     ///< what of the plane is shown
+  drag,     ///< a site, and it may go on
+  sites,    ///< sites, once
+  stroke,   ///< the pointer was dragged through a fluid: see Pointer::stroke()
+  refused,  ///< nothing, since sites of a fluid are not edited
 };
 
 /// The site nearest to a place, if it is some pixels away at most, times `scale`; else no_site.
@@ -31,11 +35,13 @@ class Pointer {
   /// Where it was last; none before it came.
   [[nodiscard]] const std::optional<Place>& place() const { return place_; }
   [[nodiscard]] bool holdsSite() const { return held_ == Held::site && travelled_; }
+  /// From where to where in the plane it was dragged last.
+  [[nodiscard]] std::pair<Point, Point> stroke() const { return stroke_; }
   /// Lets go of what it holds: sites have changed by something else.
   void release() { held_ = Held::nothing; }
 
  private:
-  enum class Held : std::uint8_t { nothing, site, view };
+  enum class Held : std::uint8_t { nothing, site, view, fluid };
 
   Changed press(const Press& press, Document& document, const Camera& camera, std::uint32_t owner);
   Changed move(Place to, Document& document, Camera& camera);
@@ -50,6 +56,7 @@ class Pointer {
   bool travelled_ = false;  ///< so far since it was pressed that it is no click
   std::uint32_t site_ = no_site;
   Place grip_{};  ///< of the site, from the pointer
+  std::pair<Point, Point> stroke_{};
 };
 
 }  // namespace vorpipe::view

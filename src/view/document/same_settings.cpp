@@ -30,9 +30,9 @@ auto tied(const SearchOptions& s) { return std::tie(s.method, s.neighbors); }
 }  // namespace
 
 bool drawTheSame(const Settings& a, const Settings& b) {
-  return a.cells == b.cells && tied(a.backend) == tied(b.backend) && isSame(a.compared, b.compared) &&
-         colorsOf(a.picture) == colorsOf(b.picture) && marksOf(a.picture) == marksOf(b.picture) &&
-         isSame(a.picture.color_range, b.picture.color_range) &&
+  return a.cells == b.cells && a.flow_color == b.flow_color && tied(a.backend) == tied(b.backend) &&
+         isSame(a.compared, b.compared) && colorsOf(a.picture) == colorsOf(b.picture) &&
+         marksOf(a.picture) == marksOf(b.picture) && isSame(a.picture.color_range, b.picture.color_range) &&
          tied(a.picture.search) == tied(b.picture.search);
 }
 

@@ -92,8 +92,9 @@ void Frames::State::preview(const Wish& next, const Outdated& outdated) {
 
 void Frames::State::fulfill(const Wish& next) {
   const bool goes_on = std::exchange(gesture, next.gesture) == next.gesture && next.motion == Motion::rests;
-  const bool previews = goes_on && sharp_milliseconds > next.longest_without_preview &&
-                        next.picture.width > 1 && next.picture.height > 1;
+  const bool previews = goes_on && next.strokes.empty() &&
+                        sharp_milliseconds > next.longest_without_preview && next.picture.width > 1 &&
+                        next.picture.height > 1;
   const Outdated other_gesture = [&] { return gives_up || latest_gesture != next.gesture; };
   if (previews) preview(next, other_gesture);
   // Where there is a preview, a sharp picture that is late already is not finished.

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "base/stopwatch.h"
+#include "view/frames/flow_colors.h"
+#include "vorpipe/free_surface.h"
 
 namespace vorpipe::view {
 namespace {
@@ -19,6 +21,24 @@ std::uint64_t countDifferent(const Image& a, const Image& b) {
   return count;
 }
 
+bool hasFreeSurface(const FixedFluid& fluid) {
+  return fluid && fluid->setup.options.surface == Surface::free;
+}
+
+bool isColoredByFlow(const Frame& frame) {
+  return frame.fluid && frame.flow_color != FlowColor::none && frame.picture.fill;
+}
+
+/// What a picture of a fluid has besides those of other sites.
+Result<void> finish(const Frame& frame, int threads, Image& image) {
+  if (isColoredByFlow(frame)) {
+    const auto colored = colorFlow(frame.fluid->setup.state, frame.flow_color, frame.picture, image);
+    if (!colored) return colored;
+  }
+  if (hasFreeSurface(frame.fluid)) whitenAir(*frame.sites, frame.picture, image, threads);
+  return {};
+}
+
 }  // namespace
 
 Progress Painter::progress() const {
@@ -27,7 +47,10 @@ Progress Painter::progress() const {
 
 Result<void> Painter::open(const Wish& wish, Answer& answer) {
   if (!wish.compared) compared_.close();
-  const auto opened = main_.open(wish.backend, [this] { relaxation_.reset(); });
+  const auto opened = main_.open(wish.backend, [this] {
+    relaxation_.reset();
+    fluid_.reset();
+  });
   if (!opened) return tl::unexpected(opened.error());
   if (*opened) {
     measured_.reset();
@@ -95,7 +118,9 @@ Result<void> Painter::step(const Wish& wish, Frame& frame) {
 }
 
 Result<void> Painter::draw(const Wish& wish, Frame& frame, Answer& answer) {
-  RenderOptions options = wish.picture;
+  frame.picture = wish.picture;
+  frame.flow_color = wish.flow_color;
+  RenderOptions options = isColoredByFlow(frame) ? ofWhiteCells(wish.picture) : wish.picture;
   options.progress = progress();
   auto rendering = main_.render(frame.sites, options);
   if (!rendering) return tl::unexpected(std::move(rendering.error()));
@@ -103,12 +128,13 @@ Result<void> Painter::draw(const Wish& wish, Frame& frame, Answer& answer) {
     answer.validation.insert(answer.validation.end(), said.begin(), said.end());
   };
   keep(rendering->report.validation_messages);
-  frame.picture = wish.picture;
+  if (auto done = finish(frame, main_.threads(), rendering->image); !done) return done;
   frame.rendering = std::make_shared<const Rendering>(std::move(*rendering));
   if (!wish.compared) return {};
   auto compared = compared_.render(frame.sites, options);
   if (!compared) return tl::unexpected(std::move(compared.error()));
   keep(compared->report.validation_messages);
+  if (auto done = finish(frame, compared_.threads(), compared->image); !done) return done;
   frame.differing = countDifferent(frame.rendering->image, compared->image);
   frame.compared = std::make_shared<const Image>(std::move(compared->image));
   const DeviceInfo device = compared_.session().device();
@@ -127,12 +153,16 @@ Answer Painter::paint(const Wish& wish, const Outdated& outdated) {
   };
   if (auto opened = open(wish, answer); !opened) return fails(opened.error());
   Frame frame{wish.number, wish.sites};
-  if (wish.motion != Motion::rests && wish.sites->size() > 0) {
+  if (wish.fluid) {
+    if (auto gone = fluid_.go(main_.session(), wish, progress(), frame); !gone) return fails(gone.error());
+    if (const Report* const report = fluid_.report()) answer.validation = report->validation_messages;
+  } else if (wish.motion != Motion::rests && wish.sites->size() > 0) {
     if (auto stepped = step(wish, frame); !stepped) return fails(stepped.error());
     answer.validation = relaxation_->report().validation_messages;
   }
   if (auto drawn = draw(wish, frame, answer); !drawn) return fails(drawn.error());
   painted_ = wish.picture;
+  drawn_fluid_ = frame.fluid;
   frame.milliseconds = watch.milliseconds();
   answer.frame = std::move(frame);
   return answer;
@@ -153,7 +183,8 @@ std::shared_ptr<const Measures> Painter::measure(const Outdated& outdated) {
   const Diagram& diagram = **cells;
   auto measures = std::make_shared<Measures>();
   measures->sites = measured_;
-  measures->area = diagram.area;
+  // Of a cell with a free surface the diagram has what lies in air, too.
+  measures->area = hasFreeSurface(drawn_fluid_) ? drawn_fluid_->setup.state.volume : diagram.area;
   measures->neighbors.resize(diagram.size());
   for (std::size_t i = 0; i < diagram.size(); ++i) {
     std::uint32_t& count = measures->neighbors[i];

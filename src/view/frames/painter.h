@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "view/frames/fluid_run.h"
 #include "view/frames/renderer.h"
 #include "view/frames/wish.h"
 #include "vorpipe.h"
@@ -40,6 +41,8 @@ class Painter {
   Renderer compared_;        ///< the other one, while two are compared
   RenderOptions painted_{};  ///< the last picture
   FixedSites measured_{};
+  FixedFluid drawn_fluid_{};
+  FluidRun fluid_{};
   std::optional<Relaxation> relaxation_;
   FixedSites relaxed_{};         ///< where it has come to
   FixedSites relaxed_before_{};  ///< a step earlier

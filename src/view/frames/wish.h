@@ -30,6 +30,9 @@ struct Wish {
   Motion motion = Motion::rests;  ///< sites take a step before the picture is drawn, unless they rest
   RelaxMethod method = RelaxMethod::lloyd;
   std::shared_ptr<const Density> density{};  ///< may be null
+  FixedFluid fluid{};  ///< that the sites are of, which flows instead of relaxing; null: they are no fluid's
+  FlowColor flow_color = FlowColor::none;
+  std::vector<Stroke> strokes{};  ///< through it, up to the latest: those that it does not have yet count
 };
 
 /// A picture.
@@ -38,7 +41,12 @@ struct Frame {
   FixedSites sites{};         ///< that are drawn
   FixedSites relaxed_from{};  ///< null: `sites` are those of the wish; else they moved one step from these
   std::optional<RelaxStep> step{};
-  bool relaxed = false;  ///< there is nothing more to move
+  bool relaxed = false;     ///< there is nothing more to move
+  FixedFluid fluid{};       ///< that is drawn, and `sites` are of
+  FixedFluid fluid_from{};  ///< what it was before the wish; the same where it has not changed
+  FlowColor flow_color = FlowColor::none;
+  bool flowed = false;              ///< by a step
+  std::optional<FluidEnd> ended{};  ///< why there was no step, where one was wished
   RenderOptions picture{};
   std::shared_ptr<const Rendering> rendering{};
   std::shared_ptr<const Image>
@@ -55,12 +63,14 @@ struct Measures {
   std::vector<std::uint32_t> neighbors{};
 };
 
-/// A file that is to be written: a picture, or where it ends in .csv, the sites.
+/// A file that is to be written: a picture, or where it ends in .csv, the sites, in .npz, the fluid.
 struct Save {
   std::string path;
   FixedSites sites{};
   RenderOptions picture{};
   std::shared_ptr<const Rendering> rendering{};  ///< for pixels
+  FixedFluid fluid{};                            ///< that the sites are of, if there is one
+  FlowColor flow_color = FlowColor::none;
 };
 
 /// What is in a file that was to be loaded: sites, or a density for relaxing.

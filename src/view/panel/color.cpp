@@ -12,6 +12,7 @@ namespace {
 
 // In the order of their enumerations.
 const std::array<std::string, 4> color_names{"site", "area", "neighbors", "weight"};
+const std::array<std::string, 3> flow_names{"off", "density", "speed"};
 const std::array<std::string, 4> scale_names{"auto", "linear", "log", "quantile"};
 
 void drawMaps(Widgets& widgets, RenderOptions& picture) {
@@ -56,9 +57,20 @@ void drawColor(PanelFrame& frame) {
   Widgets& widgets = frame.widgets;
   RenderOptions& picture = frame.answer.settings.picture;
   if (!widgets.group("Color")) return;
-  const int color = widgets.choice("Color", color_names, static_cast<int>(picture.color));
-  if (color >= 0) colorBy(static_cast<ColorBy>(color), picture);
-  const bool by_site = picture.color == ColorBy::site;
+  FlowColor& flow = frame.answer.settings.flow_color;
+  const bool by_flow = frame.input.fluid && flow != FlowColor::none;
+  const int color = widgets.choice("Color", color_names, by_flow ? -1 : static_cast<int>(picture.color));
+  if (color >= 0) {
+    colorBy(static_cast<ColorBy>(color), picture);
+    flow = FlowColor::none;
+  }
+  if (frame.input.fluid) {
+    widgets.row("Fluid");
+    const int by = widgets.choice("Flow", flow_names, static_cast<int>(flow));
+    if (by >= 0) flow = static_cast<FlowColor>(by);
+    widgets.tooltip("Colors by what flows, in place of those above");
+  }
+  const bool by_site = picture.color == ColorBy::site && !by_flow;
   widgets.row("Scale");
   const int scale = widgets.choice("Scale", scale_names, static_cast<int>(picture.color_scale), !by_site);
   if (scale >= 0) picture.color_scale = static_cast<ColorScale>(scale);

@@ -21,6 +21,7 @@ void drawShow(PanelFrame& frame);     ///< which marks a picture has
 void drawColor(PanelFrame& frame);    ///< what colors stand for
 /// `energies` are those of the steps so far, over the hexagonal lattice's.
 void drawRelax(PanelFrame& frame, const std::vector<float>& energies);
+void drawFluid(PanelFrame& frame);   ///< the fluid, or how to begin one
 void drawDevice(PanelFrame& frame);  ///< what computes
 void drawTimes(PanelFrame& frame);   ///< what frames take
 
@@ -30,6 +31,8 @@ void drawTip(PanelFrame& frame);
 void drawHelp(PanelFrame& frame);
 /// The line between the pictures of two backends.
 void drawWipe(const PanelFrame& frame);
+/// The circle that stirs a fluid.
+void drawBrush(const PanelFrame& frame);
 /// The message, at the bottom of the window.
 void drawMessage(PanelFrame& frame);
 

@@ -99,6 +99,15 @@ void drawWipe(const PanelFrame& frame) {
   name(input.compared->by, at + 2 * pad);
 }
 
+void drawBrush(const PanelFrame& frame) {
+  const BrushShown& brush = *frame.input.fluid->brush;
+  const ImVec2 middle{static_cast<float>(brush.middle.x), static_cast<float>(brush.middle.y)};
+  const auto radius = static_cast<float>(brush.radius);
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  list.AddCircle(middle, radius, IM_COL32(0, 0, 0, 150), 0, frame.widgets.px(3));
+  list.AddCircle(middle, radius, IM_COL32(255, 255, 255, 220), 0, frame.widgets.px(1));
+}
+
 void drawMessage(PanelFrame& frame) {
   Widgets& widgets = frame.widgets;
   const PanelInput& input = frame.input;

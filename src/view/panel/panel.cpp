@@ -149,7 +149,8 @@ void Panel::State::drawWindow(PanelFrame& frame) {
   drawCell(frame);
   drawShow(frame);
   drawColor(frame);
-  drawRelax(frame, energies);
+  if (!frame.input.fluid) drawRelax(frame, energies);
+  drawFluid(frame);
   drawDevice(frame);
   drawTimes(frame);
   ImGui::End();
@@ -172,7 +173,9 @@ void Panel::State::drawFrame(const PanelInput& input, PanelAnswer& answer) {
   if (!input.message.empty()) drawMessage(frame);
   if (input.compared) drawWipe(frame);
   list_open = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-  if (answer.settings.panel && holder == Holder::none && !list_open && !covers(pointer)) drawTip(frame);
+  const bool is_free = !list_open && !covers(pointer);
+  if (is_free && input.fluid && input.fluid->brush && holder != Holder::panel) drawBrush(frame);
+  if (is_free && answer.settings.panel && holder == Holder::none) drawTip(frame);
   ImGui::Render();
   types = io.WantTextInput;
 }

@@ -15,6 +15,7 @@
 #include "view/events/event.h"
 #include "view/window/presenter.h"
 #include "vorpipe/cells.h"
+#include "vorpipe/fluid.h"
 
 namespace vorpipe::view {
 
@@ -39,6 +40,21 @@ struct Compared {
   std::string by{};  ///< "cpu on 2 threads": the other one
 };
 
+/// What stirs a fluid, in the window.
+struct BrushShown {
+  Place middle{};
+  double radius = 0;  ///< in pixels
+};
+
+/// A fluid.
+struct FluidShown {
+  std::string name;  ///< a case, or a file
+  FluidOptions options{};
+  FluidStep last{};
+  double steps_per_second = 0;  ///< 0: it rests
+  std::optional<BrushShown> brush{};
+};
+
 struct PanelInput {
   Settings settings;
   std::optional<Hovered> hovered{};
@@ -47,6 +63,7 @@ struct PanelInput {
   std::string presenter{}, message{};  ///< what presents; what was saved or went wrong last, or empty
   std::uint64_t sites = 0;
   std::optional<RelaxStep> relaxed{};  ///< the last step
+  std::optional<FluidShown> fluid{};   ///< none: sites are no fluid's
   std::optional<Compared> compared{};
   bool can_undo = false, can_redo = false;
   int width = 0, height = 0;  ///< of the window
@@ -59,6 +76,8 @@ struct PanelInput {
 struct PanelAnswer {
   Settings settings;                               ///< as the panel has changed them
   std::vector<Action> actions;                     ///< after the settings have changed
+  std::optional<FluidCase> begins{};               ///< is to take the place of all sites
+  std::optional<FluidOptions> flows_by{};          ///< are the fluid's from now on
   bool takes_pointer = false, takes_keys = false;  ///< the window is not to have them
   bool new_texture = false;  ///< another scale: the presenter needs texture() before this frame is shown
 };

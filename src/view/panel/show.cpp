@@ -69,9 +69,12 @@ void drawShow(PanelFrame& frame) {
   widgets.tooltip("The number of each site, where there is room for it");
   ImGui::SameLine();
   const bool by_site = picture.color == ColorBy::site;
-  widgets.toggle("Legend", Widgets::share(1), picture.legend, !by_site && settings.cells);
+  const bool by_flow = frame.input.fluid && settings.flow_color != FlowColor::none;
+  widgets.toggle("Legend", Widgets::share(1), picture.legend, !by_site && !by_flow && settings.cells);
   if (!settings.cells) {
     widgets.tooltip("White cells have no colors to explain");
+  } else if (by_flow) {
+    widgets.tooltip("Colors by density and speed have no legend");
   } else if (by_site) {
     widgets.tooltip("Colors by site stand for nothing");
   }

@@ -1,6 +1,7 @@
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <algorithm>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -136,6 +137,32 @@ TEST(FreeCells, PixelsAtTheSurfaceAreCoveredInPart) {
   double covered = 0;
   for (const std::uint32_t rgba : drawn->image.rgba) covered += (rgba >> 24) / 255.0;
   EXPECT_NEAR(covered / 1600, half_turn * 0.09, 2e-3);
+}
+
+TEST(FreeCells, AirIsWhiteWithWhateverWasDrawnThere) {
+  Session session = cpuSession();
+  const Sites sites{{0.5}, {0.5}, {0.09}};
+  RenderOptions options{};
+  options.domain = {0, 0, 1, 1};
+  options.width = options.height = 40;
+  options.show_sites = options.labels = true;
+  for (const int antialias : {1, 4}) {
+    options.antialias = antialias;
+    auto drawn = session.render(sites, options);
+    ASSERT_TRUE(drawn);
+    const Image whole = drawn->image;
+    whitenAir(sites, options, drawn->image);
+    const std::uint32_t white = 0xFFFFFFFF;
+    EXPECT_EQ(drawn->image.rgba.front(), white);
+    EXPECT_EQ(drawn->image.ids.front(), no_site);
+    const std::size_t middle = 20 * 40 + 20;
+    EXPECT_EQ(drawn->image.rgba[middle], whole.rgba[middle]);
+    EXPECT_EQ(drawn->image.ids[middle], 0U);
+    const bool mixed = std::ranges::any_of(drawn->image.rgba, [&](std::uint32_t rgba) {
+      return rgba != white && std::ranges::find(whole.rgba, rgba) == whole.rgba.end();
+    });
+    EXPECT_EQ(mixed, antialias > 1);
+  }
 }
 
 }  // namespace

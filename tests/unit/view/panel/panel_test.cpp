@@ -447,5 +447,49 @@ TEST_F(PanelTest, TheSameIsDrawnAlike) {
   }
 }
 
+TEST_F(PanelTest, AFluidIsBegunAndChanged) {
+  EXPECT_FALSE(panel_.places().contains("Brush"));
+  click("Case");
+  EXPECT_EQ(click("Case/dam-break").begins, FluidCase::dam_break);
+  input_.fluid = FluidShown{"rayleigh-taylor", fluidCase(FluidCase::rayleigh_taylor, 64).options};
+  draw();
+  EXPECT_FALSE(panel_.places().contains("Method")) << "it does not relax";
+  EXPECT_EQ(click("Run").actions, std::vector{Action::run});
+  EXPECT_EQ(click("Step").actions, std::vector{Action::step});
+  EXPECT_EQ(click("Begin again").actions, std::vector{Action::begin_again});
+  EXPECT_EQ(click("Scheme/projection").flows_by->scheme, FluidScheme::projection);
+  EXPECT_FALSE(click("Scheme/springs").flows_by);
+  EXPECT_NEAR(click("Gravity").flows_by->gravity.y, 0, 0.5);
+  click("Brush");
+  EXPECT_NEAR(input_.settings.brush.radius, 0.25, 0.03);
+  click("Push");
+  EXPECT_NEAR(input_.settings.brush.push, 2.5, 0.3);
+  EXPECT_EQ(click("Parcels/512").begins, FluidCase::rayleigh_taylor);
+  EXPECT_EQ(input_.settings.parcels, 512U);
+  click("Flow/speed");
+  EXPECT_EQ(input_.settings.flow_color, FlowColor::speed);
+  click("Color/area");
+  EXPECT_EQ(input_.settings.flow_color, FlowColor::none);
+  input_.fluid->options.surface = Surface::free;
+  EXPECT_FALSE(click("Scheme/projection").flows_by) << "it has a free surface";
+}
+
+TEST_F(PanelTest, TheBrushIsSeenBesideThePanelAlone) {
+  input_.fluid = FluidShown{"shear", fluidCase(FluidCase::shear, 64).options};
+  draw();
+  panel_.take(Move{{900, 500}});
+  draw();
+  const std::size_t without = triangles_.indices.size();
+  input_.fluid->brush = BrushShown{{900, 500}, 40};
+  draw();
+  EXPECT_GT(triangles_.indices.size(), without);
+  panel_.take(Move{middleOf("Show")});
+  draw();
+  const std::size_t over_panel = triangles_.indices.size();
+  input_.fluid->brush.reset();
+  draw();
+  EXPECT_EQ(triangles_.indices.size(), over_panel);
+}
+
 }  // namespace
 }  // namespace vorpipe::view
