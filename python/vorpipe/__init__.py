@@ -3,9 +3,9 @@
     diagram = vorpipe.cells(points)
 
 `cells` computes them as data, a `Diagram`; `render` draws a `Picture`, `draw` a file of shapes; `relax` moves points
-to where cells are alike; `transport` finds the weights that give cells their masses; a `Fluid` flows. `read` has the points of a file,
-with all that it says of them. `Session` keeps a device for many runs. `vorpipe.compat` has scipy.spatial's Voronoi and
-Delaunay. Lengths are in the points' own units, areas in their squares.
+to where cells are alike; `transport` finds the weights that give cells their masses; a `Fluid` flows. `read` has the
+points of a file, with all that it says of them. `Session` keeps a device for many runs. `vorpipe.compat` has
+scipy.spatial's Voronoi and Delaunay. Lengths are in the points' own units, areas in their squares.
 """
 from ._cell import BorderPart, Cell
 from ._diagram import Diagram, Status, Wall

@@ -98,12 +98,13 @@ class Fluid:
             progress: Optional[Progress] = None) -> _vorpipe.FluidStep:
         """Makes steps until that time, which is that of its end from now on, or some of them; returns the last.
 
-        A fluid that had ended goes on. `callback` is called after each step, and may use the fluid; returning False
+        A fluid that had ended goes on, without another time from then on without an end. `callback` is called after each step, and may use the fluid; returning False
         ends the run.
         """
         if steps is not None and (steps != int(steps) or steps < 0):
             raise _arguments.refuse('steps', f'{steps!r} is no number of steps')
-        to = self._fluid.until if until is None else float(until)
+        own = math.inf if self.end == 'time' else self._fluid.until
+        to = own if until is None else float(until)
         if math.isinf(to) and steps is None:
             raise _arguments.refuse('until', 'name the time at which it ends, or a number of steps')
         self._fluid.go_on(to, progress)
@@ -156,6 +157,7 @@ class Fluid:
 
     @property
     def time(self) -> float:
+        """Of the state."""
         return self._fluid.last.time
 
     @property

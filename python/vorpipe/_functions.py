@@ -63,8 +63,8 @@ def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
         repair: mends rings of the outline that cross themselves, which are refused otherwise.
         crs: the coordinate reference system of the points, as "EPSG:4326"; that of `Sites` is known.
         surface: "free" where air is around the cells: each ends at a disc around its point, whose squared radius is
-            the weight. Arcs are lines, whose neighbor is `Wall.OUTLINE`; `Cell.border` has them. There are no triangles;
-            outlines, periods, densities and `check` are not for it yet.
+            the weight. Arcs are lines, whose neighbor is `Wall.OUTLINE`; `Cell.border` has them. There are no
+            triangles; outlines, periods, densities and `check` are not for it yet.
 
     Ctrl-C stops it, other threads of Python go on meanwhile.
 

@@ -810,8 +810,9 @@ typedef struct vorpipe_fluid_run_options {
   vorpipe_fluid_watch watch;
   void* watch_user;
 } vorpipe_fluid_run_options;
-/* Makes steps until the fluid ends, which a time or a number of steps must do. A fluid that had ended goes
- * on: where a step was cancelled, or its areas were not found, from before that. */
+/* Makes steps until the fluid ends, which a time or a number of steps must do. One that had ended goes on:
+ * without another time from then on without an end; and where a step was cancelled, or its areas were not
+ * found, from before that. */
 VORPIPE_API vorpipe_code vorpipe_fluid_run(vorpipe_fluid* fluid, const vorpipe_fluid_run_options* options);
 /* Adds to the velocities of all sites: `count` pairs of x and y. */
 VORPIPE_API vorpipe_code vorpipe_fluid_push(vorpipe_fluid* fluid, const double* velocities, uint64_t count);

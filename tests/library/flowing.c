@@ -83,6 +83,16 @@ static void steps_of_a_vortex(vorpipe_session* session) {
   run.watch_user = &calls;
   DONE(vorpipe_fluid_run(fluid, &run));
   PROMISE(calls == 3 && vorpipe_fluid_ended(fluid) == VORPIPE_FLUID_GOES_ON);
+  run.watch = NULL;
+  run.has_until = 1;
+  run.until = 0.2;
+  DONE(vorpipe_fluid_run(fluid, &run));
+  run.has_until = 0;
+  REFUSED(VORPIPE_INPUT, "until", vorpipe_fluid_run(fluid, &run));
+  run.steps = 1;
+  DONE(vorpipe_fluid_run(fluid, &run));
+  DONE(vorpipe_fluid_last(fluid, &figures));
+  PROMISE(figures.time > 0.2);
   vorpipe_fluid_free(fluid);
 }
 

@@ -1,4 +1,4 @@
-"""Fluids: arrays, steps, calls after each, what stops them, and the same bytes from Python and from the command line."""
+"""Fluids: arrays, steps, calls after each, what stops them, and the same bytes as the program; free surfaces."""
 import os
 import pathlib
 import signal
@@ -105,16 +105,19 @@ def test_it_knows_its_session():
 
 def test_wrong_arguments_are_refused_by_name():
     points = vorpipe.generate('random', 10)
-    for words, arguments in (('velocities: shape', {'velocities': np.ones((9, 2))}), ('volumes', {'volumes': np.zeros(10)}),
-                             ('velocities: they', {'velocities': np.full((10, 2), np.nan)}), ('scheme', {'scheme': 'sph'}),
-                             ('densities', {'densities': np.ones(9)}), ('gravity', {'gravity': 9.81}),
-                             ('step', {'step': -1}), ('epsilon', {'epsilon': np.nan}), ('until', {'until': np.nan}),
-                             ('tolerance', {'tolerance': 0}), ('volume', {'surface': 'free'}), ('domain', {'domain': 'hull'}),
-                             ('parcels', {'parcels': 10}), ('scheme', {'surface': 'free', 'scheme': 'projection'})):
+    for words, arguments in (('velocities: shape', {'velocities': np.ones((9, 2))}),
+                             ('velocities: they', {'velocities': np.full((10, 2), np.nan)}),
+                             ('volumes', {'volumes': np.zeros(10)}), ('densities', {'densities': np.ones(9)}),
+                             ('scheme', {'scheme': 'sph'}), ('gravity', {'gravity': 9.81}), ('step', {'step': -1}),
+                             ('epsilon', {'epsilon': np.nan}), ('until', {'until': np.nan}),
+                             ('tolerance', {'tolerance': 0}), ('volume', {'surface': 'free'}),
+                             ('domain', {'domain': 'hull'}), ('parcels', {'parcels': 10}),
+                             ('scheme', {'surface': 'free', 'scheme': 'projection'})):
         with pytest.raises(vorpipe.InputError, match=f'^{words}'):
             vorpipe.Fluid(points, **{'domain': UNIT, **arguments})
-    for words, name, arguments in (('begin', 'dam', {}), ('domain', 'shear', {'domain': UNIT}), ('parcels', 'shear', {'parcels': 1}),
-                                   ('none.npz', 'none.npz', {}), ('parcels', 'none.npz', {'parcels': 9})):
+    for words, name, arguments in (('begin', 'dam', {}), ('domain', 'shear', {'domain': UNIT}),
+                                   ('parcels', 'shear', {'parcels': 1}), ('none.npz', 'none.npz', {}),
+                                   ('parcels', 'none.npz', {'parcels': 9})):
         with pytest.raises(vorpipe.InputError, match=f'^{words}'):
             vorpipe.Fluid(name, **arguments)
     fluid = vorpipe.Fluid(points, domain=UNIT)
@@ -155,8 +158,8 @@ def test_program_and_python_write_the_same_bytes(tmp_path):
     program = pathlib.Path(os.environ.get('VORPIPE_PROGRAM', ''))
     if not program.is_file():
         pytest.skip('the program is not built')
-    subprocess.run([program, 'fluid', '--case', 'dam-break', '--particles', '100', '--steps', '3', '--quiet',
-                    '--checkpoint', 'cli.npz', '-o', 'cli.csv'], check=True, cwd=tmp_path)
+    subprocess.run([program, 'fluid', '--backend', 'cpu', '--case', 'dam-break', '--particles', '100', '--steps', '3',
+                    '--quiet', '--checkpoint', 'cli.npz', '-o', 'cli.csv'], check=True, cwd=tmp_path)
     fluid = vorpipe.Fluid('dam-break', parcels=100)
     fluid.run(steps=3)
     for name in ('npz', 'csv'):

@@ -89,8 +89,10 @@ Result<vorpipe_array> arrayOf(const vorpipe_fluid& fluid, vorpipe_fluid_field fi
 Result<void> run(Fluid& fluid, const vorpipe_fluid_run_options* given) {
   const auto wanted = taken(given, "vorpipe_fluid_run_options");
   if (!wanted) return tl::unexpected(wanted.error());
-  const double until = wanted->has_until != 0 ? wanted->until : fluid.options().until;
-  if (until == std::numeric_limits<double>::infinity() && wanted->steps == 0) {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const double usual = fluid.end() == FluidEnd::time ? never : fluid.options().until;
+  const double until = wanted->has_until != 0 ? wanted->until : usual;
+  if (until == never && wanted->steps == 0) {
     return inputError("until: name when to end, or a number of steps");
   }
   if (auto on = fluid.goOn(until); !on) return on;
