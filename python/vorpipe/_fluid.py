@@ -24,7 +24,8 @@ class Fluid:
         vorpipe.Fluid("state.npz")
 
     Arrays are read-only and of the state as it is when they are asked for; later steps do not change them. Options that
-    are None are as the case or the file has them, or else as said below. Any thread may use it.
+    are None are as the case or the file has them, or else as said below. Any thread may use it, while its session is
+    open.
 
     Args:
         begin: (N, 2), the points; "taylor-green", "gresho", "shear", "rayleigh-taylor" or "dam-break"; or an .npz file
@@ -98,8 +99,8 @@ class Fluid:
             progress: Optional[Progress] = None) -> _vorpipe.FluidStep:
         """Makes steps until that time, which is that of its end from now on, or some of them; returns the last.
 
-        A fluid that had ended goes on, without another time from then on without an end. `callback` is called after each step, and may use the fluid; returning False
-        ends the run.
+        A fluid that had ended goes on, without another time from then on without an end. `callback` is called after
+        each step, and may use the fluid; returning False ends the run.
         """
         if steps is not None and (steps != int(steps) or steps < 0):
             raise _arguments.refuse('steps', f'{steps!r} is no number of steps')
