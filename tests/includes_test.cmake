@@ -15,6 +15,7 @@ set(kinds
     "^backend/opengl/[^/]*$"
     "^backend/[^/]*$"
     "^selftest/"
+    "^c/moving/"
     "^c/"
     "^cli/[^/]*$")
 set(may_include
@@ -27,7 +28,8 @@ set(may_include
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|backend/opengl/.*|layout\\.glsl|shaders\\.h)$"
     "^(vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl)$"
     "^(vorpipe\\.h|vorpipe/selftest\\.h|selftest/.*)$"
-    "^(vorpipe\\.h|vorpipe/(fluid|free_surface|masses|selftest|shapes|stipple)\\.h|vorpipe_c\\.h|c/.*|io/.*|selftest/selftest_json\\.h)$"
+    "^(vorpipe\\.h|vorpipe/(fluid|masses)\\.h|c/.*|io/.*)$"
+    "^(vorpipe\\.h|vorpipe/(fluid|free_surface|selftest|shapes)\\.h|vorpipe_c\\.h|c/[^/]*|io/.*|selftest/selftest_json\\.h)$"
     "^(vorpipe\\.h|cli/.*)$")
 
 # Adds the rooms of a folder: a room may include itself, those that it uses, each of which comes before it, and

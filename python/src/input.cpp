@@ -178,14 +178,15 @@ void defineInput(py::module_& module) {
       .def(py::init([](const GivenPoints& points, const std::optional<Numbers>& weights,
                        const DomainArguments& domain, const std::string& periodic,
                        const std::optional<Numbers>& density, const std::shared_ptr<Attributes>& attributes,
-                       const std::optional<SystemArguments>& system) {
+                       const std::optional<SystemArguments>& system, bool free_surface) {
              auto input = inputOf(points, weights, domain, periodic, system);
+             input->surface = free_surface ? Surface::free : Surface::none;
              if (density) input->density = densityOf(*density);
              if (attributes) input->attributes = attributes;
              return input;
            }),
            py::arg("points"), py::arg("weights"), py::arg("domain"), py::arg("periodic"), py::arg("density"),
-           py::arg("attributes").none(true), py::arg("system"))
+           py::arg("attributes").none(true), py::arg("system"), py::arg("free_surface"))
       .def("__len__", [](const Input& input) { return input.sites.size(); })
       .def_property_readonly("points", &givenPoints)
       .def_property_readonly("weights",

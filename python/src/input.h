@@ -25,6 +25,7 @@ namespace py = pybind11;
 /// Never changed after it was made: runs on several threads may share one, and results keep it. With a
 /// projection, sites and domain are in its plane.
 struct Input : PlacedSites {
+  Surface surface = Surface::none;
   Density density{};
   SharedAttributes attributes{};  ///< may be null
 };

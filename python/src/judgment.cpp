@@ -15,14 +15,20 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
+void refuseAir(const Input& input) {
+  if (input.surface == Surface::free) raiseInput("check", "of a free surface nothing is verified yet");
+}
+
 /// Verifying knows no progress: Ctrl-C leaves it to itself.
 Lines brokenInCells(const std::shared_ptr<CellsResult>& result, int threads) {
+  refuseAir(*result->input);
   return valueOf(watched<Lines>(py::none(), [result, threads](Watch&) {
     return check(result->input->sites, result->options, result->diagram, threads);
   }));
 }
 
 Lines brokenInPicture(const std::shared_ptr<PictureResult>& result, int threads) {
+  refuseAir(*result->input);
   return valueOf(watched<Lines>(py::none(), [result, threads](Watch&) {
     return check(result->input->sites, result->options, result->rendering, threads);
   }));

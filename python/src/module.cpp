@@ -2,6 +2,7 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include "flowing.h"
 #include "input.h"
 #include "results.h"
 #include "session.h"
@@ -28,6 +29,7 @@ PYBIND11_MODULE(_vorpipe, module) {
   defineRelaxing(module);
   defineTransporting(module);
   defineSession(module);
+  defineFlowing(module);
   defineJudgment(module);
   defineForecast(module);
   defineSelftest(module);

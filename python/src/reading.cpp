@@ -4,13 +4,17 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "arrays.h"
 #include "errors.h"
 #include "io/cells/cells_file.h"
 #include "io/files/byte_sink.h"
 #include "results.h"
+#include "vorpipe/free_surface.h"
 
 namespace vorpipe::python {
 namespace {
@@ -59,6 +63,16 @@ std::shared_ptr<PlaceFinder> locatorOf(const CellsResult& cells, int threads) {
   return std::make_shared<PlaceFinder>(PlaceFinder{cells.input, valueOf(std::move(made))});
 }
 
+/// Of a free surface: takes away sites whose discs do not reach their places.
+void leaveOutAir(const Sites& sites, std::span<const Point> places, std::vector<std::uint32_t>& found) {
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const std::uint32_t i = found[k];
+    if (i == no_site) continue;
+    const double dx = places[k].x - sites.x[i], dy = places[k].y - sites.y[i];
+    if (sites.weight.empty() || dx * dx + dy * dy > sites.weight[i]) found[k] = no_site;
+  }
+}
+
 /// Places are of shape (P, 2), without gaps; in degrees, if the cells are of a projection.
 py::array find(const PlaceFinder& finder, const py::array_t<double, py::array::c_style>& places) {
   const auto count = static_cast<std::size_t>(places.shape(0));
@@ -66,16 +80,32 @@ py::array find(const PlaceFinder& finder, const py::array_t<double, py::array::c
   const auto* first = reinterpret_cast<const Point*>(places.data());
   {
     const py::gil_scoped_release no_gil;
+    std::vector<Point> in_plane;
+    std::span<const Point> given(first, count);
     if (const auto& projection = finder.input->projection) {
-      std::vector<Point> in_plane(count);
+      in_plane.resize(count);
       std::transform(first, first + count, in_plane.begin(),
                      [&](const Point& place) { return projection->toPlane(place); });
-      finder.locator.at(in_plane, sites);
-    } else {
-      finder.locator.at({first, count}, sites);
+      given = in_plane;
     }
+    finder.locator.at(given, sites);
+    if (finder.input->surface == Surface::free) leaveOutAir(finder.input->sites, given, sites);
   }
   return arrayOf<std::uint32_t>(std::move(sites));
+}
+
+/// The line around a cell of a free surface, in the plane: from, to, the angle of an arc, whose it is.
+py::list borderOfCell(const CellsResult& cells, std::size_t site) {
+  if (cells.input->surface != Surface::free) raiseInput("surface", "the cells have none that is free");
+  const Sites& sites = cells.input->sites;
+  py::list parts;
+  for (const BorderPart& part : borderOf(Cell(cells.diagram, site), {sites.x[site], sites.y[site]})) {
+    const auto& projection = cells.input->projection;
+    const Point from = projection ? projection->toDegrees(part.from) : part.from;
+    const Point to = projection ? projection->toDegrees(part.to) : part.to;
+    parts.append(py::make_tuple(std::pair(from.x, from.y), std::pair(to.x, to.y), part.angle, part.neighbor));
+  }
+  return parts;
 }
 
 }  // namespace
@@ -92,6 +122,7 @@ void defineReading(py::module_& module) {
       .def("find", &find, py::arg("places"));
   module.def("topology_of", &topologyOfCells, py::arg("cells"), py::arg("threads"));
   module.def("locator_of", &locatorOf, py::arg("cells"), py::arg("threads"));
+  module.def("border_of_cell", &borderOfCell, py::arg("cells"), py::arg("site"));
   module.def("bytes_of", &bytesOf, py::arg("cells"), py::arg("extension"), py::arg("only_cells"));
 }
 

@@ -50,6 +50,7 @@ struct RelaxResult {
 
 struct TransportResult {
   std::shared_ptr<const Input> input;  ///< as the sites were given
+  Surface surface;
   Transported found;
 };
 

@@ -11,6 +11,7 @@
 #include "choices.h"
 #include "errors.h"
 #include "session_options.h"
+#include "vorpipe/free_surface.h"
 #include "vorpipe/masses.h"
 
 namespace vorpipe::python {
@@ -72,7 +73,10 @@ std::shared_ptr<CellsResult> SharedSession::find(const std::shared_ptr<const Inp
       [input, options = std::move(options), threads = threads_](
           Session& session, const Progress& heard) mutable -> Result<std::shared_ptr<CellsResult>> {
         options.progress = heard;
-        auto diagram = session.cells(input->sites, options);
+        const bool has_air = input->surface == Surface::free;
+        if (has_air) options.detail = Detail::polygons;
+        auto diagram =
+            has_air ? freeCells(session, input->sites, options) : session.cells(input->sites, options);
         if (!diagram) return tl::unexpected(std::move(diagram.error()));
         options.progress = nullptr;
         return std::make_shared<CellsResult>(
@@ -98,6 +102,10 @@ std::shared_ptr<PictureResult> SharedSession::render(const std::shared_ptr<const
         options.progress = heard;
         auto rendering = session.render(input->sites, options);
         if (!rendering) return tl::unexpected(std::move(rendering.error()));
+        if (input->surface == Surface::free) {
+          auto taken = takeOutAir(input->sites, options, rendering->image, session.threads());
+          if (!taken) return tl::unexpected(std::move(taken.error()));
+        }
         options.progress = nullptr;
         return std::make_shared<PictureResult>(
             PictureResult{input, std::move(options), std::move(*rendering)});
@@ -181,10 +189,15 @@ std::shared_ptr<TransportResult> SharedSession::transport(const std::shared_ptr<
           return told == nullptr || told->call(step);
         });
         if (!found) return tl::unexpected(std::move(found.error()));
-        return std::make_shared<TransportResult>(TransportResult{input, std::move(*found)});
+        return std::make_shared<TransportResult>(TransportResult{input, options.surface, std::move(*found)});
       });
   if (told != nullptr && told->raised) std::rethrow_exception(told->raised);
   return result;
+}
+
+void SharedSession::run(const py::object& progress,
+                        std::function<Result<void>(Session&, const Progress&)> work) {
+  use<void>(progress, std::move(work));
 }
 
 Arithmetic SharedSession::arithmetic() {

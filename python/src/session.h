@@ -40,6 +40,8 @@ class SharedSession : public std::enable_shared_from_this<SharedSession> {
   std::shared_ptr<TransportResult> transport(const std::shared_ptr<const Input>& input,
                                              const TransportArguments& given, const py::object& callback,
                                              const py::object& progress);
+  /// Work of others with the session, alone, on a thread of its own. Throws what it returns for an error.
+  void run(const py::object& progress, std::function<Result<void>(Session&, const Progress&)> work);
   Arithmetic arithmetic();
   DeviceInfo device();
   std::string choice();

@@ -54,6 +54,14 @@ void saveWeighted(const TransportResult& result, const std::string& path) {
   saveFile(path, [&](ByteSink& sink) { return writePoints(sink, output, format); });
 }
 
+/// The sites with their weights, for cells of the same surface.
+std::shared_ptr<Input> weightedInput(const TransportResult& result) {
+  auto input = std::make_shared<Input>(*result.input);
+  input->sites = result.found.sites;
+  input->surface = result.surface;
+  return input;
+}
+
 [[noreturn]] void refuse(const char* message) { raise({ErrorCode::input, message}); }
 
 template <class Value>
@@ -123,6 +131,9 @@ void defineTransporting(py::module_& module) {
                              })
       .def_property_readonly(
           "input", [](const TransportResult& result) { return std::const_pointer_cast<Input>(result.input); })
+      .def_property_readonly("weighted", &weightedInput)
+      .def_property_readonly("free_surface",
+                             [](const TransportResult& result) { return result.surface == Surface::free; })
       .def("save", &saveWeighted, py::arg("path"));
 }
 

@@ -3,13 +3,14 @@
     diagram = vorpipe.cells(points)
 
 `cells` computes them as data, a `Diagram`; `render` draws a `Picture`, `draw` a file of shapes; `relax` moves points
-to where cells are alike; `transport` finds the weights that give cells their masses. `read` has the points of a file,
-with all that it says of them. `Session` keeps a device for many runs. `vorpipe.compat` has scipy.spatial's Voronoi and
-Delaunay. Lengths are in the points' own units, areas in their squares.
+to where cells are alike; `transport` finds the weights that give cells their masses; a `Fluid` flows. `read` has the
+points of a file, with all that it says of them. `Session` keeps a device for many runs. `vorpipe.compat` has
+scipy.spatial's Voronoi and Delaunay. Lengths are in the points' own units, areas in their squares.
 """
-from ._cell import Cell
+from ._cell import BorderPart, Cell
 from ._diagram import Diagram, Status, Wall
 from ._errors import Cancelled, CheckError, DeviceError, Error, InputError
+from ._fluid import Fluid
 from ._functions import (Forecast, backends, cells, check, colormaps, compare, devices, draw, drawn_points, forecast,
                          generate, random_weights, read_sites, read_weights, relax, render, selftest, transport)
 from ._picture import Picture
@@ -21,8 +22,9 @@ from ._vorpipe import NO_SITE, __version__
 from ._warnings import InputWarning
 
 __all__ = [
-    'Cancelled', 'Cell', 'CheckError', 'DeviceError', 'Diagram', 'Error', 'Forecast', 'InputError', 'InputWarning',
-    'NO_SITE', 'Picture', 'Relaxed', 'Session', 'Sites', 'Status', 'Transported', 'Wall', '__version__', 'backends',
-    'cells', 'check', 'close_sessions', 'colormaps', 'compare', 'devices', 'draw', 'drawn_points', 'forecast',
-    'generate', 'random_weights', 'read', 'read_sites', 'read_weights', 'relax', 'render', 'selftest', 'transport'
+    'BorderPart', 'Cancelled', 'Cell', 'CheckError', 'DeviceError', 'Diagram', 'Error', 'Fluid', 'Forecast',
+    'InputError', 'InputWarning', 'NO_SITE', 'Picture', 'Relaxed', 'Session', 'Sites', 'Status', 'Transported', 'Wall',
+    '__version__', 'backends', 'cells', 'check', 'close_sessions', 'colormaps', 'compare', 'devices', 'draw',
+    'drawn_points', 'forecast', 'generate', 'random_weights', 'read', 'read_sites', 'read_weights', 'relax', 'render',
+    'selftest', 'transport'
 ]

@@ -198,6 +198,40 @@ def masses_of(value: Any) -> Floats:
     return array
 
 
+def vectors_of(argument: str, value: Any, count: int) -> Optional[Floats]:
+    """(N, 2), all finite."""
+    if value is None:
+        return None
+    array = points_of(value, argument)
+    if array.shape != (count, 2):
+        raise refuse(argument, f'shape {array.shape}, must be ({count}, 2): one row for each point')
+    if not np.isfinite(array).all():
+        raise refuse(argument, 'they are not all finite')
+    return array
+
+
+def positive_of(argument: str, value: Any, count: int) -> Optional[Floats]:
+    """(N,), all of them more than 0."""
+    if value is None:
+        return None
+    array = numbers(argument, value)
+    if array.shape != (count,):
+        raise refuse(argument, f'shape {array.shape}, must be ({count},): one for each point')
+    if not (np.isfinite(array) & (array > 0)).all():
+        raise refuse(argument, 'they are not all more than 0')
+    return array
+
+
+def gravity_of(value: Any) -> Optional[Tuple[float, float]]:
+    """(x, y)."""
+    if value is None:
+        return None
+    array = numbers('gravity', value)
+    if array.shape != (2,):
+        raise refuse('gravity', f'shape {array.shape}, must be 2 numbers: x, y')
+    return float(array[0]), float(array[1])
+
+
 def surface_of(value: Optional[str]) -> bool:
     """Whether it is free."""
     if value not in (None, 'free'):

@@ -1,15 +1,25 @@
 """One cell."""
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, List, Optional, Tuple
+from typing import TYPE_CHECKING, List, NamedTuple, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
 
+from . import _vorpipe
 from ._arguments import Floats
 
 if TYPE_CHECKING:
     from ._diagram import Diagram, Status
+
+
+class BorderPart(NamedTuple):
+    """A part of the line around a cell of a free surface, counter-clockwise."""
+
+    start: Tuple[float, float]
+    end: Tuple[float, float]
+    angle: float  #: of an arc around the point, up to a whole turn; 0: it is straight
+    neighbor: int  #: a point, or a `Wall`
 
 
 class Cell:
@@ -95,6 +105,10 @@ class Cell:
     def edge_lengths(self) -> Floats:
         """(K,)."""
         return self._diagram.edge_lengths[self._edges]
+
+    def border(self) -> List[BorderPart]:
+        """The line around it, of cells with surface="free": edges, and each arc as one part."""
+        return [BorderPart(*part) for part in _vorpipe.border_of_cell(self._diagram._cells, self.site)]
 
     def rings(self) -> List[Floats]:
         """Its rings, (K, 2) each: outer ones counter-clockwise, each followed by its holes, clockwise."""

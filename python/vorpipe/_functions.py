@@ -28,7 +28,8 @@ def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
           density: Any = None, outline: Any = None, backend: str = 'auto', device: Device = None,
           threads: Optional[int] = None, check: bool = False, detail: str = 'everything', search: str = 'grid',
           progress: Optional[Progress] = None, attributes: Optional[Mapping[str, Any]] = None,
-          project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None) -> Diagram:
+          project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None,
+          surface: Optional[str] = None) -> Diagram:
     """The cells of points: the Voronoi diagram, or with weights the power diagram, clipped to a domain.
 
     Args:
@@ -61,6 +62,9 @@ def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
             side.
         repair: mends rings of the outline that cross themselves, which are refused otherwise.
         crs: the coordinate reference system of the points, as "EPSG:4326"; that of `Sites` is known.
+        surface: "free" where air is around the cells: each ends at a disc around its point, whose squared radius is
+            the weight. Arcs are lines, whose neighbor is `Wall.OUTLINE`; `Cell.border` has them. There are no
+            triangles; outlines, periods, densities and `check` are not for it yet.
 
     Ctrl-C stops it, other threads of Python go on meanwhile.
 
@@ -75,7 +79,7 @@ def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
     session = _session(backend, device, threads, points)
     return session.cells(points, weights, domain, periodic=periodic, density=density, outline=outline, check=check,
                          detail=detail, search=search, progress=progress, attributes=attributes, project=project,
-                         margin=margin, repair=repair, crs=crs)
+                         margin=margin, repair=repair, crs=crs, surface=surface)
 
 
 def render(points: Any, weights: Any = None, domain: Any = None, size: Optional[Sequence[int]] = None,
@@ -87,7 +91,7 @@ def render(points: Any, weights: Any = None, domain: Any = None, size: Optional[
            dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None, margin: Margin = None,
            repair: bool = False, crs: Any = None, antialias: int = 1, dual: bool = False,
            labels: bool = False, label_size: float = 10, fill: bool = True,
-           view: Optional[Sequence[float]] = None) -> Picture:
+           view: Optional[Sequence[float]] = None, surface: Optional[str] = None) -> Picture:
     """A picture of the cells, and whose cell each pixel is in.
 
     Args:
@@ -122,7 +126,7 @@ def render(points: Any, weights: Any = None, domain: Any = None, size: Optional[
                           progress=progress, color_scale=color_scale, color_range=color_range, legend=legend,
                           edge_width=edge_width, dot_size=dot_size, fit=fit, project=project, margin=margin,
                           repair=repair, crs=crs, antialias=antialias, dual=dual, labels=labels,
-                          label_size=label_size, fill=fill, view=view)
+                          label_size=label_size, fill=fill, view=view, surface=surface)
 
 
 def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, size: Optional[Sequence[int]] = None,
@@ -134,7 +138,7 @@ def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, s
          dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None, margin: Margin = None,
          repair: bool = False, crs: Any = None, antialias: int = 1, dual: bool = False,
          labels: bool = False, label_size: float = 10, fill: bool = True,
-         view: Optional[Sequence[float]] = None) -> Diagram:
+         view: Optional[Sequence[float]] = None, surface: Optional[str] = None) -> Diagram:
     """Draws the cells as shapes, into a file: .svg or .pdf. Returns the cells, with detail="polygons".
 
     All arguments are as in `render`; the picture looks the same.
@@ -145,7 +149,7 @@ def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, s
                         progress=progress, color_scale=color_scale, color_range=color_range, legend=legend,
                         edge_width=edge_width, dot_size=dot_size, fit=fit, project=project, margin=margin,
                         repair=repair, crs=crs, antialias=antialias, dual=dual, labels=labels,
-                        label_size=label_size, fill=fill, view=view)
+                        label_size=label_size, fill=fill, view=view, surface=surface)
 
 
 def relax(points: Any, weights: Any = None, domain: Any = None, periodic: Union[None, bool, str] = None,

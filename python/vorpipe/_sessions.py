@@ -26,13 +26,15 @@ FEW_POINTS, FEW_PIXELS = 100_000, 4_000_000
 
 
 def input_of(points: Any, weights: Any, domain: _vorpipe.Domain, periodic: Union[None, bool, str],
-             density: Any = None, attributes: Any = None, crs: Any = None) -> _vorpipe.Input:
+             density: Any = None, attributes: Any = None, crs: Any = None,
+             surface: Optional[str] = None) -> _vorpipe.Input:
     table = table_of(points)
     given: Union[Floats, _vorpipe.Table] = _arguments.points_of(points) if table is None else table
     own = None if table is None else table.attributes
     made = _vorpipe.Input(given, _arguments.weights_of(weights, len(given)), domain,
                           _arguments.periodic_of(periodic), _arguments.density_of(density),
-                          _attributes.attributes_of(attributes, len(given), own), _crs.system_of(crs))
+                          _attributes.attributes_of(attributes, len(given), own), _crs.system_of(crs),
+                          _arguments.surface_of(surface))
     warn(made.notes)
     return made
 
@@ -70,10 +72,11 @@ class Session:
               periodic: Union[None, bool, str] = None, density: Any = None, outline: Any = None,
               check: bool = False, detail: str = 'everything', search: str = 'grid',
               progress: Optional[Progress] = None, attributes: Optional[Mapping[str, Any]] = None,
-              project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None) -> Diagram:
+              project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None,
+              surface: Optional[str] = None) -> Diagram:
         """As `vorpipe.cells`."""
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
-        given = input_of(points, weights, wanted, periodic, density, attributes, crs)
+        given = input_of(points, weights, wanted, periodic, density, attributes, crs, surface)
         method, neighbors = _arguments.search_of(search)
         diagram = Diagram(self._session.cells(given, detail, method, neighbors, progress))
         if check:
@@ -89,13 +92,13 @@ class Session:
                dot_size: Optional[float] = None, fit: Optional[str] = None, project: Project = None,
                margin: Margin = None, repair: bool = False, crs: Any = None, antialias: int = 1, dual: bool = False,
                labels: bool = False, label_size: float = 10, fill: bool = True,
-               view: Optional[Sequence[float]] = None) -> Picture:
+               view: Optional[Sequence[float]] = None, surface: Optional[str] = None) -> Picture:
         """As `vorpipe.render`."""
         look = _arguments.look_of(size, color, colormap, edges, show_sites, color_scale, color_range, legend,
                                   edge_width, dot_size, fit, search, antialias, dual, labels, label_size, fill,
                                   view)
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
-        given = input_of(points, weights, wanted, periodic, crs=crs)
+        given = input_of(points, weights, wanted, periodic, crs=crs, surface=surface)
         picture = Picture(self._session.render(given, look, progress))
         if check:
             raise_broken(picture.check(self._threads or None))
@@ -109,13 +112,13 @@ class Session:
              edge_width: float = 1, dot_size: Optional[float] = None, fit: Optional[str] = None,
              project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None,
              antialias: int = 1, dual: bool = False, labels: bool = False, label_size: float = 10,
-             fill: bool = True, view: Optional[Sequence[float]] = None) -> Diagram:
+             fill: bool = True, view: Optional[Sequence[float]] = None, surface: Optional[str] = None) -> Diagram:
         """As `vorpipe.draw`."""
         look = _arguments.look_of(size, color, colormap, edges, show_sites, color_scale, color_range, legend,
                                   edge_width, dot_size, fit, search, antialias, dual, labels, label_size, fill,
                                   view)
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
-        given = input_of(points, weights, wanted, periodic, crs=crs)
+        given = input_of(points, weights, wanted, periodic, crs=crs, surface=surface)
         cells = self._session.shapes(given, look, os.fspath(path), progress)
         diagram = Diagram(cells)
         if check:
@@ -153,7 +156,7 @@ class Session:
                                                 tolerance=float(tolerance),
                                                 diagrams=_arguments.iterations_of(diagrams, 'diagrams'), search=found,
                                                 neighbors=neighbors)
-        return Transported(self._session.transport(given, arguments, callback, progress))
+        return Transported(self._session.transport(given, arguments, callback, progress), self)
 
     @property
     def device(self) -> _vorpipe.DeviceInfo:

@@ -2,21 +2,26 @@
 from __future__ import annotations
 
 import os
-from typing import Any
+from typing import TYPE_CHECKING, Any, Callable, Optional
 
 import numpy.typing as npt
 
 from . import _vorpipe
 from ._arguments import Floats, PathLike
+from ._diagram import Diagram
+
+if TYPE_CHECKING:
+    from ._sessions import Session
 
 
 class Transported:
     """The weights that give each cell its mass, and the way to them; made by `transport`."""
 
-    __slots__ = ('_found', )
+    __slots__ = ('_found', '_session')
 
-    def __init__(self, found: _vorpipe.Transported) -> None:
+    def __init__(self, found: _vorpipe.Transported, session: Session) -> None:
         self._found = found
+        self._session = session
 
     def __len__(self) -> int:
         return len(self._found.input)
@@ -26,7 +31,8 @@ class Transported:
 
     @property
     def weights(self) -> Floats:
-        """(N,): `cells(points, weights)` has these masses."""
+        """(N,): `cells(points, weights)` has these masses; of a free surface `cells(points, weights,
+        surface="free")`."""
         return self._found.weights
 
     @property
@@ -71,6 +77,19 @@ class Transported:
     def report(self) -> _vorpipe.Report:
         """What the run did."""
         return self._found.report
+
+    @property
+    def surface(self) -> Optional[str]:
+        """ "free" where air is around the cells, else None."""
+        return 'free' if self._found.free_surface else None
+
+    def cells(self, detail: str = 'everything', progress: Optional[Callable[[str, float], Optional[bool]]] = None
+              ) -> Diagram:
+        """The cells that have these masses, in the same domain; with a free surface they end at discs.
+
+        Its session must be open. `detail` and `progress` are as in `vorpipe.cells`.
+        """
+        return Diagram(self._session._session.cells(self._found.weighted, detail, 'grid', 30, progress))
 
     def save(self, path: PathLike) -> None:
         """Writes the points, these weights and attributes: .csv, .txt, .npy, .geojson, .geojsonl, .gpkg or .wkt."""

@@ -119,6 +119,7 @@ vorpipe_code vorpipe_diagram_check(const vorpipe_diagram* diagram, int32_t threa
   return guarded([&] {
     const auto count = threadsOf(threads);
     if (!count) return fail(count.error());
+    if (diagram->has_air) return fail(VORPIPE_INPUT, "cells with a free surface cannot be checked yet");
     return tellBroken(checkCells(*diagram, *count), broken, user);
   });
 }
@@ -132,6 +133,7 @@ vorpipe_code vorpipe_picture_check(const vorpipe_picture* picture, int32_t threa
     if (picture->input == nullptr) {
       return fail(VORPIPE_INPUT, "a picture that was read cannot be checked: its sites are not known");
     }
+    if (picture->has_air) return fail(VORPIPE_INPUT, "pictures with a free surface cannot be checked yet");
     return tellBroken(check(*picture->input->sites, picture->options, picture->rendering, *count), broken,
                       user);
   });

@@ -11,6 +11,7 @@
 #include "c/placed_input.h"
 #include "c/shared_parts.h"
 #include "c/structs.h"
+#include "c/surface.h"
 
 namespace vorpipe::c {
 namespace {
@@ -83,12 +84,20 @@ vorpipe_code find(vorpipe_session& session, const vorpipe_input& input, const vo
   if (!placed) return fail(placed.error());
   auto options = cellsOptions(input, **placed, given);
   if (!options) return fail(options.error());
-  auto found = session.session.cells(*(*placed)->sites, *options);
+  auto found = cellsWith(input.surface, session.session, *(*placed)->sites, *options);
   if (!found) return fail(found.error());
   options->progress = nullptr;
   auto plane = takeToDegrees(**placed, *found, session.threads);
-  *diagram = new vorpipe_diagram{
-      *placed, input.attributes, std::move(*options), std::move(*found), std::move(plane), {}, {}};
+  *diagram = new vorpipe_diagram{*placed,
+                                 input.attributes,
+                                 std::move(*options),
+                                 std::move(*found),
+                                 std::move(plane),
+                                 input.surface == Surface::free,
+                                 {},
+                                 {},
+                                 {},
+                                 {}};
   return VORPIPE_DONE;
 }
 
@@ -119,7 +128,8 @@ vorpipe_code vorpipe_diagram_array(const vorpipe_diagram* diagram, vorpipe_diagr
   if (diagram == nullptr) return missing("diagram");
   if (array == nullptr) return missing("array");
   return guarded([&] {
-    const bool shared = field >= VORPIPE_SHARED_VERTICES && field <= VORPIPE_EDGE_CELLS;
+    if (field > VORPIPE_EDGE_CELLS) return give(borderArrayOf(*diagram, field), array);
+    const bool shared = field >= VORPIPE_SHARED_VERTICES;
     return give(shared ? sharedArrayOf(*diagram, field) : arrayOf(diagram->diagram, field), array);
   });
 }

@@ -8,6 +8,7 @@
 #include "c/handles.h"
 #include "c/options.h"
 #include "c/placed_input.h"
+#include "c/surface.h"
 #include "io/files/error.h"
 #include "io/pictures/picture_file.h"
 
@@ -34,7 +35,7 @@ Result<void> draw(vorpipe_session& session, const vorpipe_input& input, const vo
   CellsOptions cells = cellsOptions(*options);
   cells.detail = Detail::polygons;
   const Sites& sites = *(*placed)->sites;
-  const auto found = session.session.cells(sites, cells);
+  const auto found = cellsWith(input.surface, session.session, sites, cells);
   if (!found) return tl::unexpected(found.error());
   return format.write(to, {sites, *options, nullptr, &*found, (*placed)->domain.system, session.threads});
 }

@@ -15,6 +15,7 @@
 #include "io/attributes/coordinate_system.h"
 #include "io/domain/site_domain.h"
 #include "vorpipe.h"
+#include "vorpipe/fluid.h"
 
 struct vorpipe_devices {
   std::vector<vorpipe::DeviceInfo> infos;
@@ -39,6 +40,13 @@ struct PlanePositions {
   std::vector<Point> vertices, centroid, mass_centroid;
 };
 
+/// The lines around the cells of a free surface.
+struct Borders {
+  std::vector<std::uint64_t> offsets;
+  std::vector<std::array<double, 5>> parts;  ///< from, to, angle
+  std::vector<std::int64_t> neighbors;
+};
+
 }  // namespace vorpipe::c
 
 /// Diagrams and pictures share sites and attributes, which a change of the input replaces.
@@ -51,6 +59,7 @@ struct vorpipe_input {
   std::uint64_t skipped = 0;
   vorpipe::DomainSettings domain{};
   vorpipe::Periodic periodic = vorpipe::Periodic::none;
+  vorpipe::Surface surface = vorpipe::Surface::none;
   vorpipe::Density density{};
   mutable std::shared_ptr<const vorpipe::c::PlacedInput> placed;  ///< found when it is first needed
   mutable std::deque<std::string> notes;                          ///< what is in it stays where it is
@@ -62,12 +71,17 @@ struct vorpipe_diagram {
   vorpipe::CellsOptions options;  ///< of the run; without progress
   vorpipe::Diagram diagram;
   std::optional<vorpipe::c::PlanePositions> plane;  ///< of sites that are projected
+  bool has_air;                                     ///< whether discs have cut the cells
   mutable std::once_flag topology_once;
   mutable std::optional<vorpipe::Result<vorpipe::Topology>> topology;  ///< found when first asked for
+  mutable std::once_flag borders_once;
+  mutable vorpipe::c::Borders borders;  ///< likewise
 };
 
 struct vorpipe_locator {
   vorpipe::Locator locator;
+  std::shared_ptr<const vorpipe::Sites>
+      discs;  ///< beyond which there is air; none where cells fill the domain
   std::optional<vorpipe::Projection> projection;  ///< of places in degrees
 };
 
@@ -83,13 +97,22 @@ struct vorpipe_relaxation {
 struct vorpipe_transported {
   std::shared_ptr<const vorpipe::c::PlacedInput> placed;
   vorpipe_input input;
+  vorpipe::Surface surface;
   vorpipe::Transported found;
   std::vector<vorpipe::Point> centroids{};  ///< as the caller has places
   std::vector<std::array<double, 9>> trace{};
+};
+
+struct vorpipe_fluid {
+  std::shared_ptr<const vorpipe::c::PlacedInput> placed;
+  vorpipe_input input;
+  vorpipe::Fluid fluid;
+  mutable std::vector<vorpipe::Point> places{};  ///< of the sites, when they were last asked for
 };
 
 struct vorpipe_picture {
   std::shared_ptr<const vorpipe::c::PlacedInput> input;  ///< none where it was read
   vorpipe::RenderOptions options;                        ///< of the run; without progress
   vorpipe::Rendering rendering;
+  bool has_air = false;  ///< whether discs have cut the cells
 };

@@ -8,6 +8,7 @@
 #include "c/handles.h"
 #include "c/options.h"
 #include "c/placed_input.h"
+#include "c/surface.h"
 
 using namespace vorpipe;
 using namespace vorpipe::c;
@@ -26,7 +27,9 @@ vorpipe_code vorpipe_locator_create(const vorpipe_input* input, int32_t threads,
     if (!options) return fail(options.error());
     auto made = Locator::make(*(*placed)->sites, *options, *count);
     if (!made) return fail(made.error());
-    *locator = new vorpipe_locator{std::move(*made), (*placed)->domain.projection};
+    const bool has_air = input->surface == Surface::free;
+    *locator = new vorpipe_locator{std::move(*made), has_air ? (*placed)->sites : nullptr,
+                                   (*placed)->domain.projection};
     return vorpipe_code{VORPIPE_DONE};
   });
 }
@@ -39,15 +42,16 @@ vorpipe_code vorpipe_locator_find(const vorpipe_locator* locator, const double* 
   if (places == nullptr && count > 0) return missing("places");
   if (sites == nullptr && count > 0) return missing("sites");
   return guarded([&] {
-    const std::span given(reinterpret_cast<const Point*>(places), count);
-    if (!locator->projection) {
-      locator->locator.at(given, {sites, count});
-      return vorpipe_code{VORPIPE_DONE};
+    std::span given(reinterpret_cast<const Point*>(places), count);
+    std::vector<Point> plane;
+    if (locator->projection) {
+      plane.resize(count);
+      std::ranges::transform(given, plane.begin(),
+                             [&](Point place) { return locator->projection->toPlane(place); });
+      given = plane;
     }
-    std::vector<Point> plane(count);
-    std::ranges::transform(given, plane.begin(),
-                           [&](Point place) { return locator->projection->toPlane(place); });
-    locator->locator.at(plane, {sites, count});
+    locator->locator.at(given, {sites, count});
+    if (locator->discs != nullptr) leaveOutAir(*locator->discs, given.data(), count, sites);
     return vorpipe_code{VORPIPE_DONE};
   });
 }

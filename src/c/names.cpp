@@ -13,6 +13,7 @@
 #include "io/pictures/picture_file.h"
 #include "io/sites/sites_file.h"
 #include "vorpipe.h"
+#include "vorpipe/fluid.h"
 
 namespace vorpipe::c {
 namespace {
@@ -30,7 +31,7 @@ const char* nameOf(vorpipe_list list, std::size_t index) {
   static const auto backends = backendNames(), maps = colormaps(), features = featureNames(),
                     limits = limitNames(), cells = formats({cellsExtensions()}),
                     sites = formats({sitesExtensions()}), edges = formats({edgesExtensions()}),
-                    pictures = formats({pictureExtensions(), idsExtensions()});
+                    pictures = formats({pictureExtensions(), idsExtensions()}), cases = fluidCaseNames();
   switch (list) {
     case VORPIPE_BACKENDS:
       return textAt(backends, index);
@@ -48,6 +49,8 @@ const char* nameOf(vorpipe_list list, std::size_t index) {
       return textAt(edges, index);
     case VORPIPE_PICTURE_FORMATS:
       return textAt(pictures, index);
+    case VORPIPE_FLUID_CASES:
+      return textAt(cases, index);
     default:
       return nullptr;
   }

@@ -12,16 +12,6 @@
 namespace vorpipe::c {
 namespace {
 
-Result<SearchOptions> searchOf(vorpipe_search search, std::int32_t neighbors) {
-  constexpr std::array methods{Search::grid, Search::flann};
-  const auto method = chosen(methods, search, "search");
-  if (!method) return tl::unexpected(method.error());
-  SearchOptions options;
-  options.method = *method;
-  if (neighbors != 0) options.neighbors = neighbors;
-  return options;
-}
-
 /// How values become colors, how wide lines are, what becomes of the domain's aspect.
 Result<void> takeLooks(const PlacedInput& placed, const vorpipe_render_options& given,
                        RenderOptions& options) {
@@ -47,6 +37,16 @@ Result<void> takeLooks(const PlacedInput& placed, const vorpipe_render_options& 
 }
 
 }  // namespace
+
+Result<SearchOptions> searchOf(vorpipe_search search, std::int32_t neighbors) {
+  constexpr std::array methods{Search::grid, Search::flann};
+  const auto method = chosen(methods, search, "search");
+  if (!method) return tl::unexpected(method.error());
+  SearchOptions options;
+  options.method = *method;
+  if (neighbors != 0) options.neighbors = neighbors;
+  return options;
+}
 
 Progress progressOf(vorpipe_progress progress, void* user) {
   if (progress == nullptr) return {};

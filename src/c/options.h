@@ -29,6 +29,9 @@ Result<CellsOptions> cellsOptions(const vorpipe_input& input, const PlacedInput&
                                   const vorpipe_cells_options* given);
 Result<RenderOptions> renderOptions(const PlacedInput& placed, const vorpipe_render_options* given);
 
+/// Error (input): a number that names no search.
+Result<SearchOptions> searchOf(vorpipe_search search, std::int32_t neighbors);
+
 /// Empty where there is none.
 Progress progressOf(vorpipe_progress progress, void* user);
 

@@ -13,6 +13,7 @@
 #include "io/files/extension.h"
 #include "io/pictures/npy_ids.h"
 #include "io/pictures/png_file.h"
+#include "vorpipe/free_surface.h"
 
 namespace vorpipe::c {
 namespace {
@@ -57,8 +58,13 @@ vorpipe_code draw(vorpipe_session& session, const vorpipe_input& input, const vo
   if (!options) return fail(options.error());
   auto drawn = session.session.render(*(*placed)->sites, *options);
   if (!drawn) return fail(drawn.error());
+  const bool has_air = input.surface == Surface::free;
+  if (has_air) {
+    auto taken_out = takeOutAir(*(*placed)->sites, *options, drawn->image, session.threads);
+    if (!taken_out) return fail(taken_out.error());
+  }
   options->progress = nullptr;
-  *picture = new vorpipe_picture{*placed, std::move(*options), std::move(*drawn)};
+  *picture = new vorpipe_picture{*placed, std::move(*options), std::move(*drawn), has_air};
   return VORPIPE_DONE;
 }
 

@@ -87,6 +87,9 @@ class Callback {
   static std::int32_t watch(void* user, const vorpipe_transport_step* step) {
     return static_cast<Callback*>(user)->call(*step);
   }
+  static std::int32_t watch(void* user, const vorpipe_fluid_figures* figures) {
+    return static_cast<Callback*>(user)->call(*figures);
+  }
   static std::int32_t write(void* user, const void* bytes, std::size_t count) {
     return static_cast<Callback*>(user)->call(std::string_view(static_cast<const char*>(bytes), count));
   }
@@ -228,6 +231,12 @@ class Input {
     return *this;
   }
 
+  /// With VORPIPE_SURFACE_FREE cells end at discs around their sites; weights are squared radii.
+  Input& surface(vorpipe_surface surface) {
+    done(vorpipe_input_set_surface(get(), surface));
+    return *this;
+  }
+
   [[nodiscard]] std::size_t size() const { return vorpipe_input_count(get()); }
   [[nodiscard]] std::uint64_t skipped() const { return vorpipe_input_skipped(get()); }
   /// xmin, ymin, xmax and ymax, in the plane of a projection.
@@ -263,6 +272,7 @@ class Input {
  private:
   friend class Relaxation;
   friend class Transported;
+  friend class Fluid;
   explicit Input(vorpipe_input* input) : input_(input) {}
   Owned<vorpipe_input, vorpipe_input_free> input_;
 };
@@ -305,6 +315,17 @@ class Diagram {
   }
   [[nodiscard]] View<std::array<std::int64_t, 2>> edgeCells() const {
     return view<std::array<std::int64_t, 2>>(VORPIPE_EDGE_CELLS);
+  }
+  /// Of a free surface: where the parts of each border begin; from and to, and the angle of an arc; whose
+  /// they are.
+  [[nodiscard]] View<std::uint64_t> borderOffsets() const {
+    return view<std::uint64_t>(VORPIPE_BORDER_OFFSETS);
+  }
+  [[nodiscard]] View<std::array<double, 5>> borderParts() const {
+    return view<std::array<double, 5>>(VORPIPE_BORDER_PARTS);
+  }
+  [[nodiscard]] View<std::int64_t> borderNeighbors() const {
+    return view<std::int64_t>(VORPIPE_BORDER_NEIGHBORS);
   }
   /// Those of one cell.
   [[nodiscard]] View<Point> vertices(std::size_t cell) const { return ofCell(vertices(), cell); }
@@ -520,7 +541,7 @@ class Transported {
     done(vorpipe_transported_report(get(), &report));
     return report;
   }
-  /// The sites with these weights, in the same domain.
+  /// The sites with these weights, in the same domain and with the same surface.
   [[nodiscard]] Input input() const {
     vorpipe_input* input = nullptr;
     done(vorpipe_transported_input(get(), &input));
@@ -542,6 +563,81 @@ class Transported {
     return View<Element>(array);
   }
   Owned<vorpipe_transported, vorpipe_transported_free> transported_;
+};
+
+/// What each step of a fluid has come to; returning false ends a run.
+using FluidWatch = std::function<bool(const vorpipe_fluid_figures&)>;
+
+/// A fluid, step by step; the session outlives it.
+class Fluid {
+ public:
+  explicit Fluid(vorpipe_fluid* fluid) : fluid_(fluid) {}
+
+  /// Makes a step; false: it has ended.
+  bool step() {
+    std::int32_t more = 0;
+    done(vorpipe_fluid_step(fluid_.get(), nullptr, &more));
+    return more != 0;
+  }
+  /// To a time, or some steps: what `options` say, whose `watch` is taken from `watch`.
+  void run(vorpipe_fluid_run_options options = {}, const FluidWatch& watch = {}) {
+    Callback<FluidWatch> callback(watch);
+    options.struct_size = sizeof options;
+    if (watch) {
+      options.watch = Callback<FluidWatch>::watch;
+      options.watch_user = callback.user();
+    }
+    callback.finish(vorpipe_fluid_run(fluid_.get(), &options));
+  }
+  /// Adds to the velocities of all sites.
+  void push(const std::vector<Point>& velocities) {
+    const auto* numbers = reinterpret_cast<const double*>(velocities.data());
+    done(vorpipe_fluid_push(fluid_.get(), numbers, velocities.size()));
+  }
+
+  // Good until the next step or push.
+  [[nodiscard]] View<Point> sites() const { return view<Point>(VORPIPE_FLUID_SITES); }
+  [[nodiscard]] View<double> weights() const { return view<double>(VORPIPE_FLUID_WEIGHTS); }
+  [[nodiscard]] View<Point> velocities() const { return view<Point>(VORPIPE_FLUID_VELOCITIES); }
+  [[nodiscard]] View<double> pressures() const { return view<double>(VORPIPE_FLUID_PRESSURES); }
+  [[nodiscard]] View<double> volumes() const { return view<double>(VORPIPE_FLUID_VOLUMES); }
+  [[nodiscard]] View<double> densities() const { return view<double>(VORPIPE_FLUID_DENSITIES); }
+
+  [[nodiscard]] vorpipe_fluid_figures last() const {
+    vorpipe_fluid_figures figures = {};
+    figures.struct_size = sizeof figures;
+    done(vorpipe_fluid_last(get(), &figures));
+    return figures;
+  }
+  [[nodiscard]] double time() const { return last().time; }
+  [[nodiscard]] vorpipe_fluid_end end() const { return vorpipe_fluid_ended(get()); }
+  [[nodiscard]] vorpipe_report report() const {
+    vorpipe_report report = {};
+    report.struct_size = sizeof report;
+    done(vorpipe_fluid_report(get(), &report));
+    return report;
+  }
+  /// The sites where they are, for cells and pictures.
+  [[nodiscard]] Input input() const {
+    vorpipe_input* input = nullptr;
+    done(vorpipe_fluid_input(get(), &input));
+    return Input(input);
+  }
+  void write(const std::string& format, const Write& write) const {
+    Callback<Write> callback(write);
+    callback.finish(vorpipe_fluid_write(get(), format.c_str(), Callback<Write>::write, callback.user()));
+  }
+  void save(const std::string& path) const { done(vorpipe_fluid_save(get(), path.c_str())); }
+  [[nodiscard]] const vorpipe_fluid* get() const { return fluid_.get(); }
+
+ private:
+  template <class Element>
+  [[nodiscard]] View<Element> view(vorpipe_fluid_field field) const {
+    vorpipe_array array = {};
+    done(vorpipe_fluid_array(get(), field, &array));
+    return View<Element>(array);
+  }
+  Owned<vorpipe_fluid, vorpipe_fluid_free> fluid_;
 };
 
 class Session {
@@ -598,6 +694,21 @@ class Session {
     Transported found(transported);
     callback.finish(code);
     return found;
+  }
+
+  /// A fluid of an input, with what `options` say; or of a case or a file, by its name. `options.progress`
+  /// must be good for all steps.
+  Fluid fluid(const Input& input, vorpipe_fluid_options options = {}) {
+    vorpipe_fluid* fluid = nullptr;
+    options.struct_size = sizeof options;
+    done(vorpipe_fluid_begin(get(), input.get(), &options, &fluid));
+    return Fluid(fluid);
+  }
+  Fluid fluid(const std::string& name, std::uint64_t parcels = 0, vorpipe_fluid_options options = {}) {
+    vorpipe_fluid* fluid = nullptr;
+    options.struct_size = sizeof options;
+    done(vorpipe_fluid_read(get(), name.c_str(), parcels, &options, &fluid));
+    return Fluid(fluid);
   }
 
   /// A picture as shapes, "svg" or "pdf"; or into a file of such an extension.

@@ -71,7 +71,8 @@ enum {
   VORPIPE_LIMITS = 5,        /* of devices: "maxTexelBufferElements" */
   VORPIPE_SITES_FORMATS = 6, /* "csv", "geojson", ... */
   VORPIPE_EDGES_FORMATS = 7,
-  VORPIPE_PICTURE_FORMATS = 8 /* "png", "svg", "npy", ... */
+  VORPIPE_PICTURE_FORMATS = 8, /* "png", "svg", "npy", ... */
+  VORPIPE_FLUID_CASES = 9      /* "taylor-green", ... */
 };
 
 /* A name of a list; NULL where there is no such list or `index` is past its end. */
@@ -230,6 +231,17 @@ VORPIPE_API vorpipe_code vorpipe_input_set_margin(vorpipe_input* input, double m
  * center, or with NAN, NAN amid the domain or the sites. Its unit is the kilometer, that of areas and
  * lengths; positions of diagrams come back in degrees, and a locator takes them. */
 VORPIPE_API vorpipe_code vorpipe_input_project(vorpipe_input* input, double longitude, double latitude);
+/* What lies around cells. */
+typedef int32_t vorpipe_surface;
+enum {
+  VORPIPE_SURFACE_NONE = 0, /* cells fill the domain */
+  VORPIPE_SURFACE_FREE = 1  /* air does: each cell ends at a disc around its site, whose squared radius is
+                             * the weight */
+};
+/* What cells, pictures and locators of this input have around them; of fluids as well. A free surface takes
+ * no outline, period or density yet. Cells have polygons in place of arcs, whose edges belong to
+ * VORPIPE_WALL_OUTLINE, and no triangles; VORPIPE_BORDER_PARTS has the arcs. */
+VORPIPE_API vorpipe_code vorpipe_input_set_surface(vorpipe_input* input, vorpipe_surface surface);
 /* Writes xmin, ymin, xmax and ymax of the domain as runs have it, in the plane of a projection, and refuses
  * what they would. */
 VORPIPE_API vorpipe_code vorpipe_input_domain(const vorpipe_input* input, double* box);
@@ -370,7 +382,11 @@ enum {
   VORPIPE_EDGE_OF = 18,         /* by entry: uint32, its edge */
   VORPIPE_EDGE_ENTRY = 19,      /* by edge: uint64, its first entry */
   VORPIPE_EDGE_VERTICES = 20,   /* by edge: 2 uint32, shared vertices */
-  VORPIPE_EDGE_CELLS = 21       /* by edge: 2 int64, sites; the second may be a wall */
+  VORPIPE_EDGE_CELLS = 21,      /* by edge: 2 int64, sites; the second may be a wall */
+  /* Of a free surface: the lines around cells, counter-clockwise, found when first asked for. */
+  VORPIPE_BORDER_OFFSETS = 22,  /* by site, and one more: uint64, where the parts of its border begin */
+  VORPIPE_BORDER_PARTS = 23,    /* 5 doubles: from and to; the angle of an arc around the site, 0: straight */
+  VORPIPE_BORDER_NEIGHBORS = 24 /* by part: int64, as VORPIPE_CELL_NEIGHBORS */
 };
 
 /* Writes an array of the diagram, which it keeps. One that this diagram does not have is empty. */
@@ -632,14 +648,6 @@ VORPIPE_API vorpipe_code vorpipe_relaxation_save(const vorpipe_relaxation* relax
 
 /* ---- Transport ---- */
 
-/* What lies around cells. */
-typedef int32_t vorpipe_surface;
-enum {
-  VORPIPE_SURFACE_NONE = 0, /* cells fill the domain */
-  VORPIPE_SURFACE_FREE = 1  /* air does: each cell ends at a disc around its site, whose squared radius is
-                             * the weight */
-};
-
 /* One diagram of a transport. */
 typedef struct vorpipe_transport_step {
   uint32_t struct_size;
@@ -713,14 +721,128 @@ VORPIPE_API double vorpipe_transported_cost(const vorpipe_transported* transport
 VORPIPE_API vorpipe_code vorpipe_transported_report(const vorpipe_transported* transported,
                                                     vorpipe_report* report);
 VORPIPE_API const char* vorpipe_transported_note(const vorpipe_transported* transported, size_t index);
-/* The sites with these weights, as an input: for cells and pictures, which fill the domain, or to save. For
- * the caller to free. */
+/* The sites with these weights, as an input of the same surface: for cells and pictures, or to save. For the
+ * caller to free. */
 VORPIPE_API vorpipe_code vorpipe_transported_input(const vorpipe_transported* transported,
                                                    vorpipe_input** input);
 /* As vorpipe_relaxation_write and vorpipe_relaxation_save: the sites with these weights. */
 VORPIPE_API vorpipe_code vorpipe_transported_write(const vorpipe_transported* transported, const char* format,
                                                    vorpipe_write write, void* user);
 VORPIPE_API vorpipe_code vorpipe_transported_save(const vorpipe_transported* transported, const char* path);
+
+/* ---- Fluids ---- */
+
+/* How velocities come to be those of a fluid that cannot be compressed. */
+typedef int32_t vorpipe_fluid_scheme;
+enum {
+  VORPIPE_FLUID_USUAL = 0,     /* as a case or a file has it, else springs */
+  VORPIPE_FLUID_SPRINGS = 1,   /* springs pull each site to the centroid of its cell */
+  VORPIPE_FLUID_PROJECTION = 2 /* velocities change no area, by a pressure; for domains that are full */
+};
+
+typedef struct vorpipe_fluid_options {
+  uint32_t struct_size;
+  vorpipe_fluid_scheme scheme;
+  double step;       /* of time; 0: as a case or a file has it, else as long as speeds and springs allow */
+  double epsilon;    /* softness of springs, in spacings; 0: likewise, else 2, or 1 with a free surface */
+  double until;      /* time at which it ends, with a shorter step; 0: likewise, else never */
+  double tolerance;  /* no area differs from its volume by more than this part; 0: likewise, else 1e-6 */
+  uint64_t diagrams; /* the most for each set of areas; 0: likewise, else 100 */
+  double gravity_x, gravity_y;
+  int32_t has_gravity; /* 0: gravity is as a case or a file has it, else none */
+  vorpipe_search search;
+  int32_t search_neighbors;
+  uint64_t count;            /* of the sites that the next three have numbers for; each may be NULL */
+  const double* velocities;  /* x and y in turn; NULL: at rest */
+  const double* volumes;     /* areas of cells, each more than 0; NULL: equal shares of the domain */
+  const double* densities;   /* masses per volume; NULL: 1 */
+  vorpipe_progress progress; /* of each diagram; saying stop ends the step, as if it had not begun */
+  void* progress_user;
+} vorpipe_fluid_options;
+
+/* What a step has come to. */
+typedef struct vorpipe_fluid_figures {
+  uint32_t struct_size;
+  uint32_t halvings; /* steps were halved so often, since areas could not be found */
+  uint64_t step;
+  double time, length;                       /* length: of the step */
+  double kinetic, potential, spring, energy; /* energy: their sum */
+  double momentum_x, momentum_y;
+  double worst;    /* largest |area - volume| / volume */
+  double farthest; /* largest distance of a site to its centroid, in spacings */
+  uint64_t diagrams, linear_iterations;
+  double seconds; /* since it began */
+} vorpipe_fluid_figures;
+
+/* Why a fluid ended. */
+typedef int32_t vorpipe_fluid_end;
+enum {
+  VORPIPE_FLUID_GOES_ON = 0,
+  VORPIPE_FLUID_TIME = 1,
+  VORPIPE_FLUID_AREAS = 2, /* they could not be found even for short steps */
+  VORPIPE_FLUID_CANCELLED = 3
+};
+
+/* A fluid without friction whose parcels are cells that keep their areas. The session outlives it. */
+typedef struct vorpipe_fluid vorpipe_fluid;
+/* Of the sites, weights, box, period and surface of an input, which has no outline, projection or density.
+ * A free surface asks for volumes. `options` may be NULL. */
+VORPIPE_API vorpipe_code vorpipe_fluid_begin(vorpipe_session* session, const vorpipe_input* input,
+                                             const vorpipe_fluid_options* options, vorpipe_fluid** fluid);
+/* A case of VORPIPE_FLUID_CASES with about `parcels` cells, 0: 2048; or an .npz file, of which
+ * vorpipe_fluid_save and `vorpipe fluid --checkpoint` write the kind. Options that are not zero replace those
+ * that it has. */
+VORPIPE_API vorpipe_code vorpipe_fluid_read(vorpipe_session* session, const char* name, uint64_t parcels,
+                                            const vorpipe_fluid_options* options, vorpipe_fluid** fluid);
+VORPIPE_API void vorpipe_fluid_free(vorpipe_fluid* fluid);
+/* Makes a step. `figures` gets what it has come to, `more` whether there was one: 0 at the end. Both may be
+ * NULL. */
+VORPIPE_API vorpipe_code vorpipe_fluid_step(vorpipe_fluid* fluid, vorpipe_fluid_figures* figures,
+                                            int32_t* more);
+
+/* Called after each step, from the calling thread; what is not 0 ends the run. */
+typedef int32_t (*vorpipe_fluid_watch)(void* user, const vorpipe_fluid_figures* figures);
+typedef struct vorpipe_fluid_run_options {
+  uint32_t struct_size;
+  int32_t has_until; /* not 0: the fluid's time to end is another from now on */
+  double until;
+  uint64_t steps; /* the most that are made; 0: as many as it takes */
+  vorpipe_fluid_watch watch;
+  void* watch_user;
+} vorpipe_fluid_run_options;
+/* Makes steps until the fluid ends, which a time or a number of steps must do. One that had ended goes on:
+ * without another time from then on without an end; and where a step was cancelled, or its areas were not
+ * found, from before that. */
+VORPIPE_API vorpipe_code vorpipe_fluid_run(vorpipe_fluid* fluid, const vorpipe_fluid_run_options* options);
+/* Adds to the velocities of all sites: `count` pairs of x and y. */
+VORPIPE_API vorpipe_code vorpipe_fluid_push(vorpipe_fluid* fluid, const double* velocities, uint64_t count);
+
+typedef int32_t vorpipe_fluid_field;
+enum {
+  VORPIPE_FLUID_SITES = 1, /* by site: 2 doubles */
+  VORPIPE_FLUID_WEIGHTS = 2,
+  VORPIPE_FLUID_VELOCITIES = 3, /* by site: 2 doubles */
+  VORPIPE_FLUID_PRESSURES = 4,  /* of the last step; by projection none before the first */
+  VORPIPE_FLUID_VOLUMES = 5,
+  VORPIPE_FLUID_DENSITIES = 6 /* none where all are 1 */
+};
+/* Good until the next step or push. */
+VORPIPE_API vorpipe_code vorpipe_fluid_array(const vorpipe_fluid* fluid, vorpipe_fluid_field field,
+                                             vorpipe_array* array);
+/* The figures of its state. */
+VORPIPE_API vorpipe_code vorpipe_fluid_last(const vorpipe_fluid* fluid, vorpipe_fluid_figures* figures);
+VORPIPE_API vorpipe_fluid_end vorpipe_fluid_ended(const vorpipe_fluid* fluid);
+/* Of the last diagram. */
+VORPIPE_API vorpipe_code vorpipe_fluid_report(const vorpipe_fluid* fluid, vorpipe_report* report);
+VORPIPE_API const char* vorpipe_fluid_note(const vorpipe_fluid* fluid, size_t index);
+/* The sites where they are, with their weights, as an input of the same surface: for cells and pictures. For
+ * the caller to free. */
+VORPIPE_API vorpipe_code vorpipe_fluid_input(const vorpipe_fluid* fluid, vorpipe_input** input);
+/* "npz" has all that later steps depend on: a fluid that goes on from it gives the same bytes. Others as
+ * vorpipe_relaxation_write and vorpipe_relaxation_save: the sites with their weights. */
+VORPIPE_API vorpipe_code vorpipe_fluid_write(const vorpipe_fluid* fluid, const char* format,
+                                             vorpipe_write write, void* user);
+VORPIPE_API vorpipe_code vorpipe_fluid_save(const vorpipe_fluid* fluid, const char* path);
 
 /* ---- Memory ---- */
 

@@ -96,12 +96,18 @@ class Fluid {
   /// Session::cells.
   Result<bool> step();
 
+  /// Lets it go on until that time, whatever it ended by: where a step was cancelled, or its areas were not
+  /// found, the next one begins where that did. Errors: those of Session::cells; the time is NaN, or areas
+  /// could not be found again (input).
+  Result<void> goOn(double until);
+
+  [[nodiscard]] const FluidOptions& options() const;
   [[nodiscard]] const FluidState& state() const;  ///< in input order
   [[nodiscard]] const FluidStep& last() const;    ///< of the state
   [[nodiscard]] FluidEnd end() const;
   [[nodiscard]] const Report& report() const;  ///< of the last diagram
 
-  /// Adds to velocities, by site: what stirs.
+  /// Adds to velocities, one for each site: what stirs.
   void push(const std::vector<Point>& velocities);
 
  private:

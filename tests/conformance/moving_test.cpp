@@ -1,11 +1,13 @@
-/// Cells of sites that move: the same as those of one run, again and again.
+/// Cells of sites that move: the same as those of one run, again and again; and what is solved over them.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "conformance/cells_fixture.h"
 #include "support/sites/data_sets.h"
+#include "vorpipe/fluid.h"
 
 namespace vorpipe::test {
 namespace {
@@ -150,6 +152,112 @@ TEST_P(Moving, refuseOtherSitesAndStayUsable) {
   ASSERT_TRUE(again) << again.error().message;
   EXPECT_EQ(moving.moments().area, cells(sites, within(unit)).area);
 }
+
+/// What moves sites and masses over cells of a backend: the same as over those of `cpu` with one thread.
+class Solvers : public Cells {
+ protected:
+  static Session& reference() {
+    return Shared<Session>::get("cpu with one thread", [] {
+      BackendOptions chosen = backend("cpu");
+      chosen.threads = 1;
+      return open(chosen);
+    });
+  }
+
+  static TransportOptions inUnitSquare() {
+    TransportOptions options{};
+    options.domain = unit;
+    return options;
+  }
+
+  /// Half of the square, in equal parts.
+  static TransportOptions halfFull(std::size_t count) {
+    TransportOptions options = inUnitSquare();
+    options.surface = Surface::free;
+    options.masses.assign(count, 0.5 / static_cast<double>(count));
+    return options;
+  }
+
+  static void expectSameTransport(const Sites& sites, const TransportOptions& options) {
+    const auto expected = transport(reference(), sites, options);
+    ASSERT_TRUE(expected) << expected.error().message;
+    ASSERT_EQ(expected->end, TransportEnd::converged);
+    const auto found = transport(sharedSession(GetParam()), sites, options);
+    ASSERT_TRUE(found) << found.error().message;
+    EXPECT_EQ(found->report.validation_messages, std::vector<std::string>{});
+    EXPECT_EQ(found->end, expected->end);
+    EXPECT_EQ(found->trace.size(), expected->trace.size());
+    EXPECT_EQ(found->sites.weight, expected->sites.weight);
+    EXPECT_EQ(found->cells.mass, expected->cells.mass);
+    EXPECT_EQ(found->cells.centroid, expected->cells.centroid);
+    const double each = 1 / static_cast<double>(sites.size());
+    for (std::size_t i = 0; i < sites.size() && options.masses.empty() && options.density.values.empty(); ++i)
+      EXPECT_NEAR(found->cells.mass[i], each, options.tolerance * each) << "site " << i;
+  }
+
+  static double farthest(const std::vector<double>& a, const std::vector<double>& b) {
+    double most = a.size() == b.size() ? 0 : INFINITY;
+    for (std::size_t i = 0; i < a.size() && i < b.size(); ++i) most = std::max(most, std::abs(a[i] - b[i]));
+    return most;
+  }
+
+  /// Lattices begin with corners where four cells meet, whose places may differ by rounding; by no more.
+  static void expectSameFlow(const FluidSetup& setup, int steps, double rounding) {
+    auto expected = Fluid::begin(reference(), setup.state, setup.options);
+    ASSERT_TRUE(expected) << expected.error().message;
+    auto found = Fluid::begin(sharedSession(GetParam()), setup.state, setup.options);
+    ASSERT_TRUE(found) << found.error().message;
+    for (int k = 0; k < steps; ++k) {
+      const auto more = expected->step(), found_more = found->step();
+      ASSERT_TRUE(more && *more && found_more && *found_more);
+      EXPECT_EQ(found->last().halvings, 0U);
+      EXPECT_LE(found->last().worst, setup.options.tolerance);
+      EXPECT_NEAR(found->last().energy(), expected->last().energy(), rounding) << "step " << k;
+    }
+    EXPECT_EQ(found->report().validation_messages, std::vector<std::string>{});
+    EXPECT_LE(farthest(found->state().sites.x, expected->state().sites.x), rounding);
+    EXPECT_LE(farthest(found->state().sites.y, expected->state().sites.y), rounding);
+    EXPECT_LE(farthest(found->state().sites.weight, expected->state().sites.weight), rounding);
+  }
+
+  static void expectSameFlow(FluidCase which, std::uint64_t parcels, FluidScheme scheme, int steps) {
+    SCOPED_TRACE(testing::Message() << "case " << static_cast<int>(which));
+    FluidSetup setup = fluidCase(which, parcels);
+    setup.options.scheme = scheme;
+    expectSameFlow(setup, steps, 1e-11);
+  }
+};
+
+TEST_P(Solvers, findTheSameWeights) {
+  expectSameTransport(generate(Pattern::random, 2000, 21), inUnitSquare());
+  TransportOptions dense = inUnitSquare();
+  dense.density = {4, 3, {1, 2, 3, 1, 0.5, 2, 1, 4, 2, 2, 1, 1}};
+  expectSameTransport(generate(Pattern::random, 500, 24), dense);
+}
+
+TEST_P(Solvers, findTheSameWeightsWithPeriodsAndAir) {
+  const Sites sites = generate(Pattern::random, 500, 22);
+  TransportOptions periodic = inUnitSquare();
+  periodic.periodic = Periodic::xy;
+  expectSameTransport(sites, periodic);
+  expectSameTransport(sites, halfFull(sites.size()));
+}
+
+TEST_P(Solvers, makeTheSameSteps) {
+  expectSameFlow(FluidCase::taylor_green, 400, FluidScheme::projection, 5);
+  expectSameFlow(FluidCase::dam_break, 400, FluidScheme::springs, 8);
+  expectSameFlow(FluidCase::shear, 300, FluidScheme::springs, 3);
+  FluidSetup stirred = fluidCase(FluidCase::taylor_green, 300);
+  stirred.state = {};
+  stirred.state.sites = generate(Pattern::jitter, 300, 23);
+  for (std::size_t i = 0; i < stirred.state.sites.size(); ++i) {
+    stirred.state.velocity.push_back({std::sin(static_cast<double>(i)), std::cos(static_cast<double>(i))});
+  }
+  expectSameFlow(stirred, 4, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Backends, Solvers, testing::ValuesIn(backend_names),
+                         [](const auto& instance) { return testName(instance.param); });
 
 INSTANTIATE_TEST_SUITE_P(Backends, Moving, testing::ValuesIn(backend_names),
                          [](const auto& instance) { return testName(instance.param); });

@@ -20,6 +20,7 @@ int main(void) {
   looks_promises(session);
   relaxing_promises(session);
   transporting_promises(session);
+  flowing_promises(session);
   refusals(session);
   vorpipe_session_free(session);
   vorpipe_session_free(NULL);

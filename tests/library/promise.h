@@ -34,6 +34,7 @@ void files_promises(vorpipe_session* session);
 void looks_promises(vorpipe_session* session);
 void relaxing_promises(vorpipe_session* session);
 void transporting_promises(vorpipe_session* session);
+void flowing_promises(vorpipe_session* session);
 void refusals(vorpipe_session* session);
 void devices_promises(void);
 void selftest_promises(void);

@@ -67,6 +67,17 @@ int main() {
           "equal areas");
   promise(even.weights().size() == 2000 && session.cells(even.input()).size() == 2000, "weights");
 
+  vorpipe::Fluid dam = session.fluid("dam-break", 60);
+  vorpipe_fluid_run_options two_steps = {};
+  two_steps.steps = 2;
+  std::uint64_t told = 0;
+  dam.run(two_steps, [&](const vorpipe_fluid_figures& figures) { return figures.step == ++told; });
+  const vorpipe::Diagram fallen = session.cells(dam.input());
+  promise(told == 2 && dam.time() > 0 && dam.velocities()[0].y < 0 && dam.end() == VORPIPE_FLUID_GOES_ON,
+          "a fluid");
+  promise(std::abs(fallen.areaSum() - 2) < 1e-5 && fallen.borderOffsets().size() == dam.sites().size() + 1,
+          "cells of a free surface");
+
   const auto found = vorpipe::Locator(input).find({{0.1, 0.1}, {0.9, 0.1}, {3, 3}});
   promise(found[0] == 0 && found[1] == 1 && found[2] == VORPIPE_NO_SITE, "places");
   promise(cells.edgeCells().size() == cells.sharedVertices().size() + 1,

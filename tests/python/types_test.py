@@ -51,6 +51,12 @@ try:
     vorpipe.cells([])
 except vorpipe.InputError as error:
     subject: Optional[str] = error.subject
+fluid = vorpipe.Fluid('shear', parcels=50, session=None)
+fluid.run(steps=2, callback=lambda step: step.time < 1)
+velocities: npt.NDArray[np.float64] = fluid.velocities
+ended: Optional[str] = fluid.end
+discs: vorpipe.Diagram = vorpipe.transport(np.eye(2), domain=(0, 0, 1, 1), fill=0.5).cells()
+border: List[vorpipe.BorderPart] = discs[0].border()
 ridges: List[List[int]] = Voronoi(np.eye(2)).ridge_vertices
 triangles: npt.NDArray[np.int32] = Delaunay(np.eye(2)).simplices
 '''
@@ -89,6 +95,6 @@ def test_all_that_is_public_has_a_docstring():
         thing = getattr(vorpipe, name)
         if callable(thing):
             assert thing.__doc__ and thing.__doc__.strip(), name
-    for kind in (vorpipe.Diagram, vorpipe.Picture):
+    for kind in (vorpipe.Diagram, vorpipe.Fluid, vorpipe.Picture, vorpipe.Transported):
         for name, member in vars(kind).items():
             assert name.startswith('_') or member.__doc__, f'{kind.__name__}.{name}'

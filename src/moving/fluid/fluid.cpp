@@ -43,6 +43,7 @@ Result<void> checkOptions(const FluidOptions& options) {
   if (!std::isfinite(options.gravity.x) || !std::isfinite(options.gravity.y)) {
     return refuse("gravity: it is not finite");
   }
+  if (std::isnan(options.until)) return refuse("until: it is not a number");
   if (!(options.tolerance > 0)) return refuse("tolerance: it is not more than 0");
   if (options.scheme == FluidScheme::projection && options.surface == Surface::free) {
     return refuse("scheme: projection is for domains that are full; springs have free surfaces");
@@ -102,6 +103,7 @@ struct Fluid::State {
 
   void update();
   Result<bool> reorder();
+  Result<void> placeAgain();
   Result<bool> attempt(double length, int halvings, FluidStep& step);
   Result<bool> advance();
 };
@@ -120,6 +122,17 @@ Result<bool> Fluid::State::reorder() {
   callers.order = now.order;
   flow = std::make_unique<Flow>(session, options, now);
   return flow->place(now);
+}
+
+/// A step that was not made may have left cells that are not those of its beginning.
+Result<void> Fluid::State::placeAgain() {
+  update();
+  now = parcelsOf(callers, options.domain);
+  flow = std::make_unique<Flow>(session, options, now);
+  const auto placed = flow->place(now);
+  if (!placed) return tl::unexpected(placed.error());
+  if (!*placed) return refuse("volume: areas of the cells could not be found");
+  return {};
 }
 
 /// A step, or two of half its length where areas cannot be found, and so on.
@@ -206,6 +219,18 @@ Result<Fluid> Fluid::begin(Session& session, FluidState state, FluidOptions opti
 
 Result<bool> Fluid::step() { return state_->advance(); }
 
+Result<void> Fluid::goOn(double until) {
+  State& s = *state_;
+  if (std::isnan(until)) return refuse("until: it is not a number");
+  s.options.until = until;
+  if (s.end == FluidEnd::areas || s.end == FluidEnd::cancelled) {
+    if (auto placed = s.placeAgain(); !placed) return placed;
+  }
+  s.end = FluidEnd::none;
+  return {};
+}
+
+const FluidOptions& Fluid::options() const { return state_->options; }
 const FluidState& Fluid::state() const {
   state_->update();
   return state_->callers;

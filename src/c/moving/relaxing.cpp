@@ -3,13 +3,12 @@
 
 #include "c/array.h"
 #include "c/failure.h"
-#include "c/files.h"
 #include "c/handles.h"
+#include "c/moving/moved_sites.h"
+#include "c/moving/moving_options.h"
 #include "c/options.h"
 #include "c/placed_input.h"
 #include "c/structs.h"
-#include "io/points/points_file.h"
-#include "vorpipe/stipple.h"
 
 namespace vorpipe::c {
 namespace {
@@ -21,19 +20,10 @@ Result<RelaxOptions> relaxOptions(const vorpipe_input& input, const PlacedInput&
   constexpr std::array methods{RelaxMethod::lbfgs, RelaxMethod::lloyd};
   const auto method = chosen(methods, wanted->method, "method");
   if (!method) return tl::unexpected(method.error());
-  vorpipe_cells_options search{};
-  search.struct_size = sizeof(search);
-  search.search = wanted->search;
-  search.search_neighbors = wanted->search_neighbors;
-  const auto cells = cellsOptions(input, placed, &search);
-  if (!cells) return tl::unexpected(cells.error());
-  RelaxOptions options{};
-  options.domain = cells->domain;
-  options.outline = cells->outline;
-  options.periodic = cells->periodic;
-  options.density = cells->density;
+  auto cells = movingOptions(input, placed, wanted->search, wanted->search_neighbors);
+  if (!cells) return tl::unexpected(std::move(cells.error()));
+  auto options = optionsWith<RelaxOptions>(std::move(*cells));
   options.equal_masses = wanted->equal_masses != 0;
-  options.search = cells->search;
   options.method = *method;
   if (wanted->iterations != 0) options.iterations = wanted->iterations;
   options.tolerance = wanted->tolerance;
@@ -53,14 +43,9 @@ vorpipe_code begin(vorpipe_session& session, const vorpipe_input& input, const v
   return VORPIPE_DONE;
 }
 
-/// The sites where they are, as files have them.
-Sites shownSites(const vorpipe_relaxation& relaxation) {
-  return shownSites(*relaxation.placed, relaxation.relaxation.sites());
-}
-
 Result<vorpipe_array> arrayOf(const vorpipe_relaxation& relaxation, vorpipe_relaxation_field field) {
   if (field == VORPIPE_RELAXED_SITES) {
-    const Sites sites = shownSites(relaxation);
+    const Sites sites = shownSites(*relaxation.placed, relaxation.relaxation.sites());
     relaxation.shown.clear();
     for (std::size_t i = 0; i < sites.size(); ++i) relaxation.shown.push_back({sites.x[i], sites.y[i]});
     return array(relaxation.shown, VORPIPE_DOUBLE);
@@ -80,9 +65,8 @@ Result<vorpipe_array> arrayOf(const vorpipe_relaxation& relaxation, vorpipe_rela
   return array(relaxation.trace, VORPIPE_DOUBLE);
 }
 
-Result<void> writeAs(ByteSink& to, const vorpipe_relaxation& relaxation, const PointsFormat& format) {
-  return writePoints(to, {shownSites(relaxation), *relaxation.input.attributes, systemOf(*relaxation.placed)},
-                     format);
+MovedSites movedOf(const vorpipe_relaxation& relaxation) {
+  return {relaxation.input, *relaxation.placed, relaxation.relaxation.sites()};
 }
 
 }  // namespace
@@ -139,8 +123,7 @@ vorpipe_relax_end vorpipe_relaxation_end(const vorpipe_relaxation* relaxation) {
 vorpipe_code vorpipe_relaxation_report(const vorpipe_relaxation* relaxation, vorpipe_report* report) {
   if (relaxation == nullptr) return missing("relaxation");
   if (report == nullptr) return missing("report");
-  return guarded(
-      [&] { return codeOf(give(reportOf(relaxation->relaxation.report()), report, "vorpipe_report")); });
+  return guarded([&] { return giveReport(relaxation->relaxation.report(), report); });
 }
 
 const char* vorpipe_relaxation_note(const vorpipe_relaxation* relaxation, size_t index) {
@@ -150,10 +133,7 @@ const char* vorpipe_relaxation_note(const vorpipe_relaxation* relaxation, size_t
 vorpipe_code vorpipe_relaxation_input(const vorpipe_relaxation* relaxation, vorpipe_input** input) {
   if (relaxation == nullptr) return missing("relaxation");
   if (input == nullptr) return missing("input");
-  return guarded([&]() -> vorpipe_code {
-    *input = inputOf(relaxation->input, *relaxation->placed, relaxation->relaxation.sites()).release();
-    return VORPIPE_DONE;
-  });
+  return guarded([&] { return giveMoved(movedOf(*relaxation), relaxation->input.surface, input); });
 }
 
 vorpipe_code vorpipe_relaxation_write(const vorpipe_relaxation* relaxation, const char* format,
@@ -161,20 +141,11 @@ vorpipe_code vorpipe_relaxation_write(const vorpipe_relaxation* relaxation, cons
   if (relaxation == nullptr) return missing("relaxation");
   if (format == nullptr) return missing("format");
   if (write == nullptr) return missing("write");
-  return guarded([&] {
-    const auto known = pointsFormatOf(std::string("sites.") + format);
-    if (!known) return fail(known.error());
-    auto sink = sinkOf(format, write, user);
-    return codeOf(writeAs(sink, *relaxation, **known));
-  });
+  return guarded([&] { return writeMoved(movedOf(*relaxation), format, write, user); });
 }
 
 vorpipe_code vorpipe_relaxation_save(const vorpipe_relaxation* relaxation, const char* path) {
   if (relaxation == nullptr) return missing("relaxation");
   if (path == nullptr) return missing("path");
-  return guarded([&] {
-    const auto known = pointsFormatOf(path);
-    if (!known) return fail(known.error());
-    return codeOf(save(path, [&](ByteSink& to) { return writeAs(to, *relaxation, **known); }));
-  });
+  return guarded([&] { return saveMoved(movedOf(*relaxation), path); });
 }

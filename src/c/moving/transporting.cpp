@@ -4,13 +4,13 @@
 
 #include "c/array.h"
 #include "c/failure.h"
-#include "c/files.h"
 #include "c/handles.h"
+#include "c/moving/moved_sites.h"
+#include "c/moving/moving_options.h"
 #include "c/options.h"
 #include "c/placed_input.h"
 #include "c/structs.h"
 #include "io/files/error.h"
-#include "io/points/points_file.h"
 #include "vorpipe/masses.h"
 
 namespace vorpipe::c {
@@ -39,18 +39,9 @@ Result<TransportOptions> transportOptions(const vorpipe_input& input, const Plac
   constexpr std::array surfaces{Surface::none, Surface::free};
   const auto surface = chosen(surfaces, wanted.surface, "surface");
   if (!surface) return tl::unexpected(surface.error());
-  vorpipe_cells_options search{};
-  search.struct_size = sizeof(search);
-  search.search = wanted.search;
-  search.search_neighbors = wanted.search_neighbors;
-  const auto cells = cellsOptions(input, placed, &search);
-  if (!cells) return tl::unexpected(cells.error());
-  TransportOptions options{};
-  options.domain = cells->domain;
-  options.outline = cells->outline;
-  options.periodic = cells->periodic;
-  options.density = cells->density;
-  options.search = cells->search;
+  auto cells = movingOptions(input, placed, wanted.search, wanted.search_neighbors);
+  if (!cells) return tl::unexpected(std::move(cells.error()));
+  auto options = optionsWith<TransportOptions>(std::move(*cells));
   options.surface = wanted.fill > 0 ? Surface::free : *surface;
   if (wanted.masses != nullptr) options.masses.assign(wanted.masses, wanted.masses + wanted.mass_count);
   if (wanted.tolerance != 0) options.tolerance = wanted.tolerance;
@@ -59,22 +50,18 @@ Result<TransportOptions> transportOptions(const vorpipe_input& input, const Plac
   return options;
 }
 
-TransportWatcher watcherOf(vorpipe_transport_watch watch, void* user) {
-  if (watch == nullptr) return {};
-  return [watch, user](const TransportStep& step) {
-    vorpipe_transport_step told{};
-    told.struct_size = sizeof(told);
-    told.taken = step.taken ? 1 : 0;
-    told.diagram = step.diagram;
-    told.newton = step.newton;
-    told.linear_iterations = step.linear_iterations;
-    told.length = step.length;
-    told.norm = step.norm;
-    told.worst = step.worst;
-    told.least = step.least;
-    told.seconds = step.seconds;
-    return watch(user, &told) == 0;
-  };
+vorpipe_transport_step toldOf(const TransportStep& step) {
+  vorpipe_transport_step told{};
+  told.taken = step.taken ? 1 : 0;
+  told.diagram = step.diagram;
+  told.newton = step.newton;
+  told.linear_iterations = step.linear_iterations;
+  told.length = step.length;
+  told.norm = step.norm;
+  told.worst = step.worst;
+  told.least = step.least;
+  told.seconds = step.seconds;
+  return told;
 }
 
 std::array<double, 9> rowOf(const TransportStep& step) {
@@ -104,9 +91,11 @@ Result<std::unique_ptr<vorpipe_transported>> find(vorpipe_session& session, cons
       return tl::unexpected(std::move(fit.error()));
     }
   }
-  auto found = transport(session.session, sites, *options, watcherOf(wanted->watch, wanted->watch_user));
+  auto found =
+      transport(session.session, sites, *options, watcherOf(wanted->watch, wanted->watch_user, &toldOf));
   if (!found) return tl::unexpected(std::move(found.error()));
-  auto made = std::make_unique<vorpipe_transported>(vorpipe_transported{*placed, input, std::move(*found)});
+  auto made = std::make_unique<vorpipe_transported>(
+      vorpipe_transported{*placed, input, options->surface, std::move(*found)});
   made->centroids = made->found.cells.centroid;
   const auto& projection = made->placed->domain.projection;
   for (Point& place : made->centroids) place = projection ? projection->toDegrees(place) : place;
@@ -134,11 +123,8 @@ Result<vorpipe_array> arrayOf(const vorpipe_transported& transported, vorpipe_tr
   }
 }
 
-Result<void> writeAs(ByteSink& to, const vorpipe_transported& transported, const PointsFormat& format) {
-  const PlacedInput& placed = *transported.placed;
-  return writePoints(
-      to, {shownSites(placed, transported.found.sites), *transported.input.attributes, systemOf(placed)},
-      format);
+MovedSites movedOf(const vorpipe_transported& transported) {
+  return {transported.input, *transported.placed, transported.found.sites};
 }
 
 }  // namespace
@@ -181,7 +167,7 @@ double vorpipe_transported_cost(const vorpipe_transported* transported) {
 vorpipe_code vorpipe_transported_report(const vorpipe_transported* transported, vorpipe_report* report) {
   if (transported == nullptr) return missing("transported");
   if (report == nullptr) return missing("report");
-  return guarded([&] { return codeOf(give(reportOf(transported->found.report), report, "vorpipe_report")); });
+  return guarded([&] { return giveReport(transported->found.report, report); });
 }
 
 const char* vorpipe_transported_note(const vorpipe_transported* transported, size_t index) {
@@ -191,10 +177,7 @@ const char* vorpipe_transported_note(const vorpipe_transported* transported, siz
 vorpipe_code vorpipe_transported_input(const vorpipe_transported* transported, vorpipe_input** input) {
   if (transported == nullptr) return missing("transported");
   if (input == nullptr) return missing("input");
-  return guarded([&]() -> vorpipe_code {
-    *input = inputOf(transported->input, *transported->placed, transported->found.sites).release();
-    return VORPIPE_DONE;
-  });
+  return guarded([&] { return giveMoved(movedOf(*transported), transported->surface, input); });
 }
 
 vorpipe_code vorpipe_transported_write(const vorpipe_transported* transported, const char* format,
@@ -202,20 +185,11 @@ vorpipe_code vorpipe_transported_write(const vorpipe_transported* transported, c
   if (transported == nullptr) return missing("transported");
   if (format == nullptr) return missing("format");
   if (write == nullptr) return missing("write");
-  return guarded([&] {
-    const auto known = pointsFormatOf(std::string("sites.") + format);
-    if (!known) return fail(known.error());
-    auto sink = sinkOf(format, write, user);
-    return codeOf(writeAs(sink, *transported, **known));
-  });
+  return guarded([&] { return writeMoved(movedOf(*transported), format, write, user); });
 }
 
 vorpipe_code vorpipe_transported_save(const vorpipe_transported* transported, const char* path) {
   if (transported == nullptr) return missing("transported");
   if (path == nullptr) return missing("path");
-  return guarded([&] {
-    const auto known = pointsFormatOf(path);
-    if (!known) return fail(known.error());
-    return codeOf(save(path, [&](ByteSink& to) { return writeAs(to, *transported, **known); }));
-  });
+  return guarded([&] { return saveMoved(movedOf(*transported), path); });
 }

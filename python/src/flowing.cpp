@@ -1,0 +1,257 @@
+#include "flowing.h"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "arrays.h"
+#include "choices.h"
+#include "errors.h"
+#include "io/files/extension.h"
+#include "io/fluid/fluid_state.h"
+#include "io/points/points_file.h"
+#include "saving.h"
+
+namespace vorpipe::python {
+namespace {
+
+constexpr Choices<FluidScheme, 2> scheme_names = {
+    {{"springs", FluidScheme::springs}, {"projection", FluidScheme::projection}}};
+constexpr Choices<FluidEnd, 3> fluid_ends = {
+    {{"time", FluidEnd::time}, {"areas", FluidEnd::areas}, {"cancelled", FluidEnd::cancelled}}};
+using SharedFluid = std::shared_ptr<FluidRun>;
+
+std::vector<Point> rowsOf(const Numbers& numbers) {
+  const auto elements = numbers.unchecked<2>();
+  std::vector<Point> rows(static_cast<std::size_t>(elements.shape(0)));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto row = static_cast<py::ssize_t>(i);
+    rows[i] = {elements(row, 0), elements(row, 1)};
+  }
+  return rows;
+}
+
+/// A fluid of an input; arrays are as long as its points, as vorpipe/_fluid.py has seen to.
+FluidSetup setupOf(const Input& input, const std::optional<Numbers>& velocities,
+                   const std::optional<Numbers>& volumes, const std::optional<Numbers>& densities) {
+  if (!input.outline.empty()) raiseInput("domain", "a fluid fills a box");
+  FluidSetup setup{};
+  setup.options.domain = input.domain;
+  setup.options.periodic = input.periodic;
+  setup.options.surface = input.surface;
+  setup.state.sites = input.sites;
+  if (velocities) setup.state.velocity = rowsOf(*velocities);
+  if (volumes) setup.state.volume = vectorOf(*volumes);
+  if (densities) setup.state.density = vectorOf(*densities);
+  return setup;
+}
+
+/// A case by its name, or a file.
+FluidSetup namedSetup(const std::string& name, std::uint64_t parcels) {
+  if (const auto named = fluidCaseOf(name)) return fluidCase(*named, parcels);
+  if (lowerExtension(name) == ".npz") return valueOf(readFluid(name));
+  std::string known;
+  for (const std::string& one : fluidCaseNames()) known += one + ", ";
+  raiseInput("begin", "'" + name + "' is none of " + known + "and no .npz file");
+}
+
+void choose(FluidSetup& setup, const std::optional<std::string>& scheme, std::optional<double> step,
+            std::optional<double> epsilon, std::optional<double> until, std::optional<double> tolerance,
+            std::optional<std::uint64_t> diagrams, const std::optional<std::array<double, 2>>& gravity,
+            const std::string& search, int neighbors) {
+  FluidOptions& options = setup.options;
+  if (scheme) options.scheme = chosen("scheme", scheme_names, *scheme);
+  options.step = step.value_or(options.step);
+  options.epsilon = epsilon.value_or(options.epsilon);
+  options.until = until.value_or(options.until);
+  options.tolerance = tolerance.value_or(options.tolerance);
+  options.diagrams = diagrams.value_or(options.diagrams);
+  if (gravity) options.gravity = {(*gravity)[0], (*gravity)[1]};
+  options.search = {chosen("search", search_choices, search), neighbors};
+}
+
+/// The property of a fluid that shows an array of its state, which stays as it was then.
+template <class Number, class Row>
+auto ofState(std::vector<Row> FluidState::*rows) {
+  return [rows](const FluidRun& run) {
+    const auto now = run.now();
+    return viewOf<Number>(now->state.*rows, now);
+  };
+}
+
+py::array placesOf(const FluidRun& run) {
+  const auto now = run.now();
+  const Sites& sites = now->state.sites;
+  std::vector<Point> rows;
+  for (std::size_t i = 0; i < sites.size(); ++i) rows.push_back({sites.x[i], sites.y[i]});
+  py::array places = arrayOf<double>(std::move(rows));
+  places.attr("setflags")(py::arg("write") = false);
+  return places;
+}
+
+void saveFluid(const FluidRun& run, const std::string& path) {
+  const auto now = run.now();
+  if (lowerExtension(path) == ".npz") {
+    saveFile(path, [&](ByteSink& sink) { return writeFluid(sink, now->state, now->options); });
+    return;
+  }
+  const PointsFormat& format = *valueOf(pointsFormatOf(path));
+  saveFile(path, [&](ByteSink& sink) { return writePoints(sink, {now->state.sites}, format); });
+}
+
+std::shared_ptr<Report> reportOf(const FluidRun& run) {
+  const auto now = std::const_pointer_cast<FluidNow>(run.now());
+  return {now, &now->report};
+}
+
+void defineFluidStep(py::module_& module) {
+  py::class_<FluidStep>(module, "FluidStep", "What a step of a fluid has come to.")
+      .def_readonly("step", &FluidStep::step)
+      .def_readonly("time", &FluidStep::time)
+      .def_readonly("length", &FluidStep::length)
+      .def_readonly("kinetic", &FluidStep::kinetic)
+      .def_readonly("potential", &FluidStep::potential)
+      .def_readonly("spring", &FluidStep::spring)
+      .def_property_readonly("energy", &FluidStep::energy)
+      .def_property_readonly(
+          "momentum", [](const FluidStep& step) { return std::pair(step.momentum.x, step.momentum.y); })
+      .def_readonly("worst", &FluidStep::worst)
+      .def_readonly("farthest", &FluidStep::farthest)
+      .def_readonly("diagrams", &FluidStep::diagrams)
+      .def_readonly("linear_iterations", &FluidStep::linear_iterations)
+      .def_readonly("halvings", &FluidStep::halvings)
+      .def_readonly("seconds", &FluidStep::seconds);
+}
+
+void defineSetup(py::module_& module) {
+  py::class_<FluidSetup>(module, "FluidSetup", "What a fluid begins with.")
+      .def_static("of", &setupOf, py::arg("input"), py::arg("velocities"), py::arg("volumes"),
+                  py::arg("densities"))
+      .def_static("named", &namedSetup, py::arg("name"), py::arg("parcels"))
+      .def("choose", &choose, py::kw_only(), py::arg("scheme"), py::arg("step"), py::arg("epsilon"),
+           py::arg("until"), py::arg("tolerance"), py::arg("diagrams"), py::arg("gravity"), py::arg("search"),
+           py::arg("neighbors"));
+}
+
+}  // namespace
+
+std::shared_ptr<const FluidNow> FluidRun::now() const {
+  const std::lock_guard lock(mutex_);
+  return now_;
+}
+
+void FluidRun::publish() {
+  auto now = std::make_shared<const FluidNow>(
+      FluidNow{fluid_->state(), fluid_->options(), fluid_->last(), fluid_->end(), fluid_->report()});
+  const std::lock_guard lock(mutex_);
+  now_ = std::move(now);
+}
+
+std::shared_ptr<FluidRun> FluidRun::begin(const std::shared_ptr<SharedSession>& session, FluidSetup setup,
+                                          const py::object& progress) {
+  std::shared_ptr<FluidRun> run(new FluidRun(session, setup.state.time));
+  // The fluid is a part of the run, which outlives it.
+  setup.options.progress = [self = run.get()](std::string_view, double) { return self->isTold(self->done_); };
+  session->run(progress,
+               [run, setup = std::move(setup)](Session& opened, const Progress& heard) -> Result<void> {
+                 run->heard_ = &heard;
+                 auto fluid = Fluid::begin(opened, setup.state, setup.options);
+                 run->heard_ = nullptr;
+                 if (!fluid) return tl::unexpected(std::move(fluid.error()));
+                 run->fluid_ = std::move(*fluid);
+                 run->publish();
+                 return {};
+               });
+  return run;
+}
+
+bool FluidRun::step(const py::object& progress) {
+  const auto made = std::make_shared<bool>(false);
+  session_->run(progress, [self = shared_from_this(), made](Session&, const Progress& heard) -> Result<void> {
+    Fluid& fluid = *self->fluid_;
+    const double until = fluid.options().until;
+    const bool ends = std::isfinite(until) && until > self->begin_;
+    self->done_ = ends ? std::min(1.0, (fluid.last().time - self->begin_) / (until - self->begin_)) : 0;
+    self->heard_ = &heard;
+    Result<void> ready{};
+    if (fluid.end() == FluidEnd::cancelled) ready = fluid.goOn(until);
+    Result<bool> more = ready ? fluid.step() : Result<bool>(tl::unexpected(std::move(ready.error())));
+    self->heard_ = nullptr;
+    self->publish();
+    if (!more) return tl::unexpected(std::move(more.error()));
+    *made = *more;
+    return {};
+  });
+  return *made;
+}
+
+void FluidRun::goOn(double until, const py::object& progress) {
+  session_->run(progress, [self = shared_from_this(), until](Session&, const Progress& heard) {
+    self->heard_ = &heard;
+    auto on = self->fluid_->goOn(until);
+    self->heard_ = nullptr;
+    self->publish();
+    return on;
+  });
+}
+
+void FluidRun::push(std::vector<Point> velocities) {
+  session_->run(py::none(),
+                [self = shared_from_this(), velocities = std::move(velocities)](
+                    Session&, const Progress&) -> Result<void> {
+                  self->fluid_->push(velocities);
+                  self->publish();
+                  return {};
+                });
+}
+
+void defineFlowing(py::module_& module) {
+  defineFluidStep(module);
+  defineSetup(module);
+  py::class_<FluidRun, SharedFluid>(module, "Fluid", "A fluid, step by step.")
+      .def("__len__", [](const FluidRun& run) { return run.now()->state.sites.size(); })
+      .def("step", &FluidRun::step, py::arg("progress"))
+      .def("go_on", &FluidRun::goOn, py::arg("until"), py::arg("progress"))
+      .def(
+          "push", [](FluidRun& run, const Numbers& velocities) { run.push(rowsOf(velocities)); },
+          py::arg("velocities"))
+      .def_property_readonly("points", &placesOf)
+      .def_property_readonly("weights",
+                             [](const FluidRun& run) {
+                               const auto now = run.now();
+                               return viewOf<double>(now->state.sites.weight, now);
+                             })
+      .def_property_readonly("velocities", ofState<double>(&FluidState::velocity))
+      .def_property_readonly("pressures", ofState<double>(&FluidState::pressure))
+      .def_property_readonly("volumes", ofState<double>(&FluidState::volume))
+      .def_property_readonly("densities", ofState<double>(&FluidState::density))
+      .def_property_readonly("last", [](const FluidRun& run) { return run.now()->last; })
+      .def_property_readonly("end",
+                             [](const FluidRun& run) -> std::optional<std::string> {
+                               const FluidEnd end = run.now()->end;
+                               if (end == FluidEnd::none) return std::nullopt;
+                               return std::string(nameIn(fluid_ends, end));
+                             })
+      .def_property_readonly("until", [](const FluidRun& run) { return run.now()->options.until; })
+      .def_property_readonly(
+          "scheme", [](const FluidRun& run) { return nameIn(scheme_names, run.now()->options.scheme); })
+      .def_property_readonly(
+          "periodic",
+          [](const FluidRun& run) { return nameIn(periodic_choices, run.now()->options.periodic); })
+      .def_property_readonly("free_surface",
+                             [](const FluidRun& run) { return run.now()->options.surface == Surface::free; })
+      .def_property_readonly("domain",
+                             [](const FluidRun& run) {
+                               const Box box = run.now()->options.domain;
+                               return std::array{box.xmin, box.ymin, box.xmax, box.ymax};
+                             })
+      .def_property_readonly("report", &reportOf)
+      .def("save", &saveFluid, py::arg("path"));
+  module.def("begin_fluid", &FluidRun::begin, py::arg("session"), py::arg("setup"), py::arg("progress"));
+  module.def("fluid_cases", &fluidCaseNames);
+}
+
+}  // namespace vorpipe::python

@@ -1,0 +1,228 @@
+"""Fluids made of cells."""
+from __future__ import annotations
+
+import math
+import os
+from typing import Any, Callable, Optional, Sequence, Tuple, Union
+
+from . import _arguments, _vorpipe
+from ._arguments import Floats, PathLike
+from ._diagram import Diagram
+from ._picture import Picture
+from ._sessions import Progress, Session, backend_for, input_of, shared_session
+
+Named = Union[str, 'os.PathLike[str]']
+
+
+class Fluid:
+    """A fluid without friction whose parcels are cells that keep their areas.
+
+    It begins with points and their velocities, or with a case or a file by its name:
+
+        vorpipe.Fluid(points, velocities, domain=(0, 0, 1, 1))
+        vorpipe.Fluid("dam-break", parcels=1000)
+        vorpipe.Fluid("state.npz")
+
+    Arrays are read-only and of the state as it is when they are asked for; later steps do not change them. Options that
+    are None are as the case or the file has them, or else as said below. Any thread may use it, while its session is
+    open.
+
+    Args:
+        begin: (N, 2), the points; "taylor-green", "gresho", "shear", "rayleigh-taylor" or "dam-break"; or an .npz file
+            that `save` or the command line's --checkpoint has written.
+        velocities: (N, 2); None: at rest.
+        volumes: (N,), the areas of the cells; None for equal shares of the domain. A free surface asks for them.
+        densities: (N,), mass per volume; None: 1.
+        weights: (N,), where to begin to look for those that give cells their areas.
+        domain, periodic: as in `cells`, without "hull".
+        surface: "free" where air is around the cells.
+        parcels: about how many cells a case has; None: 2048.
+        gravity: (x, y); None: none.
+        scheme: "springs", the default, which has free surfaces; or "projection", more exact for smooth flows in domains
+            that are full.
+        step: of time; None or 0: as long as speeds and springs allow.
+        epsilon: softness of springs in spacings; None: 2, or 1 with a free surface.
+        until: the time at which it ends; None: never.
+        tolerance: no area differs from its volume by more than this part of it; None: 1e-6.
+        diagrams: the most for each set of areas; None: 100.
+        session: where it computes; None for the one of `backend`, `device` and `threads`, as in `cells`.
+        progress: called with "fluid" and the part done while it begins; returning False stops that.
+    """
+
+    __slots__ = ('_fluid', '_session')
+
+    def __init__(self, begin: Any, velocities: Any = None, *, volumes: Any = None, densities: Any = None,
+                 weights: Any = None, domain: Any = None, periodic: Union[None, bool, str] = None,
+                 surface: Optional[str] = None, parcels: Optional[int] = None,
+                 gravity: Optional[Sequence[float]] = None, scheme: Optional[str] = None,
+                 step: Optional[float] = None, epsilon: Optional[float] = None, until: Optional[float] = None,
+                 tolerance: Optional[float] = None, diagrams: Optional[int] = None, search: str = 'grid',
+                 backend: str = 'auto', device: Union[None, int, str] = None, threads: Optional[int] = None,
+                 session: Optional[Session] = None, progress: Optional[Progress] = None) -> None:
+        arrays = {'velocities': velocities, 'volumes': volumes, 'densities': densities, 'weights': weights,
+                  'domain': domain, 'periodic': periodic, 'surface': surface}
+        if isinstance(begin, (str, os.PathLike)):
+            setup = _named(os.fspath(begin), parcels, arrays)
+            count = parcels or 2048
+        else:
+            if parcels is not None:
+                raise _arguments.refuse('parcels', 'is for cases; points are as many as there are')
+            given = input_of(begin, weights, _arguments.domain_of(domain, None, None, False, None), periodic,
+                             surface=surface)
+            count = len(given)
+            setup = _vorpipe.FluidSetup.of(given, _arguments.vectors_of('velocities', velocities, count),
+                                           _arguments.positive_of('volumes', volumes, count),
+                                           _arguments.positive_of('densities', densities, count))
+        found, neighbors = _arguments.search_of(search)
+        setup.choose(scheme=scheme, step=step, epsilon=epsilon, until=until, tolerance=tolerance,
+                     diagrams=None if diagrams is None else _arguments.iterations_of(diagrams, 'diagrams'),
+                     gravity=_arguments.gravity_of(gravity), search=found, neighbors=neighbors)
+        self._session = session or shared_session(backend_for(backend, device, count), device, threads)
+        self._fluid = _vorpipe.begin_fluid(self._session._session, setup, progress)
+
+    def __len__(self) -> int:
+        return len(self._fluid)
+
+    def __repr__(self) -> str:
+        last = self.last
+        return f'<vorpipe.Fluid: {len(self)} points, time {last.time:g} after {last.step} steps>'
+
+    def step(self, progress: Optional[Progress] = None) -> Optional[_vorpipe.FluidStep]:
+        """Makes a step, and says what it has come to; None: the fluid has ended, and `end` says why.
+
+        A step that is stopped, by `progress` or Ctrl-C, has not been; the next one begins where it did.
+        """
+        return self.last if self._fluid.step(progress) else None
+
+    def run(self, until: Optional[float] = None, steps: Optional[int] = None,
+            callback: Optional[Callable[[_vorpipe.FluidStep], Optional[bool]]] = None,
+            progress: Optional[Progress] = None) -> _vorpipe.FluidStep:
+        """Makes steps until that time, which is that of its end from now on, or some of them; returns the last.
+
+        A fluid that had ended goes on, without another time from then on without an end. `callback` is called after
+        each step, and may use the fluid; returning False ends the run.
+        """
+        if steps is not None and (steps != int(steps) or steps < 0):
+            raise _arguments.refuse('steps', f'{steps!r} is no number of steps')
+        own = math.inf if self.end == 'time' else self._fluid.until
+        to = own if until is None else float(until)
+        if math.isinf(to) and steps is None:
+            raise _arguments.refuse('until', 'name the time at which it ends, or a number of steps')
+        self._fluid.go_on(to, progress)
+        made = 0
+        while steps is None or made < steps:
+            told = self.step(progress)
+            if told is None or (callback is not None and callback(told) is False):
+                break
+            made += 1
+        return self.last
+
+    def push(self, velocities: Any) -> None:
+        """Adds to the velocities, (N, 2): what stirs."""
+        wanted = _arguments.vectors_of('velocities', velocities, len(self))
+        if wanted is None:
+            raise _arguments.refuse('velocities', 'there are none')
+        self._fluid.push(wanted)
+
+    # The state
+
+    @property
+    def points(self) -> Floats:
+        """(N, 2): where they are. A copy with each call."""
+        return self._fluid.points
+
+    @property
+    def weights(self) -> Floats:
+        """(N,): with them the cells of the points have their volumes."""
+        return self._fluid.weights
+
+    @property
+    def velocities(self) -> Floats:
+        """(N, 2)"""
+        return self._fluid.velocities
+
+    @property
+    def pressures(self) -> Floats:
+        """(N,): of the last step; by projection (0,) before the first."""
+        return self._fluid.pressures
+
+    @property
+    def volumes(self) -> Floats:
+        """(N,): the areas of the cells, which they keep."""
+        return self._fluid.volumes
+
+    @property
+    def densities(self) -> Floats:
+        """(N,); (0,) where all are 1."""
+        return self._fluid.densities
+
+    @property
+    def time(self) -> float:
+        """Of the state."""
+        return self._fluid.last.time
+
+    @property
+    def last(self) -> _vorpipe.FluidStep:
+        """What the last step has come to; before the first, how it began."""
+        return self._fluid.last
+
+    @property
+    def end(self) -> Optional[str]:
+        """Why it ended: "time", "areas", which could not be found even for short steps, or "cancelled"; None: it has
+        not."""
+        return self._fluid.end
+
+    @property
+    def domain(self) -> Tuple[float, float, float, float]:
+        """(xmin, ymin, xmax, ymax)."""
+        xmin, ymin, xmax, ymax = self._fluid.domain
+        return xmin, ymin, xmax, ymax
+
+    @property
+    def periodic(self) -> str:
+        """ "none", "x", "y" or "xy"."""
+        return self._fluid.periodic
+
+    @property
+    def surface(self) -> Optional[str]:
+        """ "free" where air is around the cells, else None."""
+        return 'free' if self._fluid.free_surface else None
+
+    @property
+    def scheme(self) -> str:
+        """ "springs" or "projection"."""
+        return self._fluid.scheme
+
+    @property
+    def report(self) -> _vorpipe.Report:
+        """What the run of the last diagram did."""
+        return self._fluid.report
+
+    # What can be made of it
+
+    def cells(self, detail: str = 'everything', progress: Optional[Progress] = None) -> Diagram:
+        """The cells of the points where they are; with a free surface they end at discs."""
+        return self._session.cells(self.points, self.weights, self.domain, periodic=self.periodic,
+                                   surface=self.surface, detail=detail, progress=progress)
+
+    def render(self, **look: Any) -> Picture:
+        """A picture of these cells; `look` is as in `vorpipe.render`. Air has no color, and NO_SITE."""
+        return self._session.render(self.points, self.weights, self.domain, periodic=self.periodic,
+                                    surface=self.surface, **look)
+
+    def save(self, path: PathLike) -> None:
+        """Writes all that later steps depend on, .npz, to go on from it with the same bytes; or the points with their
+        weights: .csv, .txt, .npy, .geojson, .geojsonl, .gpkg or .wkt."""
+        self._fluid.save(os.fspath(path))
+
+
+def _named(name: str, parcels: Optional[int], arrays: Any) -> _vorpipe.FluidSetup:
+    """Of a case or a file, which have all arrays themselves."""
+    for argument, value in arrays.items():
+        if value is not None:
+            raise _arguments.refuse(argument, f'{name} has its own')
+    if parcels is not None and name not in _vorpipe.fluid_cases():
+        raise _arguments.refuse('parcels', f'is for cases; {name} has as many as it has')
+    if parcels is not None and (parcels != int(parcels) or parcels < 4):
+        raise _arguments.refuse('parcels', f'{parcels!r} is no number of at least 4')
+    return _vorpipe.FluidSetup.named(name, 2048 if parcels is None else int(parcels))

@@ -1,0 +1,39 @@
+/// What options of everything that moves sites or masses have in common.
+#pragma once
+
+#include <utility>
+
+#include "c/handles.h"
+#include "c/vorpipe_c.h"
+#include "vorpipe.h"
+
+namespace vorpipe::c {
+
+/// How cells are found where an input is placed. Errors (input): those of cellsOptions.
+Result<CellsOptions> movingOptions(const vorpipe_input& input, const PlacedInput& placed,
+                                   vorpipe_search search, std::int32_t neighbors);
+
+/// Options that find cells so; the rest is as usual.
+template <class Options>
+Options optionsWith(CellsOptions cells) {
+  Options options{};
+  options.domain = cells.domain;
+  options.outline = std::move(cells.outline);
+  options.periodic = cells.periodic;
+  options.density = std::move(cells.density);
+  options.search = cells.search;
+  return options;
+}
+
+/// A function of the caller's that is told each step, as a `Told`, and ends a run by what is not 0.
+template <class Told, class Step>
+auto watcherOf(std::int32_t (*watch)(void* user, const Told* step), void* user, Told (*told)(const Step&)) {
+  return [watch, user, told](const Step& step) {
+    if (watch == nullptr) return true;
+    Told shown = told(step);
+    shown.struct_size = sizeof(shown);
+    return watch(user, &shown) == 0;
+  };
+}
+
+}  // namespace vorpipe::c

@@ -1,0 +1,172 @@
+"""Fluids: arrays, steps, calls after each, what stops them, and the same bytes as the program; free surfaces."""
+import os
+import pathlib
+import signal
+import subprocess
+import threading
+
+import numpy as np
+import pytest
+
+import vorpipe
+
+UNIT = (0, 0, 1, 1)
+
+
+def test_a_vortex_keeps_its_energy_and_its_areas():
+    fluid = vorpipe.Fluid('taylor-green', parcels=100, scheme='projection', step=0.02)
+    assert len(fluid) == 100 and fluid.domain == UNIT and fluid.periodic == 'none' and fluid.surface is None
+    assert fluid.end is None and fluid.scheme == 'projection' and fluid.densities.shape == (0, )
+    start = fluid.last
+    step = fluid.step()
+    assert step.step == 1 and step.time == fluid.time == pytest.approx(0.02) and step.worst <= 1e-6
+    told = []
+    last = fluid.run(until=0.09, callback=told.append)
+    assert [step.step for step in told] == [2, 3, 4, 5] and last.time == 0.09 and fluid.end == 'time'
+    assert last.energy == pytest.approx(start.energy, rel=0.01) and last.momentum == pytest.approx((0, 0), abs=1e-9)
+    assert fluid.step() is None and fluid.report.ok == 100
+    assert fluid.pressures.shape == fluid.weights.shape == (100, ) and fluid.points.shape == (100, 2)
+    assert np.allclose(fluid.cells().areas, 0.01, rtol=1e-6) and np.array_equal(fluid.volumes, np.full(100, 0.01))
+    assert (fluid.render(size=(20, 20)).ids != vorpipe.NO_SITE).all()
+
+
+def test_arrays_are_views_that_later_steps_leave_alone():
+    fluid = vorpipe.Fluid('shear', parcels=64)
+    velocities, copy = fluid.velocities, fluid.velocities.copy()
+    assert not velocities.flags.writeable and not velocities.flags.owndata
+    fluid.step()
+    assert np.array_equal(velocities, copy) and not np.array_equal(fluid.velocities, copy)
+    before = fluid.velocities
+    fluid.push(np.ones((len(fluid), 2)))
+    assert np.array_equal(fluid.velocities, before + 1)
+    del fluid
+    assert np.array_equal(velocities, copy)
+
+
+def test_it_begins_with_arrays():
+    points = vorpipe.generate('jitter', 100)
+    fluid = vorpipe.Fluid(points, np.tile((1.0, 0.0), (100, 1)), domain=UNIT, periodic='x', densities=np.full(100, 3.0))
+    assert fluid.last.kinetic == pytest.approx(1.5) and fluid.periodic == 'x'
+    fluid.run(steps=3)
+    assert fluid.last.step == 3 and fluid.last.momentum[0] == pytest.approx(3, rel=1e-6)
+    drops = vorpipe.Fluid(points, volumes=np.full(100, 0.003), domain=UNIT, surface='free', gravity=(0, -1))
+    drops.run(steps=2)
+    assert drops.last.potential < 1 and drops.surface == 'free'
+    cells = drops.cells()
+    assert np.allclose(cells.areas, 0.003, rtol=1e-5) and cells.area_sum() == pytest.approx(0.3, rel=1e-5)
+
+
+def test_a_callback_uses_the_fluid_and_ends_the_run():
+    fluid = vorpipe.Fluid('dam-break', parcels=60)
+    areas = []
+
+    def measure(step):
+        areas.append(fluid.cells(detail='measures').area_sum())
+        fluid.push(np.zeros((len(fluid), 2)))
+        return step.step < 2
+
+    fluid.run(callback=measure)
+    assert fluid.last.step == 2 and fluid.end is None and np.allclose(areas, 2, rtol=1e-5)
+    with pytest.raises(ZeroDivisionError):
+        fluid.run(callback=lambda step: 1 // 0)
+    assert fluid.last.step == 3
+
+
+def test_what_is_cancelled_goes_on_as_if_it_had_not_been():
+    fluid, other = (vorpipe.Fluid('taylor-green', parcels=100, step=0.01) for _ in range(2))
+    fluid.run(steps=2)
+    with pytest.raises(vorpipe.Cancelled):
+        for _ in range(100):
+            fluid.step(progress=lambda stage, part: False)
+    reached = fluid.last.step
+    fluid.run(steps=2)
+    other.run(steps=fluid.last.step)
+    assert reached + 2 == other.last.step and np.array_equal(fluid.points, other.points)
+
+
+def test_ctrl_c_ends_a_run_and_the_fluid_stays_whole():
+    fluid = vorpipe.Fluid('shear', parcels=5000)
+    timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        fluid.run(until=1e9)
+    before = fluid.last.step
+    assert fluid.run(steps=1).step >= before and fluid.last.worst <= 1e-6
+
+
+def test_it_knows_its_session():
+    with vorpipe.Session('cpu', threads=1) as session:
+        fluid = vorpipe.Fluid('gresho', parcels=50, session=session)
+        fluid.step()
+    with pytest.raises(vorpipe.DeviceError, match='closed'):
+        fluid.step()
+    assert len(fluid.points) == len(fluid)
+
+
+def test_wrong_arguments_are_refused_by_name():
+    points = vorpipe.generate('random', 10)
+    for words, arguments in (('velocities: shape', {'velocities': np.ones((9, 2))}),
+                             ('velocities: they', {'velocities': np.full((10, 2), np.nan)}),
+                             ('volumes', {'volumes': np.zeros(10)}), ('densities', {'densities': np.ones(9)}),
+                             ('scheme', {'scheme': 'sph'}), ('gravity', {'gravity': 9.81}), ('step', {'step': -1}),
+                             ('epsilon', {'epsilon': np.nan}), ('until', {'until': np.nan}),
+                             ('tolerance', {'tolerance': 0}), ('volume', {'surface': 'free'}),
+                             ('domain', {'domain': 'hull'}), ('parcels', {'parcels': 10}),
+                             ('scheme', {'surface': 'free', 'scheme': 'projection'})):
+        with pytest.raises(vorpipe.InputError, match=f'^{words}'):
+            vorpipe.Fluid(points, **{'domain': UNIT, **arguments})
+    for words, name, arguments in (('begin', 'dam', {}), ('domain', 'shear', {'domain': UNIT}),
+                                   ('parcels', 'shear', {'parcels': 1}), ('none.npz', 'none.npz', {}),
+                                   ('parcels', 'none.npz', {'parcels': 9})):
+        with pytest.raises(vorpipe.InputError, match=f'^{words}'):
+            vorpipe.Fluid(name, **arguments)
+    fluid = vorpipe.Fluid(points, domain=UNIT)
+    with pytest.raises(vorpipe.InputError, match='^until'):
+        fluid.run()
+    with pytest.raises(vorpipe.InputError, match='^velocities'):
+        fluid.push(np.ones((3, 2)))
+
+
+def test_cells_of_a_free_surface_end_at_discs():
+    points = vorpipe.generate('random', 100)
+    found = vorpipe.transport(points, domain=UNIT, fill=0.3)
+    assert found.surface == 'free'
+    for cells in (found.cells(), vorpipe.cells(points, found.weights, UNIT, surface='free')):
+        assert np.allclose(cells.areas, 0.003, rtol=1e-7) and np.allclose(cells.centroids, found.centroids)
+    assert vorpipe.cells(points, found.weights, UNIT).area_sum() == pytest.approx(1)
+    for cell in cells:
+        border = cell.border()
+        assert [part.end for part in border] == [part.start for part in border[1:] + border[:1]]
+        assert all((part.angle > 0) == (part.neighbor == vorpipe.Wall.OUTLINE) for part in border)
+    radii = np.sqrt(found.weights)
+    away = np.hypot(*(cells.vertices - np.repeat(points, np.diff(cells.offsets), axis=0)).T)
+    assert (away <= np.repeat(radii, np.diff(cells.offsets)) * (1 + 1e-9)).all()
+    places = np.random.default_rng(1).random((2000, 2))
+    held = cells.locate(places)
+    assert np.mean(held != vorpipe.NO_SITE) == pytest.approx(0.3, abs=0.05)
+    ids = vorpipe.render(points, found.weights, UNIT, size=(200, 200), surface='free').ids
+    assert np.mean(ids != vorpipe.NO_SITE) == pytest.approx(0.3, abs=0.01)
+    for refused in ({'check': True}, {'periodic': 'xy'}, {'density': np.ones((2, 2))}):
+        with pytest.raises(vorpipe.InputError):
+            vorpipe.cells(points, found.weights, UNIT, surface='free', **refused)
+    with pytest.raises(vorpipe.InputError, match='surface'):
+        vorpipe.cells(points)[0].border()
+    assert vorpipe.transport(points, domain=UNIT).cells(detail='measures').area_sum() == pytest.approx(1)
+
+
+def test_program_and_python_write_the_same_bytes(tmp_path):
+    program = pathlib.Path(os.environ.get('VORPIPE_PROGRAM', ''))
+    if not program.is_file():
+        pytest.skip('the program is not built')
+    subprocess.run([program, 'fluid', '--backend', 'cpu', '--case', 'dam-break', '--particles', '100', '--steps', '3',
+                    '--quiet', '--checkpoint', 'cli.npz', '-o', 'cli.csv'], check=True, cwd=tmp_path)
+    fluid = vorpipe.Fluid('dam-break', parcels=100)
+    fluid.run(steps=3)
+    for name in ('npz', 'csv'):
+        fluid.save(tmp_path / f'python.{name}')
+        assert (tmp_path / f'cli.{name}').read_bytes() == (tmp_path / f'python.{name}').read_bytes()
+    again = vorpipe.Fluid(tmp_path / 'cli.npz')
+    assert again.last.step == 3 and again.surface == 'free'
+    fluid.run(steps=2)
+    again.run(steps=2)
+    assert np.array_equal(fluid.points, again.points) and np.array_equal(fluid.weights, again.weights)
