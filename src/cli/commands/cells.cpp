@@ -142,7 +142,7 @@ Result<ExitCode> measureInTiles(const CellsCommand& command, const TiledInput& i
   CellsInTiles tiles(session,
                      {input.input.domain, command.search, sizes->usual, sizes->most, bar.callback()});
   Measured measured(places.count);
-  const auto made = tiles.measure(places, sinkOf(measured));
+  const auto made = tiles.measure(places, sinkOf(measured, command.backend.threads));
   bar.clear();
   if (!made) return asOption(made.error(), command.input);
   const Report& report = made->report;

@@ -1,5 +1,6 @@
 #include "cli/runs/measures.h"
 
+#include "base/parallel.h"
 #include "base/stopwatch.h"
 
 namespace vorpipe::cli {
@@ -28,17 +29,20 @@ Result<TiledInput> loadTiled(const InputOptions& options, int threads) {
 
 Measured::Measured(std::size_t sites) : area(sites), centroid(sites), neighbors(sites), status(sites) {}
 
-CellsSink sinkOf(Measured& measured) {
-  return [&measured](std::span<const std::uint32_t> sites,
-                     std::span<const CellMeasures> measures) -> Result<void> {
-    for (std::size_t k = 0; k < sites.size(); ++k) {
-      const auto i = sites[k];
-      const CellMeasures& cell = measures[k];
-      measured.area[i] = cell.area;
-      measured.centroid[i] = cell.centroid;
-      measured.neighbors[i] = cell.neighbors;
-      measured.status[i] = cell.status;
-    }
+CellsSink sinkOf(Measured& measured, int threads) {
+  constexpr std::size_t grain = std::size_t{1} << 14;
+  return [&measured, threads](std::span<const std::uint32_t> sites,
+                              std::span<const CellMeasures> measures) -> Result<void> {
+    parallelFor(sites.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+      for (auto k = begin; k < end; ++k) {
+        const auto i = sites[k];
+        const CellMeasures& cell = measures[k];
+        measured.area[i] = cell.area;
+        measured.centroid[i] = cell.centroid;
+        measured.neighbors[i] = cell.neighbors;
+        measured.status[i] = cell.status;
+      }
+    });
     return {};
   };
 }

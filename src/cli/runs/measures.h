@@ -37,7 +37,7 @@ struct Measured {
   std::vector<Status> status;
 };
 
-/// Puts measures where their sites' are.
-CellsSink sinkOf(Measured& measured);
+/// Puts measures where their sites' are, on several threads.
+CellsSink sinkOf(Measured& measured, int threads);
 
 }  // namespace vorpipe::cli

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/double_double.h"
+#include "base/parallel.h"
 #include "base/refusal.h"
 #include "base/stopwatch.h"
 #include "core/diagram/diagram_writer.h"
@@ -22,6 +23,21 @@ namespace {
 
 /// Of the sites of a tile, those that are found apart wait until they are this part of it.
 constexpr std::uint64_t open_at_once = 8;
+
+constexpr std::size_t grain = std::size_t{1} << 13;
+
+/// What there is of some cells together.
+struct Sums {
+  DoubleDouble area;
+  std::uint64_t ok = 0, empty = 0, duplicate = 0;
+
+  void add(const CellMeasures& cell) {
+    area = area + DoubleDouble(cell.area);
+    ok += cell.status == Status::ok ? 1u : 0u;
+    empty += cell.status == Status::empty ? 1u : 0u;
+    duplicate += cell.status == Status::duplicate ? 1u : 0u;
+  }
+};
 
 /// Adds what one run did to what all did.
 void addReport(const Report& from, Report& to) {
@@ -76,7 +92,7 @@ class TiledRun {
   }
 
   Result<void> measure(const TileBlock& tile) {
-    const PartSites part = sitesOf(cells_, tile);
+    const PartSites part = sitesOf(cells_, tile, threads_);
     const PartFrame frame = frameOf(cells_, tile);
     const Box& box = frame.prepared.domain;
     std::vector<std::uint32_t> which;
@@ -118,24 +134,25 @@ class TiledRun {
 
   Result<void> settle() {
     made_.open += open_.sites.size();
-    return settleOpenCells(cells_, std::exchange(open_, {}), threads_, find_,
+    return settleOpenCells(cells_, std::exchange(open_, {}), options_.most, threads_, find_,
                            [this](const PartSites& part, const PartCells& found,
                                   std::span<const std::uint32_t> which) { return take(part, found, which); });
   }
 
   /// Hands the cells `which` of a part to the sink.
   Result<void> take(const PartSites& part, const PartCells& found, std::span<const std::uint32_t> which) {
-    numbers_.clear();
-    measures_.clear();
-    for (const auto i : which) {
-      numbers_.push_back(part.number[i]);
-      measures_.push_back(measuresOf(part, found, i));
-      const CellMeasures& cell = measures_.back();
-      sum_ = sum_ + DoubleDouble(cell.area);
-      made_.report.ok += cell.status == Status::ok ? 1u : 0u;
-      made_.report.empty += cell.status == Status::empty ? 1u : 0u;
-      made_.report.duplicate += cell.status == Status::duplicate ? 1u : 0u;
-    }
+    numbers_.resize(which.size());
+    measures_.resize(which.size());
+    std::vector<Sums> sums((which.size() + grain - 1) / grain);
+    parallelFor(which.size(), grain, threads_, [&](std::size_t begin, std::size_t end) {
+      Sums& sum = sums[begin / grain];
+      for (auto k = begin; k < end; ++k) {
+        numbers_[k] = part.number[which[k]];
+        measures_[k] = measuresOf(part, found, which[k]);
+        sum.add(measures_[k]);
+      }
+    });
+    for (const Sums& sum : sums) add(sum);
     done_ += which.size();
     addReport(found.report, made_.report);
     if (options_.progress &&
@@ -143,6 +160,13 @@ class TiledRun {
                            static_cast<double>(done_) / static_cast<double>(cells_.sites().count)))
       return tl::unexpected(Error{ErrorCode::cancelled, "cancelled"});
     return sink_(numbers_, measures_);
+  }
+
+  void add(const Sums& sum) {
+    sum_ = sum_ + sum.area;
+    made_.report.ok += sum.ok;
+    made_.report.empty += sum.empty;
+    made_.report.duplicate += sum.duplicate;
   }
 
   FindPart find_;

@@ -19,9 +19,9 @@ using FindPart = std::function<Result<PartCells>(const PartSites& part, const Pa
 
 /// Settles cells: finds them among their neighbors, adds the sites that are nearer to their corners than they
 /// are, and so on until there are none. Calls settled(part, cells, which) with cells that are, some at a
-/// time.
+/// time. Error (input): that takes more than `most` sites at a time.
 Result<void> settleOpenCells(
-    const SiteCells& cells, OpenCells open, int threads, const FindPart& find,
+    const SiteCells& cells, OpenCells open, std::uint64_t most, int threads, const FindPart& find,
     const std::function<Result<void>(const PartSites& part, const PartCells& found,
                                      std::span<const std::uint32_t> which)>& settled);
 

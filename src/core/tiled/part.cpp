@@ -4,8 +4,12 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/parallel.h"
+
 namespace vorpipe::core {
 namespace {
+
+constexpr std::size_t grain = std::size_t{1} << 14;
 
 /// Ascending, by bits from the lowest on: several times as fast as to compare.
 void sortNumbers(std::vector<std::uint32_t>& numbers) {
@@ -39,7 +43,7 @@ void takeOrder(const SiteCells& cells, SiteSet& set) {
 
 }  // namespace
 
-PartSites sitesOf(const SiteCells& cells, const TileBlock& tile) {
+PartSites sitesOf(const SiteCells& cells, const TileBlock& tile, int threads) {
   PartSites part;
   // Twice the number, and one more where the site is the tile's own: they are less than 2^31.
   std::vector<std::uint32_t> flagged;
@@ -60,12 +64,14 @@ PartSites sitesOf(const SiteCells& cells, const TileBlock& tile) {
   part.sites.x.resize(count);
   part.sites.y.resize(count);
   part.own.resize(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    part.own[i] = static_cast<std::uint8_t>(flagged[i] % 2);
-    flagged[i] /= 2;
-    part.sites.x[i] = cells.sites().x[flagged[i]];
-    part.sites.y[i] = cells.sites().y[flagged[i]];
-  }
+  parallelFor(count, grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end; ++i) {
+      part.own[i] = static_cast<std::uint8_t>(flagged[i] % 2);
+      flagged[i] /= 2;
+      part.sites.x[i] = cells.sites().x[flagged[i]];
+      part.sites.y[i] = cells.sites().y[flagged[i]];
+    }
+  });
   part.number = std::move(flagged);
   return part;
 }

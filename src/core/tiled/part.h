@@ -17,7 +17,7 @@ struct PartSites {
 };
 
 /// Those of a tile.
-PartSites sitesOf(const SiteCells& cells, const TileBlock& tile);
+PartSites sitesOf(const SiteCells& cells, const TileBlock& tile, int threads);
 
 /// Those that are named, of which `own` are looked for; both ascending, and the second among the first.
 PartSites sitesOf(const SiteCells& cells, std::span<const std::uint32_t> all,

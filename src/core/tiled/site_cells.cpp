@@ -145,15 +145,15 @@ double SiteCells::distanceTo(const BinBlock& block, Point from) const {
       beyond(from.y, lattice_.ymin + block.south * size, lattice_.ymin + (block.north + 1.0) * size));
 }
 
-std::optional<std::uint32_t> SiteCells::nearest(Point from, double within,
-                                                const std::function<bool(std::uint32_t)>& wanted) const {
-  std::optional<std::uint32_t> found;
-  double least = within;
+void SiteCells::addNear(Point from, double within, std::size_t most,
+                        const std::function<bool(std::uint32_t)>& wanted,
+                        std::vector<std::uint32_t>& found) const {
+  const auto all_found = found.size() + most;
   std::vector<BinBlock> pending{all()};
-  while (!pending.empty()) {
+  while (!pending.empty() && found.size() < all_found) {
     const auto block = pending.back();
     pending.pop_back();
-    if (count(block) == 0 || distanceTo(block, from) >= least) continue;
+    if (count(block) == 0 || distanceTo(block, from) >= within) continue;
     if (binsIn(block) > 1) {
       auto [near, far] = halves(block);
       if (distanceTo(far, from) < distanceTo(near, from)) std::swap(near, far);
@@ -161,17 +161,25 @@ std::optional<std::uint32_t> SiteCells::nearest(Point from, double within,
       pending.push_back(near);
       continue;
     }
-    eachRow(block, [&](std::span<const std::uint32_t> sites) {
-      for (const auto site : sites) {
-        const Point p = place(site);
-        const double distance = std::hypot(p.x - from.x, p.y - from.y);
-        if (!(distance < least) || !wanted(site)) continue;
-        least = distance;
-        found = site;
-      }
-    });
+    addNearest(block, from, within, all_found, wanted, found);
   }
-  return found;
+}
+
+/// The same for one cell of the lattice, the nearest first, until there are `all_found`.
+void SiteCells::addNearest(const BinBlock& cell, Point from, double within, std::size_t all_found,
+                           const std::function<bool(std::uint32_t)>& wanted,
+                           std::vector<std::uint32_t>& found) const {
+  std::vector<std::pair<double, std::uint32_t>> near;
+  eachRow(cell, [&](std::span<const std::uint32_t> sites) {
+    for (const auto site : sites) {
+      const Point p = place(site);
+      const double dx = p.x - from.x, dy = p.y - from.y, squared = dx * dx + dy * dy;
+      if (squared < within * within && wanted(site)) near.emplace_back(squared, site);
+    }
+  });
+  const auto count = std::min(all_found - found.size(), near.size());
+  std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(count), near.end());
+  for (std::size_t k = 0; k < count; ++k) found.push_back(near[k].second);
 }
 
 }  // namespace vorpipe::core

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "base/big_vector.h"
@@ -52,10 +51,10 @@ class SiteCells {
     }
   }
 
-  /// The site nearest to a place in the domain, of those that are nearer than `within` and that `wanted`
-  /// accepts; if there is one. In scaled units.
-  [[nodiscard]] std::optional<std::uint32_t> nearest(Point from, double within,
-                                                     const std::function<bool(std::uint32_t)>& wanted) const;
+  /// Adds sites that are nearer than `within` to a place in the domain and that `wanted` accepts, those of
+  /// near cells first, until there are `most` of them; at least one where there is any. In scaled units.
+  void addNear(Point from, double within, std::size_t most, const std::function<bool(std::uint32_t)>& wanted,
+               std::vector<std::uint32_t>& found) const;
 
  private:
   SiteCells(const SitesInPlace& sites, const Box& domain);
@@ -63,6 +62,8 @@ class SiteCells {
   void sort(int threads);
   void addUp();
   [[nodiscard]] std::uint32_t cellOf(std::size_t site) const;
+  void addNearest(const BinBlock& cell, Point from, double within, std::size_t all_found,
+                  const std::function<bool(std::uint32_t)>& wanted, std::vector<std::uint32_t>& found) const;
   [[nodiscard]] double distanceTo(const BinBlock& block, Point from) const;
 
   SitesInPlace sites_;
