@@ -60,6 +60,7 @@ class Session {
   [[nodiscard]] int threads() const;  ///< of the processor; 0 for all
 
  private:
+  friend class CellsInTiles;
   friend class KeptSites;
   friend class MovingCells;
   Session();

@@ -61,17 +61,17 @@ function(vorpipe_read_rooms folder all_may)
   set(may_include ${may_include} PARENT_SCOPE)
 endfunction()
 vorpipe_read_rooms(
-  core "vorpipe(/(free_surface|shapes))?\\.h|base/.*|geos\\.h|backend/(backend|collect|device_needs|exact_tier|forwarding_backend|precision|registry/registry|tie)\\.h")
+  core "vorpipe(/(free_surface|shapes|tiled))?\\.h|base/.*|geos\\.h|backend/(backend|collect|device_needs|exact_tier|forwarding_backend|precision|registry/registry|tie)\\.h")
 vorpipe_read_rooms(backend/cpu "vorpipe\\.h|base/.*|backend/[^/]*\\.h|(layout|bins|cell|grid|list)\\.glsl")
 vorpipe_read_rooms(backend/vulkan "vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl|shaders\\.h")
 vorpipe_read_rooms(backend/opengl "vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl|shaders\\.h")
 vorpipe_read_rooms(moving "vorpipe\\.h|vorpipe/(fluid|free_surface|masses|stipple)\\.h|base/.*|core/outline/edge_tree\\.h")
-vorpipe_read_rooms(io "vorpipe(/(fluid|free_surface|shapes))?\\.h|geos\\.h|base/parallel\\.h")
+vorpipe_read_rooms(io "vorpipe(/(fluid|free_surface|shapes|tiled))?\\.h|geos\\.h|base/parallel\\.h")
 vorpipe_read_rooms(
   bench "vorpipe\\.h|base/.*|io/(text/json_text|sites/site_source)\\.h|core/(cells/cells_run|picture/picture)\\.h|backend/(backend|exact_tier|forwarding_backend|registry/registry)\\.h")
 vorpipe_read_rooms(
   view "vorpipe\\.h|vorpipe/.*|base/(parallel|stopwatch)\\.h|io/.*|backend/(vulkan|opengl)/[a-z]+/.*|shaders\\.h")
-vorpipe_read_rooms(cli "vorpipe\\.h|vorpipe/(fluid|free_surface|masses|selftest|shapes|stipple)\\.h|selftest/selftest_json\\.h|base/(parallel|stopwatch)\\.h|io/.*|bench/.*|view/.*")
+vorpipe_read_rooms(cli "vorpipe\\.h|vorpipe/(fluid|free_surface|masses|selftest|shapes|stipple|tiled)\\.h|selftest/selftest_json\\.h|base/(parallel|stopwatch)\\.h|io/.*|bench/.*|view/.*")
 
 # Headers, most of them a library's, and the only files that may include them.
 set(guarded_headers
@@ -95,7 +95,7 @@ set(guarded_headers
     "^(tbb|oneapi)/"
     "^Eigen/")
 set(users
-    "^(core/locate/|core/session/|bench/|backend/registry/)"
+    "^(core/locate/|core/session/|core/tiled/|bench/|backend/registry/)"
     "^(backend/(vulkan|opengl)|view/window)/"
     "^(backend/vulkan/|view/window/(glfw\\.h|vulkan_.*|swapchain\\..*)$)"
     "^(backend/opengl/|view/window/opengl_)"

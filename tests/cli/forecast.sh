@@ -87,4 +87,18 @@ fails 2 "a byte less" "--memory-limit" cells --backend cpu --sites random:20000 
   fails 2 "a limit of the system" "ulimit -d" cells --backend cpu --sites random:5000000 --stats out/old.json
   [ "$failures" -eq 0 ]
 ) || failures=$((failures + 1))
+
+# -- Tiles ----------------------------------------------------------------------------------------------
+succeeds "measures in one tile" cells --backend cpu --sites clusters:50000 --detail measures -o out/whole.npz --stats out/stats.json
+expect "50000 unweighted cells (0 empty, 0 duplicate), 1 tiles, cpu on "
+enough=$(figure forecast_memory_bytes)
+succeeds "less than a tile takes" cells --backend cpu --sites clusters:50000 --detail measures -o out/tiles.npz --stats out/stats.json --memory-limit $((enough - 1))
+grep -A 1 '"tiles"' out/stats.json | grep -Eq '"count": ([2-9]|[1-9][0-9])' || fail "not several tiles"
+cmp -s out/whole.npz out/tiles.npz || fail "tiles change measures"
+[ "$(figure peak_memory_bytes)" -lt "$(figure forecast_memory_bytes)" ] || fail "more memory than forecast"
+fails 2 "too little for any tile" "--sites: needs about" cells --backend cpu --sites random:1000 --detail measures -o out/old.npz --memory-limit 1MB
+fails 2 "measures as a table" "--detail: measures alone go to a file of arrays: -o FILE.npz" cells --sites random:9 --detail measures -o out/old.csv
+fails 2 "no such detail" "--detail: \"some\" is no detail" cells --sites random:9 --detail some -o out/old.npz
+succeeds "measures with weights, whole" cells --backend cpu --sites random:500 --random-weights 0,0.01 --quiet --detail measures -o out/weighted.npz
+succeeds "measures of a period, whole" cells --backend cpu --sites random:500 --periodic xy --detail measures -o out/periodic.npz
 finish

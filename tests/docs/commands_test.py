@@ -35,6 +35,8 @@ NOT_RUN = {
     './run selftest --json report.json': SELFTEST,
     './run selftest --backend vulkan-compute --device 0 --seed 7': SELFTEST,
     './run selftest --quick --limit maxTexelBufferElements=4096': SELFTEST,
+    'python3 tests/scale/check_cells.py build/dev/src/cli/vorpipe --sites 1e8 --kind clusters --limit 8GiB':
+        'it takes minutes; the tests scale_random and scale_clusters run less of it',
     'docs/gallery.sh': 'the test docs_gallery runs it',
     './run view --sites random:10000 --edges': WINDOW,
     './run view --sites random:2000 --relax': WINDOW,

@@ -32,7 +32,8 @@ class CpuBackend final : public Backend {
  public:
   explicit CpuBackend(int threads) : threads_(threads) {
     info_.device = cpuDevice();
-    info_.max_view = 32768;
+    // A larger picture would be in memory twice.
+    info_.max_view = 8192;
     info_.max_sites = std::numeric_limits<std::int32_t>::max();
     info_.max_bins = std::numeric_limits<std::int32_t>::max() - 1;
     info_.max_lines = std::uint64_t{1} << 26;

@@ -13,6 +13,7 @@
 #include "cli/runs/cells_notes.h"
 #include "cli/runs/forecast.h"
 #include "cli/runs/input.h"
+#include "cli/runs/measures.h"
 #include "cli/runs/run_end.h"
 #include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
@@ -112,6 +113,76 @@ Result<void> writeFiles(const CellsCommand& command, const Input& input, const D
   return written;
 }
 
+/// What a run begins with, and what it ends with.
+struct Frame {
+  RunLog& log;
+  std::span<const std::string> paths;
+  std::span<OutputFile> files;
+  const Stopwatch& total;
+};
+
+bool isTiled(const CellsCommand& command) {
+  return command.targets.only_measures && !command.check && command.density.empty() &&
+         canBeTiled(command.input);
+}
+
+void printMissing(const TalkOptions& talk, std::uint64_t sites, const Report& report) {
+  if (talk.quiet || report.empty == 0) return;
+  printNote(fmt::format("{} of {} sites have no cell: they lie outside the domain", report.empty, sites));
+}
+
+/// Measures cells in tiles, and writes that.
+Result<ExitCode> measureInTiles(const CellsCommand& command, const TiledInput& input, Session& session,
+                                const Frame& frame) {
+  const SitesInPlace places = input.places();
+  const auto sizes = forecastTiles(command.input, places.count, input.mapped ? input.mapped->bytes() : 0,
+                                   session.device(), command.backend, command.memory_limit);
+  if (!sizes) return tl::unexpected(sizes.error());
+  ProgressBar bar(command.talk.quiet);
+  CellsInTiles tiles(session,
+                     {input.input.domain, command.search, sizes->usual, sizes->most, bar.callback()});
+  Measured measured(places.count);
+  const auto made = tiles.measure(places, sinkOf(measured, command.backend.threads));
+  bar.clear();
+  if (!made) return asOption(made.error(), command.input);
+  const Report& report = made->report;
+  printNotes(command.talk, report);
+  printMissing(command.talk, places.count, report);
+  if (!validationIsSilent(report)) return exit_device;
+  const Stopwatch watch;
+  const std::vector<Writer> writers(command.targets.cells.size(),
+                                    [&](ByteSink& to) { return writeMeasures(to, measured.all()); });
+  const auto stats = [&] {
+    Stats all{"cells",        input.input,          report,
+              frame.log,      watch.milliseconds(), frame.total.milliseconds(),
+              sizes->forecast};
+    all.area_sum = made->area_sum;
+    all.tiles = TileFigures{places.count, made->tiles, made->largest, made->open};
+    return statsJson(all);
+  };
+  const auto written = writeOutputs(frame.files, writers, frame.log, stats);
+  if (!written) return tl::unexpected(written.error());
+  printSummary(command.talk, frame.paths,
+               fmt::format("{}, {} tiles, {}\n", outcomeText(frame.paths, input.input.sites, report),
+                           made->tiles, runText(report, frame.total.milliseconds(), false)));
+  if (command.talk.verbose && !frame.log.choice.empty()) printNote(frame.log.choice);
+  return exit_done;
+}
+
+/// The sites of a run, mapped where it is one in tiles.
+Result<TiledInput> loadSitesOf(const CellsCommand& command) {
+  if (isTiled(command)) return loadTiled(inputOptions(command), command.backend.threads);
+  auto input = loadInput(inputOptions(command));
+  if (!input) return tl::unexpected(std::move(input.error()));
+  return TiledInput{std::move(*input), std::nullopt};
+}
+
+/// What a run takes whose sites are not known yet.
+PlanRun planBefore(const CellsCommand& command) {
+  if (!isTiled(command)) return planOf(command, command.density.empty() ? 0 : 1);
+  return [](MemoryPlan& plan, const Workload& work) { planTiles(plan, work, least_tile); };
+}
+
 /// What is computed, but for the progress.
 Result<CellsOptions> cellsOptions(const CellsCommand& command, const Input& input) {
   CellsOptions options{};
@@ -147,11 +218,11 @@ Result<ExitCode> cells(CellsCommand& command, const Invocation& how) {
   if (auto taken = takeFormat(command.targets, command.input.format.output); !taken) {
     return tl::unexpected(std::move(taken.error()));
   }
-  const auto fits = forecastGenerated(command.input, planOf(command, command.density.empty() ? 0 : 1),
-                                      command.memory_limit);
+  const auto fits = forecastGenerated(command.input, planBefore(command), command.memory_limit);
   if (!fits) return tl::unexpected(fits.error());
-  auto input = loadInput(inputOptions(command));
-  if (!input) return tl::unexpected(std::move(input.error()));
+  auto loaded = loadSitesOf(command);
+  if (!loaded) return tl::unexpected(std::move(loaded.error()));
+  Input* const input = &loaded->input;
   auto options = cellsOptions(command, *input);
   if (!options) return tl::unexpected(std::move(options.error()));
   const int threads = command.backend.threads;
@@ -164,6 +235,8 @@ Result<ExitCode> cells(CellsCommand& command, const Invocation& how) {
   auto session = Session::open(command.backend);
   if (!session) return tl::unexpected(std::move(session.error()));
   log.choice = session->choice();
+  if (isTiled(command) && input->sites.weight.empty())
+    return measureInTiles(command, *loaded, *session, {log, paths, *files, total});
   const auto forecast = forecastRun(
       command.input, *input, ImagesFor::cells, session->device(), command.backend,
       planOf(command, options->density.values.size(), bytesOf(input->attributes)), command.memory_limit);

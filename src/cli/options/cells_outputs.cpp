@@ -8,6 +8,7 @@
 
 #include "cli/options/options.h"
 #include "cli/options/standard_output.h"
+#include "io/cells/measures_npz.h"
 #include "io/files/error.h"
 
 namespace vorpipe::cli {
@@ -28,6 +29,22 @@ Parsed<EdgesTarget> parseEdges(std::string_view text) {
   const auto format = edgesFormatOf(*path);
   if (!format) return tl::unexpected(format.error().message);
   return EdgesTarget{std::move(*path), *format};
+}
+
+/// Whether measures alone are wanted.
+Parsed<bool> parseDetail(std::string_view text) {
+  if (text == "measures" || text == "all") return text == "measures";
+  return tl::unexpected(fmt::format("{} is no detail; it must be all or measures", quoted(text)));
+}
+
+/// Gives --detail measures its format.
+Result<void> takeMeasures(CellsTargets& targets) {
+  const auto is_other = [](const CellsTarget& target) { return target.format->extension != ".npz"; };
+  if (!targets.edges.empty() || targets.cells.empty() || std::ranges::any_of(targets.cells, is_other)) {
+    return inputError("--detail: measures alone go to a file of arrays: -o FILE.npz, and no other");
+  }
+  for (CellsTarget& target : targets.cells) target.format = &npz_measures;
+  return {};
 }
 
 /// As --format names them.
@@ -94,6 +111,11 @@ void addCellsTargets(Options& options, CellsTargets& targets) {
   options.addFlag(
       "--only-cells", targets.only_cells,
       fmt::format("leaves out sites without a cell, in files of features: {}", extensionsOfFeatures()));
+  addParsed(
+      options, "--detail", targets.only_measures, "all or measures",
+      "what a .npz has of the cells: all, or areas, centroids, numbers of neighbors and statuses alone, "
+      "found in tiles that fit into the memory, of a .npy that is mapped and not read [all]",
+      parseDetail, {{"all", "measures"}, {}});
 }
 
 Result<void> takeFormat(CellsTargets& targets, const std::string& kind) {
@@ -114,7 +136,7 @@ Result<void> takeFormat(CellsTargets& targets, const std::string& kind) {
     return inputError(fmt::format("--only-cells: there is no output with features to leave out: -o with {}",
                                   extensionsOfFeatures()));
   }
-  return {};
+  return targets.only_measures ? takeMeasures(targets) : Result<void>{};
 }
 
 }  // namespace vorpipe::cli

@@ -25,6 +25,7 @@ struct CellsTargets {
   std::vector<CellsTarget> cells;
   std::vector<EdgesTarget> edges;
   bool only_cells = false;
+  bool only_measures = false;
 
   /// The paths of all, in the order in which they are created.
   [[nodiscard]] std::vector<std::string> paths() const;
@@ -37,12 +38,13 @@ struct CellsTargets {
   [[nodiscard]] bool useStandardOutput() const;
 };
 
-/// -o, --edges, --only-cells
+/// -o, --edges, --only-cells, --detail
 void addCellsTargets(Options& options, CellsTargets& targets);
 
 /// Gives what goes to standard output its format, the extension `kind` without its dot, or csv; and refuses
 /// what contradicts itself. Errors (input): the kind is none of cells; standard output is named twice;
-/// --only-cells has nothing to leave out.
+/// --only-cells has nothing to leave out; --detail measures, for which .npz has a format of its own, has
+/// another output.
 Result<void> takeFormat(CellsTargets& targets, const std::string& kind);
 
 }  // namespace vorpipe::cli

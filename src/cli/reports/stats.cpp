@@ -161,7 +161,7 @@ std::string statsJson(const Stats& stats) {
   json["notes"] = report.notes;
   json["search"] = searchText(stats.log.search);
   json["threads"] = threadCount(stats.log.threads);
-  json["sites"] = stats.input.sites.size();
+  json["sites"] = stats.tiles ? stats.tiles->sites : stats.input.sites.size();
   json["seed"] = stats.input.seed ? Json(*stats.input.seed) : Json(nullptr);
   json["domain"] = {domain.xmin, domain.ymin, domain.xmax, domain.ymax};
   addShape(json, stats.input);
@@ -177,6 +177,8 @@ std::string statsJson(const Stats& stats) {
   if (stats.relaxation) json["relaxation"] = relaxationJson(*stats.relaxation);
   if (stats.transport) json["transport"] = transportJson(*stats.transport);
   if (stats.fluid) json["fluid"] = fluidJson(*stats.fluid);
+  if (const auto& tiles = stats.tiles)
+    json["tiles"] = {{"count", tiles->tiles}, {"largest", tiles->largest}, {"open", tiles->open}};
   json["time_ms"] = {
       {"read", time(stats.input.read_ms)}, {"order", time(times.order)},    {"upload", time(times.upload)},
       {"search", time(times.search)},      {"cells", time(times.cells)},    {"draw", time(times.draw)},

@@ -37,6 +37,12 @@ struct FluidFigures {
   double worst, drift;  ///< of areas, and of the energy as a part of the first: largest of all steps
 };
 
+/// What a run in tiles was cut into.
+struct TileFigures {
+  std::uint64_t sites;                 ///< of the run
+  std::uint64_t tiles, largest, open;  ///< as TiledReport has them
+};
+
 struct Stats {
   std::string command;
   const Input& input;
@@ -50,6 +56,7 @@ struct Stats {
   std::optional<RelaxFigures> relaxation{};
   std::optional<FluidFigures> fluid{};
   std::optional<TransportFigures> transport{};
+  std::optional<TileFigures> tiles{};
 };
 
 /// Adds what the domain is besides its box, and between which numbers the weights are: "outline", "periodic",

@@ -82,7 +82,60 @@ Result<std::uint64_t> forecast(const InputOptions& options, const Workload& work
                                 adviceFor(options, work, plan, attributes, limit.bytes)));
 }
 
+/// A run in tiles of that many sites.
+std::uint64_t peakInTiles(const InputOptions& options, const Workload& work, std::uint64_t mapped_bytes,
+                          std::uint64_t tile) {
+  MemoryPlan whole;
+  if (mapped_bytes > 0) {
+    whole.take("the mapped file", mapped_bytes);
+  } else {
+    planSites(whole, options.sites, work.sites, false);
+  }
+  planTiles(whole, work, tile);
+  return whole.peak();
+}
+
 }  // namespace
+
+void planTiles(MemoryPlan& plan, const Workload& work, std::uint64_t tile_sites) {
+  constexpr std::uint64_t word = 4, number = 8, sites_of_cell = 128;
+  // As the tiles may be: each may lie in any way.
+  Workload tile = work;
+  tile.sites = std::min(work.sites, tile_sites);
+  tile.images = 0;
+  tile.spread.uneven = tile.spread.along_curves = true;
+  tile.spread.tied = 1;
+  planSession(plan, tile);
+  plan.take("areas, centroids and numbers of neighbors", work.sites * (3 * number + word + 1));
+  plan.take("sites by cells of a lattice", work.sites * word);
+  // Counts of eight threads, where cells begin, sums, and those of few sites.
+  plan.take("sites by cells of a lattice", (work.sites / sites_of_cell + 1) * (9 * word + number));
+  plan.take("the sites of a tile", tile.sites * (2 * number + 3 * word + 2 * number + 2));
+  const auto cells = plan.take("cells of a tile for the run", tile.sites * (4 * number + word));
+  planCells(plan, tile, Detail::measures);
+  plan.drop(cells);
+}
+
+Result<TileSizes> forecastTiles(const InputOptions& options, std::uint64_t sites, std::uint64_t mapped_bytes,
+                                const DeviceInfo& device, const BackendOptions& backend,
+                                std::optional<std::uint64_t> limit) {
+  Workload work;
+  work.sites = sites;
+  work.backend = device.backend;
+  work.device_on_host = device.type == "cpu";
+  work.threads = backend.threads;
+  const auto peak = [&](std::uint64_t tile) { return peakInTiles(options, work, mapped_bytes, tile); };
+  const auto fits = [&](std::uint64_t tile) { return !lackOfMemory(peak(tile), limit); };
+  TileSizes sizes{usual_tile, usual_tile, 0};
+  while (sizes.usual > least_tile && !fits(sizes.usual)) sizes.usual /= 2;
+  sizes.forecast = peak(sizes.usual);
+  if (const auto lack = lackOfMemory(sizes.forecast, limit)) {
+    return inputError(fmt::format("--sites: in tiles, too, {}", *lack));
+  }
+  sizes.most = sizes.usual;
+  while (sizes.most < sites && fits(2 * sizes.most)) sizes.most *= 2;
+  return sizes;
+}
 
 std::optional<std::string> lackOfMemory(std::uint64_t bytes, std::optional<std::uint64_t> limit) {
   const MemoryLimit least = limitOf(limit);

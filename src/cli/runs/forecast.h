@@ -24,6 +24,24 @@ Result<std::uint64_t> forecastRun(const InputOptions& options, const Input& inpu
                                   const DeviceInfo& device, const BackendOptions& backend,
                                   const PlanRun& plan, std::optional<std::uint64_t> limit);
 
+/// How large the tiles of a run may be, and what it takes with them.
+struct TileSizes {
+  std::uint64_t usual = 0, most = 0;  ///< as TiledOptions has them
+  std::uint64_t forecast = 0;         ///< bytes at the peak, with usual tiles
+};
+
+/// Plans a run in tiles beside its sites: what stays for all of them, and what a tile takes.
+void planTiles(MemoryPlan& plan, const Workload& work, std::uint64_t tile_sites);
+
+/// The largest tiles that fit, of those that are worth it, for a run over `sites` sites, of which
+/// `mapped_bytes` are mapped, 0: they are in memory. Error (input): none fits.
+Result<TileSizes> forecastTiles(const InputOptions& options, std::uint64_t sites, std::uint64_t mapped_bytes,
+                                const DeviceInfo& device, const BackendOptions& backend,
+                                std::optional<std::uint64_t> limit);
+
+/// A tile that pays, and the least that is tried where there is less memory.
+inline constexpr std::uint64_t usual_tile = std::uint64_t{1} << 20, least_tile = std::uint64_t{1} << 13;
+
 /// Why a run that needs `bytes` bytes does not fit into `limit` and the system's memory; nothing if it does.
 std::optional<std::string> lackOfMemory(std::uint64_t bytes, std::optional<std::uint64_t> limit);
 

@@ -116,6 +116,14 @@ Result<Input> loadInput(const InputOptions& options) {
   return input;
 }
 
+Result<Input> inputAround(const InputOptions& options, Sites corners) {
+  Input input;
+  input.sites = std::move(corners);
+  input.from = SitesFrom::file;
+  if (auto taken = takeDomain(options, input); !taken) return tl::unexpected(std::move(taken.error()));
+  return input;
+}
+
 tl::unexpected<Error> named(std::string_view option, Error error) {
   if (error.code == ErrorCode::input) error.message.insert(0, fmt::format("{}: ", option));
   return tl::unexpected(std::move(error));

@@ -23,6 +23,9 @@ struct Input : PlacedSites {
 /// readWeights, readOutline and findDomain, after the option's name.
 Result<Input> loadInput(const InputOptions& options);
 
+/// The same for sites that stay where they are: `corners` are sites with the same box, and stand for them.
+Result<Input> inputAround(const InputOptions& options, Sites corners);
+
 /// The error of what an option names, with the option in front where the input is wrong.
 tl::unexpected<Error> named(std::string_view option, Error error);
 

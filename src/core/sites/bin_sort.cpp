@@ -1,5 +1,6 @@
 #include "core/sites/bin_sort.h"
 
+#include <cassert>
 #include <cmath>
 #include <numeric>
 
@@ -28,13 +29,14 @@ struct Placed {
 class BinSorter {
  public:
   BinSorter(const Sites& sites, const PowerOfTwo& scale, int threads, SiteSet& set,
-            std::vector<std::uint32_t>& owner)
+            std::vector<std::uint32_t>& owner, const BlockOfGrid& block)
       : sites_(sites),
         scale_(scale),
         threads_(threads),
         step_threads_(threadsForSteps(sites.size(), threads)),
         set_(set),
-        owner_(owner) {
+        owner_(owner),
+        part_(block) {
     const auto bins = std::size_t{set.grid.columns} * set.grid.rows;
     while ((bins >> bucket_bits_) >= most_buckets) ++bucket_bits_;
     buckets_ = ((bins - 1) >> bucket_bits_) + 1;
@@ -74,8 +76,17 @@ class BinSorter {
     for (auto i = block * block_; i < end; ++i) {
       const double x = scale_(sites_.x[i]);
       const double y = scale_(sites_.y[i]);
-      each(Placed{x, y, static_cast<std::uint32_t>(i), binOf(set_.grid, x, y)});
+      const auto bin = part_.whole == nullptr ? binOf(set_.grid, x, y) : binInBlock(x, y);
+      each(Placed{x, y, static_cast<std::uint32_t>(i), bin});
     }
+  }
+
+  [[nodiscard]] std::uint32_t binInBlock(double x, double y) const {
+    const Grid& whole = *part_.whole;
+    const auto column = binAlong(x, whole.xmin, whole.size, whole.columns) - part_.west;
+    const auto row = binAlong(y, whole.ymin, whole.size, whole.rows) - part_.south;
+    assert(column < set_.grid.columns && row < set_.grid.rows);
+    return row * set_.grid.columns + column;
   }
 
   /// Prefix sums: turns the number of sites of each block in each bucket into the slot of the first of them.
@@ -224,6 +235,7 @@ class BinSorter {
   int threads_, step_threads_;
   SiteSet& set_;
   std::vector<std::uint32_t>& owner_;
+  BlockOfGrid part_;
   int bucket_bits_ = least_bucket_bits;
   std::size_t buckets_ = 0, block_ = 0, blocks_ = 0;
   BigVector<Placed> placed_;                 ///< bucket by bucket
@@ -238,8 +250,8 @@ PowerOfTwo::PowerOfTwo(int exponent)
     : first_(std::ldexp(1.0, exponent / 2)), second_(std::ldexp(1.0, exponent - exponent / 2)) {}
 
 void orderByBins(const Sites& sites, const PowerOfTwo& scale, int threads, SiteSet& set,
-                 std::vector<std::uint32_t>& owner) {
-  BinSorter(sites, scale, threads, set, owner).run();
+                 std::vector<std::uint32_t>& owner, const BlockOfGrid& block) {
+  BinSorter(sites, scale, threads, set, owner, block).run();
 }
 
 }  // namespace vorpipe::core

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <span>
 
-#include "backend/backend.h"
+#include "core/sites/bin_sort.h"
+#include "core/sites/frame.h"
 
 namespace vorpipe::core {
 
@@ -17,9 +19,6 @@ struct Prepared {
 /// Scaled coordinates nearer to 0 are 0: exact decisions multiply four differences, of which a double could
 /// not hold enough. Sites that are one by that would be too near to each other.
 inline constexpr double least_coordinate = 0x1p-200;
-
-/// The power of two that brings the domain's longer side into [1, 2).
-int scaleExponent(const Box& domain);
 
 /// Errors (input): no sites, more than 2^31 - 1, a coordinate that is not finite or is more than 2^300
 /// domains away, a weight that scaledWeights refuses, a domain without area.
@@ -37,5 +36,20 @@ struct CallersSites {
 /// equal but nearer to each other than 2^-80 of the domain.
 Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads,
                          const CallersSites* callers = nullptr);
+
+/// How a part of the sites of a run, which have no weights, is prepared so that what follows is the same as
+/// in the whole run.
+struct PartOfRun {
+  int exponent;                          ///< of the whole run
+  Box domain;                            ///< what the part's cells are clipped to, in scaled units
+  double shorter_side;                   ///< of the whole domain
+  Grid grid;                             ///< without offsets
+  BlockOfGrid block{};                   ///< the grid that `grid` is a part of, if it is one
+  std::span<const std::uint32_t> names;  ///< of the part's sites in the whole run, for messages
+};
+
+/// Sites that were found to be finite, ordered by the bins of their part. Error (input): two that are nearer
+/// to each other than prepare() allows.
+Result<Prepared> preparePart(const Sites& sites, const PartOfRun& part, int threads);
 
 }  // namespace vorpipe::core

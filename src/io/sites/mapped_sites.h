@@ -1,0 +1,37 @@
+/// Sites of a .npy file that is mapped into memory, not read.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "vorpipe.h"
+#include "vorpipe/tiled.h"
+
+namespace vorpipe {
+
+class MappedSites {
+ public:
+  /// Maps a file of float32 or float64 (N, 2) in this machine's byte order, in any order of its axes; nothing
+  /// where it is something else, which readSites may know: packed, of other columns, a pipe. Errors (input):
+  /// the file cannot be read, or is no whole .npy file; it has no sites or too many; one is not finite.
+  static Result<std::optional<MappedSites>> map(const std::string& path, int threads);
+  MappedSites(MappedSites&& other) noexcept;
+  MappedSites& operator=(MappedSites&& other) noexcept;
+  ~MappedSites();
+
+  [[nodiscard]] const SitesInPlace& sites() const { return sites_; }
+  [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+  /// A few sites that have the same box as all.
+  [[nodiscard]] const Sites& corners() const { return corners_; }
+
+ private:
+  MappedSites(void* begin, std::uint64_t bytes) : begin_(begin), bytes_(bytes) {}
+  Result<void> look(const std::string& path, int threads);
+
+  void* begin_;
+  std::uint64_t bytes_;
+  SitesInPlace sites_;
+  Sites corners_;
+};
+
+}  // namespace vorpipe
