@@ -73,7 +73,7 @@ int main(int count, char** arguments) {
     endOnSignals();
     return parseAndRun(count, arguments);
   } catch (const std::bad_alloc&) {
-    printError("there is not enough memory for this");
+    printOutOfMemory();
   } catch (const std::exception& error) {
     printError(error.what());
   }

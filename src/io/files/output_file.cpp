@@ -55,11 +55,6 @@ int openNew(const fs::path& directory, mode_t mode, std::string& path) {
 
 }  // namespace
 
-void OutputFile::Remove::operator()(std::string* path) const {
-  ::unlink(path->c_str());
-  delete path;
-}
-
 Result<OutputFile> OutputFile::createDirect(const std::string& path) {
   OutputFile file(path, "");
   // A copy of the descriptor keeps the position of a file that the shell redirected to.
@@ -85,7 +80,7 @@ Result<void> OutputFile::createTemporary() {
     return systemError(ErrorCode::input, name(), "cannot be written: no file can be created beside it",
                        errno);
   }
-  temporary_.reset(new std::string(std::move(path)));
+  temporary_ = std::make_unique<Unfinished>(std::move(path));
   stream_.reset(::fdopen(descriptor, "wb"));
   if (!stream_ || (exists && ::fchmod(descriptor, status.st_mode & 07777) != 0)) {
     return systemError(ErrorCode::device, name(), "cannot be written", errno);
@@ -139,10 +134,10 @@ Result<void> OutputFile::commit() {
   if (!temporary_) {
     return {};
   }
-  if (std::rename(temporary_->c_str(), target_.c_str()) != 0) {
+  if (!temporary_->moveTo(target_.c_str())) {
     return systemError(ErrorCode::device, name(), "the finished file could not be put in place", errno);
   }
-  delete temporary_.release();
+  temporary_.reset();
   return {};
 }
 
