@@ -20,6 +20,7 @@
 #include "io/cells/cells_file.h"
 #include "io/files/error.h"
 #include "vorpipe/fluid.h"
+#include "vorpipe/free_surface.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -121,16 +122,13 @@ Result<Outcome> flow(const FluidCommand& command, Session& session, FluidSetup s
 }
 
 /// Refuses options that nothing takes.
-Result<void> checkCommand(const FluidCommand& command, const FluidSetup& setup) {
+Result<void> checkCommand(const FluidCommand& command) {
   const FluidTargets& targets = command.targets;
   if (targets.paths().empty() && targets.checkpoint.empty() && targets.frames.empty() &&
       targets.series.empty()) {
     return inputError(
         "-o: name what to write, as in -o sites.csv (or give --cells, --trace, --frames, --series, "
         "--checkpoint or --stats)");
-  }
-  if (setup.options.surface == Surface::free && !targets.cells.empty()) {
-    return inputError("--cells: those of a free surface are cut by discs; --series writes them");
   }
   return {};
 }
@@ -153,7 +151,8 @@ Result<void> writeFiles(const FluidCommand& command, const FluidOptions& options
     how.domain = options.domain;
     how.periodic = options.periodic;
     how.search = options.search;
-    auto found = session.cells(outcome.state.sites, how);
+    auto found = options.surface == Surface::free ? freeCells(session, outcome.state.sites, how)
+                                                  : session.cells(outcome.state.sites, how);
     if (!found) return tl::unexpected(std::move(found.error()));
     cells = std::move(*found);
   }
@@ -221,7 +220,7 @@ Result<ExitCode> fluid(FluidCommand& command, const Invocation& how) {
   log.threads = command.backend.threads;
   auto setup = setupOf(command.choices);
   if (!setup) return tl::unexpected(std::move(setup.error()));
-  if (auto checked = checkCommand(command, *setup); !checked) return tl::unexpected(checked.error());
+  if (auto checked = checkCommand(command); !checked) return tl::unexpected(checked.error());
   setup->options.search = command.search;
   setup->options.progress = untilSignal();
   const FluidOptions options = setup->options;
@@ -231,7 +230,8 @@ Result<ExitCode> fluid(FluidCommand& command, const Invocation& how) {
   auto session = Session::open(command.backend);
   if (!session) return tl::unexpected(std::move(session.error()));
   log.choice = session->choice();
-  auto record = FluidRecord::open(command.targets, command.picture);
+  auto record = FluidRecord::open(command.targets, command.picture,
+                                  command.choices.resume.empty() ? nullptr : &setup->state);
   if (!record) return tl::unexpected(std::move(record.error()));
   const auto outcome = flow(command, *session, std::move(*setup), *record);
   if (!outcome) return asFluidOption(outcome.error());

@@ -20,6 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view temporary_begin = ".vorpipe-", temporary_end = ".tmp";
+
 /// The path that `path` leads to; its last component may be a link whose target does not exist yet.
 Result<fs::path> followLinks(const fs::path& path) {
   constexpr int max_links = 40;
@@ -45,7 +47,8 @@ Result<fs::path> followLinks(const fs::path& path) {
 int openNew(const fs::path& directory, mode_t mode, std::string& path) {
   static std::atomic<unsigned> counter = 0;
   while (true) {
-    path = (directory / fmt::format(".vorpipe-{}-{}.tmp", ::getpid(), counter++)).string();
+    path = (directory / fmt::format("{}{}-{}{}", temporary_begin, ::getpid(), counter++, temporary_end))
+               .string();
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     if (descriptor >= 0 || errno != EEXIST) {
       return descriptor;
@@ -139,6 +142,10 @@ Result<void> OutputFile::commit() {
   }
   temporary_.reset();
   return {};
+}
+
+bool isLeftOver(std::string_view name) {
+  return name.starts_with(temporary_begin) && name.ends_with(temporary_end);
 }
 
 Result<std::vector<OutputFile>> createOutputs(std::span<const std::string> paths) {

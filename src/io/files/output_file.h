@@ -57,6 +57,10 @@ class OutputFile final : public ByteSink {
   Stream stream_;
 };
 
+/// Whether a file of this name, without its folder, is one that an OutputFile of a process that was killed
+/// may have left: ".vorpipe-1234-0.tmp".
+bool isLeftOver(std::string_view name);
+
 /// Creates an output file for each path, in order. Errors (input): those of create(), two paths are
 /// one file.
 Result<std::vector<OutputFile>> createOutputs(std::span<const std::string> paths);

@@ -76,6 +76,9 @@ Result<bool> Flow::areas(Parcels& parcels, double time) {
   }
   const auto end = cells_.solve(parcels.sites, {options_.tolerance, options_.diagrams});
   if (!end) return tl::unexpected(end.error());
+  if (*end == TransportEnd::cancelled) {
+    return tl::unexpected(Error{ErrorCode::cancelled, "stopped before each cell had its area"});
+  }
   diagrams_ += cells_.trace().size();
   for (const TransportStep& step : cells_.trace()) iterations_ += step.linear_iterations;
   if (has_weights) {
