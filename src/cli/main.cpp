@@ -71,6 +71,7 @@ int main(int count, char** arguments) {
   vorpipe::keepFreedMemory();
   try {
     endOnSignals();
+    endOnRefusedMemory(exit_device);
     return parseAndRun(count, arguments);
   } catch (const std::bad_alloc&) {
     printOutOfMemory();

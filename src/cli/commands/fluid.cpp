@@ -12,6 +12,7 @@
 #include "cli/options/picture_options.h"
 #include "cli/reports/stats.h"
 #include "cli/runs/fluid_files.h"
+#include "cli/runs/fluid_plan.h"
 #include "cli/runs/input.h"
 #include "cli/runs/picture.h"
 #include "cli/runs/run_end.h"
@@ -32,6 +33,7 @@ struct FluidCommand {
   TalkOptions talk;
   SearchOptions search;
   PictureOptions picture;
+  std::optional<std::uint64_t> memory_limit;
 };
 
 /// Why a run ended, in a word.
@@ -143,7 +145,7 @@ tl::unexpected<Error> asFluidOption(Error error) {
 
 Result<void> writeFiles(const FluidCommand& command, const FluidOptions& options, Session& session,
                         const Outcome& outcome, std::vector<OutputFile>& files, RunLog& log,
-                        const Stopwatch& total) {
+                        std::uint64_t forecast, const Stopwatch& total) {
   const Stopwatch watch;
   Diagram cells;
   if (!command.targets.cells.empty()) {
@@ -178,7 +180,7 @@ Result<void> writeFiles(const FluidCommand& command, const FluidOptions& options
     input.sites = outcome.state.sites;
     input.domain = options.domain;
     input.periodic = options.periodic;
-    Stats stats{"fluid", input, outcome.report, log, watch.milliseconds(), total.milliseconds(), 0};
+    Stats stats{"fluid", input, outcome.report, log, watch.milliseconds(), total.milliseconds(), forecast};
     stats.fluid = FluidFigures{std::string(nameOf(options.scheme)),
                                std::string(wordOf(outcome.end)),
                                outcome.first,
@@ -218,6 +220,8 @@ Result<ExitCode> fluid(FluidCommand& command, const Invocation& how) {
   RunLog log(how, !command.targets.stats.empty());
   log.search = command.search;
   log.threads = command.backend.threads;
+  const FluidPlan plan{command.choices, command.targets, command.picture, command.memory_limit};
+  if (auto fits = forecastCase(plan); !fits) return tl::unexpected(fits.error());
   auto setup = setupOf(command.choices);
   if (!setup) return tl::unexpected(std::move(setup.error()));
   if (auto checked = checkCommand(command); !checked) return tl::unexpected(checked.error());
@@ -230,6 +234,8 @@ Result<ExitCode> fluid(FluidCommand& command, const Invocation& how) {
   auto session = Session::open(command.backend);
   if (!session) return tl::unexpected(std::move(session.error()));
   log.choice = session->choice();
+  const auto forecast = forecastFluid(plan, *setup, session->device(), command.backend.threads);
+  if (!forecast) return asFluidOption(forecast.error());
   auto record = FluidRecord::open(command.targets, command.picture,
                                   command.choices.resume.empty() ? nullptr : &setup->state);
   if (!record) return tl::unexpected(std::move(record.error()));
@@ -238,7 +244,8 @@ Result<ExitCode> fluid(FluidCommand& command, const Invocation& how) {
   takeSignal();
   printNotes(command.talk, outcome->report);
   if (!validationIsSilent(outcome->report)) return exit_device;
-  if (auto written = writeFiles(command, options, *session, *outcome, *files, log, total); !written) {
+  if (auto written = writeFiles(command, options, *session, *outcome, *files, log, *forecast, total);
+      !written) {
     return tl::unexpected(written.error());
   }
   printSummary(command.talk, command.targets.paths(),
@@ -264,7 +271,7 @@ void addFluid(CommandLine& line) {
   addMarkOptions(options, command->picture);
   addBackendChoice(options, command->backend);
   addSearchOptions(options, command->search);
-  addThreads(options, command->backend.threads);
+  addRunOptions(options, command->backend, command->memory_limit);
   options.group("Output");
   addStats(options, command->targets.stats);
   addTalkOptions(options, command->talk);

@@ -1,5 +1,6 @@
 #include "cli/terminal/progress.h"
 
+#include <cxxabi.h>
 #include <fmt/core.h>
 #include <signal.h>
 #include <sys/time.h>
@@ -9,8 +10,12 @@
 #include <array>
 #include <atomic>
 #include <cstdio>
+#include <exception>
+#include <new>
 #include <string>
+#include <typeinfo>
 
+#include "cli/terminal/error_line.h"
 #include "io/files/unfinished.h"
 
 namespace vorpipe::cli {
@@ -77,6 +82,19 @@ void askToStop(int signal) {
 }  // namespace
 
 void endOnSignals() { installForAll(endProgram); }
+
+void endOnRefusedMemory(int code) {
+  static int exit_code;
+  static std::terminate_handler before;
+  exit_code = code;
+  before = std::set_terminate([] {
+    const std::type_info* const type = abi::__cxa_current_exception_type();
+    if (type == nullptr || *type != typeid(std::bad_alloc)) before();
+    removeUnfinished();
+    printOutOfMemory();
+    _exit(exit_code);
+  });
+}
 
 void stopOnSignals() {
   install(SIGALRM, [](int) { endProgram(caught); });

@@ -14,9 +14,13 @@ namespace vorpipe::cli {
 /// From now on SIGINT, SIGTERM, SIGHUP and SIGXCPU end the program at once, with a line that says so.
 void endOnSignals();
 
-/// From now on, since there is something to clean up, they only ask the run to stop. If it has not soon, or at
-/// a second one, the program ends where it is, and leaves no file that is unfinished. Writing into a closed
-/// pipe, or beyond what a file may have (ulimit -f), is an error then, and does not end the program.
+/// From now on, where memory is refused to what may not throw, as destructors of some libraries, the program
+/// ends with this code, a line that says so, and no file that is unfinished.
+void endOnRefusedMemory(int code);
+
+/// From now on, since there is something to clean up, they only ask the run to stop. If it has not soon, or
+/// at a second one, the program ends where it is, and leaves no file that is unfinished. Writing into a
+/// closed pipe, or beyond what a file may have (ulimit -f), is an error then, and does not end the program.
 void stopOnSignals();
 
 /// After stopOnSignals: a run that ends with what it has reached is given the time to write it, until a

@@ -1,5 +1,6 @@
 #include "io/files/unfinished.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -35,31 +36,37 @@ UnfinishedSlot* hold(const char* path) {
   return slot;
 }
 
+/// Where a handler on another thread is ending the process: not for long.
+void waitForEnd() {
+  while (ending) pause();
+}
+
 }  // namespace
 
 Unfinished::Unfinished(std::string path) : path_(std::move(path)), slot_(hold(path_.c_str())) {}
 
+/// A handler on another thread may be reading the path: then the process ends before it is freed.
 Unfinished::~Unfinished() {
-  if (slot_ == nullptr) return;
-  unlink(path_.c_str());
-  wasMoved();
+  if (is_there_) unlink(path_.c_str());
+  slot_->path = nullptr;
+  waitForEnd();
+}
+
+int Unfinished::create(unsigned mode) {
+  const int descriptor = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+  is_there_ = descriptor >= 0;
+  if (is_there_ && ending) {
+    unlink(path_.c_str());
+    waitForEnd();
+  }
+  return descriptor;
 }
 
 bool Unfinished::moveTo(const char* target) {
-  if (std::rename(path_.c_str(), target) == 0) {
-    wasMoved();
-    return true;
-  }
-  // Not for long: where it was removed on another thread, the process is ending.
-  while (ending) pause();
-  return false;
-}
-
-/// A handler on another thread may be reading the path: then the process ends before it is freed.
-void Unfinished::wasMoved() {
-  slot_->path = nullptr;
-  slot_ = nullptr;
-  while (ending) pause();
+  is_there_ = std::rename(path_.c_str(), target) != 0;
+  // It may have been removed on another thread.
+  if (is_there_) waitForEnd();
+  return !is_there_;
 }
 
 void removeUnfinished() {

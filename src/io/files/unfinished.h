@@ -7,24 +7,28 @@ namespace vorpipe {
 
 struct UnfinishedSlot;
 
-/// A file that is removed at the end of this object's life, or before it by removeUnfinished(), unless it was
-/// moved away.
+/// A new file, which is removed at the end of this object's life, or before it by removeUnfinished(), unless
+/// it was moved away.
 class Unfinished {
  public:
+  /// There is none before create(); but the path is known to removeUnfinished() from here on, so that no
+  /// moment is left in which there is a file that it does not know.
   explicit Unfinished(std::string path);
   Unfinished(const Unfinished&) = delete;
   Unfinished& operator=(const Unfinished&) = delete;
   ~Unfinished();
 
-  [[nodiscard]] const std::string& path() const { return path_; }
+  /// A descriptor of the file, which did not exist before; or -1, and errno says why not.
+  int create(unsigned mode);
   /// Renames the file, which is to stay then; whether that was done, else errno says why not.
   bool moveTo(const char* target);
 
- private:
-  void wasMoved();
+  [[nodiscard]] const std::string& path() const { return path_; }
 
+ private:
   std::string path_;
   UnfinishedSlot* slot_;
+  bool is_there_ = false;
 };
 
 /// Removes all that there are, of all threads. For handlers of signals, which must end the process then,
