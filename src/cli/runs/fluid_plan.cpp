@@ -15,10 +15,13 @@ namespace {
 
 /// Bytes of each cell beside those of a diagram, as measured: parcels, their masses and weights, the matrix
 /// of Newton's steps and the levels of its solver; by projection how areas change with velocities, and discs.
-constexpr std::uint64_t of_springs = 950, of_projection = 950, of_surface = 950;
+constexpr std::uint64_t of_springs = 920, of_periodic = 1300, of_projection = 1300, of_surface = 1850;
+/// What the smallest takes.
+constexpr std::uint64_t of_any = 8'000'000;
 
-std::uint64_t bytesOf(FluidScheme scheme, Surface surface) {
+std::uint64_t bytesOf(FluidScheme scheme, Surface surface, Periodic periodic) {
   if (surface == Surface::free) return of_surface;
+  if (periodic != Periodic::none) return of_periodic;
   return scheme == FluidScheme::projection ? of_projection : of_springs;
 }
 
@@ -31,7 +34,7 @@ std::uint64_t peakOf(const FluidPlan& asked, Workload work, std::uint64_t of_flu
   work.weighted = true;
   MemoryPlan plan;
   planSession(plan, work);
-  plan.take("the fluid", of_fluid * work.sites);
+  plan.take("the fluid", of_any + of_fluid * work.sites);
   plan.drop(planCells(plan, work, Detail::polygons));
   const FluidTargets& targets = asked.targets;
   if (!targets.series.empty()) plan.drop(planCells(plan, work, Detail::polygons));
@@ -60,7 +63,8 @@ Result<void> forecastCase(const FluidPlan& plan) {
   Workload work;
   work.sites = plan.choices.particles;
   const auto scheme = plan.choices.scheme.value_or(FluidScheme::springs);
-  return allowed(plan, peakOf(plan, work, bytesOf(scheme, Surface::none))).map([](std::uint64_t) {});
+  return allowed(plan, peakOf(plan, work, bytesOf(scheme, Surface::none, Periodic::none)))
+      .map([](std::uint64_t) {});
 }
 
 Result<std::uint64_t> forecastFluid(const FluidPlan& plan, const FluidSetup& setup, const DeviceInfo& device,
@@ -72,7 +76,7 @@ Result<std::uint64_t> forecastFluid(const FluidPlan& plan, const FluidSetup& set
   cells.search = options.search;
   const auto work = workloadOf(setup.state.sites, cells, ImagesFor::cells, device, threads);
   if (!work) return tl::unexpected(work.error());
-  return allowed(plan, peakOf(plan, *work, bytesOf(options.scheme, options.surface)));
+  return allowed(plan, peakOf(plan, *work, bytesOf(options.scheme, options.surface, options.periodic)));
 }
 
 }  // namespace vorpipe::cli

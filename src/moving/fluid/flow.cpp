@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <string>
+#include <string_view>
 
 #include "base/block_sums.h"
 #include "moving/linear/mass_change.h"
@@ -28,6 +31,10 @@ double meanSpacing(const std::vector<double>& volume) {
 
 double square(Point a) { return a.x * a.x + a.y * a.y; }
 
+tl::unexpected<Error> cancelled(std::string_view before) {
+  return tl::unexpected(Error{ErrorCode::cancelled, "stopped before " + std::string(before)});
+}
+
 /// Adds time times what accelerates.
 void kick(std::vector<Point>& velocity, const std::vector<Point>& acceleration, double time, int threads) {
   forAll(velocity.size(), threads, [&](std::size_t i) {
@@ -39,10 +46,11 @@ void kick(std::vector<Point>& velocity, const std::vector<Point>& acceleration, 
 /// Takes from the velocities what changes areas: what is left is the nearest velocity that changes none, as
 /// masses weigh it. `pressure` and the result as solvePressure() has them.
 std::uint64_t project(const MassChange& change, std::span<const double> mass, int threads,
-                      std::vector<double>& pressure, std::vector<Point>& velocity) {
+                      const std::function<bool()>& goes_on, std::vector<double>& pressure,
+                      std::vector<Point>& velocity) {
   std::vector<double> changed;
   change.apply(velocity, changed);
-  const auto iterations = solvePressure(change, mass, changed, enough_projected, threads, pressure);
+  const auto iterations = solvePressure(change, mass, changed, enough_projected, threads, pressure, goes_on);
   std::vector<Point> pushed;
   change.push(pressure, mass, pushed);
   kick(velocity, pushed, -1, threads);
@@ -77,7 +85,7 @@ Result<bool> Flow::areas(Parcels& parcels, double time) {
   const auto end = cells_.solve(parcels.sites, {options_.tolerance, options_.diagrams});
   if (!end) return tl::unexpected(end.error());
   if (*end == TransportEnd::cancelled) {
-    return tl::unexpected(Error{ErrorCode::cancelled, "stopped before each cell had its area"});
+    return cancelled("each cell had its area");
   }
   diagrams_ += cells_.trace().size();
   for (const TransportStep& step : cells_.trace()) iterations_ += step.linear_iterations;
@@ -138,9 +146,15 @@ Result<bool> Flow::reflection(Parcels& parcels, double length) {
     if (placed && *placed) kick(parcels.velocity, parcels.acceleration, length / 2, threads_);
     return placed;
   };
+  // A pressure may take longer than all else.
+  bool stopped = false;
+  const auto goes_on = [&] {
+    stopped = stopped || (options_.progress && !options_.progress("pressure", 0));
+    return !stopped;
+  };
   const auto projectInto = [&](std::vector<double>& pressure) {
     const MassChange change(cells_.cells(), parcels.sites, options_.domain, threads_);
-    iterations_ += project(change, parcels.mass, threads_, pressure, parcels.velocity);
+    iterations_ += project(change, parcels.mass, threads_, goes_on, pressure, parcels.velocity);
   };
   auto placed = half();
   if (!placed || !*placed) return placed;
@@ -149,6 +163,7 @@ Result<bool> Flow::reflection(Parcels& parcels, double length) {
   const double scale = -length / 2;
   for (double& pressure : parcels.pressure) pressure *= scale;
   projectInto(parcels.pressure);
+  if (stopped) return cancelled("a pressure was found");
   for (double& pressure : parcels.pressure) pressure /= scale;
   forAll(parcels.size(), threads_, [&](std::size_t i) {
     parcels.velocity[i].x += parcels.velocity[i].x - before[i].x;
@@ -158,6 +173,7 @@ Result<bool> Flow::reflection(Parcels& parcels, double length) {
   if (!placed || !*placed) return placed;
   std::vector<double> pressure;
   projectInto(pressure);
+  if (stopped) return cancelled("a pressure was found");
   return true;
 }
 
