@@ -58,7 +58,7 @@ PlanRun planOf(const TransportCommand& command, std::uint64_t density_pixels) {
   return [&command, density_pixels](MemoryPlan& plan, Workload work) {
     // As measured: weights and what is missing, the matrix and the levels of its solver; polygons of cells in
     // periods and outlines.
-    constexpr std::uint64_t of_any = 4'000'000, in_box = 900, of_surface = 680, of_polygons = 1360;
+    constexpr std::uint64_t of_any = 6'000'000, in_box = 900, of_surface = 680, of_polygons = 1360;
     const bool has_air = command.masses.around() == Surface::free;
     const auto of_newton = work.periodic || work.outlined ? of_polygons : has_air ? of_surface : in_box;
     work.density_pixels = density_pixels;

@@ -1,5 +1,5 @@
-// Preloaded into a program, refuses its memory: the VORPIPE_REFUSE_MEMORY-th allocation on any thread since main
-// began, or with VORPIPE_REFUSE_ALL=1 that one and all that follow. How many there were goes to the file
+// Preloaded into a program, refuses its memory: the VORPIPE_REFUSE_MEMORY-th allocation on any thread since
+// main began, or with VORPIPE_REFUSE_ALL=1 that one and all that follow. How many there were goes to the file
 // VORPIPE_COUNT_MEMORY. What is before main belongs to the loader of programs.
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -47,7 +47,8 @@ void writeCount() {
     *--begin = static_cast<char>('0' + left % 10);
   }
   const int file = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (file < 0 || write(file, begin, static_cast<std::size_t>(digits + sizeof digits - begin)) < 0) std::abort();
+  if (file < 0 || write(file, begin, static_cast<std::size_t>(digits + sizeof digits - begin)) < 0)
+    std::abort();
   close(file);
 }
 
@@ -69,7 +70,9 @@ int countedMain(int count, char** arguments, char** environment) {
 extern "C" {
 
 void* malloc(std::size_t size) { return isRefused() ? nullptr : __libc_malloc(size); }
-void* calloc(std::size_t count, std::size_t size) { return isRefused() ? nullptr : __libc_calloc(count, size); }
+void* calloc(std::size_t count, std::size_t size) {
+  return isRefused() ? nullptr : __libc_calloc(count, size);
+}
 void* realloc(void* memory, std::size_t size) { return isRefused() ? nullptr : __libc_realloc(memory, size); }
 void* memalign(std::size_t alignment, std::size_t size) {
   return isRefused() ? nullptr : __libc_memalign(alignment, size);
@@ -89,5 +92,4 @@ int __libc_start_main(Main main_function, int count, char** arguments, void (*in
   std::memcpy(&start, &next, sizeof start);
   return start(countedMain, count, arguments, init, fini, loader_fini, stack_end);
 }
-
 }
