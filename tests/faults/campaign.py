@@ -79,11 +79,17 @@ class Trial:
         for name in self.command.files:
             (place / name).write_bytes(OLD)
         limit = int(self.largest * random_source.random() ** 2)
-        take_limit = (lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))) if kind == "limit" else None
+
+        def prepare():
+            # nohup ignores it, and so would the run.
+            signal.signal(signal.SIGHUP, signal.SIG_DFL)
+            if kind == "limit":
+                resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
+
         line = self.command.line(self.vorpipe, self.piped_to(place) if kind == "pipe" else None)
         began = time.monotonic()
         process = subprocess.Popen(line, cwd=place, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                   preexec_fn=take_limit)
+                                   preexec_fn=prepare)
         moment = random_source.random() * 1.1 * self.seconds
         if kind in SIGNALS:
             time.sleep(max(0, moment - (time.monotonic() - began)))
