@@ -71,9 +71,10 @@ int main(int count, char** arguments) {
   vorpipe::keepFreedMemory();
   try {
     endOnSignals();
+    endOnRefusedMemory(exit_device);
     return parseAndRun(count, arguments);
   } catch (const std::bad_alloc&) {
-    printError("there is not enough memory for this");
+    printOutOfMemory();
   } catch (const std::exception& error) {
     printError(error.what());
   }

@@ -29,6 +29,23 @@ for scheme in springs projection; do
   cmp out/whole.csv out/rest.csv || fail "other sites"
 done
 
+folders="--every 2 --size 30 --frames"
+succeeds "folders of a whole run" $vortex --steps 6 $folders out/whole-frames --series out/whole-series
+succeeds "of a part" $vortex --steps 3 $folders out/frames-on --series out/series-on --checkpoint out/part.npz
+succeeds "of the rest" fluid --backend cpu --resume out/part.npz --steps 3 $folders out/frames-on --series out/series-on
+diff -r out/whole-frames out/frames-on || fail "other pictures"
+for file in out/whole-series/*.vtp; do cmp "$file" "out/series-on/${file##*/}" || fail "another step"; done
+[ "$(grep -c DataSet out/series-on/series.pvd)" -eq 5 ] || fail "the series has not its steps"
+fails 2 "pictures of another run" "its last picture is 4, where a run with --every 2 has 2 up to step 3" \
+  fluid --backend cpu --resume out/part.npz --steps 1 $folders out/frames-on
+fails 2 "a series of another run" "its series has no step 3 at time" \
+  fluid --backend cpu --resume out/part.npz --steps 1 --series out/series
+mkdir out/foreign && touch out/foreign/notes.txt
+fails 2 "a foreign folder" 'holds "notes.txt", which is none of a series' \
+  fluid --backend cpu --resume out/part.npz --steps 1 --series out/foreign
+succeeds "cells of a free surface" fluid --backend cpu --case dam-break --particles 32 --steps 1 --cells out/free.csv
+awk -F, 'NR > 1 && $5 == "ok" { n++ } END { exit !(n > 25) }' out/free.csv || fail "cells of a free surface are not there"
+
 # -- What is refused ------------------------------------------------------------------------------------
 refused() { fails 2 "$1" "$@"; }
 refused '--case: name what to begin with (or --resume a checkpoint)' fluid -o out/a.csv
@@ -38,6 +55,7 @@ refused '--scheme: projection is for domains that are full; springs have free su
   fluid --backend cpu --case dam-break --particles 32 --scheme projection -o out/a.csv
 refused '--legend: colors by --flow-color have none' $vortex --frames out/none --steps 1 --flow-color speed --legend
 refused '--flow-color: "heat" is not ' $vortex --frames out/none --flow-color heat
+refused '--particles: needs about' $vortex --memory-limit 1MB -o out/a.csv
 refused '--frames: out/frames: the folder holds something' $vortex --frames out/frames
 cp out/whole.csv in/copy.npz
 refused 'in/copy.npz: it is no whole .npz file' fluid --case in/copy.npz -o out/a.csv

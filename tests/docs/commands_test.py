@@ -25,6 +25,9 @@ BUILDS = 'it builds, or runs what only another preset or target builds'
 SELFTEST = 'it takes long on software drivers; the test cli_selftest runs the like of it'
 WINDOW = 'it opens a window; the test view plays the like of it'
 NOT_RUN = {
+    'python3 tests/faults/campaign.py build/dev/src/cli/vorpipe --moments 200': 'it takes an hour; the test faults does',
+    'python3 tests/faults/memory.py build/dev/src/cli/vorpipe build/dev/tests/faults/librefusals.so --moments 200':
+        'it takes an hour; the test refused_memory does',
     './test': 'it is what runs this',
     './test -R conformance': 'it is what runs this',
     'VORPIPE_TEST_DATA=~/sites ./test -R real': 'it is what runs this',

@@ -12,6 +12,7 @@
 #include "cli/options/picture_options.h"
 #include "cli/reports/stats.h"
 #include "cli/runs/fluid_files.h"
+#include "cli/runs/fluid_plan.h"
 #include "cli/runs/input.h"
 #include "cli/runs/picture.h"
 #include "cli/runs/run_end.h"
@@ -20,6 +21,7 @@
 #include "io/cells/cells_file.h"
 #include "io/files/error.h"
 #include "vorpipe/fluid.h"
+#include "vorpipe/free_surface.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -31,6 +33,7 @@ struct FluidCommand {
   TalkOptions talk;
   SearchOptions search;
   PictureOptions picture;
+  std::optional<std::uint64_t> memory_limit;
 };
 
 /// Why a run ended, in a word.
@@ -121,7 +124,7 @@ Result<Outcome> flow(const FluidCommand& command, Session& session, FluidSetup s
 }
 
 /// Refuses options that nothing takes.
-Result<void> checkCommand(const FluidCommand& command, const FluidSetup& setup) {
+Result<void> checkCommand(const FluidCommand& command) {
   const FluidTargets& targets = command.targets;
   if (targets.paths().empty() && targets.checkpoint.empty() && targets.frames.empty() &&
       targets.series.empty()) {
@@ -133,15 +136,12 @@ Result<void> checkCommand(const FluidCommand& command, const FluidSetup& setup) 
   if (!targets.frames.empty() && command.picture.render.legend && by_flow) {
     return inputError("--legend: colors by --flow-color have none");
   }
-  if (setup.options.surface == Surface::free && !targets.cells.empty()) {
-    return inputError("--cells: those of a free surface are cut by discs; --series writes them");
-  }
   return {};
 }
 
 Result<void> writeFiles(const FluidCommand& command, const FluidOptions& options, Session& session,
                         const Outcome& outcome, std::vector<OutputFile>& files, RunLog& log,
-                        const Stopwatch& total) {
+                        std::uint64_t forecast, const Stopwatch& total) {
   const Stopwatch watch;
   Diagram cells;
   if (!command.targets.cells.empty()) {
@@ -149,7 +149,8 @@ Result<void> writeFiles(const FluidCommand& command, const FluidOptions& options
     how.domain = options.domain;
     how.periodic = options.periodic;
     how.search = options.search;
-    auto found = session.cells(outcome.state.sites, how);
+    auto found = options.surface == Surface::free ? freeCells(session, outcome.state.sites, how)
+                                                  : session.cells(outcome.state.sites, how);
     if (!found) return tl::unexpected(std::move(found.error()));
     cells = std::move(*found);
   }
@@ -175,7 +176,7 @@ Result<void> writeFiles(const FluidCommand& command, const FluidOptions& options
     input.sites = outcome.state.sites;
     input.domain = options.domain;
     input.periodic = options.periodic;
-    Stats stats{"fluid", input, outcome.report, log, watch.milliseconds(), total.milliseconds(), 0};
+    Stats stats{"fluid", input, outcome.report, log, watch.milliseconds(), total.milliseconds(), forecast};
     stats.fluid = FluidFigures{std::string(nameOf(options.scheme)),
                                std::string(wordOf(outcome.end)),
                                outcome.first,
@@ -215,9 +216,11 @@ Result<ExitCode> fluid(FluidCommand& command, const Invocation& how) {
   RunLog log(how, !command.targets.stats.empty());
   log.search = command.search;
   log.threads = command.backend.threads;
+  const FluidPlan plan{command.choices, command.targets, command.picture, command.memory_limit};
+  if (auto fits = forecastCase(plan); !fits) return tl::unexpected(fits.error());
   auto setup = setupOf(command.choices);
   if (!setup) return tl::unexpected(std::move(setup.error()));
-  if (auto checked = checkCommand(command, *setup); !checked) return tl::unexpected(checked.error());
+  if (auto checked = checkCommand(command); !checked) return tl::unexpected(checked.error());
   setup->options.search = command.search;
   setup->options.progress = untilSignal();
   const FluidOptions options = setup->options;
@@ -227,14 +230,18 @@ Result<ExitCode> fluid(FluidCommand& command, const Invocation& how) {
   auto session = Session::open(command.backend);
   if (!session) return tl::unexpected(std::move(session.error()));
   log.choice = session->choice();
-  auto record = FluidRecord::open(command.targets, command.picture);
+  const auto forecast = forecastFluid(plan, *setup, session->device(), command.backend.threads);
+  if (!forecast) return asFluidOption(forecast.error());
+  auto record = FluidRecord::open(command.targets, command.picture,
+                                  command.choices.resume.empty() ? nullptr : &setup->state);
   if (!record) return tl::unexpected(std::move(record.error()));
   const auto outcome = flow(command, *session, std::move(*setup), *record);
   if (!outcome) return asFluidOption(outcome.error());
   takeSignal();
   printNotes(command.talk, outcome->report);
   if (!validationIsSilent(outcome->report)) return exit_device;
-  if (auto written = writeFiles(command, options, *session, *outcome, *files, log, total); !written) {
+  if (auto written = writeFiles(command, options, *session, *outcome, *files, log, *forecast, total);
+      !written) {
     return tl::unexpected(written.error());
   }
   printSummary(command.talk, command.targets.paths(),
@@ -261,7 +268,7 @@ void addFluid(CommandLine& line) {
   addMarkOptions(options, command->picture);
   addBackendChoice(options, command->backend);
   addSearchOptions(options, command->search);
-  addThreads(options, command->backend.threads);
+  addRunOptions(options, command->backend, command->memory_limit);
   options.group("Output");
   addStats(options, command->targets.stats);
   addTalkOptions(options, command->talk);

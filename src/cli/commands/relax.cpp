@@ -99,14 +99,11 @@ Result<void> saveNumbered(RelaxRun& run, Session& session, const Relaxation& rel
   const auto paths = run.job.targets.numberedPaths(relaxation.trace().back().diagram);
   auto numbered = createOutputs(paths);
   if (!numbered) return tl::unexpected(std::move(numbered.error()));
-  removeOnSignals(run.files, *numbered);
   const auto writers = writersOf(run.job, *parts);
   for (std::size_t k = 0; k < writers.size(); ++k) {
     if (auto written = run.log.noteOutput((*numbered)[k], writers[k]); !written) return written;
   }
-  auto committed = commitAll(*numbered);
-  removeOnSignals(run.files);
-  return committed;
+  return commitAll(*numbered);
 }
 
 /// "relax 12/50, 1.0334".

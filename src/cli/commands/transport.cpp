@@ -56,14 +56,18 @@ std::vector<std::string> outputPaths(const TransportCommand& command) {
 /// What a run takes: cells, the matrix and the levels of its solver, then what files take.
 PlanRun planOf(const TransportCommand& command, std::uint64_t density_pixels) {
   return [&command, density_pixels](MemoryPlan& plan, Workload work) {
-    constexpr std::uint64_t of_newton = 640;
+    // As measured: weights and what is missing, the matrix and the levels of its solver; polygons of cells in
+    // periods and outlines.
+    constexpr std::uint64_t of_any = 6'000'000, in_box = 900, of_surface = 680, of_polygons = 1360;
+    const bool has_air = command.masses.around() == Surface::free;
+    const auto of_newton = work.periodic || work.outlined ? of_polygons : has_air ? of_surface : in_box;
     work.density_pixels = density_pixels;
     work.weighted = true;
     if (density_pixels > 0) planDensity(plan, density_pixels);
     if (!command.masses.areEqual()) planWeights(plan, command.masses.file, work.sites);
     planSession(plan, work);
     const auto since = plan.next();
-    plan.take("weights that are sought", of_newton * work.sites);
+    plan.take("weights that are sought", of_any + of_newton * work.sites);
     plan.drop(planCells(plan, work, Detail::polygons));
     plan.dropSince(since);
     planFiles(plan, work, command.targets, command.picture);

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <system_error>
 #include <utility>
 
+#include "base/parallel.h"
+#include "cli/runs/fluid_folders.h"
 #include "cli/runs/input.h"
 #include "cli/runs/picture.h"
 #include "io/files/error.h"
+#include "io/files/extension.h"
 #include "io/files/output_file.h"
 #include "io/fluid/fluid_state.h"
 #include "view/frames/flow_colors.h"
@@ -73,26 +75,39 @@ std::string traceRow(const FluidStep& step, bool with_times) {
                      step.halvings, seconds);
 }
 
-Result<FluidRecord> FluidRecord::open(const FluidTargets& targets, const PictureOptions& picture) {
+Result<FluidRecord> FluidRecord::open(const FluidTargets& targets, const PictureOptions& picture,
+                                      const FluidState* resumed) {
   FluidRecord record(targets, picture);
-  if (!targets.frames.empty()) {
-    auto recorder = view::openRecorder(targets.frames);
-    if (!recorder) return named("--frames", std::move(recorder.error()));
-    record.recorder_ = std::move(*recorder);
-  }
-  if (targets.series.empty()) return record;
-  std::error_code code;
-  fs::create_directories(targets.series, code);
-  if (code) return inputError(fmt::format("--series: {}: {}", targets.series, code.message()));
-  if (!fs::is_empty(targets.series, code)) {
-    return inputError(
-        fmt::format("--series: {}: the folder holds something; a series wants an empty one", targets.series));
-  }
+  if (auto opened = record.openFrames(resumed); !opened) return named("--frames", std::move(opened.error()));
+  if (auto opened = record.openSeries(resumed); !opened) return named("--series", std::move(opened.error()));
   return record;
 }
 
+Result<void> FluidRecord::openFrames(const FluidState* resumed) {
+  const std::string& path = targets_->frames;
+  if (path.empty()) return {};
+  const bool goes_on = resumed != nullptr && lowerExtension(path) != ".mp4";
+  const auto next = goes_on ? goOnWithFrames(path, resumed->step, targets_->every) : NextFrame{};
+  if (!next) return tl::unexpected(next.error());
+  auto recorder = goes_on ? view::openFrames(path, next->number) : view::openRecorder(path);
+  if (!recorder) return tl::unexpected(std::move(recorder.error()));
+  recorder_ = std::move(*recorder);
+  first_is_drawn_ = next->is_there;
+  return {};
+}
+
+Result<void> FluidRecord::openSeries(const FluidState* resumed) {
+  const std::string& path = targets_->series;
+  if (path.empty()) return {};
+  if (resumed == nullptr) return cli::openSeries(path);
+  auto steps = goOnWithSeries(path, *resumed);
+  if (!steps) return tl::unexpected(std::move(steps.error()));
+  series_ = std::move(*steps);
+  return {};
+}
+
 Result<void> FluidRecord::add(Session& session, const FluidState& state, const FluidOptions& options) {
-  if (recorder_) {
+  if (recorder_ && !std::exchange(first_is_drawn_, false)) {
     const auto image = drawFluid(session, state, options, *picture_, targets_->color);
     if (!image) return tl::unexpected(image.error());
     if (auto added = recorder_->add(*image); !added) return added;
@@ -108,12 +123,12 @@ Result<void> FluidRecord::addToSeries(Session& session, const FluidState& state,
                                       const FluidOptions& options) {
   const auto cells = session.cells(state.sites, cellsOptions(options));
   if (!cells) return tl::unexpected(cells.error());
-  const std::string name = fmt::format("step-{:06}.vtp", state.step);
+  const std::string name = seriesFileOf(state.step);
   auto file = OutputFile::create((fs::path(targets_->series) / name).string());
   if (!file) return tl::unexpected(std::move(file.error()));
   if (auto written = writeFluidStep(*file, state, options, *cells); !written) return written;
   if (auto committed = file->commit(); !committed) return committed;
-  series_.push_back({state.time, name});
+  if (series_.empty() || series_.back().file != name) series_.push_back({state.time, name});
   auto list = OutputFile::create((fs::path(targets_->series) / "series.pvd").string());
   if (!list) return tl::unexpected(std::move(list.error()));
   if (auto written = writeSeries(*list, series_); !written) return written;

@@ -29,9 +29,10 @@ std::string traceRow(const FluidStep& step, bool with_times);
 /// Files that grow with the steps.
 class FluidRecord {
  public:
-  /// Opens films and folders. Errors: those of openRecorder; the folder of the series cannot be made or holds
-  /// another series (input).
-  static Result<FluidRecord> open(const FluidTargets& targets, const PictureOptions& picture);
+  /// Opens films and folders; a run that goes on with a checkpoint goes on with them. Errors: those of
+  /// openRecorder, openSeries, goOnWithFrames and goOnWithSeries.
+  static Result<FluidRecord> open(const FluidTargets& targets, const PictureOptions& picture,
+                                  const FluidState* resumed);
 
   /// Writes what there is to write of a step.
   Result<void> add(Session& session, const FluidState& state, const FluidOptions& options);
@@ -41,11 +42,14 @@ class FluidRecord {
  private:
   FluidRecord(const FluidTargets& targets, const PictureOptions& picture)
       : targets_(&targets), picture_(&picture) {}
+  Result<void> openFrames(const FluidState* resumed);
+  Result<void> openSeries(const FluidState* resumed);
   Result<void> addToSeries(Session& session, const FluidState& state, const FluidOptions& options);
 
   const FluidTargets* targets_;
   const PictureOptions* picture_;
   std::unique_ptr<view::Recorder> recorder_;
+  bool first_is_drawn_ = false;  ///< by the run that this one goes on with
   std::vector<SeriesStep> series_;
 };
 

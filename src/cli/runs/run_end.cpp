@@ -56,9 +56,7 @@ Result<bool> passesCheck(const Result<std::vector<std::string>>& broken) {
 
 Result<std::vector<OutputFile>> openOutputs(std::span<const std::string> paths) {
   stopOnSignals();
-  auto files = createOutputs(paths);
-  if (files) removeOnSignals(*files);
-  return files;
+  return createOutputs(paths);
 }
 
 Result<void> writeOutputs(std::span<OutputFile> files, std::span<const Writer> writers) {

@@ -8,6 +8,9 @@ namespace vorpipe::cli {
 /// Prints one line `vorpipe: MESSAGE` on standard error; what is not fit for one line is replaced.
 void printError(std::string_view message);
 
+/// Prints that there is not enough memory, without taking any.
+void printOutOfMemory();
+
 /// Prints `vorpipe: note: TEXT` likewise.
 void printNote(std::string_view text);
 

@@ -1,14 +1,22 @@
 #include "cli/terminal/progress.h"
 
+#include <cxxabi.h>
 #include <fmt/core.h>
 #include <signal.h>
 #include <sys/time.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdio>
-#include <vector>
+#include <exception>
+#include <new>
+#include <string>
+#include <typeinfo>
+
+#include "cli/terminal/error_line.h"
+#include "io/files/unfinished.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -19,9 +27,7 @@ std::atomic<bool> has_time{false};  ///< a run that was asked to stop may take l
 std::atomic<bool> over{false};      ///< a handler ends the program, or ignoreSignals keeps all from it
 std::atomic<bool> bar_is_shown{false};
 bool ignoring = false;  ///< ignoreSignals was called; one thread alone calls it
-std::atomic<const std::vector<std::string>*> unfinished{nullptr};  ///< the files to remove
-static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
-                  decltype(unfinished)::is_always_lock_free,
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free,
               "signal handlers use them");
 
 constexpr int bar_width = 30;
@@ -34,6 +40,10 @@ constexpr int killed_by_signal = 128;
 /// file system may take seconds.
 constexpr int grace_microseconds = 200'000;
 
+/// Ctrl-C, and what a batch system sends before it ends a process: at the end of the time that a job has, or
+/// of its time of the processors. And that the terminal is gone.
+constexpr std::array asking_to_end{SIGINT, SIGTERM, SIGXCPU, SIGHUP};
+
 void install(int signal, void (*handler)(int)) {
   struct sigaction action {};
   action.sa_handler = handler;
@@ -41,12 +51,20 @@ void install(int signal, void (*handler)(int)) {
   sigaction(signal, &action, nullptr);
 }
 
+void installForAll(void (*handler)(int)) {
+  for (const int signal : asking_to_end) {
+    struct sigaction before {};
+    // nohup has it ignored.
+    const bool stays =
+        signal == SIGHUP && sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN;
+    if (!stays) install(signal, handler);
+  }
+}
+
 /// Removes unfinished files and ends the process. Runs in a signal handler: async-signal-safe calls alone.
 void endProgram(int signal) {
   if (over.exchange(true)) return;
-  if (const auto* const paths = unfinished.load()) {
-    for (const std::string& path : *paths) unlink(path.c_str());
-  }
+  removeUnfinished();
   constexpr std::string_view clear = "\r\033[K", line = "vorpipe: interrupted\n";
   bool written = !bar_is_shown || write(STDERR_FILENO, clear.data(), clear.size()) >= 0;
   written = write(STDERR_FILENO, line.data(), line.size()) >= 0 && written;
@@ -63,15 +81,27 @@ void askToStop(int signal) {
 
 }  // namespace
 
-void endOnSignals() {
-  install(SIGINT, endProgram);
-  install(SIGTERM, endProgram);
+void endOnSignals() { installForAll(endProgram); }
+
+void endOnRefusedMemory(int code) {
+  static int exit_code;
+  static std::terminate_handler before;
+  exit_code = code;
+  before = std::set_terminate([] {
+    const std::type_info* const type = abi::__cxa_current_exception_type();
+    if (type == nullptr || *type != typeid(std::bad_alloc)) before();
+    removeUnfinished();
+    printOutOfMemory();
+    _exit(exit_code);
+  });
 }
 
 void stopOnSignals() {
   install(SIGALRM, [](int) { endProgram(caught); });
-  install(SIGINT, askToStop);
-  install(SIGTERM, askToStop);
+  installForAll(askToStop);
+  // Then writing fails, with an error that says where, and what is unfinished is removed.
+  install(SIGPIPE, SIG_IGN);
+  install(SIGXFSZ, SIG_IGN);
 }
 
 void awaitResultOnSignals() { has_time = true; }
@@ -85,18 +115,6 @@ bool takeSignal() {
 
 Progress untilSignal() {
   return [](std::string_view, double) { return caught == 0; };
-}
-
-void removeOnSignals(std::span<const OutputFile> files, std::span<const OutputFile> more) {
-  static std::vector<std::string> paths;
-  unfinished = nullptr;
-  paths.clear();
-  for (const auto& some : {files, more}) {
-    for (const OutputFile& file : some) {
-      if (!file.temporary().empty()) paths.push_back(file.temporary());
-    }
-  }
-  unfinished = &paths;
 }
 
 void ignoreSignals() {
@@ -149,8 +167,11 @@ void ProgressBar::show(std::string_view text, double fraction) {
 
 void ProgressBar::put(std::string_view text, double fraction) {
   const int full = static_cast<int>(fraction * bar_width);
-  fmt::print(stderr, "\r\033[K{:<16} [{:#<{}}{:.<{}}] {:3.0f} %", text, "", full, "", bar_width - full,
-             fraction * 100);
+  // A terminal may be gone, which is no reason to end: fmt::print would throw.
+  std::fputs(fmt::format("\r\033[K{:<16} [{:#<{}}{:.<{}}] {:3.0f} %", text, "", full, "", bar_width - full,
+                         fraction * 100)
+                 .c_str(),
+             stderr);
   std::fflush(stderr);
   drawn_ = bar_is_shown = true;
   last_ = std::chrono::steady_clock::now();

@@ -4,21 +4,23 @@
 #include <chrono>
 #include <functional>
 #include <map>
-#include <span>
 #include <string>
 #include <string_view>
 
-#include "io/files/output_file.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {
 
-/// From now on SIGINT and SIGTERM end the program at once, with a line that says so.
+/// From now on SIGINT, SIGTERM, SIGHUP and SIGXCPU end the program at once, with a line that says so.
 void endOnSignals();
 
-/// From now on, since there is something to clean up, they only ask the run to stop. If it has not soon,
-/// or at a second one, the program ends where it is, and leaves none of the files for which
-/// removeOnSignals was called.
+/// From now on, where memory is refused to what may not throw, as destructors of some libraries, the program
+/// ends with this code, a line that says so, and no file that is unfinished.
+void endOnRefusedMemory(int code);
+
+/// From now on, since there is something to clean up, they only ask the run to stop. If it has not soon, or
+/// at a second one, the program ends where it is, and leaves no file that is unfinished. Writing into a
+/// closed pipe, or beyond what a file may have (ulimit -f), is an error then, and does not end the program.
 void stopOnSignals();
 
 /// After stopOnSignals: a run that ends with what it has reached is given the time to write it, until a
@@ -31,9 +33,6 @@ bool takeSignal();
 
 /// False once a signal has asked to stop.
 Progress untilSignal();
-
-/// Removes what was written of these so far when a signal ends the program; and of `more`.
-void removeOnSignals(std::span<const OutputFile> files, std::span<const OutputFile> more = {});
 
 /// From now on signals do nothing: the run is over, or its files are being put in place.
 void ignoreSignals();

@@ -20,6 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view temporary_begin = ".vorpipe-", temporary_end = ".tmp";
+
 /// The path that `path` leads to; its last component may be a link whose target does not exist yet.
 Result<fs::path> followLinks(const fs::path& path) {
   constexpr int max_links = 40;
@@ -41,24 +43,14 @@ Result<fs::path> followLinks(const fs::path& path) {
   return real / target.filename();
 }
 
-/// A descriptor of a file that did not exist, in `directory`; `path` gets its path.
-int openNew(const fs::path& directory, mode_t mode, std::string& path) {
+/// A path in `directory` that no other call gets.
+std::string newPath(const fs::path& directory) {
   static std::atomic<unsigned> counter = 0;
-  while (true) {
-    path = (directory / fmt::format(".vorpipe-{}-{}.tmp", ::getpid(), counter++)).string();
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-    if (descriptor >= 0 || errno != EEXIST) {
-      return descriptor;
-    }
-  }
+  return (directory / fmt::format("{}{}-{}{}", temporary_begin, ::getpid(), counter++, temporary_end))
+      .string();
 }
 
 }  // namespace
-
-void OutputFile::Remove::operator()(std::string* path) const {
-  ::unlink(path->c_str());
-  delete path;
-}
 
 Result<OutputFile> OutputFile::createDirect(const std::string& path) {
   OutputFile file(path, "");
@@ -79,14 +71,18 @@ Result<void> OutputFile::createTemporary() {
   if (exists && ::faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) != 0) {
     return systemError(ErrorCode::input, name(), "cannot be written", errno);
   }
-  std::string path;
-  const int descriptor = openNew(fs::path(target_).parent_path(), 0666, path);
+  int descriptor = -1;
+  // What a process of this number that was killed has left is not ours.
+  do {
+    temporary_ = std::make_unique<Unfinished>(newPath(fs::path(target_).parent_path()));
+    descriptor = temporary_->create(0666);
+  } while (descriptor < 0 && errno == EEXIST);
   if (descriptor < 0) {
     return systemError(ErrorCode::input, name(), "cannot be written: no file can be created beside it",
                        errno);
   }
-  temporary_.reset(new std::string(std::move(path)));
   stream_.reset(::fdopen(descriptor, "wb"));
+  if (!stream_) ::close(descriptor);
   if (!stream_ || (exists && ::fchmod(descriptor, status.st_mode & 07777) != 0)) {
     return systemError(ErrorCode::device, name(), "cannot be written", errno);
   }
@@ -139,11 +135,15 @@ Result<void> OutputFile::commit() {
   if (!temporary_) {
     return {};
   }
-  if (std::rename(temporary_->c_str(), target_.c_str()) != 0) {
+  if (!temporary_->moveTo(target_.c_str())) {
     return systemError(ErrorCode::device, name(), "the finished file could not be put in place", errno);
   }
-  delete temporary_.release();
+  temporary_.reset();
   return {};
+}
+
+bool isLeftOver(std::string_view name) {
+  return name.starts_with(temporary_begin) && name.ends_with(temporary_end);
 }
 
 Result<std::vector<OutputFile>> createOutputs(std::span<const std::string> paths) {

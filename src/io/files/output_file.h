@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "io/files/byte_sink.h"
+#include "io/files/unfinished.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -39,15 +40,11 @@ class OutputFile final : public ByteSink {
   /// The file that is replaced, links followed; empty when it is written to directly.
   [[nodiscard]] const std::string& target() const { return target_; }
   /// The file beside it that holds the bytes until commit(); empty when it is written to directly.
-  [[nodiscard]] std::string temporary() const { return temporary_ ? *temporary_ : std::string(); }
+  [[nodiscard]] std::string temporary() const { return temporary_ ? temporary_->path() : std::string(); }
 
  private:
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  /// The path of a file that is removed unless it was moved away.
-  struct Remove {
-    void operator()(std::string* path) const;
   };
   using Stream = std::unique_ptr<std::FILE, Close>;
 
@@ -56,9 +53,13 @@ class OutputFile final : public ByteSink {
   Result<void> createTemporary();
 
   std::string target_;
-  std::unique_ptr<std::string, Remove> temporary_;  ///< before stream_, which closes first
+  std::unique_ptr<Unfinished> temporary_;  ///< before stream_, which closes first
   Stream stream_;
 };
+
+/// Whether a file of this name, without its folder, is one that an OutputFile of a process that was killed
+/// may have left: ".vorpipe-1234-0.tmp".
+bool isLeftOver(std::string_view name);
 
 /// Creates an output file for each path, in order. Errors (input): those of create(), two paths are
 /// one file.

@@ -26,4 +26,7 @@ struct SeriesStep {
 /// Writes the .pvd file that names all files of a series with their times.
 Result<void> writeSeries(ByteSink& sink, const std::vector<SeriesStep>& steps);
 
+/// Reads what writeSeries wrote. Errors (input): it cannot be read; a line that writeSeries does not write.
+Result<std::vector<SeriesStep>> readSeries(const std::string& path);
+
 }  // namespace vorpipe

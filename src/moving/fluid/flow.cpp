@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <string>
+#include <string_view>
 
 #include "base/block_sums.h"
 #include "moving/linear/conjugate_gradients.h"
@@ -33,6 +36,10 @@ double meanSpacing(const std::vector<double>& volume) {
 
 double square(Point a) { return a.x * a.x + a.y * a.y; }
 
+tl::unexpected<Error> cancelled(std::string_view before) {
+  return tl::unexpected(Error{ErrorCode::cancelled, "stopped before " + std::string(before)});
+}
+
 /// Adds time times what accelerates.
 void kick(std::vector<Point>& velocity, const std::vector<Point>& acceleration, double time, int threads) {
   forAll(velocity.size(), threads, [&](std::size_t i) {
@@ -42,12 +49,13 @@ void kick(std::vector<Point>& velocity, const std::vector<Point>& acceleration, 
 }
 
 /// Takes from the velocities what changes areas: what is left is the nearest velocity that changes none, as
-/// masses weigh it. `least`, `pressure` and the result as solvePressure() has them.
+/// masses weigh it. `least`, `goes_on`, `pressure` and the result as solvePressure() has them.
 std::uint64_t project(const MassChange& change, std::span<const double> mass, double least, int threads,
-                      std::vector<double>& pressure, std::vector<Point>& velocity) {
+                      const std::function<bool()>& goes_on, std::vector<double>& pressure,
+                      std::vector<Point>& velocity) {
   std::vector<double> changed;
   change.apply(velocity, changed);
-  const auto iterations = solvePressure(change, mass, changed, least, threads, pressure);
+  const auto iterations = solvePressure(change, mass, changed, least, threads, pressure, goes_on);
   std::vector<Point> pushed;
   change.push(pressure, mass, pushed);
   kick(velocity, pushed, -1, threads);
@@ -81,6 +89,9 @@ Result<bool> Flow::areas(Parcels& parcels, double time, double tolerance) {
   }
   const auto end = cells_.solve(parcels.sites, {tolerance, options_.diagrams});
   if (!end) return tl::unexpected(end.error());
+  if (*end == TransportEnd::cancelled) {
+    return cancelled("each cell had its area");
+  }
   diagrams_ += cells_.trace().size();
   for (const TransportStep& step : cells_.trace()) iterations_ += step.linear_iterations;
   if (has_weights) {
@@ -143,9 +154,15 @@ Result<bool> Flow::reflection(Parcels& parcels, double length) {
     return placed;
   };
   const double least = enough_projected * options_.tolerance * normOf(parcels.volume, threads_) / length;
+  // A pressure may take longer than all else.
+  bool stopped = false;
+  const auto goes_on = [&] {
+    stopped = stopped || (options_.progress && !options_.progress("pressure", 0));
+    return !stopped;
+  };
   const auto projectInto = [&](std::vector<double>& pressure) {
     const MassChange change(cells_.cells(), parcels.sites, options_.domain, threads_);
-    iterations_ += project(change, parcels.mass, least, threads_, pressure, parcels.velocity);
+    iterations_ += project(change, parcels.mass, least, threads_, goes_on, pressure, parcels.velocity);
   };
   auto placed = half(std::max(options_.tolerance, tolerance_in_the_middle));
   if (!placed || !*placed) return placed;
@@ -154,6 +171,7 @@ Result<bool> Flow::reflection(Parcels& parcels, double length) {
   const double scale = -length / 2;
   for (double& pressure : parcels.pressure) pressure *= scale;
   projectInto(parcels.pressure);
+  if (stopped) return cancelled("a pressure was found");
   for (double& pressure : parcels.pressure) pressure /= scale;
   forAll(parcels.size(), threads_, [&](std::size_t i) {
     parcels.velocity[i].x += parcels.velocity[i].x - before[i].x;
@@ -163,6 +181,7 @@ Result<bool> Flow::reflection(Parcels& parcels, double length) {
   if (!placed || !*placed) return placed;
   std::vector<double> pressure;
   projectInto(pressure);
+  if (stopped) return cancelled("a pressure was found");
   return true;
 }
 

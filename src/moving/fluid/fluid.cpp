@@ -180,6 +180,7 @@ Result<bool> Fluid::State::advance() {
     return true;
   }
   now = before;
+  callers.order = now.order;
   if (!done && done.error().code != ErrorCode::cancelled) return done;
   end = done ? FluidEnd::areas : FluidEnd::cancelled;
   return false;

@@ -98,7 +98,7 @@ std::vector<double> MassChange::diagonal(std::span<const double> inertia) const 
 
 std::uint64_t solvePressure(const MassChange& change, std::span<const double> inertia,
                             std::span<const double> wanted, double least, int threads,
-                            std::vector<double>& pressure) {
+                            std::vector<double>& pressure, const std::function<bool()>& goes_on) {
   const std::size_t count = inertia.size();
   constexpr std::uint64_t most_iterations = 10000;
   if (pressure.size() != count) pressure.assign(count, 0.0);
@@ -115,7 +115,7 @@ std::uint64_t solvePressure(const MassChange& change, std::span<const double> in
   double product = scale();
   way = scaled;
   std::uint64_t iteration = 0;
-  for (; iteration < most_iterations && dot(rest, rest, threads) > least * least; ++iteration) {
+  for (; iteration < most_iterations && goes_on() && dot(rest, rest, threads) > least * least; ++iteration) {
     change.push(way, inertia, pushed);
     change.apply(pushed, answer);
     const double curvature = dot(way, answer, threads);

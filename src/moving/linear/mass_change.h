@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -40,9 +41,10 @@ class MassChange {
 /// Finds p with (D M^-1 D^T) p = wanted. Of all v with D v = wanted, M^-1 D^T p is then the one with the
 /// least sum of inertia |v|^2. `pressure` is where the search begins, from 0 where it has another size, and
 /// the p that was found. Returns the iterations of conjugate gradients, which end where what is left of
-/// `wanted` has the norm `least` or less, or where rounding allows no more.
-std::uint64_t solvePressure(const MassChange& change, std::span<const double> inertia,
-                            std::span<const double> wanted, double least, int threads,
-                            std::vector<double>& pressure);
+/// `wanted` has the norm `least` or less, or where rounding allows no more; or where `goes_on`, which is
+/// asked before each, says no.
+std::uint64_t solvePressure(
+    const MassChange& change, std::span<const double> inertia, std::span<const double> wanted, double least,
+    int threads, std::vector<double>& pressure, const std::function<bool()>& goes_on = [] { return true; });
 
 }  // namespace vorpipe::moving

@@ -1,6 +1,7 @@
 /// What a window showed, as a film or as numbered pictures.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 
@@ -26,5 +27,9 @@ class Recorder {
 /// made where it is not there. Errors (input): the folder holds something, or cannot be written; (device):
 /// there is no ffmpeg on PATH.
 Result<std::unique_ptr<Recorder>> openRecorder(const std::string& path);
+
+/// A folder of numbered frames that goes on with this number, whatever it holds. Error (input): it cannot be
+/// made.
+Result<std::unique_ptr<Recorder>> openFrames(const std::string& folder, std::uint64_t first);
 
 }  // namespace vorpipe::view

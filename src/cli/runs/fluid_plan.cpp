@@ -1,0 +1,82 @@
+#include "cli/runs/fluid_plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "cli/runs/drawing.h"
+#include "cli/runs/forecast.h"
+#include "io/files/error.h"
+#include "io/forecast/forecast_files.h"
+
+namespace vorpipe::cli {
+namespace {
+
+/// Bytes of each cell beside those of a diagram, as measured: parcels, their masses and weights, the matrix
+/// of Newton's steps and the levels of its solver; by projection how areas change with velocities, and discs.
+constexpr std::uint64_t of_springs = 920, of_periodic = 1300, of_projection = 1300, of_surface = 1850;
+/// What the smallest takes.
+constexpr std::uint64_t of_any = 8'000'000;
+
+std::uint64_t bytesOf(FluidScheme scheme, Surface surface, Periodic periodic) {
+  if (surface == Surface::free) return of_surface;
+  if (periodic != Periodic::none) return of_periodic;
+  return scheme == FluidScheme::projection ? of_projection : of_springs;
+}
+
+std::string_view optionOf(const FluidChoices& choices) {
+  if (!choices.resume.empty()) return "--resume";
+  return fluidCaseOf(choices.begin) ? "--particles" : "--case";
+}
+
+std::uint64_t peakOf(const FluidPlan& asked, Workload work, std::uint64_t of_fluid) {
+  work.weighted = true;
+  MemoryPlan plan;
+  planSession(plan, work);
+  plan.take("the fluid", of_any + of_fluid * work.sites);
+  plan.drop(planCells(plan, work, Detail::polygons));
+  const FluidTargets& targets = asked.targets;
+  if (!targets.series.empty()) plan.drop(planCells(plan, work, Detail::polygons));
+  if (!targets.frames.empty()) {
+    const PictureSize size = sizeBefore(asked.picture.size);
+    RenderOptions render = asked.picture.render;
+    render.width = size.width;
+    render.height = size.height;
+    planDrawing(plan, work, render, {.pixels = true, .cells = false}, /*checks=*/false);
+  }
+  if (!targets.cells.empty()) planCells(plan, work, Detail::everything);
+  for (const CellsTarget& target : targets.cells) planCellsFile(plan, work, *target.format);
+  return plan.peak();
+}
+
+Result<std::uint64_t> allowed(const FluidPlan& plan, std::uint64_t bytes) {
+  const auto lack = lackOfMemory(bytes, plan.limit);
+  if (lack) return inputError(fmt::format("{}: {}", optionOf(plan.choices), *lack));
+  return bytes;
+}
+
+}  // namespace
+
+Result<void> forecastCase(const FluidPlan& plan) {
+  if (!plan.choices.resume.empty() || !fluidCaseOf(plan.choices.begin)) return {};
+  Workload work;
+  work.sites = plan.choices.particles;
+  const auto scheme = plan.choices.scheme.value_or(FluidScheme::springs);
+  return allowed(plan, peakOf(plan, work, bytesOf(scheme, Surface::none, Periodic::none)))
+      .map([](std::uint64_t) {});
+}
+
+Result<std::uint64_t> forecastFluid(const FluidPlan& plan, const FluidSetup& setup, const DeviceInfo& device,
+                                    int threads) {
+  const FluidOptions& options = setup.options;
+  CellsOptions cells{};
+  cells.domain = options.domain;
+  cells.periodic = options.periodic;
+  cells.search = options.search;
+  const auto work = workloadOf(setup.state.sites, cells, ImagesFor::cells, device, threads);
+  if (!work) return tl::unexpected(work.error());
+  return allowed(plan, peakOf(plan, *work, bytesOf(options.scheme, options.surface, options.periodic)));
+}
+
+}  // namespace vorpipe::cli
