@@ -26,21 +26,21 @@ export VK_DRIVER_FILES=/dev/null
 
 # fuzzOne NAME LONGEST WORDS: a line about a target. libFuzzer ends with each finding, and goes on from what it has.
 fuzzOne() {
-  local name=$1 longest=$2 words=$3 left=$seconds runs=0 covered=0 begin log
+  local name=$1 longest=$2 words=$3 left=$seconds runs=0 covered=0 begin
   local corpus=build/fuzz/corpus/$name findings=build/fuzz/findings/$name
   mkdir -p "$corpus" "$findings"
-  log=build/fuzz/findings/$name.log
-  : >"$log"
+  local all=build/fuzz/findings/$name.log last=build/fuzz/findings/$name.last
+  : >"$all"
   local -a options=("--target=$name" -max_len="$longest" -timeout=20 -rss_limit_mb=2048 -malloc_limit_mb=1024
     -print_final_stats=1 -artifact_prefix="$findings/")
   [[ -z $words ]] || options+=(-dict="tests/fuzz/dict/$words.dict")
   while ((left > 0)); do
     begin=$SECONDS
-    "$fuzz" "${options[@]}" -max_total_time="$left" "$corpus" "tests/fuzz/seeds/$name" >build/fuzz/last.log 2>&1
-    cat build/fuzz/last.log >>"$log"
+    "$fuzz" "${options[@]}" -max_total_time="$left" "$corpus" "tests/fuzz/seeds/$name" >"$last" 2>&1
+    cat "$last" >>"$all"
     left=$((left - (SECONDS - begin) - 1))
-    runs=$((runs + $(sed -n 's/^stat::number_of_executed_units: *//p' build/fuzz/last.log)))
-    covered=$(sed -n 's/^#.* cov: \([0-9]*\) .*/\1/p' build/fuzz/last.log | sort -n | tail -1)
+    runs=$((runs + $(sed -n 's/^stat::number_of_executed_units: *//p' "$last")))
+    covered=$(sed -n 's/^#.* cov: \([0-9]*\) .*/\1/p' "$last" | sort -n | tail -1)
   done
   local found
   found=$(find "$findings" -type f | wc -l)

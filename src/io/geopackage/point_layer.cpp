@@ -81,7 +81,10 @@ tl::unexpected<Error> PointLayer::failed(int code) const {
     return inputError(
         fmt::format("{}: cannot be read: it asks for far more work than a file of its size has", path_));
   }
-  const std::string message = fmt::format("{}: cannot be read: {}", path_, sqlite3_errmsg(database_.get()));
+  std::string message = fmt::format("{}: cannot be read: {}", path_, sqlite3_errmsg(database_.get()));
+  // SQLite quotes what the file has, line ends among it.
+  std::ranges::replace_if(
+      message, [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
   const bool device = (code & primary) == SQLITE_NOMEM || (code & primary) == SQLITE_IOERR;
   return device ? deviceError(message) : inputError(message);
 }
