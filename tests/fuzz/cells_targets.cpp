@@ -60,10 +60,9 @@ Entry entryOf(const CellNeighbors& cells, std::size_t k) {
 void requireRight(const SiteSet& set, std::uint32_t site, const Entry& found) {
   if (found.status == CellStatus::open) return;
   const auto edges = edgesByBruteForce(set, site);
-  const bool weighted = !set.weight.empty();
   const auto counting = std::ranges::count_if(edges, [](const auto& edge) { return edge.second > tie; });
-  if (weighted ? edges.empty() : counting == 0)
-    return require(found.status == CellStatus::empty, "a cell without edges is empty");
+  // One whose edges are all ties may be either: core leaves it out.
+  if (edges.empty()) return require(found.status == CellStatus::empty, "a cell without edges is empty");
   if (found.status == CellStatus::empty)
     return require(counting < 3, "a cell with three edges or more is not empty");
   for (const auto& [neighbor, ratio] : edges)

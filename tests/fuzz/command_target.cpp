@@ -1,4 +1,8 @@
 /// Command lines, up to where a run would begin.
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cstdio>
 #include <string>
 #include <vector>
 
@@ -25,6 +29,29 @@ std::vector<std::string> argumentsIn(std::string_view bytes) {
   return arguments;
 }
 
+/// While it lives, what is printed is lost: help and errors of a million command lines.
+class Silence {
+ public:
+  Silence() {
+    std::fflush(stdout);
+    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) ::dup2(nowhere, stream);
+    ::close(nowhere);
+  }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+  ~Silence() {
+    std::fflush(stdout);
+    ::dup2(output_, STDOUT_FILENO);
+    ::dup2(errors_, STDERR_FILENO);
+    ::close(output_);
+    ::close(errors_);
+  }
+
+ private:
+  int output_ = ::dup(STDOUT_FILENO), errors_ = ::dup(STDERR_FILENO);
+};
+
 }  // namespace
 
 void fuzzCommandLine(std::string_view bytes) {
@@ -38,7 +65,10 @@ void fuzzCommandLine(std::string_view bytes) {
         cli::addDiff, cli::addCompare, cli::addRerun, cli::addDevices, cli::addBench, cli::addSelftest})
     add(line);
   cli::addExamples(line);
-  const auto run = line.parse(static_cast<int>(pointers.size()), pointers.data());
+  const auto run = [&] {
+    const Silence silence;
+    return line.parse(static_cast<int>(pointers.size()), pointers.data());
+  }();
   require(run ? static_cast<bool>(*run) : run.error() == cli::exit_done || run.error() == cli::exit_input,
           "a command line is a run, help, or refused with 2");
 }
