@@ -73,10 +73,22 @@ std::string listed(std::span<const Listed> layers) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// Whether memory is there, and not what a damaged file asked for of it.
+bool hasMemory() {
+  constexpr sqlite3_uint64 some = 1 << 20;
+  void* const memory = sqlite3_malloc64(some);
+  sqlite3_free(memory);
+  return memory != nullptr;
+}
+
 }  // namespace
 
 tl::unexpected<Error> PointLayer::failed(int code) const {
   constexpr int primary = 0xFF;
+  if ((code & primary) == SQLITE_NOMEM && hasMemory()) {
+    return inputError(
+        fmt::format("{}: cannot be read: it asks for more memory than a file of its size has", path_));
+  }
   if ((code & primary) == SQLITE_INTERRUPT) {
     return inputError(
         fmt::format("{}: cannot be read: it asks for far more work than a file of its size has", path_));
