@@ -58,7 +58,7 @@ Result<NpzFile> NpzFile::read(const std::string& path) {
   std::string bytes(local_mark.size(), '\0');
   const auto begin = file->read(bytes);
   if (!begin) return tl::unexpected(begin.error());
-  if (bytes != local_mark) return inputError(path + ": it is no .npz file");
+  if (bytes != local_mark) return inputError(path + ": it is no whole .npz file");
   auto rest = readText(*file);
   if (!rest) return tl::unexpected(std::move(rest.error()));
   bytes += *rest;
