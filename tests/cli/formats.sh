@@ -74,7 +74,7 @@ refuses "a GeoPackage by standard input" "<stdin>: a GeoPackage cannot be read" 
 head -c 60 in/a.csv.gz >in/cut.csv.gz
 refuses "truncated gzip" "in/cut.csv.gz: is truncated: its gzip data end too early" --sites in/cut.csv.gz
 printf '[%.0s' $(seq 100000) >in/deep.geojson
-refuses "deep JSON" "in/deep.geojson:1:202: stands in more than 200 lists" --sites in/deep.geojson
+refuses "deep JSON" "in/deep.geojson:1:201: stands in more than 200 lists" --sites in/deep.geojson
 
 # -- What GDAL writes -----------------------------------------------------------------------------------------
 if command -v ogr2ogr >/dev/null; then

@@ -31,6 +31,7 @@ NOT_RUN = {
     './test': 'it is what runs this',
     './test -R conformance': 'it is what runs this',
     'VORPIPE_TEST_DATA=~/sites ./test -R real': 'it is what runs this',
+    'tests/fuzz/run.sh --seconds 3600': 'it takes hours, and a compiler of its own; the test fuzz runs the targets',
     './run bench': 'it takes minutes; the test cli_bench runs each table',
     './run bench all --json all.json --plot all.svg': 'it takes an hour; the test cli_bench runs each table',
     './run selftest --quick': SELFTEST,

@@ -73,7 +73,7 @@ Result<RecordedRun> recordedRun(const std::string& name, std::string_view text) 
 Result<RecordedRun> readRecordedRun(const std::string& path) {
   auto file = InputFile::open(path);
   if (!file) return tl::unexpected(std::move(file.error()));
-  constexpr std::size_t piece = std::size_t{1} << 16, most = std::size_t{1} << 26;
+  constexpr std::size_t piece = std::size_t{1} << 16, most = std::size_t{1} << 24;
   std::string text;
   for (std::size_t count = piece; count == piece;) {
     std::string bytes(piece, '\0');

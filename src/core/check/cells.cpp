@@ -73,7 +73,7 @@ double outlineRounding(const CheckedCells& run, const CheckedOutline& outline) {
 std::vector<std::string> brokenBy(const CheckedCells& run) {
   // The tree is built beside the other checks, which need one thread as well.
   auto building = std::async(run.threads > 1 ? std::launch::async : std::launch::deferred,
-                             [&] { return NearestSite(run); });
+                             [&] { return NearestSite(run, run.diagram.owner); });
   Broken broken;
   const Diagram& d = run.diagram;
   if (!checkOutcome(run, {d.status, d.owner, d.report}, broken)) return broken.take();

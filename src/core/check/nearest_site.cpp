@@ -53,14 +53,23 @@ Powers powersIn(const CheckedSites& run, std::size_t i) {
   return {square(x.least) + square(y.least) - weight, square(x.most) + square(y.most) - weight};
 }
 
+/// Whether another site stands where site i does, is no lighter, and is kept.
+bool standsWithOwner(const CheckedSites& run, std::span<const std::uint32_t> owner, std::uint32_t i) {
+  if (owner.size() != run.size() || owner[i] == i || owner[i] >= run.size()) return false;
+  const std::uint32_t other = owner[i];
+  return owner[other] == other && run.site(other) == run.site(i) &&
+         (!run.weighted || run.weightDifference(other, i) >= 0);
+}
+
 /// Lifts the sites that may be nearest to a point of the domain. The others may be so much lighter that
 /// heights would lose all digits.
-Cloud liftedCloud(const CheckedSites& run) {
+Cloud liftedCloud(const CheckedSites& run, std::span<const std::uint32_t> owner) {
   double bound = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < run.size(); ++i) bound = std::min(bound, powersIn(run, i).most);
   Cloud cloud{run, {}, {}};
   std::uint32_t heaviest = 0;
   for (std::uint32_t i = 0; i < run.size(); ++i) {
+    if (standsWithOwner(run, owner, i)) continue;
     const Powers powers = powersIn(run, i);
     if (powers.least > bound + 64 * epsilon * (std::abs(bound) + std::abs(powers.least))) continue;
     if (cloud.index.empty() || run.weightDifference(i, heaviest) > 0) heaviest = i;
@@ -70,16 +79,18 @@ Cloud liftedCloud(const CheckedSites& run) {
   return cloud;
 }
 
-Cloud flatCloud(const CheckedSites& run) {
+Cloud flatCloud(const CheckedSites& run, std::span<const std::uint32_t> owner) {
   Cloud cloud{run, std::vector<std::uint32_t>(run.size()), {}};
   std::iota(cloud.index.begin(), cloud.index.end(), 0u);
+  std::erase_if(cloud.index, [&](std::uint32_t i) { return standsWithOwner(run, owner, i); });
   return cloud;
 }
 
 }  // namespace
 
 struct NearestSite::Tree {
-  explicit Tree(const CheckedSites& run) : cloud(run.weighted ? liftedCloud(run) : flatCloud(run)) {
+  Tree(const CheckedSites& run, std::span<const std::uint32_t> owner)
+      : cloud(run.weighted ? liftedCloud(run, owner) : flatCloud(run, owner)) {
     if (run.weighted) {
       lifted = std::make_unique<KdTree<3>>(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(leaf_size));
     } else {
@@ -91,7 +102,8 @@ struct NearestSite::Tree {
   std::unique_ptr<KdTree<3>> lifted;
 };
 
-NearestSite::NearestSite(const CheckedSites& run) : tree_(std::make_unique<Tree>(run)) {}
+NearestSite::NearestSite(const CheckedSites& run, std::span<const std::uint32_t> owner)
+    : tree_(std::make_unique<Tree>(run, owner)) {}
 NearestSite::NearestSite(NearestSite&&) noexcept = default;
 NearestSite::~NearestSite() = default;
 

@@ -16,7 +16,10 @@ inline constexpr double squared_rounding = 16 * epsilon;
 class NearestSite {
  public:
   /// Keeps a reference to `run`.
-  explicit NearestSite(const CheckedSites& run);
+  /// `owner` is who is said to own each site's position: of sites that stand where theirs does, and are no
+  /// heavier, it alone is kept, since every place near a crowd of equal ones would be compared with all of
+  /// them.
+  NearestSite(const CheckedSites& run, std::span<const std::uint32_t> owner);
   NearestSite(NearestSite&&) noexcept;
   ~NearestSite();
 

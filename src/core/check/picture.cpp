@@ -118,7 +118,7 @@ bool checkCovered(const CheckedSites& run, const Pixels& pixels, const Rendering
 /// The ids as they should be, where they are sampled.
 std::vector<std::uint32_t> trueIds(const CheckedSites& run, const Pixels& pixels,
                                    const Rendering& rendering) {
-  const NearestSite nearest(run);
+  const NearestSite nearest(run, rendering.owner);
   std::vector<std::uint32_t> ids = rendering.image.ids;
   constexpr std::size_t grain = 4096;
   parallelFor(ids.size(), grain, run.threads, [&](std::size_t begin, std::size_t end) {

@@ -18,6 +18,8 @@ namespace {
 
 constexpr std::string_view magic = "\x93NUMPY";
 constexpr std::size_t longest_header = std::size_t{1} << 20;
+/// As NumPy has them.
+constexpr std::size_t most_axes = 32;
 
 /// Reads Python literals from the front of a text; every function returns false where the text differs.
 class Literals {
@@ -218,6 +220,10 @@ Result<NpyHeader> readNpyHeader(InputFile& file) {
   std::string_view type;
   if (!parseDictionary(text, header, type)) {
     return inputError(fmt::format("{}: its .npy header is not understood: {}", file.name(), quoted(text)));
+  }
+  if (header.shape.size() > most_axes) {
+    return inputError(fmt::format("{}: its .npy header claims {} axes; {} are the most", file.name(),
+                                  header.shape.size(), most_axes));
   }
   if (!parseType(type, header)) {
     return inputError(

@@ -12,6 +12,9 @@
 namespace vorpipe {
 namespace {
 
+/// What an archive begins with, and each file in it.
+constexpr std::string_view local_mark = "PK\3\4";
+
 /// A number of `size` bytes, the lowest first; 0 beyond the end.
 std::uint64_t numberAt(std::string_view bytes, std::size_t at, std::size_t size) {
   std::uint64_t number = 0;
@@ -51,9 +54,15 @@ std::optional<std::vector<std::uint64_t>> shapeOf(std::string_view text) {
 Result<NpzFile> NpzFile::read(const std::string& path) {
   auto file = InputFile::open(path);
   if (!file) return tl::unexpected(std::move(file.error()));
-  auto bytes = readText(*file);
-  if (!bytes) return tl::unexpected(std::move(bytes.error()));
-  NpzFile npz(path, std::move(*bytes));
+  // What is no archive need not be read to its end, which it may not have.
+  std::string bytes(local_mark.size(), '\0');
+  const auto begin = file->read(bytes);
+  if (!begin) return tl::unexpected(begin.error());
+  if (bytes != local_mark) return inputError(path + ": it is no whole .npz file");
+  auto rest = readText(*file);
+  if (!rest) return tl::unexpected(std::move(rest.error()));
+  bytes += *rest;
+  NpzFile npz(path, std::move(bytes));
   if (auto indexed = npz.index(); !indexed) return tl::unexpected(std::move(indexed.error()));
   return npz;
 }
@@ -61,11 +70,11 @@ Result<NpzFile> NpzFile::read(const std::string& path) {
 /// Walks the directory at the archive's end (APPNOTE.TXT 4.3.12 and 4.3.16; no Zip64 sizes, which begin at
 /// 4 GiB).
 Result<void> NpzFile::index() {
-  constexpr std::string_view end_mark = "PK\5\6", entry_mark = "PK\1\2", local_mark = "PK\3\4";
+  constexpr std::string_view end_mark = "PK\5\6", entry_mark = "PK\1\2";
   const std::string_view bytes = bytes_;
   const auto broken = [&] { return inputError(fmt::format("{}: it is no whole .npz file", name_)); };
   const std::size_t end = bytes.rfind(end_mark);
-  if (end == std::string_view::npos || !bytes.starts_with(local_mark)) return broken();
+  if (end == std::string_view::npos) return broken();
   const std::uint64_t count = numberAt(bytes, end + 10, 2);
   std::size_t at = numberAt(bytes, end + 16, 4);
   for (std::uint64_t k = 0; k < count; ++k) {

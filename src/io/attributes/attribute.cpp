@@ -4,6 +4,8 @@
 #include <charconv>
 #include <system_error>
 
+#include "io/text/number.h"
+
 namespace vorpipe {
 namespace {
 
@@ -17,6 +19,13 @@ bool takeDigits(std::string_view& text) {
   return count > 0;
 }
 
+/// Whether a double comes near a number: readers of JSON refuse others.
+bool hasValue(std::string_view number) {
+  constexpr std::size_t most_digits = 308;
+  if (number.size() <= most_digits && number.find_first_of("eE") == std::string_view::npos) return true;
+  return parseNumber(number).has_value();
+}
+
 }  // namespace
 
 bool isJsonInteger(std::string_view text) {
@@ -28,6 +37,7 @@ bool isJsonInteger(std::string_view text) {
 }
 
 bool isJsonNumber(std::string_view text) {
+  const std::string_view number = text;
   if (text.starts_with('-')) text.remove_prefix(1);
   const bool zero = text.starts_with('0');
   const std::size_t before = text.size();
@@ -41,7 +51,7 @@ bool isJsonNumber(std::string_view text) {
     if (text.starts_with('+') || text.starts_with('-')) text.remove_prefix(1);
     if (!takeDigits(text)) return false;
   }
-  return text.empty();
+  return text.empty() && hasValue(number);
 }
 
 std::optional<std::string_view> Attribute::at(std::size_t site) const {

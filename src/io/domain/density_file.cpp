@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <new>
+#include <utility>
 
 #include "io/arrays/npy_elements.h"
 #include "io/arrays/npy_header.h"
 #include "io/files/error.h"
 #include "io/files/extension.h"
 #include "io/files/input_file.h"
+#include "io/files/memory_room.h"
 #include "io/pictures/png_file.h"
 
 namespace vorpipe {
@@ -19,6 +21,9 @@ namespace {
 template <class Number>
 Result<Density> readElements(InputFile& file, const NpyHeader& header) {
   const std::uint64_t rows = header.shape[0], columns = header.shape[1];
+  if (auto room = checkRoom(file.name(), "pixels", rows * columns * sizeof(double)); !room) {
+    return tl::unexpected(std::move(room.error()));
+  }
   Density density{static_cast<int>(columns), static_cast<int>(rows), {}};
   density.values.resize(rows * columns);
   const auto read = eachPixel<Number>(

@@ -9,7 +9,6 @@
 #include "io/files/error.h"
 #include "io/files/extension.h"
 #include "io/files/input_file.h"
-#include "io/text/line_reader.h"
 
 namespace vorpipe {
 namespace {
@@ -24,12 +23,7 @@ Result<Outline> readByExtension(const std::string& path) {
   if (!file) {
     return tl::unexpected(file.error());
   }
-  const auto text = readText(*file);
-  if (!text) {
-    return tl::unexpected(text.error());
-  }
-  const std::string_view bytes = withoutByteOrderMark(*text);
-  auto outline = json ? readGeoJsonOutline(path, bytes) : readWktOutline(path, bytes);
+  auto outline = json ? readGeoJsonOutline(*file) : readWktOutline(*file);
   if (outline && outline->empty()) {
     return inputError(path + ": holds no polygon");
   }

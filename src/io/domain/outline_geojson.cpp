@@ -5,7 +5,7 @@
 
 #include "io/domain/outline_reader.h"
 #include "io/files/error.h"
-#include "io/text/json_bytes.h"
+#include "io/text/json_parser.h"
 
 namespace vorpipe {
 namespace {
@@ -102,13 +102,13 @@ class GeoJson {
 
 }  // namespace
 
-Result<Outline> readGeoJsonOutline(const std::string& name, std::string_view text) {
-  JsonBytes bytes(name, text);
+Result<Outline> readGeoJsonOutline(InputFile& file) {
+  JsonBytes bytes(file);
   const auto value = parseJson<json>(bytes);
   if (!value) return tl::unexpected(value.error());
   Outline outline;
   if (const auto problem = GeoJson(outline).object(*value, {})) {
-    return inputError(fmt::format("{}: {}", name, *problem));
+    return inputError(fmt::format("{}: {}", file.name(), *problem));
   }
   return outline;
 }

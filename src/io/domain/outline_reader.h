@@ -2,15 +2,14 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "vorpipe.h"
+#include "io/files/input_file.h"
 
 namespace vorpipe {
 
-Result<Outline> readGeoJsonOutline(const std::string& name, std::string_view text);
-Result<Outline> readWktOutline(const std::string& name, std::string_view text);
+Result<Outline> readGeoJsonOutline(InputFile& file);
+Result<Outline> readWktOutline(InputFile& file);
 
 /// Adds a ring as a file has it, its first point repeated at its end, to the polygon that was begun last. The
 /// error continues "FILE:LINE:COLUMN: ".

@@ -13,13 +13,13 @@ namespace {
 
 class Wkt {
  public:
-  Wkt(std::string_view text, Outline& outline) : tokens_(text), outline_(outline) {}
+  Wkt(InputFile& file, Outline& outline) : tokens_(file), outline_(outline) {}
 
-  WktProblem all() {
+  Result<void> all() {
     while (!tokens_.atEnd()) {
-      if (auto problem = geometry()) return problem;
+      if (auto problem = geometry()) return tokens_.refused(*problem);
     }
-    return {};
+    return tokens_.end();
   }
 
  private:
@@ -39,13 +39,13 @@ class Wkt {
   }
 
   WktProblem ring() {
-    const WktTokens begin = tokens_;
+    const WktPlace begin = tokens_.place();
     std::vector<Point> points;
     bool heights = false;
     const auto position = [&] { return tokens_.takePosition(points.emplace_back(), heights); };
     if (auto problem = tokens_.takeList(position)) return problem;
     const auto added = addRing(std::move(points), outline_);
-    return added ? WktProblem{} : begin.wrong(added.error());
+    return added ? WktProblem{} : wrongAt(begin, added.error());
   }
 
   WktTokens tokens_;
@@ -54,12 +54,9 @@ class Wkt {
 
 }  // namespace
 
-Result<Outline> readWktOutline(const std::string& name, std::string_view text) {
+Result<Outline> readWktOutline(InputFile& file) {
   Outline outline;
-  if (const auto problem = Wkt(text, outline).all()) {
-    return inputError(fmt::format("{}:{}", name, *problem));
-  }
-  return outline;
+  return Wkt(file, outline).all().map([&] { return std::move(outline); });
 }
 
 }  // namespace vorpipe

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "io/files/error.h"
+#include "io/files/memory_room.h"
 #include "io/files/read_log.h"
 
 namespace vorpipe {
@@ -126,6 +127,11 @@ Result<std::string> readText(InputFile& file) {
   std::string text;
   while (true) {
     const std::size_t size = text.size();
+    // To grow, a text is copied.
+    if (size == text.capacity()) {
+      auto room = checkRoom(file.name(), fmt::format("first {} MB", size >> 20), 3 * size);
+      if (!room) return tl::unexpected(std::move(room.error()));
+    }
     text.resize(size + chunk);
     const auto got = file.read(std::span(text).subspan(size));
     if (!got) return tl::unexpected(got.error());

@@ -73,11 +73,30 @@ std::string listed(std::span<const Listed> layers) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+/// Whether memory is there, and not what a damaged file asked for of it.
+bool hasMemory() {
+  constexpr sqlite3_uint64 some = 1 << 20;
+  void* const memory = sqlite3_malloc64(some);
+  sqlite3_free(memory);
+  return memory != nullptr;
+}
+
 }  // namespace
 
 tl::unexpected<Error> PointLayer::failed(int code) const {
-  const std::string message = fmt::format("{}: cannot be read: {}", path_, sqlite3_errmsg(database_.get()));
   constexpr int primary = 0xFF;
+  if ((code & primary) == SQLITE_NOMEM && hasMemory()) {
+    return inputError(
+        fmt::format("{}: cannot be read: it asks for more memory than a file of its size has", path_));
+  }
+  if ((code & primary) == SQLITE_INTERRUPT) {
+    return inputError(
+        fmt::format("{}: cannot be read: it asks for far more work than a file of its size has", path_));
+  }
+  std::string message = fmt::format("{}: cannot be read: {}", path_, sqlite3_errmsg(database_.get()));
+  // SQLite quotes what the file has, line ends among it.
+  std::ranges::replace_if(
+      message, [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
   const bool device = (code & primary) == SQLITE_NOMEM || (code & primary) == SQLITE_IOERR;
   return device ? deviceError(message) : inputError(message);
 }
@@ -98,9 +117,24 @@ Result<void> PointLayer::openDatabase() {
   database_.reset(database);
   if (database == nullptr) throw std::bad_alloc();
   if (code != SQLITE_OK) return failed(code);
-  // Views and the like of a file of unknown origin may not call what has effects.
+  return limitDatabase(file->size().value_or(0));
+}
+
+/// A file of unknown origin may have views that never end, or make text of any length, and damaged pages.
+Result<void> PointLayer::limitDatabase(std::uint64_t file_bytes) const {
+  constexpr std::uint64_t shortest = std::uint64_t{1} << 20, longest = 1'000'000'000;
+  constexpr std::uint64_t few_steps = 100'000'000, steps_of_byte = 1000;
+  constexpr int steps_at_a_time = 1'000'000;
+  sqlite3* const database = database_.get();
+  // Views may not call what has effects.
   sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
-  return {};
+  sqlite3_limit(database, SQLITE_LIMIT_LENGTH, static_cast<int>(std::clamp(file_bytes, shortest, longest)));
+  // What has to be sorted or joined takes more steps than there are bytes, but not so many.
+  *steps_left_ = (few_steps + file_bytes * steps_of_byte) / steps_at_a_time;
+  const auto step = [](void* left) { return (*static_cast<std::uint64_t*>(left))-- == 0 ? 1 : 0; };
+  sqlite3_progress_handler(database, steps_at_a_time, step, steps_left_.get());
+  const int code = sqlite3_exec(database, "PRAGMA cell_size_check = ON", nullptr, nullptr, nullptr);
+  return code == SQLITE_OK ? Result<void>() : failed(code);
 }
 
 Result<Statement> PointLayer::prepare(const std::string& sql, std::string_view parameter) const {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -49,6 +50,7 @@ class PointLayer {
   explicit PointLayer(std::string path) : path_(std::move(path)) {}
   [[nodiscard]] tl::unexpected<Error> failed(int code) const;
   Result<void> openDatabase();
+  [[nodiscard]] Result<void> limitDatabase(std::uint64_t file_bytes) const;
   Result<Statement> prepare(const std::string& sql, std::string_view parameter) const;
   Result<bool> step(const Statement& statement) const;
   Result<void> chooseLayer(const std::string& name);
@@ -57,6 +59,7 @@ class PointLayer {
   Result<void> select();
 
   std::string path_;
+  std::unique_ptr<std::uint64_t> steps_left_ = std::make_unique<std::uint64_t>();  ///< which SQLite counts
   Database database_;
   std::string name_, geometry_column_;
   std::int64_t system_id_ = 0;

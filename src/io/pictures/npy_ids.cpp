@@ -14,6 +14,7 @@
 #include "io/arrays/npy_header.h"
 #include "io/files/error.h"
 #include "io/files/input_file.h"
+#include "io/files/memory_room.h"
 
 namespace vorpipe {
 namespace {
@@ -21,6 +22,9 @@ namespace {
 template <class Integer>
 Result<void> readElements(InputFile& file, const NpyHeader& header, Image& image) {
   const std::uint64_t columns = header.shape[1];
+  if (auto room = checkRoom(file.name(), "ids", header.shape[0] * columns * sizeof(std::uint32_t)); !room) {
+    return room;
+  }
   image.ids.resize(header.shape[0] * columns);
   return eachPixel<Integer>(
       file, header, [&](std::uint64_t row, std::uint64_t column, Integer value) -> Result<void> {

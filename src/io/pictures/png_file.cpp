@@ -14,6 +14,7 @@
 
 #include "io/files/error.h"
 #include "io/files/input_file.h"
+#include "io/files/memory_room.h"
 
 // libpng leaves its functions by longjmp when something fails. So a function that calls setjmp, and a
 // callback from which png_error is called, holds no object with a destructor.
@@ -126,6 +127,11 @@ bool decodeHeader(const Handles& handles, Transfer& transfer, int bits) {
   }
   png_set_read_fn(handles.png, &transfer, onRead);
   png_set_sig_bytes(handles.png, signature_size);
+#ifdef PNG_HANDLE_AS_UNKNOWN_SUPPORTED
+  // All but pixels, palette and transparency is passed over: text, for one, may inflate to a thousand times
+  // its size.
+  png_set_keep_unknown_chunks(handles.png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
+#endif
   png_read_info(handles.png, handles.info);
   if (bits == 16) {
     png_set_expand_16(handles.png);
@@ -166,7 +172,24 @@ struct Pixels {
   std::vector<png_byte> bytes;
 };
 
-Result<Pixels> decode(InputFile& file, const std::string& path, int bits) {
+/// Refuses more pixels than the file's bytes can hold, and more than there is memory for: what they become
+/// takes `of_result` bytes each.
+Result<void> checkPixels(const Handles& handles, const InputFile& file, const std::string& path,
+                         std::uint64_t of_rows, std::uint64_t of_result) {
+  // One byte of deflate's stands for no more than that.
+  constexpr std::uint64_t largest_ratio = 1032;
+  const std::uint64_t width = png_get_image_width(handles.png, handles.info);
+  const std::uint64_t height = png_get_image_height(handles.png, handles.info);
+  const std::uint64_t bits = std::uint64_t{png_get_bit_depth(handles.png, handles.info)} *
+                             png_get_channels(handles.png, handles.info);
+  if (file.size() && width * bits / 8 * height / largest_ratio > *file.size()) {
+    return inputError(fmt::format("{}: is a damaged PNG: {} bytes cannot hold {} x {} pixels", path,
+                                  *file.size(), width, height));
+  }
+  return checkRoom(path, "pixels", (of_rows + of_result) * width * height);
+}
+
+Result<Pixels> decode(InputFile& file, const std::string& path, int bits, std::uint64_t of_result) {
   std::array<png_byte, signature_size> signature{};
   Transfer transfer;
   transfer.input = &file;
@@ -185,7 +208,11 @@ Result<Pixels> decode(InputFile& file, const std::string& path, int bits) {
   }
   const png_uint_32 width = png_get_image_width(handles.png, handles.info);
   const png_uint_32 height = png_get_image_height(handles.png, handles.info);
-  const std::size_t row_size = std::size_t{width} * max_channels * static_cast<std::size_t>(bits / 8);
+  const auto of_pixel = max_channels * static_cast<std::size_t>(bits / 8);
+  if (auto fits = checkPixels(handles, file, path, of_pixel, of_result); !fits) {
+    return tl::unexpected(std::move(fits.error()));
+  }
+  const std::size_t row_size = width * of_pixel;
   Pixels pixels{static_cast<int>(width), static_cast<int>(height), {}};
   pixels.bytes.resize(row_size * height);
   if (!decodeRows(handles, pixels.bytes.data(), row_size, height)) {
@@ -194,12 +221,12 @@ Result<Pixels> decode(InputFile& file, const std::string& path, int bits) {
   return pixels;
 }
 
-Result<Pixels> decode(const std::string& path, int bits) {
+Result<Pixels> decode(const std::string& path, int bits, std::uint64_t of_result) {
   auto file = InputFile::open(path);
   if (!file) {
     return tl::unexpected(file.error());
   }
-  return decode(*file, path, bits);
+  return decode(*file, path, bits, of_result);
 }
 
 }  // namespace
@@ -231,7 +258,7 @@ Result<void> writePng(ByteSink& sink, int width, int height, std::span<const std
 
 Result<Image> readPng(const std::string& path) {
   try {
-    const auto pixels = decode(path, 8);
+    const auto pixels = decode(path, 8, sizeof(std::uint32_t));
     if (!pixels) {
       return tl::unexpected(pixels.error());
     }
@@ -253,7 +280,7 @@ Result<Image> readPng(const std::string& path) {
 
 Result<Density> readPngDarkness(const std::string& path) {
   try {
-    const auto pixels = decode(path, 16);
+    const auto pixels = decode(path, 16, sizeof(double));
     if (!pixels) {
       return tl::unexpected(pixels.error());
     }

@@ -53,7 +53,11 @@ Result<void> writePoints(ByteSink& sink, const PointsOutput& output, const Point
 }
 
 std::vector<std::string> pointAttributeNames(std::span<const Attribute> attributes) {
-  std::unordered_set<std::string> taken{"", "x", "y", "lon", "lat", "weight", "fid", "geom"};
+  // What readers take for a place or a weight.
+  std::unordered_set<std::string> taken{"",        "x",        "y",    "lon",       "lat",
+                                        "weight",  "fid",      "geom", "w",         "r",
+                                        "radius",  "lng",      "long", "longitude", "latitude",
+                                        "easting", "northing", "wkt",  "geometry",  "the_geom"};
   std::vector<std::string> names;
   for (const Attribute& attribute : attributes) {
     std::string name = attribute.name();

@@ -82,6 +82,13 @@ void AttributeColumns::endRow(std::size_t sites) {
   row_text_.clear();
 }
 
+std::uint64_t AttributeColumns::bytes(std::uint64_t sites) const {
+  if (!kept_) return 0;
+  std::uint64_t bytes = columns_.size() * sites * sizeof(std::uint64_t);
+  for (const Attribute& attribute : columns_) bytes += attribute.bytes();
+  return bytes;
+}
+
 void AttributeColumns::clearRows() {
   for (Attribute& attribute : columns_) attribute = Attribute(attribute.name(), attribute.type());
   has_values_.assign(columns_.size(), false);

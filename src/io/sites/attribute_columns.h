@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <span>
 #include <string>
@@ -35,6 +36,9 @@ class AttributeColumns {
 
   /// Leaves out all rows up to now; their columns stay.
   void clearRows();
+
+  /// Memory for as many sites: each column has an entry for each of them in the end.
+  [[nodiscard]] std::uint64_t bytes(std::uint64_t sites) const;
 
   [[nodiscard]] bool kept() const { return kept_; }
   [[nodiscard]] std::size_t size() const { return columns_.size(); }

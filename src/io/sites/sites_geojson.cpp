@@ -7,7 +7,7 @@
 #include "io/files/error.h"
 #include "io/sites/geojson_points.h"
 #include "io/sites/sites_reader.h"
-#include "io/text/json_bytes.h"
+#include "io/text/json_parser.h"
 #include "io/text/line_reader.h"
 #include "io/text/number.h"
 
@@ -15,51 +15,30 @@ namespace vorpipe {
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Event = Json::parse_event_t;
 
-/// Lists and objects in each other, which values of properties may be.
-constexpr int deepest = 200;
-
-/// Takes each member of the top object's list of features, or of geometries, as soon as it is parsed, so that
-/// not all are kept.
+/// Takes each member of the top object's list of features, or of geometries.
 class Stream {
  public:
   Stream(JsonBytes& bytes, GeoJsonPoints& points) : bytes_(bytes), points_(points) {}
 
-  /// What the parser calls; false leaves the value out.
-  bool operator()(int depth, Event event, const Json& value) {
-    constexpr int of_members = 1, of_items = 2;
-    if (depth > deepest) {
-      bytes_.stop(bytes_.errorAt(0, fmt::format("stands in more than {} lists and objects", deepest)));
-      return false;
-    }
-    if (depth == of_members) {
-      if (event == Event::key) key_ = value.get<std::string>();
-      const bool list = key_ == "features" || key_ == "geometries";
-      if (event == Event::array_start && list) list_ = key_;
-      if (event == Event::array_end) in_list_ = false;
-      if (event == Event::array_start) in_list_ = list;
-    }
-    const bool ends = event == Event::object_end || event == Event::array_end || event == Event::value;
-    if (depth != of_items || !in_list_ || !ends) return true;
-    take(value);
-    return false;
+  // As JsonBuilder calls them.
+  bool isList(std::string_view member) {
+    const bool list = member == "features" || member == "geometries";
+    if (list) list_ = member;
+    return list;
+  }
+  void take(const Json& item) {
+    const auto problem = points_.add(item, fmt::format("{}[{}]", list_, count_++));
+    if (problem) bytes_.stop(inputError(fmt::format("{}: {}", bytes_.name(), *problem)));
   }
 
   /// The name of the list that was taken; empty where there was none.
   [[nodiscard]] const std::string& list() const { return list_; }
 
  private:
-  void take(const Json& item) {
-    if (bytes_.stopped()) return;
-    const auto problem = points_.add(item, fmt::format("{}[{}]", list_, count_++));
-    if (problem) bytes_.stop(inputError(fmt::format("{}: {}", bytes_.name(), *problem)));
-  }
-
   JsonBytes& bytes_;
   GeoJsonPoints& points_;
-  std::string key_, list_;
-  bool in_list_ = false;
+  std::string list_;
   std::uint64_t count_ = 0;
 };
 
@@ -96,13 +75,7 @@ Result<void> addLine(const LineReader& lines, std::string_view line, GeoJsonPoin
   if (text.empty()) return {};
   JsonBytes bytes(lines.name(), text);
   bytes.setPlace(lines.number(), static_cast<std::size_t>(text.data() - line.data()));
-  const auto limit = [&](int depth, Event, const Json&) {
-    if (depth > deepest && !bytes.stopped()) {
-      bytes.stop(bytes.errorAt(0, fmt::format("stands in more than {} lists and objects", deepest)));
-    }
-    return true;
-  };
-  const auto value = parseJson<Json>(bytes, limit);
+  const auto value = parseJson<Json>(bytes);
   if (!value) return tl::unexpected(value.error());
   const auto problem = points.add(*value, "");
   if (problem) return inputError(fmt::format("{}:{}: {}", lines.name(), lines.number(), *problem));
@@ -116,8 +89,7 @@ Result<SiteTable> readGeoJsonSites(InputFile file, const ReadOptions& options) {
   GeoJsonPoints points(table);
   JsonBytes bytes(file);
   Stream stream(bytes, points);
-  const auto top = parseJson<Json>(
-      bytes, [&stream](int depth, Event event, Json& value) { return stream(depth, event, value); });
+  const auto top = parseJson<Json>(bytes, stream);
   if (!top) return tl::unexpected(top.error());
   if (const auto problem = addTop(*top, stream.list(), points, table)) {
     return inputError(fmt::format("{}: {}", file.name(), *problem));

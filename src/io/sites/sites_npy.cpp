@@ -11,6 +11,7 @@
 #include "io/arrays/npy_elements.h"
 #include "io/arrays/npy_header.h"
 #include "io/files/error.h"
+#include "io/files/memory_room.h"
 #include "io/sites/column_choice.h"
 #include "io/sites/sites_file.h"
 #include "io/sites/sites_reader.h"
@@ -77,6 +78,9 @@ Result<SiteTable> readNpySites(InputFile file, const ReadOptions& options) {
   if (header->shape[0] > max_sites) {
     return inputError(fmt::format("{}: holds more than {} sites", file.name(), max_sites));
   }
+  const auto what = fmt::format("{} sites", header->shape[0]);
+  const auto room = checkRoom(file.name(), what, header->shape[0] * columns->size() * sizeof(double));
+  if (!room) return tl::unexpected(room.error());
   SiteTable table;
   const Result<void> read = header->size == sizeof(float)
                                 ? readElements<float>(file, *header, *columns, table.sites)

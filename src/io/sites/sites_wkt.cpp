@@ -11,22 +11,21 @@
 namespace vorpipe {
 namespace {
 
-/// All geometries of a text, each a row.
-WktProblem takeAll(std::string_view text, TableBuilder& table) {
-  WktTokens tokens(text);
+/// All geometries, each a row.
+WktProblem takeAll(WktTokens& tokens, TableBuilder& table) {
   std::optional<std::int64_t> system;
   while (!tokens.atEnd()) {
-    const WktTokens begin = tokens;
+    const WktPlace begin = tokens.place();
     WktPoints taken;
     if (auto problem = takePoints(tokens, taken)) return problem;
     if (taken.others) table.noteHeights();
     if (taken.system && system && taken.system != system) {
-      return begin.wrong(fmt::format("is of SRID {}, and those before it of {}", *taken.system, *system));
+      return wrongAt(begin, fmt::format("is of SRID {}, and those before it of {}", *taken.system, *system));
     }
     if (taken.system) system = taken.system;
     const auto problem = taken.points.empty() ? table.addMissing("has no place: it is EMPTY")
                                               : table.addRow(taken.points, std::nullopt);
-    if (problem) return begin.wrong(*problem);
+    if (problem) return wrongAt(begin, *problem);
   }
   if (system && *system > 0) table.system() = systemOfCode(*system);
   return {};
@@ -35,13 +34,12 @@ WktProblem takeAll(std::string_view text, TableBuilder& table) {
 }  // namespace
 
 Result<SiteTable> readWktSites(InputFile file, const ReadOptions& options) {
-  const auto text = readText(file);
-  if (!text) return tl::unexpected(text.error());
   TableBuilder table(file.name(), options);
-  if (const auto problem = takeAll(withoutByteOrderMark(*text), table)) {
-    return inputError(fmt::format("{}:{}", file.name(), *problem));
+  WktTokens tokens(file);
+  if (const auto problem = takeAll(tokens, table)) {
+    return tokens.refused(*problem);
   }
-  return table.finish();
+  return tokens.end().map([&] { return table.finish(); });
 }
 
 }  // namespace vorpipe

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/files/memory_room.h"
 #include "io/sites/sites_file.h"
 
 namespace vorpipe {
@@ -23,6 +24,18 @@ std::string listed(const AttributeColumns& columns) {
 }
 
 }  // namespace
+
+/// Whether twice as many sites as there are would fit into memory: a small file may hold very many, where it
+/// is packed, or where rows have different attributes, each of which is a column.
+RowProblem TableBuilder::checkRoom() {
+  const Sites& sites = table_.sites;
+  checked_ = 2 * std::max(checked_, sites.size());
+  const std::uint64_t of_site = (sites.weight.empty() ? 2 : 3) * sizeof(double);
+  const auto what = fmt::format("{} sites up to here", sites.size());
+  const auto room = vorpipe::checkRoom(name_, what, checked_ * of_site + attributes_.bytes(checked_));
+  if (room) return {};
+  return room.error().message.substr(name_.size() + 2);
+}
 
 RowProblem TableBuilder::addRow(std::span<const Point> points, std::optional<double> weight) {
   Sites& sites = table_.sites;
@@ -44,7 +57,7 @@ RowProblem TableBuilder::addRow(std::span<const Point> points, std::optional<dou
   }
   ++rows_;
   attributes_.endRow(points.size());
-  return {};
+  return sites.size() > checked_ ? checkRoom() : RowProblem{};
 }
 
 RowProblem TableBuilder::addMissing(std::string_view what) {

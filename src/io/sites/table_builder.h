@@ -44,12 +44,15 @@ class TableBuilder {
 
  private:
   void settleDegrees();
+  RowProblem checkRoom();
 
   std::string name_;
   bool skip_missing_;
   AttributeColumns attributes_;
   SiteTable table_{};
   std::uint64_t rows_ = 0;
+  std::size_t checked_ = std::size_t{1}
+                         << 12;  ///< as many sites have room; checked again when there are more
   bool heights_ = false;
 };
 

@@ -2,10 +2,24 @@
 
 #include <fmt/core.h>
 
+#include "io/files/memory_room.h"
+
 namespace vorpipe {
+
+/// What is parsed takes up to this many bytes for each of its text's, in lists of empty lists.
+void JsonBytes::checkKept() {
+  constexpr std::uint64_t bytes_of_byte = 40, little = 1 << 22;
+  const std::uint64_t kept = count_ - kept_from_;
+  if (kept < little) return;
+  const auto what = fmt::format("{} MB of JSON in one piece", kept >> 20);
+  if (auto room = checkRoom(fmt::format("{}:{}:{}", name_, line_, column()), what, kept * bytes_of_byte);
+      !room)
+    stopped_ = std::move(room.error());
+}
 
 bool JsonBytes::refill() {
   if (at_end_) return false;
+  if (!stopped_ && file_ != nullptr) checkKept();
   if (!stopped_ && file_ != nullptr) {
     const auto got = file_->read(buffer_);
     if (!got) stopped_ = got.error();

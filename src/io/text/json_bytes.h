@@ -1,10 +1,9 @@
-/// JSON that is parsed while it is read. What includes this compiles the parser.
+/// The bytes of JSON that is parsed while it is read.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -45,6 +44,9 @@ class JsonBytes {
     in_number_ = in_number;
   }
 
+  /// What was parsed up to here is not kept: what follows may take as much memory again.
+  void forget() { kept_from_ = count_; }
+
   /// Ends the text here: the parser then fails, and parseJson returns this error.
   void stop(tl::unexpected<Error> error);
   [[nodiscard]] bool stopped() const { return stopped_.has_value(); }
@@ -77,6 +79,7 @@ class JsonBytes {
   /// Of the last byte.
   [[nodiscard]] std::uint64_t column() const { return before_ + count_ - line_begin_; }
   bool refill();
+  void checkKept();
 
   std::string name_;
   InputFile* file_ = nullptr;
@@ -84,6 +87,7 @@ class JsonBytes {
   const char* next_ = nullptr;
   const char* end_ = nullptr;
   std::uint64_t count_ = 0, line_ = 1, before_ = 0, line_begin_ = 0;
+  std::uint64_t kept_from_ = 0;  ///< count_ where what the parser keeps began
   std::uint64_t number_line_ = 1, number_column_ = 1;
   char last_ = ' ';
   bool in_number_ = false, at_end_ = false;
@@ -112,20 +116,5 @@ class JsonIterator {
  private:
   JsonBytes* bytes_;
 };
-
-/// Parses one JSON text; `callback` as the parser's own, null for none. Errors: it is no JSON, with its place
-/// (input); those of reading; what stopped it.
-template <class Json>
-Result<Json> parseJson(JsonBytes& bytes, const typename Json::parser_callback_t& callback = nullptr) {
-  try {
-    Json value = Json::parse(JsonIterator(&bytes), JsonIterator(&bytes), callback);
-    if (!bytes.error()) return value;
-  } catch (const typename Json::parse_error& error) {
-    if (!bytes.error()) return bytes.errorAt(bytes.count() - error.byte, "is no JSON from here on");
-  } catch (const typename Json::out_of_range&) {
-    if (!bytes.error()) return bytes.errorAtNumber("the number is too large for a double");
-  }
-  return tl::unexpected(*bytes.error());
-}
 
 }  // namespace vorpipe

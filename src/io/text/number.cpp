@@ -28,6 +28,9 @@ bool isTiny(std::string_view number) {
       return negative;
     }
   }
+  // Far beyond the digits of any text, and not so far that sums would have no room.
+  constexpr long farthest = 1L << 48;
+  exponent = std::clamp(exponent, -farthest, farthest);
   return exponent + static_cast<long>(point) - static_cast<long>(leading) < 0;
 }
 

@@ -6,11 +6,13 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <span>
 #include <system_error>
+#include <utility>
 
 #include "io/files/error.h"
+#include "io/text/line_reader.h"
 #include "io/text/number.h"
-#include "io/text/text_place.h"
 
 namespace vorpipe {
 namespace {
@@ -26,15 +28,57 @@ bool sameWord(std::string_view text, std::string_view upper) {
 
 bool WktTokens::is(std::string_view word) const { return sameWord(token_, word); }
 
+std::string wrongAt(WktPlace place, std::string_view what) {
+  return fmt::format("{}:{}: {}", place.line, place.column, what);
+}
+
+/// Adds to text_ what comes next in the file; false where nothing does.
+bool WktTokens::refill() {
+  if (file_ == nullptr || error_) return false;
+  if (text_.size() > LineReader::longest_line) {
+    error_ = refused(wrong(fmt::format("a word is longer than {} bytes; is this a text file?",
+                                       LineReader::longest_line)))
+                 .value();
+    return false;
+  }
+  const std::size_t kept = text_.size();
+  std::copy(text_.begin(), text_.end(), buffer_.begin());
+  buffer_.resize(std::max(buffer_.size(), kept + chunk));
+  const auto got = file_->read(std::span(buffer_).subspan(kept));
+  if (!got) error_ = got.error();
+  text_ = {buffer_.data(), kept + got.value_or(0)};
+  if (!std::exchange(begun_, true)) text_ = withoutByteOrderMark(text_);
+  return text_.size() > kept;
+}
+
 void WktTokens::next() {
   const auto isBlank = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
   const auto isSign = [](char c) { return c == '(' || c == ')' || c == ',' || c == ';'; };
-  place_ += token_.size();
-  while (place_ < text_.size() && isBlank(text_[place_])) ++place_;
-  std::size_t end = place_;
-  while (end < text_.size() && !isBlank(text_[end]) && !isSign(text_[end])) ++end;
-  if (end == place_ && end < text_.size()) ++end;
-  token_ = text_.substr(place_, end - place_);
+  text_.remove_prefix(token_.size());
+  place_.column += token_.size();
+  token_ = {};
+  while (!text_.empty() || refill()) {
+    if (!isBlank(text_.front())) break;
+    const bool ends_line = text_.front() == '\n';
+    place_ = ends_line ? WktPlace{place_.line + 1, 1} : WktPlace{place_.line, place_.column + 1};
+    text_.remove_prefix(1);
+  }
+  std::size_t end = 0;
+  while (end < text_.size() || refill()) {
+    if (isBlank(text_[end]) || isSign(text_[end])) break;
+    ++end;
+  }
+  if (error_) return;
+  token_ = text_.substr(0, end == 0 ? 1 : end);
+}
+
+Result<void> WktTokens::end() const {
+  return error_ ? Result<void>(tl::unexpected(*error_)) : Result<void>();
+}
+
+tl::unexpected<Error> WktTokens::refused(std::string_view problem) const {
+  if (error_) return tl::unexpected(*error_);
+  return inputError(fmt::format("{}:{}", file_ == nullptr ? "" : file_->name(), problem));
 }
 
 bool WktTokens::take(std::string_view word) {
@@ -84,9 +128,7 @@ WktProblem WktTokens::takePosition(Point& point, bool& others) {
   return {};
 }
 
-std::string WktTokens::wrong(std::string_view what) const {
-  return fmt::format("{}: {}", placeOf(text_, place_), what);
-}
+std::string WktTokens::wrong(std::string_view what) const { return wrongAt(place_, what); }
 
 std::string WktTokens::expected(std::string_view what) const {
   return wrong(atEnd() ? fmt::format("the text ends, where {} is needed", what)

@@ -6,7 +6,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "io/files/input_file.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -14,12 +16,30 @@ namespace vorpipe {
 /// What is wrong, beginning with line and column.
 using WktProblem = std::optional<std::string>;
 
+/// Where a token stands; both are counted from 1.
+struct WktPlace {
+  std::uint64_t line = 1, column = 1;
+};
+
+/// "LINE:COLUMN: what".
+std::string wrongAt(WktPlace place, std::string_view what);
+
 /// Words, numbers and signs, one after another.
 class WktTokens {
  public:
   explicit WktTokens(std::string_view text) : text_(text) { next(); }
+  /// Of a file, which is not kept: a token is good until the next one.
+  explicit WktTokens(InputFile& file) : file_(&file), buffer_(chunk) { next(); }
+  WktTokens(const WktTokens&) = delete;
+  WktTokens& operator=(const WktTokens&) = delete;
 
+  /// Whether all tokens were taken, or a file could not be read on.
   [[nodiscard]] bool atEnd() const { return token_.empty(); }
+  /// Whether the end was that of the file. Errors: those of reading; a word has no end (input).
+  [[nodiscard]] Result<void> end() const;
+  /// "FILE:problem" as an input error, or why the file could not be read on.
+  [[nodiscard]] tl::unexpected<Error> refused(std::string_view problem) const;
+  [[nodiscard]] WktPlace place() const { return place_; }
   [[nodiscard]] std::string_view token() const { return token_; }
   /// Whether the token is a word, which is given in upper case.
   [[nodiscard]] bool is(std::string_view word) const;
@@ -55,8 +75,16 @@ class WktTokens {
   [[nodiscard]] std::string expected(std::string_view what) const;
 
  private:
-  std::string_view text_, token_;
-  std::size_t place_ = 0;
+  static constexpr std::size_t chunk = std::size_t{1} << 16;
+
+  bool refill();
+
+  std::string_view text_, token_;  ///< token_ is where text_ begins
+  WktPlace place_;                 ///< of token_
+  InputFile* file_ = nullptr;      ///< none: text_ is all there is
+  std::vector<char> buffer_;       ///< that text_ is in
+  bool begun_ = false;
+  std::optional<Error> error_;
 };
 
 }  // namespace vorpipe

@@ -222,7 +222,7 @@ Result<Script> parseScript(const std::string& name, std::string_view text) {
     std::string_view line = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
     ++number;
-    if (line.ends_with('\r')) line.remove_suffix(1);
+    while (line.ends_with('\r')) line.remove_suffix(1);
     if (line.starts_with(text_verb)) {
       script.lines.push_back({Text{std::string(line.substr(text_verb.size()))}, number});
       continue;

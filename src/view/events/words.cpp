@@ -33,7 +33,7 @@ tl::expected<std::vector<Word>, WordProblem> wordsOf(std::string_view line) {
 
 std::string wordFor(std::string_view text) {
   const bool plain =
-      !text.empty() && text.find_first_of(" \t\"\\") == std::string_view::npos && text[0] != '#';
+      !text.empty() && text.find_first_of(" \t\r\"\\") == std::string_view::npos && text[0] != '#';
   if (plain) return std::string(text);
   std::string word = "\"";
   for (const char letter : text) {

@@ -98,9 +98,10 @@ TEST_F(OutlineFile, geoJsonErrorsNameThePlace) {
   EXPECT_EQ(refusal("a.json", "{\"type\":\"Polygon\",\n \"coordinates\":[[[0,0],[-1e999,0],[1,1],[0,0]]]}"),
             "2:25: the number is too large for a double");
   std::string deep;
-  for (int k = 0; k < 100000; ++k) deep += R"({"type":"GeometryCollection","geometries":[)";
-  for (int k = 0; k < 100000; ++k) deep += "]}";
+  for (int k = 0; k < 50; ++k) deep += R"({"type":"GeometryCollection","geometries":[)";
+  for (int k = 0; k < 50; ++k) deep += "]}";
   EXPECT_THAT(refusal("a.json", deep), HasSubstr("stands in more than 32 collections"));
+  EXPECT_EQ(refusal("a.json", std::string(100000, '[')), "1:201: stands in more than 200 lists and objects");
 }
 
 TEST_F(OutlineFile, wktPolygons) {

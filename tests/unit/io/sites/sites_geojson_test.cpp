@@ -123,7 +123,7 @@ TEST_F(GeoJson, whatIsNoJsonIsNamedByItsPlace) {
   EXPECT_EQ(bad("a.json", "{\"type\":\"Point\",\n \"coordinates\":[0,-1e999]}"),
             "2:19: the number is too large for a double");
   std::string deep(100000, '[');
-  EXPECT_EQ(bad("a.json", deep), "1:202: stands in more than 200 lists and objects");
+  EXPECT_EQ(bad("a.json", deep), "1:201: stands in more than 200 lists and objects");
   EXPECT_EQ(bad("a.json", collection(feature(point("1,2"), R"({"a":)" + deep + "}"))).substr(0, 2), "1:");
   std::string nested;
   for (int k = 0; k < 50; ++k) nested += R"({"type":"GeometryCollection","geometries":[)";
@@ -157,7 +157,7 @@ TEST_F(GeoJson, mayComeLineByLine) {
   EXPECT_EQ(bad("a.ndjson", one + "\n\x1E" + " {,}\n"), "2:4: is no JSON from here on");
   EXPECT_EQ(bad("a.ndjson", one + "\n" + feature("null")), "2: has no place; --missing skip leaves such out");
   EXPECT_EQ(bad("a.ndjson", one + "\n" + std::string(300, '[')),
-            "2:202: stands in more than 200 lists and objects");
+            "2:201: stands in more than 200 lists and objects");
   EXPECT_EQ(bad("a.ndjson", collection(one)), "1: a FeatureCollection where a Feature is needed");
 }
 
