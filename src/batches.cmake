@@ -39,6 +39,7 @@ set(vorpipe_alone
     edges.cpp
     fish.cpp
     legend.cpp
+    measured/plot.cpp
     moving/box_moments.cpp
     moving/disc_cells.cpp
     moving/outlined_cells.cpp
@@ -49,6 +50,7 @@ set(vorpipe_alone
     outline/clipped_records.cpp
     outline/validity.cpp
     palette_index.cpp
+    panel/panel.cpp
     periodic/band.cpp
     periodic/band_proof.cpp
     periodic/unwrap.cpp
@@ -59,14 +61,8 @@ set(vorpipe_alone
     polygon_drawing.cpp
     search/bisectors.cpp
     search/flann_search.cpp
-    sites/attribute_values.cpp
-    sites/csv_columns.cpp
-    sites/geojson_points.cpp
     sites/near_sites.cpp
     sites/site_set.cpp
-    sites/sites_geojson.cpp
-    sites/sites_npy.cpp
-    sites/table_builder.cpp
     sites/weights.cpp
     stages.cpp
     stats.cpp
@@ -85,7 +81,6 @@ set(vorpipe_batched_rooms
     vorpipe_bench_tables
     vorpipe_cells
     vorpipe_check
-    vorpipe_cli_commands
     vorpipe_cli_manual
     vorpipe_cli_options
     vorpipe_cli_reports
@@ -107,7 +102,6 @@ set(vorpipe_batched_rooms
     vorpipe_io_geopackage
     vorpipe_io_pictures
     vorpipe_io_points
-    vorpipe_io_sites
     vorpipe_io_text
     vorpipe_moved_fluid
     vorpipe_moved_linear

@@ -87,7 +87,7 @@ Result<ColorPlaces> ColorPlaces::of(const Coloring& coloring, std::vector<double
 }
 
 double ColorPlaces::rankOf(double value) const {
-  const auto [first, last] = std::ranges::equal_range(ranked_, value);
+  const auto [first, last] = std::equal_range(ranked_.begin(), ranked_.end(), value);
   if (first == last) return value < key_.range.low ? 0 : 1;
   const auto before = static_cast<double>(first - ranked_.begin());
   const auto equal = static_cast<double>(last - first);

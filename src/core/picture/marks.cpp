@@ -56,7 +56,7 @@ void findNeighbors(const Cell& cell, std::vector<Neighbor>& neighbors) {
     neighbors.emplace_back(cell.neighbors()[k], images ? cell.shifts()[k] : Neighbor::second_type{});
   }
   std::ranges::sort(neighbors);
-  neighbors.erase(std::ranges::unique(neighbors).begin(), neighbors.end());
+  neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
 }
 
 }  // namespace

@@ -21,13 +21,21 @@ int widestWanted() {
   return text == nullptr ? 16 : std::atoi(text);
 }
 
+/// Whether the processor has what x86-64-v4 has, of which some compilers know the parts alone.
+bool hasAvx512() {
+  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("bmi2") != 0 &&
+         __builtin_cpu_supports("fma") != 0 && __builtin_cpu_supports("avx512f") != 0 &&
+         __builtin_cpu_supports("avx512bw") != 0 && __builtin_cpu_supports("avx512cd") != 0 &&
+         __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512vl") != 0;
+}
+
 }  // namespace
 #endif
 
 FindInLanes findInLanes(bool weighted) {
 #ifdef VORPIPE_WIDE_LANES
   static const int widest = widestWanted();
-  if (widest >= 16 && __builtin_cpu_supports("x86-64-v4") != 0) {
+  if (widest >= 16 && hasAvx512()) {
     return weighted ? findWeightedIn16Lanes : findIn16Lanes;
   }
   if (widest >= 8 && __builtin_cpu_supports("avx2") != 0) {
