@@ -1,8 +1,8 @@
 #include <fmt/core.h>
-#include <span>
 
 #include <array>
 #include <bit>
+#include <span>
 
 #include "core/check/checks.h"
 
