@@ -125,7 +125,7 @@ struct OutlineClip::State {
       Ring ring;
       for (auto a = first; !used[a];) {
         used[a] = true;
-        const PieceOfRing& arc = arcs[a];
+        const Arc& arc = arcs[a];
         const Crossing& leaves = crossings.all()[arc.leaves];
         ring.add(crossings.all()[arc.enters].at, wall_outline);
         for (const Point p : arc.points) ring.add(p, wall_outline);

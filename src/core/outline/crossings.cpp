@@ -130,7 +130,7 @@ bool Crossings::traceRing(std::span<const std::uint32_t> edges) {
     return true;
   }
   // The first arc began before the first edge: in the one that is still open.
-  PieceOfRing& head = arcs_[first_arc];
+  Arc& head = arcs_[first_arc];
   head.enters = open_.enters;
   head.points.insert(head.points.begin(), open_.points.begin(), open_.points.end());
   return head.enters != no_crossing;

@@ -25,7 +25,7 @@ struct Crossing {
 };
 
 /// A part of a ring inside a polygon, between two crossings.
-struct PieceOfRing {
+struct Arc {
   std::size_t enters = 0, leaves = 0;  ///< crossings
   std::vector<Point> points;           ///< of the ring, between them
 };
@@ -46,7 +46,7 @@ class Crossings {
   bool order(bool inside);
 
   [[nodiscard]] const std::vector<Crossing>& all() const { return crossings_; }
-  [[nodiscard]] const std::vector<PieceOfRing>& arcs() const { return arcs_; }
+  [[nodiscard]] const std::vector<Arc>& arcs() const { return arcs_; }
   [[nodiscard]] const std::vector<std::uint32_t>& wholeRings() const { return whole_; }
   /// Indices of all(), as order left them: in turns crossings that leave and that enter.
   [[nodiscard]] const std::vector<std::size_t>& around() const { return around_; }
@@ -63,10 +63,10 @@ class Crossings {
   Box box_{};
   std::vector<std::uint32_t> near_;
   std::vector<Crossing> crossings_;
-  std::vector<PieceOfRing> arcs_;
+  std::vector<Arc> arcs_;
   std::vector<std::uint32_t> whole_;
   std::vector<std::size_t> around_, turn_;
-  PieceOfRing open_;
+  Arc open_;
 };
 
 }  // namespace vorpipe::core
