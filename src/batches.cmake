@@ -4,7 +4,8 @@
 option(VORPIPE_BATCHES "Compile the sources of a folder as one" OFF)
 
 # vorpipe_batches(target [ALONE name...]): each folder of its sources is a batch. ALONE are files with private names
-# that others beside them have as well, of which the compiler says "redefinition" or "shadows".
+# that others beside them have as well, of which the compiler says "redefinition" or "shadows"; before a name that
+# files of other folders have too stands its folder, as in sites/weights.cpp.
 function(vorpipe_batches target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "ALONE")
   if(NOT VORPIPE_BATCHES)
@@ -18,7 +19,9 @@ function(vorpipe_batches target)
     cmake_path(GET source PARENT_PATH folder)
     string(REPLACE "${CMAKE_CURRENT_SOURCE_DIR}/" "" folder "${folder}")
     string(MAKE_C_IDENTIFIER "batch_${folder}" group)
-    if(NOT name IN_LIST arg_ALONE)
+    cmake_path(GET source PARENT_PATH path)
+    cmake_path(GET path FILENAME last)
+    if(NOT name IN_LIST arg_ALONE AND NOT "${last}/${name}" IN_LIST arg_ALONE)
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
     endif()
   endforeach()
@@ -27,24 +30,54 @@ endfunction()
 # Rooms whose sources are compiled so, but for those that are alone.
 set(vorpipe_alone
     cells_vtk.cpp
+    delaunay/hilbert_order.cpp
+    delaunay/mesh_cells.cpp
+    delaunay/triangulation.cpp
+    diagram/dual_triangles.cpp
+    discs/far_disc.cpp
     draw_marks.cpp
     edges.cpp
     fish.cpp
     legend.cpp
+    measured/plot.cpp
+    moving/box_moments.cpp
+    moving/disc_cells.cpp
+    moving/outlined_cells.cpp
+    moving/polygon_edges.cpp
     nearest_site.cpp
     outline.cpp
+    outline/clip_cell.cpp
+    outline/clipped_records.cpp
+    outline/validity.cpp
     palette_index.cpp
+    panel/panel.cpp
+    periodic/band.cpp
+    periodic/band_proof.cpp
+    periodic/unwrap.cpp
     picture_files.cpp
+    pipelines/cells.cpp
+    pipelines/geometry.cpp
     png_file.cpp
     polygon_drawing.cpp
+    search/bisectors.cpp
+    search/flann_search.cpp
+    sites/near_sites.cpp
+    sites/site_set.cpp
+    sites/weights.cpp
     stages.cpp
     stats.cpp
     svg_picture.cpp
     thesis.cpp
+    ties/collapsed_edges.cpp
+    ties/tied_records.cpp
+    ties/tied_vertices.cpp
+    ties/wide_vertices.cpp
     uncovered.cpp
+    window/vulkan_presenter.cpp
     zsh.cpp)
 set(vorpipe_batched_rooms
     vorpipe_bench_lab
+    vorpipe_bench_measured
     vorpipe_bench_tables
     vorpipe_cells
     vorpipe_check
@@ -53,6 +86,10 @@ set(vorpipe_batched_rooms
     vorpipe_cli_reports
     vorpipe_cli_runs
     vorpipe_cli_terminal
+    vorpipe_compare
+    vorpipe_delaunay
+    vorpipe_diagram
+    vorpipe_discs
     vorpipe_drawing
     vorpipe_forecast
     vorpipe_geometry
@@ -61,16 +98,37 @@ set(vorpipe_batched_rooms
     vorpipe_io_domain
     vorpipe_io_edges
     vorpipe_io_files
+    vorpipe_io_fluid
     vorpipe_io_geopackage
     vorpipe_io_pictures
     vorpipe_io_points
     vorpipe_io_text
+    vorpipe_moved_fluid
+    vorpipe_moved_linear
+    vorpipe_moved_relax
+    vorpipe_moved_transport
+    vorpipe_moving
     vorpipe_opengl_device
     vorpipe_opengl_memory
+    vorpipe_opengl_pipelines
+    vorpipe_outline
+    vorpipe_periodic
     vorpipe_picture
+    vorpipe_search
     vorpipe_session
+    vorpipe_sites
+    vorpipe_ties
     vorpipe_tiles
     vorpipe_topology
     vorpipe_vertices
+    vorpipe_view_app
+    vorpipe_view_document
+    vorpipe_view_events
+    vorpipe_view_frames
+    vorpipe_view_panel
+    vorpipe_view_recording
+    vorpipe_view_window
     vorpipe_vulkan_device
+    vorpipe_vulkan_geometry
+    vorpipe_vulkan_kernels
     vorpipe_vulkan_memory)

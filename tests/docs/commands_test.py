@@ -66,6 +66,12 @@ NOT_RUN = {
     'build/dev/tests/conformance/hard_inputs --seconds 3600 --write faults': BUILDS,
     "build/dev/tests/conformance/conformance_test --gtest_filter='*vulkancompute'": BUILDS,
     'tests/bench/run.sh': BUILDS,
+    'cmake --preset tsan && cmake --build --preset tsan --target unit_test conformance_test': BUILDS,
+    'cmake --preset coverage && cmake --build --preset coverage --target unit_test': BUILDS,
+    'cmake -B build/clang -G Ninja -D CMAKE_CXX_COMPILER=clang++ -D CMAKE_BUILD_TYPE=RelWithDebInfo -D VORPIPE_TESTS=OFF':
+        BUILDS,
+    'cmake --build build/clang --target vorpipe': BUILDS,
+    'tests/determinism/run.sh build/dev/src/cli/vorpipe build/clang/src/cli/vorpipe': BUILDS,
     'tests/bench/run.sh --sites 100000 --patterns random,clusters --backends cpu --threads 1,2 --peers cgal,boost': BUILDS,
     'tests/bench/run.sh --weights 0.5 --json speed.json': BUILDS,
     'cmake --preset asan && cmake --build --preset asan && ctest --preset asan': BUILDS,

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <span>
 
 #include "core/check/checks.h"
 
@@ -44,7 +45,10 @@ std::vector<std::uint32_t> ownersOfPositions(const CheckedSites& run) {
 }  // namespace
 
 bool checkOutcome(const CheckedSites& run, const Outcome& outcome, Broken& broken) {
-  const auto& [status, owner, report] = outcome;
+  // Not by a structured binding, which lambdas of Clang before 16 cannot name.
+  const std::span<const Status> status = outcome.status;
+  const std::span<const std::uint32_t> owner = outcome.owner;
+  const Report& report = outcome.report;
   if (status.size() != run.size() || owner.size() != run.size()) {
     broken.add("statuses", fmt::format("{} sites have {} statuses and {} owners", run.size(), status.size(),
                                        owner.size()));

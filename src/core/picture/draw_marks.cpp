@@ -27,10 +27,12 @@ void drawEdgesIn(const PictureFrame& part, double width, int threads, Image& ima
 }  // namespace
 
 Result<void> drawOverlays(const Overlays& overlays, const DrawCells& cells, Image& image) {
-  const auto& [options, marks, sites, box, domain, threads] = overlays;
+  const RenderOptions& options = overlays.options;
+  const Marks& marks = overlays.marks;
+  const int threads = overlays.threads;
   const PictureFrame frame = shownFrame(options);
   std::optional<SiteDots> dots;
-  if (options.show_sites) dots.emplace(image, sites, box, options.dot_size);
+  if (options.show_sites) dots.emplace(image, overlays.sites, overlays.box, options.dot_size);
   const auto draw_lines = [&](int first, int in_pixel, Image& into) {
     const Places places{static_cast<double>(frame.left), static_cast<double>(frame.top + first), in_pixel};
     const Marks& lines = overlays.marks;
@@ -41,7 +43,7 @@ Result<void> drawOverlays(const Overlays& overlays, const DrawCells& cells, Imag
   };
   const int in_pixel = options.antialias;
   if (in_pixel == 1) {
-    if (options.edges) drawEdgesIn(domain, options.edge_width, threads, image);
+    if (options.edges) drawEdgesIn(overlays.domain, options.edge_width, threads, image);
     draw_lines(0, 1, image);
     return {};
   }
