@@ -18,7 +18,7 @@ struct ReachedWeights {
 /// Finds the weights of `sites` for these masses, as PrescribedCells::solve does. Where the density leaves
 /// large parts of the domain next to empty, Newton steps are cut short there by cells that would lose their
 /// mass. So where the density itself has not led anywhere after some diagrams, parts of its mean are added to
-/// it, ten times less each time, and each level begins with the weights of the one before (decision D119).
+/// it, ten times less each time, and each level begins with the weights of the one before (decision D118).
 Result<ReachedWeights> reachWeights(Session& session, const CellsOptions& options, Surface surface,
                                     const std::vector<double>& masses, Sites& sites,
                                     const PrescribedLimits& limits, const TransportWatcher& watcher);
