@@ -124,7 +124,7 @@ Result<Outcome> flow(const FluidCommand& command, Session& session, FluidSetup s
 }
 
 /// Refuses options that nothing takes.
-Result<void> checkCommand(const FluidCommand& command) {
+Result<void> checkCommand(const FluidCommand& command, const FluidSetup& setup) {
   const FluidTargets& targets = command.targets;
   if (targets.paths().empty() && targets.checkpoint.empty() && targets.frames.empty() &&
       targets.series.empty()) {
@@ -220,7 +220,7 @@ Result<ExitCode> fluid(FluidCommand& command, const Invocation& how) {
   if (auto fits = forecastCase(plan); !fits) return tl::unexpected(fits.error());
   auto setup = setupOf(command.choices);
   if (!setup) return tl::unexpected(std::move(setup.error()));
-  if (auto checked = checkCommand(command); !checked) return tl::unexpected(checked.error());
+  if (auto checked = checkCommand(command, *setup); !checked) return tl::unexpected(checked.error());
   setup->options.search = command.search;
   setup->options.progress = untilSignal();
   const FluidOptions options = setup->options;

@@ -55,13 +55,13 @@ bool checkOutcome(const CheckedSites& run, const Outcome& outcome, Broken& broke
     return false;
   }
   const auto owners = ownersOfPositions(run);
-  const bool owned = broken.expect("owners", run.size(), run.threads, [&, &owner = owner](std::size_t i) {
+  const bool owned = broken.expect("owners", run.size(), run.threads, [&](std::size_t i) {
     return owner[i] == owners[i]
                ? std::string()
                : fmt::format("site {} is owned by site {}, but site {} has its position first", i, owner[i],
                              owners[i]);
   });
-  broken.expect("statuses", run.size(), run.threads, [&, &status = status](std::size_t i) -> std::string {
+  broken.expect("statuses", run.size(), run.threads, [&](std::size_t i) -> std::string {
     const bool duplicate = status[i] == Status::duplicate;
     if (status[i] > Status::duplicate) return fmt::format("site {} has none that is known", i);
     if (duplicate != (owners[i] != i)) {

@@ -35,11 +35,10 @@ Result<void> drawOverlays(const Overlays& overlays, const DrawCells& cells, Imag
   if (options.show_sites) dots.emplace(image, overlays.sites, overlays.box, options.dot_size);
   const auto draw_lines = [&](int first, int in_pixel, Image& into) {
     const Places places{static_cast<double>(frame.left), static_cast<double>(frame.top + first), in_pixel};
-    const Marks& lines = overlays.marks;
-    drawLines(lines.edges, overlays.options.edge_width, edge_color, places, overlays.threads, into);
-    drawLines(lines.outline, outlineWidth(overlays.options), edge_color, places, overlays.threads, into);
-    drawLines(lines.dual, overlays.options.edge_width, dual_color, places, overlays.threads, into);
-    if (dots) dots->draw({0, static_cast<double>(first), in_pixel}, !overlays.options.fill, into);
+    drawLines(marks.edges, options.edge_width, edge_color, places, threads, into);
+    drawLines(marks.outline, outlineWidth(options), edge_color, places, threads, into);
+    drawLines(marks.dual, options.edge_width, dual_color, places, threads, into);
+    if (dots) dots->draw({0, static_cast<double>(first), in_pixel}, !options.fill, into);
   };
   const int in_pixel = options.antialias;
   if (in_pixel == 1) {

@@ -17,8 +17,6 @@ const std::array<std::string, 2> scheme_names{"springs", "projection"};
 const std::array<std::uint64_t, 4> parcel_counts{512, 2048, 8192, 32768};
 
 /// The name of a file without its folder.
-std::string fileName(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
-
 void drawCases(PanelFrame& frame) {
   Widgets& widgets = frame.widgets;
   const std::optional<FluidShown>& fluid = frame.input.fluid;

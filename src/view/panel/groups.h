@@ -1,12 +1,16 @@
 /// The groups of the panel.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "view/panel/panel.h"
 #include "view/panel/widgets.h"
 
 namespace vorpipe::view {
+
+/// A path without its folders.
+inline std::string fileName(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
 /// A frame of the panel, as it is being drawn.
 struct PanelFrame {

@@ -14,8 +14,6 @@ namespace {
 // In the order of RelaxMethod.
 const std::array<std::string, 2> method_names{"L-BFGS", "Lloyd"};
 
-std::string fileName(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
-
 void drawEnergies(const Widgets& widgets, const std::vector<float>& energies) {
   const float width = ImGui::GetContentRegionAvail().x, height = widgets.px(30);
   const ImVec2 at = ImGui::GetCursorScreenPos();
