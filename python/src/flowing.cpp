@@ -202,7 +202,7 @@ void FluidRun::push(std::vector<Point> velocities) {
   session_->run(py::none(),
                 [self = shared_from_this(), velocities = std::move(velocities)](
                     Session&, const Progress&) -> Result<void> {
-                  self->fluid_->push(velocities);
+                  if (auto pushed = self->fluid_->push(velocities); !pushed) return pushed;
                   self->publish();
                   return {};
                 });

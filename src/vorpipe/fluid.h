@@ -107,8 +107,9 @@ class Fluid {
   [[nodiscard]] FluidEnd end() const;
   [[nodiscard]] const Report& report() const;  ///< of the last diagram
 
-  /// Adds to velocities, one for each site: what stirs.
-  void push(const std::vector<Point>& velocities);
+  /// Adds to velocities, one for each site: what stirs. Errors (input): another number of them; one that is
+  /// not finite.
+  Result<void> push(const std::vector<Point>& velocities);
 
  private:
   Fluid();

@@ -16,7 +16,7 @@ Result<double> massOfDomain(Session& session, const TransportOptions& options);
 
 /// Scales the masses of `options`, equal ones where there are none, so that those of all `sites` add up to
 /// this part of massOfDomain(). Masses that are not finite and more than 0 stay as they are, for transport()
-/// to refuse. Errors: those of massOfDomain.
+/// to refuse; without sites there are none. Errors: those of massOfDomain.
 Result<void> fillDomain(Session& session, std::size_t sites, double part, TransportOptions& options);
 
 }  // namespace vorpipe

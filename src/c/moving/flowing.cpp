@@ -1,7 +1,6 @@
 /// Fluids.
 #include <fmt/core.h>
 
-#include <cmath>
 #include <cstring>
 #include <limits>
 #include <memory>
@@ -111,11 +110,8 @@ vorpipe_code push(Fluid& fluid, const double* velocities, std::uint64_t count) {
   std::vector<Point> more(count);
   for (std::size_t i = 0; i < count; ++i) {
     more[i] = {velocities[2 * i], velocities[2 * i + 1]};
-    if (std::isfinite(more[i].x) && std::isfinite(more[i].y)) continue;
-    return fail(VORPIPE_INPUT, fmt::format("velocities: that of site {} is not finite", i));
   }
-  fluid.push(more);
-  return VORPIPE_DONE;
+  return codeOf(fluid.push(more));
 }
 
 MovedSites movedOf(const vorpipe_fluid& fluid) {

@@ -1,5 +1,7 @@
 #include "vorpipe/fluid.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -60,6 +62,7 @@ Result<void> completeState(const FluidOptions& options, FluidState& state) {
   if (!fits(state.volume.size())) return refuse("volume: there is not one for each site");
   if (!fits(state.density.size())) return refuse("density: there is not one for each site");
   if (!fits(state.pressure.size())) return refuse("pressure: there is not one for each site");
+  if (!fits(state.trend.size())) return refuse("trend: there is not one for each site");
   if (!state.order.empty() && !isPermutation(state.order, count)) {
     return refuse("order: it does not name each site once");
   }
@@ -240,14 +243,23 @@ const FluidStep& Fluid::last() const { return state_->last; }
 FluidEnd Fluid::end() const { return state_->end; }
 const Report& Fluid::report() const { return state_->flow->report(); }
 
-void Fluid::push(const std::vector<Point>& velocities) {
+Result<void> Fluid::push(const std::vector<Point>& velocities) {
   State& s = *state_;
-  for (std::size_t k = 0; k < s.now.size() && velocities.size() == s.now.size(); ++k) {
+  if (velocities.size() != s.now.size()) {
+    return refuse(fmt::format("velocities: {} for {} sites", velocities.size(), s.now.size()));
+  }
+  const auto wrong =
+      std::ranges::find_if_not(velocities, [](Point v) { return std::isfinite(v.x) && std::isfinite(v.y); });
+  if (wrong != velocities.end()) {
+    return refuse(fmt::format("velocities: that of site {} is not finite", wrong - velocities.begin()));
+  }
+  for (std::size_t k = 0; k < s.now.size(); ++k) {
     const Point more = velocities[s.now.order[k]];
     s.now.velocity[k].x += more.x;
     s.now.velocity[k].y += more.y;
   }
   s.callers_are_old = true;
+  return {};
 }
 
 }  // namespace vorpipe

@@ -29,6 +29,7 @@ Result<void> fillDomain(Session& session, std::size_t sites, double part, Transp
   if (!whole) return tl::unexpected(whole.error());
   auto& masses = options.masses;
   if (masses.empty()) masses.assign(sites, 1);
+  if (masses.empty()) return {};
   if (!std::ranges::all_of(masses, [](double mass) { return std::isfinite(mass) && mass > 0; })) return {};
   // As parts of the greatest first: the sum of masses as they are may be out of the range of a double.
   const double greatest = *std::ranges::max_element(masses);

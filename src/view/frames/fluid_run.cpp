@@ -49,14 +49,15 @@ Result<void> FluidRun::begin(Session& session, const FixedFluid& from, const Pro
   return {};
 }
 
-void FluidRun::stir(const Wish& wish) {
+Result<void> FluidRun::stir(const Wish& wish) {
   std::uint64_t stirred = now_->stirred;
   for (const Stroke& stroke : wish.strokes) {
     if (stroke.number <= now_->stirred) continue;
-    fluid_->push(pushOf(stroke, now_->setup));
+    if (auto pushed = fluid_->push(pushOf(stroke, now_->setup)); !pushed) return pushed;
     stirred = stroke.number;
   }
   if (stirred > now_->stirred) take(now_->sites, stirred);
+  return {};
 }
 
 Result<void> FluidRun::step(Frame& frame) {
@@ -89,7 +90,7 @@ Result<void> FluidRun::go(Session& session, const Wish& wish, const Progress& pr
   }
   before_ = frame.fluid_from;
   gesture_ = wish.gesture;
-  stir(wish);
+  if (auto stirred = stir(wish); !stirred) return stirred;
   if (steps) {
     if (auto stepped = step(frame); !stepped) return stepped;
   }

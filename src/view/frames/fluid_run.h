@@ -23,7 +23,7 @@ class FluidRun {
  private:
   [[nodiscard]] bool isAt(const Wish& wish) const;
   Result<void> begin(Session& session, const FixedFluid& from, const Progress& progress);
-  void stir(const Wish& wish);
+  Result<void> stir(const Wish& wish);
   Result<void> step(Frame& frame);
   void take(FixedSites sites, std::uint64_t stirred);
 

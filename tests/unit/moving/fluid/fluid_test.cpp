@@ -147,6 +147,7 @@ TEST(Fluid, RefusesWhatDoesNotFit) {
   EXPECT_EQ(refused([](FluidSetup& s) { s.state.velocity.pop_back(); }),
             "velocity: there is not one for each site");
   EXPECT_EQ(refused([](FluidSetup& s) { s.state.density = {1}; }), "density: there is not one for each site");
+  EXPECT_EQ(refused([](FluidSetup& s) { s.state.trend = {0, 0}; }), "trend: there is not one for each site");
   EXPECT_EQ(refused([](FluidSetup& s) { s.state.order.assign(16, 0); }),
             "order: it does not name each site once");
   EXPECT_EQ(refused([](FluidSetup& s) { s.options.step = -1; }), "step: it is not 0 or more");
@@ -156,6 +157,22 @@ TEST(Fluid, RefusesWhatDoesNotFit) {
               s.options.surface = Surface::free;
             }),
             "scheme: projection is for domains that are full; springs have free surfaces");
+}
+
+TEST(Fluid, IsPushedAtEachSite) {
+  Session session = openCpu();
+  const FluidSetup setup = fluidCase(FluidCase::taylor_green, 16);
+  auto fluid = Fluid::begin(session, setup.state, setup.options);
+  ASSERT_TRUE(fluid);
+  EXPECT_EQ(fluid->push({{1, 0}}).error().message, "velocities: 1 for 16 sites");
+  std::vector<Point> more(16, Point{0, 0});
+  more[3].x = NAN;
+  EXPECT_EQ(fluid->push(more).error().message, "velocities: that of site 3 is not finite");
+  EXPECT_EQ(fluid->state().velocity, setup.state.velocity);
+  more[3] = {1, 2};
+  EXPECT_TRUE(fluid->push(more));
+  EXPECT_EQ(fluid->state().velocity[3].y, setup.state.velocity[3].y + 2);
+  EXPECT_EQ(fluid->state().velocity[4], setup.state.velocity[4]);
 }
 
 TEST(Fluid, StopsWhereProgressSaysSo) {
