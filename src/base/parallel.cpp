@@ -9,8 +9,8 @@
 namespace vorpipe {
 namespace {
 
-/// The arena of so many threads that this thread begins loops in. It is kept: oneTBB 2021 does not give back
-/// all that an arena takes, some kilobytes of each, and long runs have millions of loops.
+/// The arena of `threads` threads that this thread begins loops in. It is kept: oneTBB 2021 does not give
+/// back all that an arena takes, some kilobytes of each, and long runs have millions of loops.
 tbb::task_arena& arenaOf(int threads) {
   thread_local std::map<int, tbb::task_arena> arenas;
   return arenas.try_emplace(threads, threads).first->second;

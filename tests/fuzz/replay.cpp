@@ -33,7 +33,7 @@ std::vector<std::string> seedsIn(const fs::path& folder) {
   return seeds;
 }
 
-/// What is being run, for whoever has to find out why the process ended.
+/// What is being run, to find out from why the process ended.
 std::string current_path;
 
 void runOne(const Target& target, const std::string& bytes) {

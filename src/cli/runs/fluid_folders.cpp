@@ -33,7 +33,7 @@ Result<std::vector<std::string>> namesIn(const std::string& folder) {
   return names;
 }
 
-/// The number in a name between what it begins and ends with, where it has at least so many digits.
+/// The number in a name between what it begins and ends with, where it has at least `digits` digits.
 std::optional<std::uint64_t> numberIn(std::string_view name, std::string_view begin, std::string_view end,
                                       std::size_t digits) {
   if (!name.starts_with(begin) || !name.ends_with(end)) return std::nullopt;

@@ -5,7 +5,8 @@
 namespace vorpipe::core {
 namespace {
 
-/// Of random sites one cell in millions reaches so many of their distances beyond its tile.
+/// Of random sites one cell in millions reaches beyond its tile by this number of mean distances between
+/// sites.
 constexpr double enough = 6;
 /// More around a tile than this part of it costs more than to find a few cells apart.
 constexpr double worth = 0.25;

@@ -129,7 +129,7 @@ Result<void> PointLayer::limitDatabase(std::uint64_t file_bytes) const {
   // Views may not call what has effects.
   sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_limit(database, SQLITE_LIMIT_LENGTH, static_cast<int>(std::clamp(file_bytes, shortest, longest)));
-  // What has to be sorted or joined takes more steps than there are bytes, but not so many.
+  // What has to be sorted or joined takes more steps than there are bytes, but at most this multiple.
   *steps_left_ = (few_steps + file_bytes * steps_of_byte) / steps_at_a_time;
   const auto step = [](void* left) { return (*static_cast<std::uint64_t*>(left))-- == 0 ? 1 : 0; };
   sqlite3_progress_handler(database, steps_at_a_time, step, steps_left_.get());
