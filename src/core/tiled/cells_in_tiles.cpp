@@ -153,12 +153,7 @@ class TiledRun {
       }
     });
     for (const Sums& sum : sums) add(sum);
-    done_ += which.size();
     addReport(found.report, made_.report);
-    if (options_.progress &&
-        !options_.progress("cells in tiles",
-                           static_cast<double>(done_) / static_cast<double>(cells_.sites().count)))
-      return tl::unexpected(Error{ErrorCode::cancelled, "cancelled"});
     return sink_(numbers_, measures_);
   }
 
@@ -177,7 +172,6 @@ class TiledRun {
   TiledReport made_;
   OpenCells open_;
   DoubleDouble sum_;
-  std::uint64_t done_ = 0;
   std::vector<std::uint32_t> numbers_;
   std::vector<CellMeasures> measures_;
 };
@@ -227,8 +221,9 @@ Result<TiledReport> CellsInTiles::measure(const SitesInPlace& sites, const Cells
         return cellsOfPart(on.with(backend), *cells, part, frame, options_.search, go_on);
       });
     };
-    const CellsSink counted = [&](auto numbers, auto measures) {
+    const CellsSink counted = [&](auto numbers, auto measures) -> Result<void> {
       done += static_cast<double>(numbers.size()) / static_cast<double>(sites.count);
+      if (go_on && !go_on("", done)) return tl::unexpected(Error{ErrorCode::cancelled, "cancelled"});
       return sink(numbers, measures);
     };
     auto made = TiledRun(find, options_, on.threads, *cells, counted).run();
