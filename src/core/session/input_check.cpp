@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <new>
 
 #include "base/refusal.h"
@@ -26,15 +27,26 @@ Result<void> checkSearch(const SearchOptions& search) {
 Result<void> checkArea(const Box& domain) {
   // A cell may have 1e-7 of the least: it still has all digits.
   constexpr double least = 1e-301, most = 1e301;
+  // Corners that are nearer to each other become one: the cell of a flatter domain has no area.
+  constexpr double flattest = 1e-12;
   const double width = domain.xmax - domain.xmin, height = domain.ymax - domain.ymin;
   const bool is_box = width > 0 && height > 0;
+  if (!is_box) return {};
   const double area = width * height;
-  if (!is_box || (area >= least && area <= most)) return {};
-  return tl::unexpected(refusal(
-      Subject::domain,
-      fmt::format("the domain is {} wide and {} high: areas need one whose own lies between {:.0e} and "
-                  "{:.0e}, such as sides of 1e-150 to 1e150; scale the sites",
-                  width, height, least, most)));
+  if (!(area >= least && area <= most)) {
+    return tl::unexpected(refusal(
+        Subject::domain,
+        fmt::format("the domain is {} wide and {} high: areas need one whose own lies between {:.0e} and "
+                    "{:.0e}, such as sides of 1e-150 to 1e150; scale the sites",
+                    width, height, least, most)));
+  }
+  if (std::min(width, height) < flattest * std::max(width, height)) {
+    return tl::unexpected(
+        refusal(Subject::domain, fmt::format("the domain is {} wide and {} high: one side must be at least "
+                                             "{:.0e} of the other",
+                                             width, height, flattest)));
+  }
+  return {};
 }
 
 }  // namespace

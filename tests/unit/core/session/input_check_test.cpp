@@ -61,6 +61,22 @@ TEST(Input, IsInARangeThatAreasHave) {
   }
 }
 
+TEST(Input, HasNoDomainThatIsAllButALine) {
+  const auto refusal = [](double width, double height) {
+    CellsOptions options{};
+    options.domain = {0, 0, width, height};
+    return refusalOf({{width}, {0}, {}}, options);
+  };
+  for (const double side : {1.0, 1e-6, 1e-12}) {
+    EXPECT_EQ(refusal(1, side), "accepted") << side;
+    EXPECT_EQ(refusal(side * 1e100, 1e100), "accepted") << side;
+  }
+  for (const double side : {0.9e-12, 1e-14, 1e-30}) {
+    EXPECT_THAT(refusal(1, side), HasSubstr("at least 1e-12 of the other")) << side;
+    EXPECT_THAT(refusal(side * 1e100, 1e100), HasSubstr("at least 1e-12 of the other")) << side;
+  }
+}
+
 TEST(Input, SaysWhatOfItIsWrong) {
   const auto subject = [](const Sites& sites, const CellsOptions& options) {
     const auto checked = checkInput(sites, options);
