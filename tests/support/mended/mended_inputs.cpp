@@ -46,6 +46,8 @@ void addPeriodic(std::vector<HardInput>& all) {
   all.push_back(inputOf("a period that is no multiple of what places are",
                         {{1e-10, 0.0}, {1e-10, 9.999999999999946e-11}, {}}, {0.0, 0.0, 1e-10, 1e-10},
                         Periodic::x));
+  all.push_back(inputOf("a period that ends a hair below 0", {{0.14, 0.14}, {0.67, 0.33}, {}},
+                        {-0.4375, -0.5, -0.375, -1.2e-180}, Periodic::y));
   all.push_back(inputOf("a place on the upper end of a period", {{0.25, 0.5}, {0.75, 0.25}, {}},
                         {0.24999999999999997, 0.24999999999999994, 0.5, 0.7500000000000001}, Periodic::xy));
   all.push_back(inputOf(

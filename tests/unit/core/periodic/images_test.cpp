@@ -79,6 +79,13 @@ TEST(Wrapped, LeavesSitesInTheDomainWhereTheyAre) {
   EXPECT_EQ(wrapped(sites, unit, Periodic::none)->x, sites.x);
 }
 
+TEST(Wrapped, HasBothEndsOfADomainThatEndsAHairFromAnAxis) {
+  for (const double end : {-1e-100, -1e-180, -1e-300}) {
+    const auto ends = *wrapped({{0, 0}, {-0.5, end}, {}}, {0, -0.5, 1, end}, Periodic::y);
+    EXPECT_EQ(ends.y, (std::vector<double>{-0.5, 0})) << end;
+  }
+}
+
 TEST(Wrapped, ChangesNothingTwice) {
   for (const Box& domain :
        {unit, Box{0.1, -0.3, 1.7, 0.4}, Box{5e6, -77, 5e6 + 3, -76}, Box{-1e-9, 0, 1e-9, 3e-9}}) {
