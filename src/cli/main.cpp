@@ -72,6 +72,7 @@ int main(int count, char** arguments) {
   try {
     endOnSignals();
     endOnRefusedMemory(exit_device);
+    endOnLostPages(exit_input);
     return parseAndRun(count, arguments);
   } catch (const std::bad_alloc&) {
     printOutOfMemory();

@@ -34,8 +34,8 @@ struct CellsOptions {
 /// Refuses what every run over these sites would, so that none needs to be begun: a domain that is no
 /// rectangle, whose area is not between 1e-301 and 1e301, or one of whose sides is less than 1e-12 of the
 /// other; no sites, or too many; a coordinate or a weight that is not finite or too large for the domain; an
-/// outline that is no polygon; a density that is none; a search that does not know weights. Only sites too near to each other, and too far from a periodic domain,
-/// are found later. Errors (input).
+/// outline that is no polygon; a density that is none; a search that does not know weights. Only sites too
+/// near to each other, and too far from a periodic domain, are found later. Errors (input).
 Result<void> checkInput(const Sites& sites, const CellsOptions& options, int threads = 0);
 
 class Cell;          // cell.h

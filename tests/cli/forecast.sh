@@ -64,7 +64,7 @@ for size in 5MB 5MiB 5000000 5e6 4.8MiB; do
 done
 refuses "a large picture" "a smaller --size" --sites random:9 --size 9000x9000 --memory-limit 200MB
 fails 2 "many cells within 1GB" "sites would fit" cells --backend cpu --sites random:100000000 --memory-limit 1GB -o out/old.csv
-grep -qE -- '--sites: needs about [0-9.]+ GB of memory, 1.0 GB are allowed by --memory-limit; some [0-9]+ sites would fit$' log/err ||
+grep -qE -- '--sites: needs about [0-9.]+ GB of memory, 1.0 GB are allowed by --memory-limit; some [0-9]+ sites would fit; areas, centroids and numbers of neighbors alone need less: --detail measures$' log/err ||
   fail "the line says something else"
 fails 2 "cells of a file within 30MB" "--sites: needs about" cells --backend cpu --sites in/sites.csv --memory-limit 30MB -o out/old.csv
 fails 2 "pictures compared within 90MB" "--memory-limit" compare --backends cpu,vulkan-compute --sites random:9 --memory-limit 90MB --report out/old.json

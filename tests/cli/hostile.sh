@@ -156,6 +156,38 @@ name="a checkpoint without an end"
 cases=$((cases + 1))
 within 150000 fluid --backend cpu --resume in/device.npz --until 1 -o out/cells.csv
 [ "$code" -eq 2 ] || fail "exit code $code, not 2"
+# The window may not be built.
+if "$vorpipe" --help | grep -q '^ *view '; then
+  name="a script without an end"
+  cases=$((cases + 1))
+  within 150000 view --script /dev/zero
+  [ "$code" -eq 2 ] || fail "exit code $code, not 2"
+  one_line
+  grep -qF -- "--script: /dev/zero: is larger than 16 MiB" log/err || fail "the line does not say that it is too large"
+fi
+
+name="a file that is cut off while it is mapped"
+cases=$((cases + 1))
+echo old >out/cells.npz
+"$python" -c '
+import os, subprocess, sys
+import numpy
+numpy.save("in/cut_off.npy", numpy.random.default_rng(1).random((2_000_000, 2)))
+run = subprocess.Popen([sys.argv[1], "cells", "--quiet", "--backend", "cpu", "--sites", "in/cut_off.npy",
+                        "--detail", "measures", "-o", "out/cells.npz"])
+while run.poll() is None:
+    with open(f"/proc/{run.pid}/maps") as maps:
+        if "cut_off.npy" in maps.read():
+            os.truncate("in/cut_off.npy", 4096)
+            break
+sys.exit(run.wait())' "$vorpipe" >log/out 2>log/err
+code=$?
+[ "$code" -eq 2 ] || fail "exit code $code, not 2"
+one_line
+grep -qF -- "--sites: a part of the file is gone" log/err || fail "the line does not say that the file was cut off"
+[ "$(ls out)" = cells.npz ] && [ "$(cat out/cells.npz)" = old ] || fail "the old file is not as it was, or not alone"
+rm -f out/cells.npz
+
 mkdir in/folder.csv in/folder.gpkg
 bad folder.csv "is a directory"
 bad folder.gpkg "is a directory"

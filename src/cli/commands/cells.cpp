@@ -183,6 +183,13 @@ PlanRun planBefore(const CellsCommand& command) {
   return [](MemoryPlan& plan, const Workload& work) { planTiles(plan, work, least_tile); };
 }
 
+/// What else a run that needs too much memory is told.
+std::string_view adviceOn(const CellsCommand& command) {
+  const bool may_be_tiled = !command.targets.only_measures && !command.check && command.density.empty() &&
+                            command.targets.edges.empty() && canBeTiled(command.input);
+  return may_be_tiled ? "; areas, centroids and numbers of neighbors alone need less: --detail measures" : "";
+}
+
 /// What is computed, but for the progress.
 Result<CellsOptions> cellsOptions(const CellsCommand& command, const Input& input) {
   CellsOptions options{};
@@ -218,7 +225,8 @@ Result<ExitCode> cells(CellsCommand& command, const Invocation& how) {
   if (auto taken = takeFormat(command.targets, command.input.format.output); !taken) {
     return tl::unexpected(std::move(taken.error()));
   }
-  const auto fits = forecastGenerated(command.input, planBefore(command), command.memory_limit);
+  const auto fits =
+      forecastGenerated(command.input, planBefore(command), command.memory_limit, adviceOn(command));
   if (!fits) return tl::unexpected(fits.error());
   auto loaded = loadSitesOf(command);
   if (!loaded) return tl::unexpected(std::move(loaded.error()));
@@ -237,9 +245,10 @@ Result<ExitCode> cells(CellsCommand& command, const Invocation& how) {
   log.choice = session->choice();
   if (isTiled(command) && input->sites.weight.empty())
     return measureInTiles(command, *loaded, *session, {log, paths, *files, total});
-  const auto forecast = forecastRun(
-      command.input, *input, ImagesFor::cells, session->device(), command.backend,
-      planOf(command, options->density.values.size(), bytesOf(input->attributes)), command.memory_limit);
+  const auto forecast =
+      forecastRun(command.input, *input, ImagesFor::cells, session->device(), command.backend,
+                  planOf(command, options->density.values.size(), bytesOf(input->attributes)),
+                  command.memory_limit, input->sites.weight.empty() ? adviceOn(command) : "");
   if (!forecast) return tl::unexpected(forecast.error());
   ProgressBar bar(command.talk.quiet);
   options->progress = bar.callback();

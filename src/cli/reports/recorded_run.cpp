@@ -73,17 +73,10 @@ Result<RecordedRun> recordedRun(const std::string& name, std::string_view text) 
 Result<RecordedRun> readRecordedRun(const std::string& path) {
   auto file = InputFile::open(path);
   if (!file) return tl::unexpected(std::move(file.error()));
-  constexpr std::size_t piece = std::size_t{1} << 16, most = std::size_t{1} << 24;
-  std::string text;
-  for (std::size_t count = piece; count == piece;) {
-    std::string bytes(piece, '\0');
-    const auto got = file->read(bytes);
-    if (!got) return tl::unexpected(got.error());
-    count = *got;
-    text.append(bytes, 0, count);
-    if (text.size() > most) return inputError(file->name() + ": is too large for a file of --stats");
-  }
-  return recordedRun(file->name(), text);
+  constexpr std::size_t most = std::size_t{1} << 24;
+  const auto text = readText(*file, most);
+  if (!text) return tl::unexpected(text.error());
+  return recordedRun(file->name(), *text);
 }
 
 }  // namespace vorpipe::cli

@@ -74,12 +74,13 @@ std::string adviceFor(const InputOptions& options, const Workload& work, const P
 }
 
 Result<std::uint64_t> forecast(const InputOptions& options, const Workload& work, const PlanRun& plan,
-                               std::uint64_t attributes, std::optional<std::uint64_t> user_limit) {
+                               std::uint64_t attributes, std::optional<std::uint64_t> user_limit,
+                               std::string_view advice) {
   const auto bytes = peakOf(options, work, plan, attributes);
   const MemoryLimit limit = limitOf(user_limit);
   if (bytes <= limit.bytes) return bytes;
-  return inputError(fmt::format("--sites: {}; {}", *lackOfMemory(bytes, user_limit),
-                                adviceFor(options, work, plan, attributes, limit.bytes)));
+  return inputError(fmt::format("--sites: {}; {}{}", *lackOfMemory(bytes, user_limit),
+                                adviceFor(options, work, plan, attributes, limit.bytes), advice));
 }
 
 /// A run in tiles of that many sites.
@@ -145,7 +146,7 @@ std::optional<std::string> lackOfMemory(std::uint64_t bytes, std::optional<std::
 }
 
 Result<void> forecastGenerated(const InputOptions& options, const PlanRun& plan,
-                               std::optional<std::uint64_t> limit) {
+                               std::optional<std::uint64_t> limit, std::string_view advice) {
   const auto sites = generatedCount(options.sites);
   if (!sites) return {};
   Workload work;
@@ -153,19 +154,20 @@ Result<void> forecastGenerated(const InputOptions& options, const PlanRun& plan,
   work.weighted = hasWeights(options);
   work.outlined = options.domain.hull || !options.domain.file.empty();
   work.periodic = options.periodic != Periodic::none;
-  return forecast(options, work, plan, 0, limit).map([](std::uint64_t) {});
+  return forecast(options, work, plan, 0, limit, advice).map([](std::uint64_t) {});
 }
 
 Result<std::uint64_t> forecastRun(const InputOptions& options, const Input& input, ImagesFor purpose,
                                   const DeviceInfo& device, const BackendOptions& backend,
-                                  const PlanRun& plan, std::optional<std::uint64_t> limit) {
+                                  const PlanRun& plan, std::optional<std::uint64_t> limit,
+                                  std::string_view advice) {
   CellsOptions cells{};
   cells.domain = input.domain;
   cells.outline = input.outline;
   cells.periodic = input.periodic;
   const auto work = workloadOf(input.sites, cells, purpose, device, backend.threads);
   if (!work) return tl::unexpected(work.error());
-  return forecast(options, *work, plan, attributeBytes(input), limit);
+  return forecast(options, *work, plan, attributeBytes(input), limit, advice);
 }
 
 }  // namespace vorpipe::cli

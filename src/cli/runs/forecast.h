@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string_view>
 
 #include "cli/runs/input.h"
 #include "vorpipe.h"
@@ -14,15 +15,16 @@ namespace vorpipe::cli {
 using PlanRun = std::function<void(MemoryPlan&, const Workload&)>;
 
 /// Refuses (input) the sites of a generator that will not fit whatever the device is, before they are made.
-/// Where `limit` is given, that is the most.
+/// Where `limit` is given, that is the most. `advice` ends the message.
 Result<void> forecastGenerated(const InputOptions& options, const PlanRun& plan,
-                               std::optional<std::uint64_t> limit);
+                               std::optional<std::uint64_t> limit, std::string_view advice = {});
 
 /// Bytes at the peak of a run over this input on a device. Errors (input): more than there are, or than
-/// `limit`; those of sitesAndImages. `purpose` is what images are for.
+/// `limit`, in a message that `advice` ends; those of sitesAndImages. `purpose` is what images are for.
 Result<std::uint64_t> forecastRun(const InputOptions& options, const Input& input, ImagesFor purpose,
                                   const DeviceInfo& device, const BackendOptions& backend,
-                                  const PlanRun& plan, std::optional<std::uint64_t> limit);
+                                  const PlanRun& plan, std::optional<std::uint64_t> limit,
+                                  std::string_view advice = {});
 
 /// How large the tiles of a run may be, and what it takes with them.
 struct TileSizes {

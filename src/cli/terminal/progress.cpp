@@ -96,6 +96,25 @@ void endOnRefusedMemory(int code) {
   });
 }
 
+void endOnLostPages(int code) {
+  static int exit_code;
+  exit_code = code;
+  struct sigaction action {};
+  action.sa_sigaction = [](int, siginfo_t* info, void*) {
+    // Anything else is a fault of the program, which ends it as soon as this returns.
+    if (info->si_code != BUS_ADRERR) return;
+    removeUnfinished();
+    constexpr std::string_view line =
+        "\nvorpipe: --sites: a part of the file is gone: it was cut off meanwhile, or its disk fails\n";
+    // Without a bar there is no line to end.
+    const std::string_view text = bar_is_shown ? line : line.substr(1);
+    const bool written = write(STDERR_FILENO, text.data(), text.size()) >= 0;
+    _exit(written ? exit_code : killed_by_signal + SIGBUS);
+  };
+  action.sa_flags = static_cast<int>(SA_SIGINFO | SA_RESETHAND);
+  sigaction(SIGBUS, &action, nullptr);
+}
+
 void stopOnSignals() {
   install(SIGALRM, [](int) { endProgram(caught); });
   installForAll(askToStop);

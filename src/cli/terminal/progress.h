@@ -18,6 +18,10 @@ void endOnSignals();
 /// ends with this code, a line that says so, and no file that is unfinished.
 void endOnRefusedMemory(int code);
 
+/// From now on, where a file that is mapped is cut off while it is in use, or its disk fails, the program
+/// ends with this code, a line that says so, and no file that is unfinished.
+void endOnLostPages(int code);
+
 /// From now on, since there is something to clean up, they only ask the run to stop. If it has not soon, or
 /// at a second one, the program ends where it is, and leaves no file that is unfinished. Writing into a
 /// closed pipe, or beyond what a file may have (ulimit -f), is an error then, and does not end the program.

@@ -122,7 +122,7 @@ Result<std::size_t> InputFile::readBytes(std::span<char> bytes) {
   return count;
 }
 
-Result<std::string> readText(InputFile& file) {
+Result<std::string> readText(InputFile& file, std::size_t most) {
   constexpr std::size_t chunk = std::size_t{1} << 20;
   std::string text;
   while (true) {
@@ -136,6 +136,10 @@ Result<std::string> readText(InputFile& file) {
     const auto got = file.read(std::span(text).subspan(size));
     if (!got) return tl::unexpected(got.error());
     text.resize(size + *got);
+    if (text.size() > most) {
+      return inputError(fmt::format("{}: is larger than {} MiB, which is the most for such a file",
+                                    file.name(), most >> 20));
+    }
     if (*got < chunk) return text;
   }
 }

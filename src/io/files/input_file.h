@@ -51,7 +51,8 @@ class InputFile {
   std::shared_ptr<ContentHash> hash_;  ///< of a stream that a ReadLog notes
 };
 
-/// All that is left of a file. Errors: those of reading.
-Result<std::string> readText(InputFile& file);
+/// All that is left of a file. Errors: those of reading; (input) there are more than `most` bytes, or than
+/// memory holds.
+Result<std::string> readText(InputFile& file, std::size_t most = std::string::npos);
 
 }  // namespace vorpipe

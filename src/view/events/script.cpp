@@ -209,7 +209,8 @@ constexpr std::string_view text_verb = "text ";
 Result<Script> readScript(const std::string& path) {
   auto file = InputFile::open(path);
   if (!file) return tl::unexpected(std::move(file.error()));
-  const auto text = readText(*file);
+  constexpr std::size_t most = std::size_t{1} << 24;
+  const auto text = readText(*file, most);
   if (!text) return tl::unexpected(text.error());
   return parseScript(file->name(), *text);
 }
