@@ -5,91 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "byte_stream.h"
-#include "c/vorpipe_c.h"
+#include "library_calls.h"
 #include "target.h"
 
 namespace vorpipe::fuzz {
 namespace {
-
-constexpr std::size_t slots = 3;
-
-template <class Handle>
-using Free = void (*)(Handle*);
-
-/// A few objects of a kind; a slot may be empty, and is NULL then.
-template <class Handle, Free<Handle> release>
-class Shelf {
- public:
-  Shelf() = default;
-  Shelf(const Shelf&) = delete;
-  Shelf& operator=(const Shelf&) = delete;
-  ~Shelf() {
-    for (Handle* handle : slots_) release(handle);
-  }
-  Handle* get(ByteStream& stream) const { return slots_[stream.choice(slots)]; }
-  void put(ByteStream& stream, Handle* handle) {
-    Handle*& slot = slots_[stream.choice(slots)];
-    release(slot);
-    slot = handle;
-  }
-
- private:
-  std::array<Handle*, slots> slots_{};
-};
-
-struct Shelves {
-  Shelf<vorpipe_input, vorpipe_input_free> inputs;
-  Shelf<vorpipe_diagram, vorpipe_diagram_free> diagrams;
-  Shelf<vorpipe_picture, vorpipe_picture_free> pictures;
-  Shelf<vorpipe_locator, vorpipe_locator_free> locators;
-  Shelf<vorpipe_relaxation, vorpipe_relaxation_free> relaxations;
-  Shelf<vorpipe_transported, vorpipe_transported_free> transported;
-};
-
-vorpipe_session* librarySession() {
-  static const struct Opened {
-    vorpipe_session* session = nullptr;
-    Opened() {
-      vorpipe_session_options options{};
-      options.struct_size = sizeof options;
-      options.threads = 1;
-      options.backend = "cpu";
-      require(vorpipe_session_open(&options, &session) == VORPIPE_DONE, vorpipe_last_error());
-    }
-    Opened(const Opened&) = delete;
-    Opened& operator=(const Opened&) = delete;
-    ~Opened() { vorpipe_session_free(session); }
-  } opened;
-  return opened.session;
-}
-
-/// What a code promises: done, or a line that says what is wrong.
-void told(vorpipe_code code) {
-  if (code == VORPIPE_DONE) return;
-  const std::string_view line = vorpipe_last_error();
-  require(code == VORPIPE_INPUT || code == VORPIPE_DIFFERENT || code == VORPIPE_CANCELLED, line);
-  require(!line.empty() && line.find('\n') == std::string_view::npos, "an error is a line");
-}
-
-/// Options of the size that they have, or of one that is refused.
-template <class Options>
-const Options* optional(ByteStream& stream, Options& options) {
-  const std::size_t kind = stream.choice(8);
-  if (kind == 0) return nullptr;
-  options.struct_size = kind == 1 ? 0 : static_cast<std::uint32_t>(sizeof options);
-  return &options;
-}
-
-int32_t smallNumber(ByteStream& stream) { return static_cast<int32_t>(stream.choice(7)) - 1; }
-
-int32_t takeBytes(void* user, const void* /*bytes*/, size_t /*count*/) {
-  return --*static_cast<int*>(user) < 0 ? 1 : 0;
-}
-
-int32_t stopSometimes(void* user, const char* /*stage*/, double /*fraction*/) {
-  return --*static_cast<int*>(user) < 0 ? 1 : 0;
-}
 
 void makeInput(ByteStream& stream, Shelves& shelves) {
   vorpipe_input* input = nullptr;
@@ -278,42 +198,39 @@ void locate(ByteStream& stream, Shelves& shelves) {
   told(vorpipe_locator_find(shelves.locators.get(stream), places.data(), sites.size(), sites.data()));
 }
 
-void move(ByteStream& stream, Shelves& shelves) {
-  const vorpipe_input* const input = shelves.inputs.get(stream);
-  switch (stream.choice(4)) {
-    case 0: {
-      vorpipe_relax_options options{};
-      options.method = smallNumber(stream);
-      options.iterations = 1 + stream.choice(3);
-      vorpipe_relaxation* relaxation = nullptr;
+}  // namespace
+
+vorpipe_session* librarySession() {
+  static const struct Opened {
+    vorpipe_session* session = nullptr;
+    Opened() {
+      vorpipe_session_options options{};
       options.struct_size = sizeof options;
-      told(vorpipe_relax_begin(librarySession(), input, &options, &relaxation));
-      return shelves.relaxations.put(stream, relaxation);
+      options.threads = 1;
+      options.backend = "cpu";
+      require(vorpipe_session_open(&options, &session) == VORPIPE_DONE, vorpipe_last_error());
     }
-    case 1:
-      return told(vorpipe_relaxation_step(shelves.relaxations.get(stream), nullptr));
-    case 2: {
-      vorpipe_transport_options options{};
-      options.struct_size = sizeof options;
-      options.diagrams = 1 + stream.choice(8);
-      options.normalize = 1;
-      options.surface = smallNumber(stream);
-      if (stream.choice(4) == 0) options.fill = stream.number();
-      if (stream.choice(4) == 0) options.tolerance = stream.number();
-      vorpipe_transported* transported = nullptr;
-      told(vorpipe_transport(librarySession(), input, &options, &transported));
-      return shelves.transported.put(stream, transported);
-    }
-    default: {
-      vorpipe_input* result = nullptr;
-      told(stream.flag() ? vorpipe_relaxation_input(shelves.relaxations.get(stream), &result)
-                         : vorpipe_transported_input(shelves.transported.get(stream), &result));
-      return shelves.inputs.put(stream, result);
-    }
-  }
+    Opened(const Opened&) = delete;
+    Opened& operator=(const Opened&) = delete;
+    ~Opened() { vorpipe_session_free(session); }
+  } opened;
+  return opened.session;
 }
 
-}  // namespace
+void told(vorpipe_code code) {
+  if (code == VORPIPE_DONE) return;
+  const std::string_view line = vorpipe_last_error();
+  require(code == VORPIPE_INPUT || code == VORPIPE_DIFFERENT || code == VORPIPE_CANCELLED, line);
+  require(!line.empty() && line.find('\n') == std::string_view::npos, "an error is a line");
+}
+
+int32_t takeBytes(void* user, const void* /*bytes*/, size_t /*count*/) {
+  return --*static_cast<int*>(user) < 0 ? 1 : 0;
+}
+
+int32_t stopSometimes(void* user, const char* /*stage*/, double /*fraction*/) {
+  return --*static_cast<int*>(user) < 0 ? 1 : 0;
+}
 
 void fuzzLibrary(std::string_view bytes) {
   constexpr int most_calls = 24;
