@@ -12,6 +12,7 @@
 #include "base/double_double.h"
 #include "base/parallel.h"
 #include "base/refusal.h"
+#include "core/sites/site_set.h"
 #include "core/sites/weight_pyramid.h"
 
 namespace vorpipe::core {
@@ -20,6 +21,8 @@ namespace {
 constexpr std::size_t grain = 1 << 16;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double heaviest_usable = 0x1p600;  ///< in squares of domains
+/// Weights nearer to 0 are 0, as coordinates are: exact decisions multiply them by two differences of those.
+constexpr double least_weight = least_coordinate * least_coordinate;
 
 bool isUsable(double weight) { return std::abs(weight) <= heaviest_usable; }
 
@@ -68,6 +71,14 @@ void subtractIfExact(double least, int threads, std::vector<double>& weights) {
   });
 }
 
+void dropTinyWeights(int threads, std::vector<double>& weights) {
+  parallelFor(weights.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end; ++i) {
+      if (std::abs(weights[i]) < least_weight) weights[i] = 0;
+    }
+  });
+}
+
 /// A site that is heavier by e than all others, in bins of size s, makes about e / s^2 cells around it search
 /// e / s^2 bins each, (e / s^2)^2 in all. Trying it for every cell costs one step per site, n in all. The
 /// break-even is e / s^2 = sqrt(n).
@@ -100,6 +111,7 @@ Result<std::vector<double>> scaledWeights(const Sites& sites, int exponent, int 
   if (!range.usable) return tl::unexpected(unusableWeight(sites, weights));
   if (!(range.least < range.most)) return std::vector<double>{};
   subtractIfExact(range.least, threads, weights);
+  dropTinyWeights(threads, weights);
   return weights;
 }
 

@@ -86,6 +86,9 @@ void addWeighted(std::vector<HardInput>& all) {
                {0.9640112362860109, 0.9640117856405479}},
               {-0.8310202796165935, -1.6040555345372196e-05, 0.8310212948046503, 1.4317362608197087e-05},
               Periodic::none));
+  all.push_back(inputOf("a weight that is all but 0, in a period",
+                        {{0.5, 0.0, 0.0, 0.25}, {0.0, 0.5, 1.5, 0.25}, {0.1875, 0.0625, 1.5, 8e-317}},
+                        {0.0, 0.0, 1.0, 1.0}, Periodic::x));
   all.push_back(inputOf("hidden sites on the verge",
                         {{0.0, 0.1, -0.1, 0.001},
                          {0.0, 0.0001, 0.01, -0.1},
