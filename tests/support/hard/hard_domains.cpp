@@ -88,7 +88,22 @@ Box wide(const Sites& sites, const Box& around, Random& random) {
   return boxAbout(someSite(sites, random), half, half * random.uniform());
 }
 
-constexpr std::array<HardDomain, 18> domains{{{"file's", ofFiles},
+/// A hair from an axis at one end, or at both ends that are near it.
+Box besideAxes(const Sites&, const Box& around, Random& random) {
+  const double side = longer(around);
+  const auto along = [&](double& low, double& high) {
+    const double hair = oneOf(random, {1.0, -1.0}) * side * tenTo(random, -320, -9);
+    const bool is_low = onceIn(random, 2);
+    low = is_low ? hair : -side;
+    high = is_low ? side : hair;
+  };
+  Box box{};
+  along(box.xmin, box.xmax);
+  along(box.ymin, box.ymax);
+  return box;
+}
+
+constexpr std::array<HardDomain, 19> domains{{{"file's", ofFiles},
                                               {"file's", ofFiles},
                                               {"file's", ofFiles},
                                               {"file's", ofFiles},
@@ -105,7 +120,8 @@ constexpr std::array<HardDomain, 18> domains{{{"file's", ofFiles},
                                               {"vertex's tiny", tinyAboutVertex},
                                               {"far", farAway},
                                               {"flat", flat},
-                                              {"wide", wide}}};
+                                              {"wide", wide},
+                                              {"axes", besideAxes}}};
 
 using Ring = std::vector<Point>;
 

@@ -239,7 +239,19 @@ Sites wedge(std::uint64_t n, Random& random) {
   return sites;
 }
 
-constexpr std::array<HardShape, 14> shapes{{{"even", even},
+/// Anywhere, but some a hair from an axis.
+Sites byAxes(std::uint64_t n, Random& random) {
+  Sites sites;
+  const double least = onceIn(random, 2) ? -320 : -20;
+  const auto hair = [&] { return oneOf(random, {1.0, -1.0}) * tenTo(random, least, -9); };
+  for (std::uint64_t i = 0; i < n; ++i) {
+    const Point p = anywhere(random);
+    add(sites, {onceIn(random, 3) ? hair() : p.x, onceIn(random, 3) ? hair() : p.y});
+  }
+  return sites;
+}
+
+constexpr std::array<HardShape, 15> shapes{{{"even", even},
                                             {"twins", nearTwins},
                                             {"crowds", narrowCrowds},
                                             {"rows", jitteredRows},
@@ -252,7 +264,8 @@ constexpr std::array<HardShape, 14> shapes{{{"even", even},
                                             {"mirrored", mirroredPairs},
                                             {"curve", alongCurve},
                                             {"crosses", tieCrosses},
-                                            {"wedge", wedge}}};
+                                            {"wedge", wedge},
+                                            {"axes", byAxes}}};
 
 }  // namespace
 

@@ -82,7 +82,15 @@ std::vector<double> integers(const Sites& sites, double, Random& random) {
   return each(sites, [&](std::size_t) { return static_cast<double>(random.below(most)); });
 }
 
-constexpr std::array<HardWeights, 10> kinds{{{"lifted", lifted},
+/// Of all magnitudes that doubles have, and none.
+std::vector<double> magnitudes(const Sites& sites, double extent, Random& random) {
+  const double least = oneOf(random, {-320.0, -130.0, -30.0});
+  return each(sites, [&](std::size_t) {
+    return oneOf(random, {0.0, 1.0, 1.0, -1.0}) * extent * extent * tenTo(random, least, 0);
+  });
+}
+
+constexpr std::array<HardWeights, 11> kinds{{{"lifted", lifted},
                                              {"lifted", lifted},
                                              {"lifted", lifted},
                                              {"flattened", flattened},
@@ -91,7 +99,8 @@ constexpr std::array<HardWeights, 10> kinds{{{"lifted", lifted},
                                              {"all-but-equal", allButEqual},
                                              {"giants", giants},
                                              {"on-the-edge", onTheEdge},
-                                             {"integers", integers}}};
+                                             {"integers", integers},
+                                             {"magnitudes", magnitudes}}};
 
 }  // namespace
 
