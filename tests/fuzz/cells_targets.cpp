@@ -8,6 +8,7 @@
 #include "backend/cpu/exact_tier.h"
 #include "backend/cpu/lanes/grid_cells.h"
 #include "byte_stream.h"
+#include "core/search/device_eligible.h"
 #include "core/sites/site_set.h"
 #include "session.h"
 #include "target.h"
@@ -137,10 +138,12 @@ void fuzzJudge(std::string_view bytes) {
       requireRight(set, site, found);
     }
   }
+  // Devices are asked for no others: far from the domain float is too coarse, or has no squares.
+  const std::vector<std::uint32_t> asked = core::sortOut(set, 1).inside;
   for (const Effort effort : {Effort::fast, Effort::roomy}) {
     CellNeighbors cells;
-    cpu::findOnGrid(set, all, effort, 1, cells);
-    for (const std::uint32_t site : all) requireProposed(set, site, entryOf(cells, site));
+    cpu::findOnGrid(set, asked, effort, 1, cells);
+    for (std::size_t k = 0; k < asked.size(); ++k) requireProposed(set, asked[k], entryOf(cells, k));
   }
 }
 
