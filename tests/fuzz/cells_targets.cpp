@@ -57,6 +57,27 @@ Entry entryOf(const CellNeighbors& cells, std::size_t k) {
            begin + static_cast<std::ptrdiff_t>(cells.offsets[k + 1])}};
 }
 
+/// Whether the edge of a cell to a neighbor lies in one of these walls but for what 100 bits round off: then
+/// the wall may stand for it, and core has the cells on both sides agree.
+bool liesInWall(const SiteSet& set, std::uint32_t site, std::int32_t neighbor,
+                const std::set<std::int32_t>& found) {
+  constexpr double hair = 0x1p-90;
+  std::vector<std::int32_t> others(set.size());
+  std::iota(others.begin(), others.end(), 0);
+  others.erase(others.begin() + site);
+  const RationalCell cell = cellByBruteForce(set, site, others);
+  const auto edge = std::ranges::find(cell.neighbor, neighbor) - cell.neighbor.begin();
+  const auto& begin = cell.corner[static_cast<std::size_t>(edge)];
+  const auto& end = cell.corner[static_cast<std::size_t>(edge + 1) % cell.corner.size()];
+  const auto isAt = [&](double wall, const Rational& from, const Rational& to) {
+    return abs(from - Rational(wall)) < hair && abs(to - Rational(wall)) < hair;
+  };
+  return (found.contains(-1) && isAt(set.domain.xmin, begin.x, end.x)) ||
+         (found.contains(-2) && isAt(set.domain.xmax, begin.x, end.x)) ||
+         (found.contains(-3) && isAt(set.domain.ymin, begin.y, end.y)) ||
+         (found.contains(-4) && isAt(set.domain.ymax, begin.y, end.y));
+}
+
 /// A cell that double or exact arithmetic decided, beside its edges by brute force.
 void requireRight(const SiteSet& set, std::uint32_t site, const Entry& found) {
   if (found.status == CellStatus::open) return;
@@ -67,7 +88,8 @@ void requireRight(const SiteSet& set, std::uint32_t site, const Entry& found) {
   if (found.status == CellStatus::empty)
     return require(counting < 3, "a cell with three edges or more is not empty");
   for (const auto& [neighbor, ratio] : edges)
-    require(!(ratio > surely_longer) || found.neighbors.contains(neighbor),
+    require(!(ratio > surely_longer) || found.neighbors.contains(neighbor) ||
+                liesInWall(set, site, neighbor, found.neighbors),
             "a cell has each of its neighbors");
   for (const std::int32_t neighbor : found.neighbors)
     require(edges.contains(neighbor), "a cell has no neighbor but its own");

@@ -29,10 +29,6 @@ double quantumOf(double low, double high) {
 
 double rounded(double value, double quantum) { return std::nearbyint(value / quantum) * quantum; }
 
-/// As near to an axis, a scaled coordinate counts as 0: that of a site, and the end of a domain on which it
-/// is.
-double counted(double scaled) { return std::abs(scaled) < least_coordinate ? 0 : scaled; }
-
 bool repeatsX(Periodic periodic) { return periodic == Periodic::x || periodic == Periodic::xy; }
 bool repeatsY(Periodic periodic) { return periodic == Periodic::y || periodic == Periodic::xy; }
 
@@ -53,7 +49,7 @@ class SiteWrapper {
  private:
   bool put(std::size_t i, std::size_t a, double from, double& to, std::uint8_t& outside) const {
     const PeriodicAxis& axis = out_.axis[a];
-    const double scaled = counted(scale_(from));
+    const double scaled = usableCoordinate(scale_(from));
     const bool inside = axis.contains(scaled);
     if (!axis.periodic) {
       to = scaled;
@@ -150,9 +146,9 @@ Result<PeriodicSites> placeSites(const Sites& sites, const Box& domain, Periodic
   }
   const int exponent = scaleExponent(domain);
   const PowerOfTwo scale(exponent);
-  const auto limit = [&](double at) { return counted(scale(at)); };
-  PeriodicSites placed{{PeriodicAxis(limit(domain.xmin), limit(domain.xmax), repeatsX(periodic)),
-                        PeriodicAxis(limit(domain.ymin), limit(domain.ymax), repeatsY(periodic))},
+  const Box box = scaledDomain(domain, exponent);
+  PeriodicSites placed{{PeriodicAxis(box.xmin, box.xmax, repeatsX(periodic)),
+                        PeriodicAxis(box.ymin, box.ymax, repeatsY(periodic))},
                        exponent,
                        {},
                        {}};

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "base/refusal.h"
+#include "core/sites/bin_sort.h"
 
 namespace vorpipe::core {
 namespace {
@@ -21,6 +22,12 @@ int scaleExponent(const Box& domain) {
   int exponent = 0;
   std::frexp(std::max(domain.xmax - domain.xmin, domain.ymax - domain.ymin), &exponent);
   return 1 - exponent;
+}
+
+Box scaledDomain(const Box& domain, int exponent) {
+  const PowerOfTwo scale(exponent);
+  const auto wall = [&](double at) { return usableCoordinate(scale(at)); };
+  return {wall(domain.xmin), wall(domain.ymin), wall(domain.xmax), wall(domain.ymax)};
 }
 
 Result<void> checkDomain(const Box& domain) {

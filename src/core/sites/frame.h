@@ -12,6 +12,15 @@ namespace vorpipe::core {
 
 inline constexpr double farthest_site = 0x1p300;  ///< in domains
 
+/// Scaled coordinates nearer to 0 are 0, those of sites and of the domain's walls: exact decisions multiply
+/// four differences, of which a double could not hold enough. Sites that are one by that would be too near to
+/// each other.
+inline constexpr double least_coordinate = 0x1p-200;
+inline double usableCoordinate(double scaled) { return std::abs(scaled) < least_coordinate ? 0 : scaled; }
+
+/// A domain in scaled units.
+Box scaledDomain(const Box& domain, int exponent);
+
 /// What one pass over sites finds out, in scaled units.
 struct Extent {
   Box box{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),

@@ -53,12 +53,6 @@ Error nearSites(const Sites& sites, std::uint32_t a, std::uint32_t b,
                 std::span<const std::uint32_t> names = {}) {
   if (a > b) std::swap(a, b);
   const auto nameOfSite = [&](std::uint32_t i) { return names.empty() ? i : names[i]; };
-  if (a == b) {
-    return refusal(Subject::domain,
-                   fmt::format("the domain is too narrow: site {} is nearer to its own image than "
-                               "{:.0e} of the domain's longer side",
-                               nameOfSite(a), least_distance));
-  }
   return refusal(
       Subject::sites,
       fmt::format("sites {} and {}: {}, {} and {}, {} are not equal, but nearer to each other than {:.0e} of "
@@ -80,7 +74,7 @@ Result<void> checkNumber(const Sites& sites) {
 void dropTiny(std::vector<double>& coordinates, int threads) {
   parallelFor(coordinates.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end; ++i) {
-      if (std::abs(coordinates[i]) < least_coordinate) coordinates[i] = 0;
+      coordinates[i] = usableCoordinate(coordinates[i]);
     }
   });
 }
@@ -104,7 +98,7 @@ Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads, con
   prepared.exponent = scaleExponent(domain);
   const PowerOfTwo scale(prepared.exponent);
   auto& set = prepared.set;
-  set.domain = {scale(domain.xmin), scale(domain.ymin), scale(domain.xmax), scale(domain.ymax)};
+  set.domain = scaledDomain(domain, prepared.exponent);
   if (callers != nullptr) set.shorter_side = scale(shorterSide(callers->domain));
   set.coverage = {-infinite, -infinite, infinite, infinite};
 

@@ -16,10 +16,6 @@ struct Prepared {
   std::vector<std::uint32_t> owner;
 };
 
-/// Scaled coordinates nearer to 0 are 0: exact decisions multiply four differences, of which a double could
-/// not hold enough. Sites that are one by that would be too near to each other.
-inline constexpr double least_coordinate = 0x1p-200;
-
 /// Errors (input): no sites, more than 2^31 - 1, a coordinate that is not finite or is more than 2^300
 /// domains away, a weight that scaledWeights refuses, a domain without area.
 Result<void> checkSites(const Sites& sites, const Box& domain, int threads);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <limits>
 
 #include "base/parallel.h"
 #include "core/geometry/polygon_measures.h"
@@ -13,9 +15,9 @@ constexpr std::size_t grain = 1024;
 /// A vertex with fewer ties is not wide. A tie counts twice, even where one of its two cells lacks it: which
 /// cells have an edge of nearly no length depends on the backend.
 constexpr std::uint32_t fewest_ties = 6;
-/// How far vertices may be from a cell's corners, relative to its reach, or to the domain's shorter side if
-/// that is less. `--check` allows 1.25 times that. With weights more cells nearly meet in a point, and ties
-/// with sites far away are long.
+/// How far vertices may be from a cell's corners, relative to the corner's distance from its site, or to the
+/// domain's shorter side if that is less. `--check` allows 1.25 times that. With weights more cells nearly
+/// meet in a point, and ties with sites far away are long: then relative to the cell's reach.
 constexpr double wide = 8e-6, wide_with_weights = 8e-5, nearly = 0.5;
 
 class VertexWidths {
@@ -74,23 +76,32 @@ class VertexWidths {
     const auto cell = tied_.cell[k];
     const auto row = proposed_.cells.edges(cell);
     placeCorners(sites_, cell, row, corners);
-    const double reach = std::min(reachOf(cell, row, corners), shorterSide(sites_));
+    const Point site{sites_.x[cell], sites_.y[cell]};
+    const double most = shorterSide(sites_), rounding = roundingAt(site);
+    const double reach = sites_.weight.empty() ? 0 : reachOf(cell, row, corners);
     for (std::size_t e = 0; e < row.size(); ++e) {
       if (!hasMany(first + e)) continue;
       const auto vertex = tied_.vertex[first + e];
-      width_[vertex] =
-          std::max(width_[vertex], lengthOf(wayBetween(tied_.position[vertex], corners[e])) / reach);
+      const double off = lengthOf(wayBetween(tied_.position[vertex], corners[e])) - rounding;
+      const double whole = std::min(std::max(reach, lengthOf(relativeTo(site, corners[e]))), most);
+      if (off > 0) width_[vertex] = std::max(width_[vertex], off / whole);
     }
   }
 
-  /// The distance from a cell's site to its farthest corner; with weights, at least that to its farthest
-  /// neighbor.
+  /// How far rounding may move what lies in the domain or at a site.
+  [[nodiscard]] double roundingAt(Point site) const {
+    constexpr double steps = 16 * std::numeric_limits<double>::epsilon();
+    const Box& domain = sites_.domain;
+    return steps * std::max({std::abs(domain.xmin), std::abs(domain.xmax), std::abs(domain.ymin),
+                             std::abs(domain.ymax), std::abs(site.x), std::abs(site.y)});
+  }
+
+  /// The distance from a cell's site to its farthest corner, or neighbor.
   [[nodiscard]] double reachOf(std::size_t cell, std::span<const std::int32_t> row,
                                const std::vector<AnchoredPoint>& corners) const {
     const Point site{sites_.x[cell], sites_.y[cell]};
     double reach = 0;
     for (const AnchoredPoint& corner : corners) reach = std::max(reach, lengthOf(relativeTo(site, corner)));
-    if (sites_.weight.empty()) return reach;
     for (const auto neighbor : row) {
       if (neighbor < 0) continue;
       const auto j = static_cast<std::size_t>(neighbor);
@@ -99,7 +110,7 @@ class VertexWidths {
     return reach;
   }
 
-  /// The cells around vertices from which a corner is farther than the part `most` of its cell's reach.
+  /// The cells around vertices from which a corner is farther than the part `most`.
   std::vector<std::uint32_t> cellsAt(double most) {
     std::vector<std::uint32_t> cells;
     for (std::size_t v = 0; v < width_.size(); ++v) {
@@ -118,7 +129,7 @@ class VertexWidths {
   const TiedCells& tied_;
   const Fineness& fineness_;
   std::vector<std::uint32_t> ties_;  ///< by vertex: how many, each counted twice
-  std::vector<double> width_;        ///< by vertex: how far its farthest corner is, in reaches of that cell
+  std::vector<double> width_;        ///< by vertex: how far its farthest corner is, relatively
 };
 
 }  // namespace

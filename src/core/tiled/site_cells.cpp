@@ -24,7 +24,7 @@ bool goesOn(const Progress& progress, double fraction) { return !progress || pro
 
 SiteCells::SiteCells(const SitesInPlace& sites, const Box& domain)
     : sites_(sites), exponent_(scaleExponent(domain)), scale_(exponent_) {
-  domain_ = {scale_(domain.xmin), scale_(domain.ymin), scale_(domain.xmax), scale_(domain.ymax)};
+  domain_ = scaledDomain(domain, exponent_);
 }
 
 Result<SiteCells> SiteCells::over(const SitesInPlace& sites, const Box& domain, int threads,

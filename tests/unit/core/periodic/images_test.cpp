@@ -139,8 +139,6 @@ TEST(PeriodicRefusals, NameTheCallersSites) {
             "the weight of site 1 is too large for the domain: 1e+308");
   EXPECT_EQ(refusalOf({{0.5, 0}, {0.5, 0}, {0, NAN}}, Periodic::xy),
             "the weight of site 1 is not finite: nan");
-  EXPECT_THAT(refusalOf({{0.1, 0.5}, {0, 0}, {}}, Periodic::y, {0, 0, 1, 1e-30}),
-              testing::StartsWith("the domain is too narrow: site 0"));
   EXPECT_THAT(refusalOf({{0.1}, {0.1}, {}}, Periodic::y, {0, 1, 1, 0}), testing::StartsWith("the domain "));
 }
 
