@@ -20,9 +20,7 @@ Result<std::array<Point, 2>> placedCorners(const Box& domain, Periodic periodic)
 }
 
 Point SitePlaces::at(std::size_t i) const {
-  // As near to an axis, in scaled units, a coordinate counts as 0.
-  constexpr double least = 0x1p-200;
-  const auto placed = [&](double at) { return std::abs(at * run_.scale) < least ? 0 : at; };
+  const auto placed = [&](double at) { return countedCoordinate(at * run_.scale) == 0 ? 0 : at; };
   Point p{placed(run_.sites.x[i]), placed(run_.sites.y[i])};
   const auto& [low, high] = run_.corners;
   if (run_.repeats_x && p.x == high.x) p.x = low.x;

@@ -107,10 +107,11 @@ std::string wrongRings(const CheckedCells& run, std::size_t i) {
 
 bool isOnWall(const CheckedCells& run, std::int64_t wall, Point p) {
   const Box& box = run.domain;
-  return wall == wall_xmin   ? p.x == box.xmin
-         : wall == wall_xmax ? p.x == box.xmax
-         : wall == wall_ymin ? p.y == box.ymin
-                             : p.y == box.ymax;
+  const double x = countedCoordinate(p.x), y = countedCoordinate(p.y);
+  return wall == wall_xmin   ? x == box.xmin
+         : wall == wall_xmax ? x == box.xmax
+         : wall == wall_ymin ? y == box.ymin
+                             : y == box.ymax;
 }
 
 std::string wrongEdges(const CheckedCells& run, const CheckedOutline& outline, std::size_t i, double reach) {

@@ -38,6 +38,12 @@ inline double beyondBisector(Point d, Point from, double weight_difference, Poin
   return dot(p - from, d) / length(d) - (length(d) + weight_difference / length(d)) / 2;
 }
 
+/// Nearer to an axis a scaled coordinate counts as 0, be it of a site or of a wall.
+inline double countedCoordinate(double scaled) {
+  constexpr double least = 0x1p-200;
+  return std::abs(scaled) < least ? 0 : scaled;
+}
+
 /// The power of two that brings the domain's longer side into [1, 2), so that no square of a length is
 /// out of a double's range.
 inline double scaleOf(const Box& domain) {
@@ -60,7 +66,8 @@ struct CheckedSites {
         repeats_y(periodic == Periodic::y || periodic == Periodic::xy),
         threads(threadCount(thread_count)),
         scale(scaleOf(box)) {
-    domain = {box.xmin * scale, box.ymin * scale, box.xmax * scale, box.ymax * scale};
+    domain = {countedCoordinate(box.xmin * scale), countedCoordinate(box.ymin * scale),
+              countedCoordinate(box.xmax * scale), countedCoordinate(box.ymax * scale)};
     largest = std::max(
         {std::abs(domain.xmin), std::abs(domain.xmax), std::abs(domain.ymin), std::abs(domain.ymax)});
     shorter_side = std::min(domain.xmax - domain.xmin, domain.ymax - domain.ymin);
