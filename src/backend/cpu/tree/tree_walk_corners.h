@@ -183,6 +183,10 @@ bool TreeWalk<Real, Room>::mayMatter(std::size_t corner, const Offset<Real>& d) 
 template <class Real, std::size_t Room>
 bool TreeWalk<Real, Room>::isKnownAround() const {
   const auto& coverage = sites_.coverage;
+  // All sites are known, also around corners so far away that a double does not hold their squares.
+  const bool is_whole = std::isinf(coverage.xmin) && std::isinf(coverage.xmax) && std::isinf(coverage.ymin) &&
+                        std::isinf(coverage.ymax);
+  if (is_whole) return true;
   const auto heaviest = std::max(heaviest_anywhere_, tree_.bounds[1].heaviest);
   const auto heavier = hasWeights() ? -static_cast<double>(weightDifference(heaviest)) : 0.0;
   const auto lift = heavier + box_rounding * std::abs(heavier);

@@ -49,5 +49,11 @@ TEST(Hull, ofSitesOnALineThereIsNone) {
   EXPECT_FALSE(hullOf(Sites{{0, 1, std::nan("")}, {0, 0, 1}, {}}, 0));
 }
 
+TEST(Hull, isRefusedWhereItsMarginIsLostInCoordinatesThatAreTooLarge) {
+  const auto hull = hullOf(Sites{{0, 1e150, 0}, {0, 0, 1e150}, {}}, 1);
+  ASSERT_FALSE(hull);
+  EXPECT_THAT(hull.error().message, testing::HasSubstr("no area in GEOS: scale the sites"));
+}
+
 }  // namespace
 }  // namespace vorpipe::test
