@@ -166,7 +166,7 @@ std::string wrongCell(const CheckedCells& run, std::size_t i, const Slack& slack
   const Diagram& d = run.diagram;
   const Sums sums = sumsOf(run, i);
   const auto edges = static_cast<double>(run.edges(i));
-  if (!(length(sums.gap) <= tie_slack * (sums.perimeter + slack.reach) + edges * slack.rounding)) {
+  if (!(length(sums.gap) <= run.tieSlack() * (sums.perimeter + slack.reach) + edges * slack.rounding)) {
     return fmt::format("is open by {} of its perimeter", length(sums.gap) / sums.perimeter);
   }
   const double perimeter = d.perimeter[i] * run.scale, area = d.area[i] * run.scale * run.scale;

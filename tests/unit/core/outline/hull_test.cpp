@@ -50,7 +50,10 @@ TEST(Hull, ofSitesOnALineThereIsNone) {
 }
 
 TEST(Hull, isRefusedWhereItsMarginIsLostInCoordinatesThatAreTooLarge) {
-  const auto hull = hullOf(Sites{{0, 1e150, 0}, {0, 0, 1e150}, {}}, 1);
+  const auto hull = hullOf(Sites{{9.6e149, 5.7e148, 8.4e149, 6.7e149, 6.1e149, 5.8e149},
+                                 {9.5e149, 8.5e148, 7.4e149, 3.1e149, 6.1e149, 1.6e149},
+                                 {}},
+                           1);
   ASSERT_FALSE(hull);
   EXPECT_THAT(hull.error().message, testing::HasSubstr("no area in GEOS: scale the sites"));
 }
