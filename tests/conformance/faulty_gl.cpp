@@ -14,38 +14,31 @@ constexpr GLenum context_lost = 0x0507;
 FaultyGl* between = nullptr;
 
 // By the specification any command may find no memory or a lost context.
-#define VORPIPE_GL_CALLS(_)                                                                                  \
-  _(glActiveTexture)                                                                                         \
-  _(glAttachShader)                                                                                          \
-  _(glBeginQuery)                                                                                            \
-  _(glBeginTransformFeedback) _(glBindBuffer) _(glBindBufferBase) _(glBindFramebuffer) _(glBindRenderbuffer) \
-      _(glBindTexture) _(glBindVertexArray) _(glBlendFuncSeparate) _(glBlitFramebuffer) _(glBufferData) _(   \
-          glBufferSubData) _(glCheckFramebufferStatus) _(glClearBufferfv) _(glClearBufferuiv)                \
-          _(glCompileShader) _(glCreateProgram) _(glCreateShader) _(glDeleteProgram) _(glDeleteShader) _(    \
-              glDisable) _(glDrawArrays) _(glDrawBuffers) _(glDrawElements) _(glEnable)                      \
-              _(glEnableVertexAttribArray) _(glEndQuery) _(glEndTransformFeedback) _(glFinish) _(            \
-                  glFramebufferRenderbuffer) _(glFramebufferTexture2D) _(glGenBuffers) _(glGenFramebuffers)  \
-                  _(glGenQueries) _(glGenRenderbuffers) _(glGenTextures) _(glGenVertexArrays)                \
-                      _(glGetBufferParameteri64v) _(glGetError) _(glGetIntegerv) _(glGetProgramInfoLog)      \
-                          _(glGetProgramiv) _(glGetQueryObjectuiv) _(glGetShaderInfoLog) _(glGetShaderiv)    \
-                              _(glGetString) _(glGetUniformBlockIndex) _(glGetUniformLocation)               \
-                                  _(glLinkProgram) _(glMapBufferRange) _(glPixelStorei) _(glReadBuffer)      \
-                                      _(glReadPixels) _(glRenderbufferStorage) _(glScissor)                  \
-                                          _(glShaderSource) _(glTexBuffer) _(glTexImage2D)                   \
-                                              _(glTexParameteri) _(glTexParameteriv) _(glTexSubImage2D)      \
-                                                  _(glTransformFeedbackVaryings) _(glUniform1i)              \
-                                                      _(glUniformBlockBinding) _(glUnmapBuffer)              \
-                                                          _(glUseProgram) _(glVertexAttribIPointer)          \
-                                                              _(glVertexAttribPointer) _(glViewport)
-#define VORPIPE_EGL_CALLS(_) \
-  _(eglBindAPI)              \
-  _(eglChooseConfig)         \
-  _(eglCreateContext)        \
-  _(eglDestroyContext) _(eglInitialize) _(eglMakeCurrent) _(eglQueryString) _(eglGetProcAddress)
+// clang-format off
+#define VORPIPE_GL_CALLS(_)                                                                               \
+  _(glActiveTexture) _(glAttachShader) _(glBeginQuery) _(glBeginTransformFeedback) _(glBindBuffer)        \
+  _(glBindBufferBase) _(glBindFramebuffer) _(glBindRenderbuffer) _(glBindTexture) _(glBindVertexArray)    \
+  _(glBlendFuncSeparate) _(glBlitFramebuffer) _(glBufferData) _(glBufferSubData)                          \
+  _(glCheckFramebufferStatus) _(glClearBufferfv) _(glClearBufferuiv) _(glCompileShader)                   \
+  _(glCreateProgram) _(glCreateShader) _(glDeleteProgram) _(glDeleteShader) _(glDisable)                  \
+  _(glDrawArrays) _(glDrawBuffers) _(glDrawElements) _(glEnable) _(glEnableVertexAttribArray)             \
+  _(glEndQuery) _(glEndTransformFeedback) _(glFinish) _(glFramebufferRenderbuffer)                        \
+  _(glFramebufferTexture2D) _(glGenBuffers) _(glGenFramebuffers) _(glGenQueries) _(glGenRenderbuffers)    \
+  _(glGenTextures) _(glGenVertexArrays) _(glGetBufferParameteri64v) _(glGetError) _(glGetIntegerv)        \
+  _(glGetProgramInfoLog) _(glGetProgramiv) _(glGetQueryObjectuiv) _(glGetShaderInfoLog)                   \
+  _(glGetShaderiv) _(glGetString) _(glGetUniformBlockIndex) _(glGetUniformLocation) _(glLinkProgram)      \
+  _(glMapBufferRange) _(glPixelStorei) _(glReadBuffer) _(glReadPixels) _(glRenderbufferStorage)           \
+  _(glScissor) _(glShaderSource) _(glTexBuffer) _(glTexImage2D) _(glTexParameteri) _(glTexParameteriv)    \
+  _(glTexSubImage2D) _(glTransformFeedbackVaryings) _(glUniform1i) _(glUniformBlockBinding)               \
+  _(glUnmapBuffer) _(glUseProgram) _(glVertexAttribIPointer) _(glVertexAttribPointer) _(glViewport)
+#define VORPIPE_EGL_CALLS(_)                                                                              \
+  _(eglBindAPI) _(eglChooseConfig) _(eglCreateContext) _(eglDestroyContext) _(eglInitialize)              \
+  _(eglMakeCurrent) _(eglQueryString) _(eglGetProcAddress)
 // Found by eglGetProcAddress.
-#define VORPIPE_EGL_EXTENSIONS(_)                              \
-  _(eglGetPlatformDisplayEXT, PFNEGLGETPLATFORMDISPLAYEXTPROC) \
+#define VORPIPE_EGL_EXTENSIONS(_)                                                                         \
+  _(eglGetPlatformDisplayEXT, PFNEGLGETPLATFORMDISPLAYEXTPROC)                                            \
   _(eglQueryDevicesEXT, PFNEGLQUERYDEVICESEXTPROC)
+// clang-format on
 
 /// What a function returns when it fails.
 template <class Returned>
