@@ -1,8 +1,12 @@
 #include "faulty_device.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
+#include <iterator>
+#include <span>
 #include <string_view>
+#include <utility>
 
 #include "backend/vulkan/device/instance.h"
 
@@ -11,6 +15,40 @@ namespace {
 
 FaultyDriver* driver = nullptr;
 PFN_vkGetDeviceProcAddr real_device_proc = nullptr;
+
+// The loader's own functions, which volk keeps from its first use on.
+PFN_vkCreateInstance real_create_instance = nullptr;
+PFN_vkEnumerateInstanceExtensionProperties real_instance_extensions = nullptr;
+PFN_vkEnumerateInstanceLayerProperties real_instance_layers = nullptr;
+PFN_vkDestroyInstance real_destroy_instance = nullptr;
+
+VKAPI_ATTR VkResult VKAPI_CALL createInstance(const VkInstanceCreateInfo* info,
+                                              const VkAllocationCallbacks* how, VkInstance* instance) {
+  VkResult result = driver->beforeCall();
+  if (result == VK_SUCCESS) result = real_create_instance(info, how, instance);
+  const std::lock_guard lock(driver->mutex);
+  if (result == VK_SUCCESS) driver->alive++;
+  return result;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL instanceExtensions(const char* layer, std::uint32_t* count,
+                                                  VkExtensionProperties* extensions) {
+  const VkResult result = driver->beforeCall();
+  return result == VK_SUCCESS ? real_instance_extensions(layer, count, extensions) : result;
+}
+
+VKAPI_ATTR VkResult VKAPI_CALL instanceLayers(std::uint32_t* count, VkLayerProperties* layers) {
+  const VkResult result = driver->beforeCall();
+  return result == VK_SUCCESS ? real_instance_layers(count, layers) : result;
+}
+
+VKAPI_ATTR void VKAPI_CALL destroyInstance(VkInstance instance, const VkAllocationCallbacks* how) {
+  if (driver != nullptr) {
+    const std::lock_guard lock(driver->mutex);
+    driver->alive--;
+  }
+  real_destroy_instance(instance, how);
+}
 
 /// Stands in for function number `Which` of a device, of any kind that can fail.
 template <std::size_t Which, class Function>
@@ -44,16 +82,16 @@ struct CreatingCall<Which, VkResult(VKAPI_PTR*)(Args...)> {
 template <std::size_t Which, class Function>
 struct DestroyingCall;
 
-template <std::size_t Which, class Object>
-struct DestroyingCall<Which, void(VKAPI_PTR*)(VkDevice, Object, const VkAllocationCallbacks*)> {
-  static inline void(VKAPI_PTR* real)(VkDevice, Object, const VkAllocationCallbacks*) = nullptr;
-  static VKAPI_ATTR void VKAPI_CALL call(VkDevice device, Object object, const VkAllocationCallbacks* how) {
+template <std::size_t Which, class Owner, class Object>
+struct DestroyingCall<Which, void(VKAPI_PTR*)(Owner, Object, const VkAllocationCallbacks*)> {
+  static inline void(VKAPI_PTR* real)(Owner, Object, const VkAllocationCallbacks*) = nullptr;
+  static VKAPI_ATTR void VKAPI_CALL call(Owner owner, Object object, const VkAllocationCallbacks* how) {
     if (object != Object(VK_NULL_HANDLE)) {
       const std::lock_guard lock(driver->mutex);
       driver->alive--;
       if constexpr (std::is_same_v<Object, VkDeviceMemory>) driver->forgetMemory(object);
     }
-    real(device, object, how);
+    real(owner, object, how);
   }
 };
 
@@ -78,6 +116,7 @@ VKAPI_ATTR void VKAPI_CALL destroyDevice(VkDevice device, const VkAllocationCall
   if (driver != nullptr) {
     const std::lock_guard lock(driver->mutex);
     driver->forgetDevice(device);
+    driver->alive--;
   }
   real_destroy_device(device, how);
 }
@@ -168,17 +207,23 @@ PFN_vkVoidFunction insteadOf(PFN_vkVoidFunction found, Function& real, Function 
 #define VORPIPE_DESTROYING(name) \
   { #name, &instead < DestroyingCall, __LINE__, PFN_##name> }
 
-// Every function by which a backend makes, destroys or does something on a device, but for those above.
-constexpr struct {
+struct Replaced {
   std::string_view name;
   PFN_vkVoidFunction (*instead)(PFN_vkVoidFunction);
-} functions[] = {
+};
+
+// Every function by which a backend makes, destroys or does something on a device, but for those above.
+constexpr Replaced functions[] = {
+    VORPIPE_FAILING(vkAcquireNextImageKHR),
     VORPIPE_FAILING(vkAllocateCommandBuffers),
     VORPIPE_FAILING(vkAllocateDescriptorSets),
     VORPIPE_FAILING(vkBeginCommandBuffer),
     VORPIPE_FAILING(vkBindImageMemory),
+    VORPIPE_FAILING(vkDeviceWaitIdle),
     VORPIPE_FAILING(vkEndCommandBuffer),
     VORPIPE_FAILING(vkGetQueryPoolResults),
+    VORPIPE_FAILING(vkGetSwapchainImagesKHR),
+    VORPIPE_FAILING(vkQueuePresentKHR),
     VORPIPE_FAILING(vkResetCommandPool),
     VORPIPE_FAILING(vkResetFences),
     VORPIPE_MAKING(vkCreateBufferView),
@@ -195,7 +240,10 @@ constexpr struct {
     VORPIPE_MAKING(vkCreatePipelineLayout),
     VORPIPE_MAKING(vkCreateQueryPool),
     VORPIPE_MAKING(vkCreateRenderPass),
+    VORPIPE_MAKING(vkCreateSampler),
+    VORPIPE_MAKING(vkCreateSemaphore),
     VORPIPE_MAKING(vkCreateShaderModule),
+    VORPIPE_MAKING(vkCreateSwapchainKHR),
     VORPIPE_DESTROYING(vkDestroyBuffer),
     VORPIPE_DESTROYING(vkDestroyBufferView),
     VORPIPE_DESTROYING(vkDestroyCommandPool),
@@ -210,8 +258,23 @@ constexpr struct {
     VORPIPE_DESTROYING(vkDestroyPipelineLayout),
     VORPIPE_DESTROYING(vkDestroyQueryPool),
     VORPIPE_DESTROYING(vkDestroyRenderPass),
+    VORPIPE_DESTROYING(vkDestroySampler),
+    VORPIPE_DESTROYING(vkDestroySemaphore),
     VORPIPE_DESTROYING(vkDestroyShaderModule),
+    VORPIPE_DESTROYING(vkDestroySwapchainKHR),
     VORPIPE_DESTROYING(vkFreeMemory),
+};
+
+// The same for an instance.
+constexpr Replaced instance_functions[] = {
+    VORPIPE_FAILING(vkEnumerateDeviceExtensionProperties),
+    VORPIPE_FAILING(vkEnumeratePhysicalDevices),
+    VORPIPE_FAILING(vkGetPhysicalDeviceSurfaceCapabilitiesKHR),
+    VORPIPE_FAILING(vkGetPhysicalDeviceSurfaceFormatsKHR),
+    VORPIPE_FAILING(vkGetPhysicalDeviceSurfaceSupportKHR),
+    VORPIPE_MAKING(vkCreateDebugUtilsMessengerEXT),
+    VORPIPE_MAKING(vkCreateDevice),
+    VORPIPE_DESTROYING(vkDestroyDebugUtilsMessengerEXT),
 };
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL deviceProc(VkDevice device, const char* raw_name) {
@@ -238,9 +301,21 @@ PFN_vkGetInstanceProcAddr real_instance_proc = nullptr;
 
 VKAPI_ATTR PFN_vkVoidFunction VKAPI_CALL instanceProc(VkInstance instance, const char* name) {
   const PFN_vkVoidFunction real = real_instance_proc(instance, name);
-  if (std::string_view(name) != "vkGetDeviceProcAddr" || real == nullptr) return real;
-  real_device_proc = reinterpret_cast<PFN_vkGetDeviceProcAddr>(real);
-  return reinterpret_cast<PFN_vkVoidFunction>(&deviceProc);
+  if (driver == nullptr || real == nullptr) return real;
+  const std::string_view wanted = name;
+  if (wanted == "vkGetDeviceProcAddr") {
+    return insteadOf(real, real_device_proc, PFN_vkGetDeviceProcAddr{&deviceProc});
+  }
+  if (wanted == "vkDestroyInstance") {
+    return insteadOf(real, real_destroy_instance, PFN_vkDestroyInstance{&destroyInstance});
+  }
+  if (wanted == "vkDestroyDevice") {
+    return insteadOf(real, real_destroy_device, PFN_vkDestroyDevice{&destroyDevice});
+  }
+  for (const Replaced& function : instance_functions) {
+    if (function.name == wanted) return function.instead(real);
+  }
+  return real;
 }
 
 }  // namespace
@@ -252,12 +327,61 @@ FaultyDriver::FaultyDriver() {
   real_ = loaded ? vkGetInstanceProcAddr : nullptr;
   real_instance_proc = real_;
   driver = this;
-  if (loaded) vkGetInstanceProcAddr = instanceProc;
+  if (!loaded) return;
+  vkGetInstanceProcAddr = instanceProc;
+  real_create_instance = std::exchange(vkCreateInstance, createInstance);
+  real_instance_extensions = std::exchange(vkEnumerateInstanceExtensionProperties, instanceExtensions);
+  real_instance_layers = std::exchange(vkEnumerateInstanceLayerProperties, instanceLayers);
 }
 
 FaultyDriver::~FaultyDriver() {
-  vkGetInstanceProcAddr = real_;
   driver = nullptr;
+  if (real_ == nullptr) return;
+  vkGetInstanceProcAddr = real_;
+  vkCreateInstance = real_create_instance;
+  vkEnumerateInstanceExtensionProperties = real_instance_extensions;
+  vkEnumerateInstanceLayerProperties = real_instance_layers;
+}
+
+std::set<std::string> FaultyDriver::canFail() {
+  // Those with a function of their own.
+  std::set<std::string> names = {"vkAllocateMemory",
+                                 "vkBindBufferMemory",
+                                 "vkCreateBuffer",
+                                 "vkCreateInstance",
+                                 "vkEnumerateInstanceExtensionProperties",
+                                 "vkEnumerateInstanceLayerProperties",
+                                 "vkMapMemory",
+                                 "vkQueueSubmit",
+                                 "vkWaitForFences"};
+  for (const auto list :
+       {std::span<const Replaced>(functions), std::span<const Replaced>(instance_functions)}) {
+    for (const Replaced& function : list) {
+      if (!function.name.starts_with("vkDestroy") && function.name != "vkFreeMemory")
+        names.emplace(function.name);
+    }
+  }
+  return names;
+}
+
+bool FaultyDriver::cannotFail(std::string_view name) {
+  // What they record fails when recording ends; what they destroy is gone.
+  if (name.starts_with("vkCmd") || name.starts_with("vkDestroy")) return true;
+  // They return nothing; of a name that has no function, the last one says so, which is an error of its own.
+  constexpr std::string_view names[] = {"vkFreeMemory",
+                                        "vkGetBufferMemoryRequirements",
+                                        "vkGetDeviceQueue",
+                                        "vkGetImageMemoryRequirements",
+                                        "vkGetPhysicalDeviceFeatures",
+                                        "vkGetPhysicalDeviceFormatProperties",
+                                        "vkGetPhysicalDeviceMemoryProperties",
+                                        "vkGetPhysicalDeviceMemoryProperties2",
+                                        "vkGetPhysicalDeviceProperties",
+                                        "vkGetPhysicalDeviceProperties2",
+                                        "vkGetPhysicalDeviceQueueFamilyProperties",
+                                        "vkUpdateDescriptorSets",
+                                        "vkGetInstanceProcAddr"};
+  return std::ranges::find(names, name) != std::end(names);
 }
 
 VkResult FaultyDriver::beforeCall() {

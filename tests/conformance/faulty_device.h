@@ -10,6 +10,7 @@
 #include <random>
 #include <set>
 #include <string>
+#include <string_view>
 
 namespace vorpipe::test {
 
@@ -48,6 +49,10 @@ class FaultyDriver {
   int refused = 0;      ///< allocations
   int lied = 0;         ///< buffers
   int alive = 0;        ///< objects that were made and not destroyed
+
+  /// The functions of Vulkan that are made to fail, and whether one cannot.
+  static std::set<std::string> canFail();
+  static bool cannotFail(std::string_view name);
 
   // What the functions in between use.
   VkResult beforeCall();

@@ -6,7 +6,9 @@
 #include <string_view>
 
 #include "backend/vulkan/device/error.h"
+#include "backend/vulkan/vulkan_backend.h"
 #include "backend_scene.h"
+#include "called_functions.h"
 #include "faulty_device.h"
 
 namespace vorpipe::test {
@@ -87,6 +89,35 @@ TEST(VulkanFaults, AreErrorsWhileSitesAreDrawn) { EXPECT_GT(failEveryCall(pictur
 TEST(VulkanFaults, AreErrorsWhileListsAreClipped) { EXPECT_GT(failEveryCall(cells), 30); }
 
 TEST(VulkanFaults, AreErrorsWhileSitesAreClipped) { EXPECT_GT(failEveryCall(cellsOfSites), 30); }
+
+TEST(VulkanFaults, LeaveNoFunctionOut) {
+  auto called = functionsNamed(std::regex("\\bvk[A-Z][A-Za-z0-9]*\\b"), {"backend/vulkan", "view/window"});
+  called.erase("vkCreate");  // the beginning of some
+  const auto failing = FaultyDriver::canFail();
+  for (const std::string& name : called) {
+    EXPECT_TRUE(failing.contains(name) || FaultyDriver::cannotFail(name))
+        << name << " is called and never fails";
+  }
+  for (const std::string& name : failing) EXPECT_TRUE(called.contains(name)) << name << " is not called";
+}
+
+TEST(VulkanFaults, AreReasonsWhereDevicesAreListed) {
+  for (int nth = 1; nth < 100; nth++) {
+    FaultyDriver driver;
+    driver.failing_call = nth;
+    driver.failure = nth % 2 == 0 ? VK_ERROR_OUT_OF_HOST_MEMORY : VK_ERROR_INITIALIZATION_FAILED;
+    const std::vector<DeviceInfo> list = listVulkanDevices({});
+    EXPECT_EQ(driver.alive, 0);
+    ASSERT_GE(list.size(), 2U);
+    if (driver.calls < nth) return;
+    for (const DeviceInfo& device : list) {
+      EXPECT_NE(device.usable, device.reason.find(vulkan::resultName(driver.failure)) != std::string::npos)
+          << nth << ": " << device.reason;
+      EXPECT_EQ(device.reason.find('\n'), std::string::npos);
+    }
+  }
+  ADD_FAILURE() << "no end of calls";
+}
 
 }  // namespace
 }  // namespace vorpipe::test

@@ -3,12 +3,20 @@
 #include <volk.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <optional>
+#include <span>
+#include <string>
 
 #include "backend/vulkan/device/device.h"
 #include "backend/vulkan/device/instance.h"
 #include "backend/vulkan/device/physical.h"
 #include "backend/vulkan/device/structure.h"
+#include "backend/vulkan/kernels/compute_kernels.h"
+#include "backend/vulkan/memory/bindings.h"
 #include "backend/vulkan/memory/buffer.h"
+#include "shaders.h"
 
 namespace vorpipe::vulkan {
 namespace {
@@ -86,6 +94,76 @@ TEST_F(VulkanValidation, ReportsAFeatureThatTheMaskTookAway) {
                   })
                   .has_value());
   EXPECT_TRUE(said("geometryShader"));
+}
+
+// What is asked for by the environment is the same for every program; see docs/testing.md, under drivers.
+class VulkanWatchedShaders : public VulkanValidation {
+ protected:
+  void SetUp() override {
+    if (const char* before = std::getenv(variable)) before_ = before;
+    setenv(variable, "VK_VALIDATION_FEATURE_ENABLE_GPU_ASSISTED_EXT", 1);
+    VulkanValidation::SetUp();
+  }
+  void TearDown() override {
+    if (before_) setenv(variable, before_->c_str(), 1);
+    if (!before_) unsetenv(variable);
+  }
+
+  // Lets arithmetic.comp compute `count` rows where its buffers have room for `bound`. What is beyond, the
+  // layer reports and keeps from the memory.
+  Result<void> compute(std::uint32_t count, std::uint32_t bound) {
+    constexpr std::array<VkDescriptorSetLayoutBinding, 2> used = {{
+        {BINDING_ENTRIES, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr},
+        {BINDING_STATUS, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, 1, VK_SHADER_STAGE_COMPUTE_BIT, nullptr},
+    }};
+    Buffer sent({"operands", VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Placement::upload});
+    Buffer answered({"results", VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Placement::download});
+    VORPIPE_TRY(sent.reserve(*device_, bound * sizeof(Operands), bound * sizeof(Operands)));
+    VORPIPE_TRY(answered.reserve(*device_, bound * sizeof(Computed), bound * sizeof(Computed)));
+    std::ranges::fill(std::span(sent.data(), bound * sizeof(Operands)), std::byte{0});
+    auto bindings = Bindings::create(*device_, used, sizeof(Slice));
+    if (!bindings) return tl::unexpected(std::move(bindings).error());
+    bindings->setStorage(*device_, BINDING_ENTRIES, sent.get(), bound * sizeof(Operands));
+    bindings->setStorage(*device_, BINDING_STATUS, answered.get(), bound * sizeof(Computed));
+    auto kernels = ComputeKernels::create(*device_);
+    if (!kernels) return tl::unexpected(std::move(kernels).error());
+    const auto kernel = kernels->kernel(*device_, bindings->layout(), shaders::arithmetic());
+    if (!kernel) return tl::unexpected(kernel.error());
+    return device_->run([&](VkCommandBuffer commands) {
+      dispatch(*device_, commands, *kernel, *bindings, {0, count}, count);
+    });
+  }
+
+ private:
+  static constexpr const char* variable = "VK_LAYER_ENABLES";
+  std::optional<std::string> before_;
+};
+
+TEST_F(VulkanWatchedShaders, AreSilentWhenNothingIsWrong) {
+  ASSERT_TRUE(compute(8, 8).has_value());
+  EXPECT_EQ(instance_->messages().take(), std::vector<std::string>());
+}
+
+TEST_F(VulkanWatchedShaders, ReportAnAccessBeyondABuffer) {
+  ASSERT_TRUE(compute(8, 4).has_value());
+  EXPECT_TRUE(said("access out of bounds"));
+}
+
+// Else that reading before writing would show were an empty promise.
+TEST(VulkanMemory, HasAPatternWhereItWasNotWritten) {
+  const char* const asked = std::getenv("LVP_POISON_MEMORY");
+  if (asked == nullptr || std::string_view(asked) != "1") GTEST_SKIP() << "LVP_POISON_MEMORY is not 1";
+  const Result<Instance> instance = Instance::open(false);
+  ASSERT_TRUE(instance.has_value());
+  const auto devices = enumerate(*instance, {});
+  ASSERT_TRUE(devices.has_value());
+  if (devices->front().info.name.find("llvmpipe") == std::string::npos) GTEST_SKIP() << "not lavapipe";
+  const Result<Device> device = Device::open(devices->front());
+  ASSERT_TRUE(device.has_value());
+  constexpr std::size_t bytes = std::size_t{1} << 20;
+  Buffer buffer({"a buffer", VK_BUFFER_USAGE_STORAGE_BUFFER_BIT, Placement::download});
+  ASSERT_TRUE(buffer.reserve(*device, bytes, bytes).has_value());
+  EXPECT_EQ(std::ranges::count(std::span(buffer.data(), bytes), std::byte{0x80}), bytes);
 }
 
 }  // namespace

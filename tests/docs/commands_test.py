@@ -23,11 +23,19 @@ PAGES += sorted(str(page.relative_to(ROOT)) for page in (ROOT / 'docs').glob('*.
 # Commands that cannot run here, with the reason. Each must stand in a document.
 BUILDS = 'it builds, or runs what only another preset or target builds'
 SELFTEST = 'it takes long on software drivers; the test cli_selftest runs the like of it'
+DRIVERS = 'it takes minutes; the tests vulkan and conformance are what it runs'
 WINDOW = 'it opens a window; the test view plays the like of it'
 NOT_RUN = {
     'python3 tests/faults/campaign.py build/dev/src/cli/vorpipe --moments 200': 'it takes an hour; the test faults does',
     'python3 tests/faults/memory.py build/dev/src/cli/vorpipe build/dev/tests/faults/librefusals.so --moments 200':
         'it takes an hour; the test refused_memory does',
+    "LVP_POISON_MEMORY=0 VORPIPE_VALIDATION=1 build/dev/tests/conformance/conformance_test --gtest_filter='*vulkan*'":
+        DRIVERS,
+    "LVP_POISON_MEMORY=1 VORPIPE_VALIDATION=1 build/dev/tests/conformance/conformance_test --gtest_filter='*vulkan*'":
+        DRIVERS,
+    'VORPIPE_VALIDATION=1 VK_LAYER_ENABLES=VK_VALIDATION_FEATURE_ENABLE_GPU_ASSISTED_EXT \\\n'
+    '  build/dev/tests/conformance/conformance_test '
+    "--gtest_filter='Backends/Cells*/vulkan*:Backends/Metamorphic.*/vulkan*:Backends/Views.*/vulkan*'": DRIVERS,
     './test': 'it is what runs this',
     './test -R conformance': 'it is what runs this',
     'VORPIPE_TEST_DATA=~/sites ./test -R real': 'it is what runs this',

@@ -46,16 +46,20 @@ bool hasExtension(const char* layer, const char* name) {
   });
 }
 
-bool hasValidationLayer() {
+Result<void> findValidationLayer() {
   std::uint32_t count = 0;
-  if (vkEnumerateInstanceLayerProperties(&count, nullptr) != VK_SUCCESS) return false;
+  VORPIPE_TRY(
+      check(vkEnumerateInstanceLayerProperties(&count, nullptr), "vkEnumerateInstanceLayerProperties"));
   std::vector<VkLayerProperties> layers(count);
   const VkResult result = vkEnumerateInstanceLayerProperties(&count, layers.data());
-  if (result != VK_SUCCESS && result != VK_INCOMPLETE) return false;
+  if (result != VK_INCOMPLETE) VORPIPE_TRY(check(result, "vkEnumerateInstanceLayerProperties"));
   layers.resize(count);
-  return std::ranges::any_of(layers, [](const VkLayerProperties& layer) {
+  const bool found = std::ranges::any_of(layers, [](const VkLayerProperties& layer) {
     return std::strcmp(layer.layerName, validation_layer) == 0;
   });
+  if (found) return {};
+  return deviceError(std::string("the Vulkan layer ") + validation_layer +
+                     " is not installed: install vulkan-validationlayers (Debian/Ubuntu)");
 }
 
 VKAPI_ATTR VkBool32 VKAPI_CALL keepMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,
@@ -131,10 +135,7 @@ std::vector<std::string> MessageLog::take() {
 
 Result<Instance> Instance::open(bool validation, std::span<const char* const> extensions) {
   VORPIPE_TRY(loadVulkan());
-  if (validation && !hasValidationLayer()) {
-    return deviceError(std::string("the Vulkan layer ") + validation_layer +
-                       " is not installed: install vulkan-validationlayers (Debian/Ubuntu)");
-  }
+  if (validation) VORPIPE_TRY(findValidationLayer());
   Instance opened;
   Result<VkInstance> instance = createInstance(validation, extensions, *opened.log_);
   if (!instance) return tl::unexpected(std::move(instance).error());
