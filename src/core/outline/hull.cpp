@@ -40,8 +40,8 @@ Result<Outline> makeHull(const Sites& sites, double margin) {
   Outline outline;
   if (!hull || !core::addPolygons(geos, hull.get(), outline)) return failed();
   if (outline.empty()) {
-    return refuse(fmt::format("the hull of the sites with a margin of {} has no area in GEOS: scale the sites",
-                              margin));
+    return refuse(fmt::format(
+        "the hull of the sites with a margin of {} has no area in GEOS: scale the sites", margin));
   }
   return outline;
 }
