@@ -6,6 +6,8 @@
 
 #include <map>
 
+#include "base/handover.h"
+
 namespace vorpipe {
 namespace {
 
@@ -21,7 +23,11 @@ tbb::task_arena& arenaOf(int threads) {
 void parallelFor(std::size_t count, std::size_t grain, int threads,
                  const std::function<void(std::size_t begin, std::size_t end)>& body) {
   const std::size_t ranges = (count + grain - 1) / grain;
-  const auto call = [&](std::size_t range) { body(range * grain, std::min(count, (range + 1) * grain)); };
+  Handover handover;
+  const auto call = [&](std::size_t range) {
+    const Handover::Range is_computed(handover);
+    body(range * grain, std::min(count, (range + 1) * grain));
+  };
   const auto running = std::min(static_cast<std::size_t>(threadCount(threads)), ranges);
   if (running <= 1) {
     for (std::size_t range = 0; range < ranges; ++range) call(range);
