@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <new>
+#include <optional>
 
 #include "core/check/outline.h"
 #include "vorpipe.h"
@@ -85,9 +86,14 @@ bool mayBeOutside(const CheckedSites& run, const CheckedOutline& outline, Point 
   return side == Side::edge || (side == Side::outside) == outside;
 }
 
+/// A pixel on the outline may go to a site on its other side, which then may have no cell.
+bool isOnOutline(const CheckedSites& run, const std::optional<CheckedOutline>& outline, Point center) {
+  return outline && mayBeOutside(run, *outline, center, true) && mayBeOutside(run, *outline, center, false);
+}
+
 /// Pixels outside an outline have no site; of larger pictures those that are sampled.
-void checkOutside(const CheckedSites& run, const Pixels& pixels, Broken& broken) {
-  const CheckedOutline outline(run);
+void checkOutside(const CheckedSites& run, const CheckedOutline& outline, const Pixels& pixels,
+                  Broken& broken) {
   const Image& image = pixels.image;
   broken.expect("pixels", image.ids.size(), run.threads, [&](std::size_t pixel) -> std::string {
     const bool outside = image.ids[pixel] == no_site;
@@ -100,12 +106,15 @@ void checkOutside(const CheckedSites& run, const Pixels& pixels, Broken& broken)
 
 bool checkCovered(const CheckedSites& run, const Pixels& pixels, const Rendering& rendering, Broken& broken) {
   const Image& image = rendering.image;
-  if (run.outline != nullptr) checkOutside(run, pixels, broken);
+  std::optional<CheckedOutline> outline;
+  if (run.outline != nullptr) checkOutside(run, outline.emplace(run), pixels, broken);
   return broken.expect("pixels", image.ids.size(), run.threads, [&](std::size_t pixel) -> std::string {
     const std::uint32_t id = image.ids[pixel];
     const bool inside = pixels.showsDomain(pixel);
     if (inside && id < run.size() && rendering.status[id] == Status::ok) return {};
     if (id == no_site && (run.outline != nullptr || !inside)) return {};
+    const bool hidden = inside && id < run.size() && rendering.status[id] == Status::empty;
+    if (hidden && isOnOutline(run, outline, pixels.centerOf(pixel))) return {};
     if (!inside) {
       return fmt::format("row {}, column {} lies beside the domain, and belongs to site {}",
                          pixels.row(pixel), pixels.column(pixel), id);
