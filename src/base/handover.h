@@ -11,7 +11,7 @@ namespace vorpipe {
 /// oneTBB hands it over in code that is not compiled for the sanitizer, which would take all that a loop
 /// reads and writes for races. It is told this much and no more: what was done before the loop precedes each
 /// range, and each range precedes what is done after the loop, or where it threw. Between two ranges there is
-/// no order, so that races between them are found. Without the sanitizer nothing is left of it.
+/// no order, so that races between them are found. In builds without the sanitizer it does nothing.
 class Handover {
  public:
 #if defined(VORPIPE_TELLS_TSAN)

@@ -138,6 +138,17 @@ std::string wrongMoments(const CheckedCells& run, std::size_t i, const Sums& sum
   return {};
 }
 
+/// How far edges that lie in the lines of their neighbors, each as long as it is written, may be from
+/// closing: by as much as ties have turned them. Without weights that is within what each vertex is held to.
+double turnedByTies(const CheckedCells& run, std::size_t i) {
+  double turned = 0;
+  for (std::size_t e = run.begin(i); e < run.end(i) && run.weighted; ++e) {
+    const Point a = run.vertex(e), b = run.vertex(run.next(i, e));
+    turned += std::abs(beyondEdge(run, i, e, b) - beyondEdge(run, i, e, a));
+  }
+  return turned;
+}
+
 /// By how much the area of a cell before ties join vertices, which is what is written, may differ from what
 /// the vertices enclose. Each edge in truth lies in its line, which its vertices may be off; and around each
 /// vertex a place as wide as ties may belong to any of the cells that meet there.
@@ -166,7 +177,8 @@ std::string wrongCell(const CheckedCells& run, std::size_t i, const Slack& slack
   const Diagram& d = run.diagram;
   const Sums sums = sumsOf(run, i);
   const auto edges = static_cast<double>(run.edges(i));
-  if (!(length(sums.gap) <= run.tieSlack() * (sums.perimeter + slack.reach) + edges * slack.rounding)) {
+  const double open = length(sums.gap) - turnedByTies(run, i);
+  if (!(open <= tie_slack * (sums.perimeter + slack.reach) + edges * slack.rounding)) {
     return fmt::format("is open by {} of its perimeter", length(sums.gap) / sums.perimeter);
   }
   const double perimeter = d.perimeter[i] * run.scale, area = d.area[i] * run.scale * run.scale;

@@ -102,9 +102,10 @@ struct CheckedSites {
     base = {along(domain.xmin, domain.xmax), along(domain.ymin, domain.ymax)};
     domain = {domain.xmin - base.x, domain.ymin - base.y, domain.xmax - base.x, domain.ymax - base.y};
   }
-  [[nodiscard]] double tieSlack() const { return weighted ? weighted_tie_slack : tie_slack; }
   /// How far ties may move a vertex of a cell of this reach.
-  [[nodiscard]] double ties(double reach) const { return tieSlack() * std::min(reach, shorter_side); }
+  [[nodiscard]] double ties(double reach) const {
+    return (weighted ? weighted_tie_slack : tie_slack) * std::min(reach, shorter_side);
+  }
   [[nodiscard]] bool repeats() const { return repeats_x || repeats_y; }
   /// Whether cells may reach so far that ties are as long as a period.
   [[nodiscard]] bool mayBeNarrow() const { return shortestPeriod() < 100 * tie_slack; }
