@@ -82,11 +82,11 @@ void fuzzIds(std::string_view bytes) {
 }
 
 void fuzzCheckpoint(std::string_view bytes) {
-  constexpr std::size_t most_sites = 16;
+  constexpr std::size_t most_fluid_sites = 16;
   const std::string& path = fileOf("npz", bytes);
   auto setup = readFluid(path);
   if (!setup) return requireTold(setup.error(), path);
-  if (setup->state.sites.size() > most_sites) return;
+  if (setup->state.sites.size() > most_fluid_sites) return;
   setup->options.diagrams = std::min<std::uint64_t>(setup->options.diagrams, 4);
   const auto fluid = Fluid::begin(session(), setup->state, setup->options);
   if (!fluid) return requireTold(fluid.error(), "");

@@ -17,7 +17,10 @@ tl::unexpected<Error> deviceError(std::string message);
 /// "FILE: what: REASON", REASON being the system's word for the errno `code`.
 tl::unexpected<Error> systemError(ErrorCode kind, std::string_view file, std::string_view what, int code);
 
-/// `text` in double quotes for a message: one line, bytes that do not print as \xNN, cut after 40 bytes.
+/// `text` for a message: one line, bytes that do not print as \xNN, cut after 40 bytes.
+std::string printable(std::string_view text);
+
+/// The same in double quotes.
 std::string quoted(std::string_view text);
 
 }  // namespace vorpipe

@@ -67,9 +67,12 @@ bool mayHavePoints(const Listed& layer) {
 }
 
 std::string listed(std::span<const Listed> layers) {
+  constexpr std::size_t most = 20;
   std::vector<std::string> names;
-  names.reserve(layers.size());
-  for (const Listed& layer : layers) names.push_back(fmt::format("{} ({})", layer.name, layer.geometry_type));
+  for (const Listed& layer : layers.first(std::min(most, layers.size()))) {
+    names.push_back(fmt::format("{} ({})", printable(layer.name), printable(layer.geometry_type)));
+  }
+  if (layers.size() > most) names.push_back(fmt::format("and {} more", layers.size() - most));
   return fmt::format("{}", fmt::join(names, ", "));
 }
 

@@ -73,7 +73,7 @@ class CsvSites {
   }
 
   [[nodiscard]] tl::unexpected<Error> wrong(std::size_t column, std::string_view what) const {
-    return csv_.errorAt(column, fmt::format("{} (column {})", what, names_[column]));
+    return csv_.errorAt(column, fmt::format("{} (column {})", what, printable(names_[column])));
   }
 
   Result<double> number(std::size_t column) {

@@ -31,7 +31,7 @@ class GeoPackageSites {
       if (!*more) return finish();
       if (const auto problem = addRow()) {
         return inputError(
-            fmt::format("{}: layer {}, row {}: {}", table_.name(), layer_.name(), row, *problem));
+            fmt::format("{}: layer {}, row {}: {}", table_.name(), printable(layer_.name()), row, *problem));
       }
     }
   }
@@ -43,7 +43,8 @@ class GeoPackageSites {
       const auto kind = weightNamed(columns[k].name, false);
       if (kind && weight_) {
         return inputError(fmt::format("{}: layer {} has both {} and {}; keep one", table_.name(),
-                                      layer_.name(), columns[*weight_].name, columns[k].name));
+                                      printable(layer_.name()), printable(columns[*weight_].name),
+                                      printable(columns[k].name)));
       }
       if (kind) {
         weight_ = k;
@@ -74,8 +75,8 @@ class GeoPackageSites {
     if (weight_) {
       const auto value = layer_.value(*weight_);
       if (!value) {
-        return table_.addMissing(
-            fmt::format("its {} is null; --missing skip leaves such out", layer_.columns()[*weight_].name));
+        return table_.addMissing(fmt::format("its {} is null; --missing skip leaves such out",
+                                             printable(layer_.columns()[*weight_].name)));
       }
       const auto number = parseNumber(value->second);
       if (!number) return number.error();

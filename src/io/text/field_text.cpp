@@ -18,9 +18,10 @@ bool isPlain(char c) {
 
 bool isBlank(char c) { return c == ' ' || c == '\t'; }
 
+/// Readers may take for the separator what the header has most of, outside of quotes: all that may be one.
 bool needsQuotes(std::string_view field) {
   return field.empty() || isBlank(field.front()) || isBlank(field.back()) ||
-         field.find_first_of("\",\r\n") != std::string_view::npos;
+         field.find_first_of("\",;\t\r\n") != std::string_view::npos;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/cells/cell_attributes.h"
+#include "io/sites/sites_file.h"
 #include "unit/io/cells/cells_fixture.h"
 
 namespace vorpipe::test {
@@ -73,6 +74,24 @@ TEST_F(CellsWithAttributes, InCsvFollowRecordsQuotedWhereTheyMust) {
             HasSubstr("2,0.25,0.5,0,duplicate,0,0,0.25,0.5,0,,,,2,,,\"y \"\n"),
             HasSubstr(",\"two\nlines\",0,,true,\"\"\"t\"\"\",\x01\n"),
             EndsWith(",K\xC3\xB6ln,5,-0.5,true,7,\xFF!\n")));
+}
+
+TEST_F(CellsWithAttributes, AreReadBackFromCsvWhateverTheyAreNamed) {
+  const std::vector<std::string> names{";;;;;;;;;;;;;;;;", "\t\t\t\t\t\t\t\t\t\t\t\t\t\t\t\t", "a\nb", "|"};
+  std::vector<Attribute> attributes;
+  for (const auto& name : names) attributes.push_back(attribute(name, AttributeType::text, Values(5, "1;2")));
+  MemorySink sink("c.csv");
+  ASSERT_TRUE(writeCells(sink, {someSites(), someCells(), attributes}, **cellsFormatOf("c.csv")));
+  ReadOptions options;
+  options.columns = {"x", "y"};
+  const auto table = readSites(write("c.csv", sink.take()), options);
+  ASSERT_TRUE(table) << table.error().message;
+  EXPECT_EQ(table->sites.x, someSites().x);
+  std::vector<std::string> read;
+  for (const Attribute& one : table->attributes) {
+    if (one.at(0) == "1;2") read.push_back(one.name());
+  }
+  EXPECT_EQ(read, names);
 }
 
 TEST_F(CellsWithAttributes, InGeoJsonKeepTheirTypes) {

@@ -36,6 +36,11 @@ TEST_F(SiteTables, areSeparatedByWhatTheFirstLineHas) {
   EXPECT_THAT(bad("a.tsv", "x,y\n1,2\n"), HasSubstr("1:1: the header \"x,y\" names no column \"x\""));
 }
 
+TEST_F(SiteTables, refuseARowInOneLineWhateverItsColumnIsNamed) {
+  EXPECT_EQ(bad("a.csv", "\"x\n1\",y\na,1\n", columns({"1", "2"})),
+            "3:1: \"a\" is not a number (column x\\x0a1)");
+}
+
 TEST_F(SiteTables, withDecimalCommasAreNotGuessedAt) {
   EXPECT_EQ(bad("a.csv", "x;y\n1.234,5;2\n"),
             "2:1: \"1.234,5\" has a comma and a point: only one can be before a fraction (column x)");

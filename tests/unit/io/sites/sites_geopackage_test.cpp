@@ -108,6 +108,8 @@ TEST_F(GeoPackage, oneOfSeveralLayersIsChosen) {
   options.layer = "c";
   EXPECT_EQ(refusal(points + polygons, options), " layer c, row 1: a Polygon where a Point is needed");
   EXPECT_EQ(refusal(polygons), " has no layer of points; it has c (POLYGON)");
+  EXPECT_EQ(refusal("layer('c\\n', 'POLYGON\\n', 0, '', [])\n"),
+            " has no layer of points; it has c\\x0a (POLYGON\\x0a)");
   EXPECT_EQ(refusal(""), " has no layers of features");
 }
 
