@@ -53,7 +53,8 @@ struct SiteSet {
   Box domain{};                   ///< what cells are clipped to
   /// The shorter side of a periodic domain, around which `domain` has a band of images.
   double shorter_side = std::numeric_limits<double>::infinity();
-  Box coverage{};  ///< every site in here is in the set; unbounded but for a tile
+  bool has_images = false;  ///< of the sites of a periodic domain
+  Box coverage{};           ///< every site in here is in the set; unbounded but for a tile
   /// At most most_heavy sites, the heaviest first, so much heavier than the others that every cell is cut by
   /// them first: they would make the search of many cells wide. A tile has all of them; those that are
   /// elsewhere stand behind its bins.

@@ -42,6 +42,9 @@ void requireWhole(const SiteTable& table) {
   }
 }
 
+/// Of GeoJSON, more properties than this are written and not read (docs/formats.md).
+constexpr std::size_t most_properties = 2000;
+
 /// What is written of sites is read again as the same sites, with as many attributes.
 void requireReadBack(const SiteTable& table) {
   for (const std::string_view format : {"csv", "geojson"}) {
@@ -54,6 +57,10 @@ void requireReadBack(const SiteTable& table) {
     options.format = format;
     const std::string& path = fileOf("again", text.bytes());
     const auto again = readSites(path, options);
+    if (format == "geojson" && table.attributes.size() >= most_properties) {
+      if (!again) requireTold(again.error(), path);
+      continue;
+    }
     require(again.has_value(), "what was written is read: " + (again ? "" : again.error().message));
     require(again->sites.x == table.sites.x && again->sites.y == table.sites.y, "sites come back the same");
   }

@@ -99,7 +99,8 @@ Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads, con
   const PowerOfTwo scale(prepared.exponent);
   auto& set = prepared.set;
   set.domain = scaledDomain(domain, prepared.exponent);
-  if (callers != nullptr) set.shorter_side = scale(shorterSide(callers->domain));
+  set.has_images = callers != nullptr;
+  if (set.has_images) set.shorter_side = scale(shorterSide(callers->domain));
   set.coverage = {-infinite, -infinite, infinite, infinite};
 
   const auto near = surroundings(set.domain);

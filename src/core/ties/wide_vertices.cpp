@@ -14,11 +14,14 @@ namespace {
 constexpr std::size_t grain = 1024;
 /// A vertex with fewer ties is not wide. A tie counts twice, even where one of its two cells lacks it: which
 /// cells have an edge of nearly no length depends on the backend.
-constexpr std::uint32_t fewest_ties = 6;
+constexpr std::uint32_t fewest_ties = 6, fewest_with_images = 4;
 /// How far vertices may be from a cell's corners, relative to the corner's distance from its site, or to the
 /// domain's shorter side if that is less. `--check` allows 1.25 times that. With weights more cells nearly
 /// meet in a point, and ties with sites far away are long: then relative to the cell's reach.
 constexpr double wide = 8e-6, wide_with_weights = 8e-5, nearly = 0.5;
+/// In a periodic domain a vertex may have four copies, and ties that join others of its corners in each. The
+/// copies become one (seam.h): up to seven times as far from a corner as each of them alone.
+constexpr double part_with_images = 0.125;
 
 class VertexWidths {
  public:
@@ -27,6 +30,7 @@ class VertexWidths {
         sites_(proposed.sites),
         tied_(tied),
         fineness_(fineness),
+        fewest_(sites_.has_images ? fewest_with_images : fewest_ties),
         ties_(tied.position.size()) {}
 
   WideVertices run() {
@@ -40,11 +44,12 @@ class VertexWidths {
         std::atomic_ref(ties_[tied_.vertex[c]]).fetch_add(ties, std::memory_order_relaxed);
       }
     });
-    if (std::ranges::none_of(ties_, [](std::uint32_t ties) { return ties >= fewest_ties; })) return {};
+    if (std::ranges::none_of(ties_, [&](std::uint32_t ties) { return ties >= fewest_; })) return {};
     width_.assign(ties_.size(), 0);
     std::vector<AnchoredPoint> corners;
     for (std::size_t k = 0; k < tied_.cell.size(); ++k) measure(k, corners);
-    const double most = sites_.weight.empty() ? wide : wide_with_weights;
+    const double most =
+        (sites_.weight.empty() ? wide : wide_with_weights) * (sites_.has_images ? part_with_images : 1);
     return {cellsAt(nearly * most), cellsAt(most)};
   }
 
@@ -64,9 +69,7 @@ class VertexWidths {
     return back == EdgeIndex::none;
   }
 
-  [[nodiscard]] bool hasMany(std::uint64_t corner) const {
-    return ties_[tied_.vertex[corner]] >= fewest_ties;
-  }
+  [[nodiscard]] bool hasMany(std::uint64_t corner) const { return ties_[tied_.vertex[corner]] >= fewest_; }
 
   void measure(std::size_t k, std::vector<AnchoredPoint>& corners) {
     const auto first = tied_.offsets[k], count = tied_.offsets[k + 1] - first;
@@ -128,6 +131,7 @@ class VertexWidths {
   const SiteSet& sites_;
   const TiedCells& tied_;
   const Fineness& fineness_;
+  std::uint32_t fewest_;             ///< ties of a vertex that may be wide
   std::vector<std::uint32_t> ties_;  ///< by vertex: how many, each counted twice
   std::vector<double> width_;        ///< by vertex: how far its farthest corner is, relatively
 };

@@ -43,6 +43,7 @@ SiteSet cutOut(const SiteSet& sites, const BinBlock& block, std::vector<std::uin
   SiteSet set;
   set.domain = sites.domain;
   set.shorter_side = sites.shorter_side;
+  set.has_images = sites.has_images;
   const auto& coverage = sites.coverage;
   set.coverage = {block.west == 0 ? coverage.xmin : x(block.west),
                   block.south == 0 ? coverage.ymin : y(block.south),

@@ -54,6 +54,7 @@ RefinedRegion refine(const SiteSet& sites, const CrowdedRegion& region, int thre
   RefinedRegion refined;
   refined.sites.domain = sites.domain;
   refined.sites.shorter_side = sites.shorter_side;
+  refined.sites.has_images = sites.has_images;
   refined.sites.coverage = tile.coverage;
   refined.sites.grid = gridOver(sites, region.own);
   std::vector<std::uint32_t> owner;
