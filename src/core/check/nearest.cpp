@@ -1,23 +1,16 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <optional>
-#include <random>
 
 #include "core/check/checks.h"
+#include "core/check/places.h"
 
 namespace vorpipe::core::checks {
 namespace {
 
 constexpr std::size_t sampled_cells = 10'000;
-constexpr std::size_t sampled_places = 20'000;
 /// Of a cell; few have more.
 constexpr std::size_t most_vertices = 16;
-
-using Random = std::mt19937_64;
-
-/// A number of [0, 1), the same on every platform.
-double fraction(Random& random) { return std::ldexp(static_cast<double>(random() >> 11), -53); }
 
 /// Cells with an area, each at most once: all, or `sampled_cells` of them.
 std::vector<std::uint32_t> sampleCells(const CheckedCells& run, Random& random) {
@@ -58,20 +51,6 @@ std::string wrongCell(const CheckedCells& run, const NearestSite& nearest, std::
   return wrong;
 }
 
-/// From p to the nearest point of the way from a to b.
-double distance(Point p, Point a, Point b) {
-  const Point edge = b - a, to = p - a;
-  const double square = dot(edge, edge);
-  const double along = square > 0 ? std::clamp(dot(to, edge) / square, 0.0, 1.0) : 0;
-  return length(to - Point{along * edge.x, along * edge.y});
-}
-
-/// Whether the way from a to b crosses the ray from p to the right.
-bool crossesRay(Point p, Point a, Point b) {
-  if ((a.y > p.y) == (b.y > p.y)) return false;
-  return (cross(b - a, p - a) > 0) == (b.y > a.y);
-}
-
 /// How far p lies from the polygon of site i; 0 inside. A short edge may point anywhere, so that the side of
 /// its line on which p lies says nothing.
 double distanceFromCell(const CheckedCells& run, std::size_t i, Point p) {
@@ -109,12 +88,7 @@ void checkNearest(const CheckedCells& run, const NearestSite& nearest, Broken& b
   broken.expect("nearest sites", cells.size(), run.threads,
                 [&](std::size_t k) { return wrongCell(run, nearest, cells[k]); });
   if (run.detail == Detail::measures) return;
-  std::vector<Point> places(sampled_places);
-  const Box& box = run.domain;
-  for (Point& p : places) {
-    p = {box.xmin + fraction(random) * (box.xmax - box.xmin),
-         box.ymin + fraction(random) * (box.ymax - box.ymin)};
-  }
+  const std::vector<Point> places = samplePlaces(run, random);
   broken.expect("nearest sites", places.size(), run.threads, [&](std::size_t k) -> std::string {
     const Point p = places[k];
     const auto near = nearestImages(run, nearest, p);

@@ -3,25 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <random>
+
+#include "core/check/places.h"
 
 namespace vorpipe::core::checks {
 namespace {
-
-constexpr std::size_t sampled_places = 20'000;
-
-/// Whether the way from a to b crosses the ray from p to the right.
-bool crossesRay(Point p, Point a, Point b) {
-  if ((a.y > p.y) == (b.y > p.y)) return false;
-  return (cross(b - a, p - a) > 0) == (b.y > a.y);
-}
-
-double distance(Point p, Point a, Point b) {
-  const Point edge = b - a, to = p - a;
-  const double square = dot(edge, edge);
-  const double along = square > 0 ? std::clamp(dot(to, edge) / square, 0.0, 1.0) : 0;
-  return length(to - Point{along * edge.x, along * edge.y});
-}
 
 /// The part of a ring on one side of a line x = at or y = at (Sutherland and Hodgman 1974); parts that lie
 /// apart are joined along the line, which does not change the area.
@@ -288,14 +274,8 @@ void checkClipped(const CheckedCells& run, const CheckedOutline& outline, const 
     return wrong.empty() || !isCut(run, i) ? wrong : wrongEdges(run, outline, i, run.shorter_side);
   });
   each("neighbors", [&](std::size_t i) { return wrongTwin(run, i); });
-  std::mt19937_64 random(1);
-  const auto fraction = [&] { return std::ldexp(static_cast<double>(random() >> 11), -53); };
-  std::vector<Point> places(sampled_places);
-  const Box& box = run.domain;
-  for (Point& p : places) {
-    p.x = box.xmin + fraction() * (box.xmax - box.xmin);
-    p.y = box.ymin + fraction() * (box.ymax - box.ymin);
-  }
+  Random random(1);
+  const std::vector<Point> places = samplePlaces(run, random);
   broken.expect("nearest sites", places.size(), run.threads,
                 [&](std::size_t k) { return wrongPlace(run, outline, nearest, places[k]); });
 }
