@@ -37,6 +37,9 @@ tr -d ' \n' <out/s.json | grep -qF '"center":[12.6,41.84],"unit":"km"' || fail "
 cmp -s <(awk -F, 'NR > 1 && $2 < 180 { print $2 "," $3 }' out/s.csv) <(awk -F, 'NR > 1 && $1 > -167.4' "$navaids") ||
   fail "the sites are others"
 awk -F, 'NR > 1 && $5 == "ok" && ($8 < 6 || $8 > 19 || $9 < 35 || $9 > 48) { exit 1 }' out/s.csv || fail "a centroid is elsewhere"
+# 2 pi R^2 (1 - sin b), with R the authalic radius and b the authalic latitude of 60 degrees.
+notes "a box around the pole" "4 %" $cells --sites "$navaids" --domain=-180,60,180,90 --project auto
+area 34415000 34416000
 succeeds "a box in degrees" $cells --sites "$navaids" --domain 5,47,15,55 --project auto
 area 624220 624226
 succeeds "a center that is named" $cells --sites "$navaids" --domain 5,47,15,55 --project 11,50

@@ -37,14 +37,19 @@ bool crossesAntimeridian(Point a, Point b) {
   return apart > turn / 2 && apart < turn;
 }
 
-bool crossesAntimeridian(const Outline& outline) {
+/// Whether a ring ends a turn from where it began, as parallels do: then it is closed.
+bool goesAround(Point last, Point first) { return std::abs(first.x - last.x) == turn && first.y == last.y; }
+
+/// Whether the rings are some in degrees: none crosses the antimeridian or goes around a pole.
+bool hasRingsInDegrees(const Outline& outline) {
   for (std::size_t r = 0; r + 1 < outline.ring_offsets.size(); ++r) {
     const auto begin = outline.ring_offsets[r], end = outline.ring_offsets[r + 1];
     for (auto p = begin; p < end; ++p) {
-      if (crossesAntimeridian(outline.points[p], outline.points[p + 1 < end ? p + 1 : begin])) return true;
+      const Point a = outline.points[p], b = outline.points[p + 1 < end ? p + 1 : begin];
+      if (crossesAntimeridian(a, b) || (p + 1 == end && goesAround(a, b))) return false;
     }
   }
-  return false;
+  return true;
 }
 
 /// The sides of a projected ring.
@@ -151,9 +156,7 @@ Result<Outline> toPlane(const Projection& projection, const Outline& degrees) {
     Sides sides(projection, allowed, ring);
     for (auto p = begin; p < end; ++p) {
       const Point next = degrees.points[p + 1 < end ? p + 1 : begin];
-      // A ring that ends a turn from where it began is closed.
-      if (p + 1 == end && std::abs(next.x - degrees.points[p].x) == turn && next.y == degrees.points[p].y)
-        break;
+      if (p + 1 == end && goesAround(degrees.points[p], next)) break;
       sides.add(degrees.points[p], next);
     }
     while (ring.size() > 1 && ring.back() == ring.front()) ring.pop_back();
@@ -164,12 +167,12 @@ Result<Outline> toPlane(const Projection& projection, const Outline& degrees) {
 
 Result<MendedOutline> mendedToPlane(const Projection& projection, const Outline& degrees, bool repair) {
   // In degrees parts fit each other best; a side that goes the other way round is crossed there by others.
-  const bool crosses = crossesAntimeridian(degrees);
-  auto first = crosses ? Result<MendedOutline>(MendedOutline{degrees, {}}) : mended(degrees, repair);
+  const bool is_outline = hasRingsInDegrees(degrees);
+  auto first = is_outline ? mended(degrees, repair) : Result<MendedOutline>(MendedOutline{degrees, {}});
   if (!first) return first;
   const auto plane = toPlane(projection, first->outline);
   if (!plane) return tl::unexpected(plane.error());
-  auto second = mended(*plane, repair || !crosses);
+  auto second = mended(*plane, repair || is_outline);
   if (!second) return second;
   if (!first->changes.empty() && !second->changes.empty()) first->changes += "; ";
   second->changes = first->changes + second->changes;

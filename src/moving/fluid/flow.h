@@ -42,7 +42,6 @@ class Flow {
   int threads_;
   double spacing_, period_;  ///< period: epsilon as a time
   PrescribedCells cells_;
-  std::vector<double> no_pressure_;
   std::uint64_t diagrams_ = 0, iterations_ = 0;
 };
 

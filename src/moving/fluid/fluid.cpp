@@ -4,12 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
+#include <string_view>
 #include <utility>
 
-#include "base/refusal.h"
+#include "base/block_sums.h"
 #include "base/stopwatch.h"
 #include "moving/fluid/flow.h"
 #include "moving/fluid/parcels.h"
+#include "moving/relax/movable.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -37,20 +40,39 @@ bool isPermutation(const std::vector<std::uint32_t>& order, std::size_t count) {
   return true;
 }
 
+/// Energies are products of these, which a double has to hold.
+constexpr double largest = 1e50;
+bool isUsable(double value) { return std::abs(value) <= largest; }
+bool isUsable(Point v) { return isUsable(v.x) && isUsable(v.y); }
+
+tl::unexpected<Error> refuseRange(std::string_view what) {
+  return refuse(fmt::format("{}: it is not finite, or beyond {:.0e}", what, largest));
+}
+
 Result<void> checkOptions(const FluidOptions& options) {
   if (!(options.step >= 0) || !std::isfinite(options.step)) return refuse("step: it is not 0 or more");
-  if (!(options.epsilon >= 0) || !std::isfinite(options.epsilon)) {
-    return refuse("epsilon: it is not 0 or more");
+  if (options.epsilon != 0 && !(options.epsilon >= 1 / largest && options.epsilon <= largest)) {
+    return refuse(fmt::format("epsilon: it is neither 0 nor from {:.0e} to {:.0e}", 1 / largest, largest));
   }
-  if (!std::isfinite(options.gravity.x) || !std::isfinite(options.gravity.y)) {
-    return refuse("gravity: it is not finite");
-  }
+  if (!isUsable(options.gravity)) return refuseRange("gravity");
   if (std::isnan(options.until)) return refuse("until: it is not a number");
-  if (!(options.tolerance > 0)) return refuse("tolerance: it is not more than 0");
+  if (auto checked = checkTolerance(options.tolerance); !checked) return checked;
+  if (options.tolerance == 0) return refuse("tolerance: it is not more than 0");
   if (options.scheme == FluidScheme::projection && options.surface == Surface::free) {
     return refuse("scheme: projection is for domains that are full; springs have free surfaces");
   }
   return {};
+}
+
+/// Cells that fill the domain have its area together, and with a free surface no more.
+Result<void> checkVolumes(Surface surface, const std::vector<double>& volume, double area) {
+  constexpr double slack = 1e-9;
+  CarefulSum sum;
+  for (const double part : volume) sum.add(part);
+  const double excess = sum.value() - area;
+  if (surface == Surface::free ? excess <= slack * area : std::abs(excess) <= slack * area) return {};
+  return refuse(
+      fmt::format("volume: they add up to {}, and the area of the domain is {}", sum.value(), area));
 }
 
 /// Refuses arrays that are none of these sites, and fills in those that may be left out.
@@ -66,20 +88,19 @@ Result<void> completeState(const FluidOptions& options, FluidState& state) {
   if (!state.order.empty() && !isPermutation(state.order, count)) {
     return refuse("order: it does not name each site once");
   }
-  if (!std::ranges::all_of(state.velocity,
-                           [](Point v) { return std::isfinite(v.x) && std::isfinite(v.y); })) {
-    return refuse("velocity: it is not finite");
-  }
+  if (!std::ranges::all_of(state.velocity, [](Point v) { return isUsable(v); }))
+    return refuseRange("velocity");
   if (!std::ranges::all_of(state.volume, positive)) return refuse("volume: it is not more than 0");
   if (!std::ranges::all_of(state.density, positive)) return refuse("density: it is not more than 0");
-  if (!std::ranges::all_of(state.pressure, [](double p) { return std::isfinite(p); })) {
-    return refuse("pressure: it is not finite");
-  }
+  if (!std::ranges::all_of(state.density, [](double d) { return isUsable(d); }))
+    return refuseRange("density");
+  if (!std::ranges::all_of(state.pressure, [](double p) { return isUsable(p); }))
+    return refuseRange("pressure");
   state.velocity.resize(count, Point{0, 0});
-  if (!state.volume.empty()) return {};
-  if (options.surface == Surface::free) return refuse("volume: a free surface asks for one of each site");
   const Box& box = options.domain;
   const double area = (box.xmax - box.xmin) * (box.ymax - box.ymin);
+  if (!state.volume.empty()) return checkVolumes(options.surface, state.volume, area);
+  if (options.surface == Surface::free) return refuse("volume: a free surface asks for one of each site");
   state.volume.assign(count, area / static_cast<double>(count));
   return {};
 }
@@ -104,17 +125,21 @@ struct Fluid::State {
   FluidStep last{};
   FluidEnd end = FluidEnd::none;
 
+  bool is_torn = false;  ///< a step failed: the cells may not be those of the parcels
+
   void update();
   Result<bool> reorder();
   Result<void> placeAgain();
   Result<bool> attempt(double length, int halvings, FluidStep& step);
+  Result<bool> move(double length, FluidStep& step);
   Result<bool> advance();
 };
 
 /// Brings the caller's state up to date.
 void Fluid::State::update() {
-  if (!std::exchange(callers_are_old, false)) return;
+  if (!callers_are_old) return;
   backFrom(now, callers);
+  callers_are_old = false;
 }
 
 /// Neighbors drift apart in memory. What accelerates stays as it is: it follows the parcels.
@@ -135,6 +160,7 @@ Result<void> Fluid::State::placeAgain() {
   const auto placed = flow->place(now);
   if (!placed) return tl::unexpected(placed.error());
   if (!*placed) return refuse("volume: areas of the cells could not be found");
+  is_torn = false;
   return {};
 }
 
@@ -143,6 +169,8 @@ Result<bool> Fluid::State::attempt(double length, int halvings, FluidStep& step)
   const Parcels before = now;
   auto done = flow->advance(now, length);
   flow->count(step);
+  // What was right before the step is not wrong for its sites' sake: it led them too far.
+  if (!done && done.error().code == ErrorCode::input) done = false;
   if (done && *done) return done;
   now = before;
   if (!done || halvings == 0) return done;
@@ -154,8 +182,22 @@ Result<bool> Fluid::State::attempt(double length, int halvings, FluidStep& step)
   return done;
 }
 
+/// A step whose figures are known, whether it was made.
+Result<bool> Fluid::State::move(double length, FluidStep& step) {
+  if (callers.step > 0 && callers.step % steps_of_order == 0) {
+    if (auto ordered = reorder(); !ordered || !*ordered) return ordered;
+  }
+  auto done = attempt(length, most_halvings, step);
+  if (done && *done) flow->measure(now, step);
+  return done;
+}
+
+/// A step that fails, as by want of memory, has not been: the next one begins where it did.
 Result<bool> Fluid::State::advance() {
   if (end != FluidEnd::none) return false;
+  if (is_torn) {
+    if (auto placed = placeAgain(); !placed) return tl::unexpected(std::move(placed.error()));
+  }
   FluidStep step{callers.step + 1};
   const double left = options.until - callers.time;
   double length = flow->length(now);
@@ -167,26 +209,36 @@ Result<bool> Fluid::State::advance() {
   }
   const bool is_last = left <= length * (1 + rounding);
   if (is_last) length = left;
-  const Parcels before = now;
-  Result<bool> done = true;
-  if (callers.step > 0 && callers.step % steps_of_order == 0) done = reorder();
-  if (done && *done) done = attempt(length, most_halvings, step);
-  if (done && *done) {
+  if (!(callers.time + length > callers.time)) {
+    return refuse(fmt::format("step: one of {} is nothing beside the time, {}", length, callers.time));
+  }
+  Parcels before = now;
+  Result<bool> done = false;
+  bool had_memory = true;
+  try {
+    done = move(length, step);
+  } catch (const std::bad_alloc&) {
+    had_memory = false;
+  }
+  if (had_memory && done && *done) {
     callers_are_old = true;
     callers.step = step.step;
     callers.time = is_last ? options.until : callers.time + length;
     step.time = callers.time;
     step.length = length;
-    flow->measure(now, step);
     step.seconds = watch.seconds();
     last = step;
     return true;
   }
-  now = before;
+  now = std::move(before);
   callers.order = now.order;
-  if (!done && done.error().code != ErrorCode::cancelled) return done;
-  end = done ? FluidEnd::areas : FluidEnd::cancelled;
-  return false;
+  if (had_memory && (done || done.error().code == ErrorCode::cancelled)) {
+    end = done ? FluidEnd::areas : FluidEnd::cancelled;
+    return false;
+  }
+  is_torn = true;
+  if (had_memory) return done;
+  return tl::unexpected(Error{ErrorCode::device, "out of memory; fewer sites would fit"});
 }
 
 Fluid::Fluid() = default;
@@ -200,7 +252,7 @@ Result<Fluid> Fluid::begin(Session& session, FluidState state, FluidOptions opti
   cells.domain = options.domain;
   cells.periodic = options.periodic;
   cells.search = options.search;
-  if (auto checked = checkInput(state.sites, cells); !checked) {
+  if (auto checked = checkMovable(state.sites, cells, session.threads()); !checked) {
     return tl::unexpected(std::move(checked.error()));
   }
   if (auto complete = completeState(options, state); !complete) {
@@ -248,10 +300,10 @@ Result<void> Fluid::push(const std::vector<Point>& velocities) {
   if (velocities.size() != s.now.size()) {
     return refuse(fmt::format("velocities: {} for {} sites", velocities.size(), s.now.size()));
   }
-  const auto wrong =
-      std::ranges::find_if_not(velocities, [](Point v) { return std::isfinite(v.x) && std::isfinite(v.y); });
+  const auto wrong = std::ranges::find_if_not(velocities, [](Point v) { return isUsable(v); });
   if (wrong != velocities.end()) {
-    return refuse(fmt::format("velocities: that of site {} is not finite", wrong - velocities.begin()));
+    return refuse(fmt::format("velocities: that of site {} is not finite, or beyond {:.0e}",
+                              wrong - velocities.begin(), largest));
   }
   for (std::size_t k = 0; k < s.now.size(); ++k) {
     const Point more = velocities[s.now.order[k]];

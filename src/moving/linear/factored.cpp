@@ -8,6 +8,7 @@ namespace vorpipe::moving {
 namespace {
 
 using Matrix = Eigen::SparseMatrix<double>;
+using Factors = Eigen::SimplicialLDLT<Matrix, Eigen::Lower>;
 
 /// One row of each singular part, with the greatest sum of couplings: x is 0 there.
 std::vector<char> heldRows(const Laplacian& matrix, const SingularParts& singular) {
@@ -52,7 +53,7 @@ Matrix triangleOf(const Laplacian& matrix, const std::vector<char>& held) {
 struct Factored::State {
   std::vector<char> held;
   std::vector<int> starts, inner;  ///< the pattern that was analyzed
-  Eigen::SimplicialLDLT<Matrix, Eigen::Lower> factors;
+  std::unique_ptr<Factors> factors;
 };
 
 Factored::Factored() : state_(std::make_unique<State>()) {}
@@ -66,19 +67,23 @@ void Factored::factor(const Laplacian& matrix, const SingularParts& singular) {
   const Matrix triangle = triangleOf(matrix, state.held);
   std::vector<int> starts(triangle.outerIndexPtr(), triangle.outerIndexPtr() + triangle.outerSize() + 1);
   std::vector<int> inner(triangle.innerIndexPtr(), triangle.innerIndexPtr() + triangle.nonZeros());
-  if (starts != state.starts || inner != state.inner) {
-    state.factors.analyzePattern(triangle);
+  if (starts != state.starts || inner != state.inner || state.factors == nullptr) {
+    // Arrays of Eigen 3.4 that change their size free what they have first: where there is no memory for
+    // more, they free it once again in the end. Those of new factors have nothing.
+    auto factors = std::make_unique<Factors>();
+    factors->analyzePattern(triangle);
+    state.factors = std::move(factors);
     state.starts = std::move(starts);
     state.inner = std::move(inner);
   }
-  state.factors.factorize(triangle);
+  state.factors->factorize(triangle);
 }
 
 void Factored::solve(std::span<const double> b, std::vector<double>& x) const {
   const auto& state = *state_;
   Eigen::VectorXd right(static_cast<Eigen::Index>(b.size()));
   for (std::size_t i = 0; i < b.size(); ++i) right[static_cast<Eigen::Index>(i)] = state.held[i] ? 0 : b[i];
-  const Eigen::VectorXd found = state.factors.solve(right);
+  const Eigen::VectorXd found = state.factors->solve(right);
   x.assign(found.data(), found.data() + found.size());
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <new>
 #include <utility>
 
 #include "base/block_sums.h"
@@ -12,6 +13,7 @@
 #include "moving/relax/lost_sites.h"
 #include "moving/relax/measured_sites.h"
 #include "moving/relax/memory_order.h"
+#include "moving/relax/movable.h"
 #include "moving/relax/quasi_newton.h"
 #include "vorpipe.h"
 #include "vorpipe/stipple.h"
@@ -94,6 +96,7 @@ struct Relaxation::State {
   Result<bool> tryStep();
   Result<void> equalize();
   void findDirection();
+  void takeBack(std::size_t diagrams);
   void keep(Sites where, MeasuredSites measured);
   [[nodiscard]] Result<Sites> moved(double length) const;
   [[nodiscard]] Result<Sites> placed(Sites where) const;
@@ -295,7 +298,10 @@ Relaxation::~Relaxation() = default;
 
 Result<Relaxation> Relaxation::begin(Session& session, Sites sites, RelaxOptions options) {
   const auto cells = cellsOptions(options);
-  if (auto checked = checkInput(sites, cells, session.threads()); !checked)
+  if (auto checked = checkTolerance(options.tolerance); !checked) {
+    return tl::unexpected(std::move(checked.error()));
+  }
+  if (auto checked = checkMovable(sites, cells, session.threads()); !checked)
     return tl::unexpected(std::move(checked.error()));
   Relaxation relaxation;
   relaxation.state_ = std::make_unique<State>(session, std::move(options), std::move(sites));
@@ -320,13 +326,29 @@ Result<Relaxation> Relaxation::begin(Session& session, Sites sites, RelaxOptions
   return relaxation;
 }
 
+/// A step that failed has not been: the next one begins anew, from the same sites.
+void Relaxation::State::takeBack(std::size_t diagrams) {
+  trace.resize(diagrams);
+  newton.clear();
+  step = 0;
+  current = ended = false;
+}
+
 Result<bool> Relaxation::step() {
   State& state = *state_;
   if (state.ended) return false;
-  auto more = state.advance();
-  if (!more || *more) return more;
-  if (auto equal = state.equalize(); !equal) return tl::unexpected(std::move(equal.error()));
-  return false;
+  const std::size_t diagrams = state.trace.size();
+  Result<bool> more = false;
+  try {
+    more = state.advance();
+    if (more && !*more) {
+      if (auto equal = state.equalize(); !equal) more = tl::unexpected(std::move(equal.error()));
+    }
+  } catch (const std::bad_alloc&) {
+    more = tl::unexpected(Error{ErrorCode::device, "out of memory; fewer sites would fit"});
+  }
+  if (!more) state.takeBack(diagrams);
+  return more;
 }
 
 const Sites& Relaxation::sites() const {

@@ -47,7 +47,10 @@ class JoinedTrace {
     return end;
   }
 
-  [[nodiscard]] std::uint64_t left() const { return limits_.diagrams - diagrams_; }
+  /// Diagrams. A search that ends with one that was not taken measures the one before it again, beyond them.
+  [[nodiscard]] std::uint64_t left() const {
+    return limits_.diagrams - std::min(diagrams_, limits_.diagrams);
+  }
   [[nodiscard]] std::vector<TransportStep>& steps() { return steps_; }
 
  private:

@@ -130,11 +130,14 @@ Result<bool> PrescribedCells::State::beginAnywhere(Sites& sites) {
   }
   Result<bool> begun = false;
   for (std::size_t k = 0; k < starts.size() && begun && !*begun && mayMeasure(); ++k) {
+    if (surface == Surface::none) centerWeights(starts[k], threads);
     begun = beginWith(sites, std::move(starts[k]), any);
   }
   const bool everywhere = options.outline.empty() && options.density.values.empty();
   if (!begun || *begun || everywhere || !mayMeasure() || options.periodic != Periodic::none) return begun;
-  return beginWith(sites, spreadWeights(sites, roomyBox(options)), any);
+  std::vector<double> roomy = spreadWeights(sites, roomyBox(options));
+  centerWeights(roomy, threads);
+  return beginWith(sites, std::move(roomy), any);
 }
 
 Result<bool> PrescribedCells::State::begin(Sites& sites) {
@@ -161,6 +164,7 @@ Result<bool> PrescribedCells::State::joinParts(Sites& sites, double enough) {
   for (double raise = area / static_cast<double>(sites.size()); mayMeasure();) {
     sites.weight = kept;
     for (const auto i : part.cells) sites.weight[i] += raise;
+    centerWeights(sites.weight, threads);
     Misfit now;
     const auto whole = measure(sites, {}, now);
     if (!whole) return whole;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/block_sums.h"
+
 namespace vorpipe::moving {
 namespace {
 
@@ -49,6 +51,12 @@ bool fillDomain(const Sites& sites, const Box& domain) {
   };
   return fill(rangeOf(sites.x), {domain.xmin, domain.xmax}) &&
          fill(rangeOf(sites.y), {domain.ymin, domain.ymax});
+}
+
+void centerWeights(std::vector<double>& weights, int threads) {
+  const double sum = carefulSum(weights.size(), threads, [&](std::size_t i) { return weights[i]; });
+  const double mean = sum / static_cast<double>(weights.size());
+  forAll(weights.size(), threads, [&](std::size_t i) { weights[i] -= mean; });
 }
 
 std::vector<double> discWeights(std::span<const double> masses) {

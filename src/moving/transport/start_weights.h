@@ -16,6 +16,10 @@ std::vector<double> spreadWeights(const Sites& sites, const Box& into);
 /// Whether the box of all sites is about that of the domain: then equal weights are a better start.
 bool fillDomain(const Sites& sites, const Box& domain);
 
+/// Takes their mean from all, which changes no cell, but for a free surface's. Newton steps have the mean 0.
+/// To center what they led to would round the least weights off, after they were measured.
+void centerWeights(std::vector<double>& weights, int threads);
+
 /// Weights of discs that have the masses where no two of them meet.
 std::vector<double> discWeights(std::span<const double> masses);
 

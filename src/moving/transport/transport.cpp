@@ -8,7 +8,9 @@
 #include "base/block_sums.h"
 #include "base/refusal.h"
 #include "moving/relax/memory_order.h"
+#include "moving/relax/movable.h"
 #include "moving/transport/density_levels.h"
+#include "moving/transport/start_weights.h"
 #include "moving/transport/targets.h"
 #include "vorpipe.h"
 #include "vorpipe/masses.h"
@@ -30,11 +32,16 @@ CellsOptions cellsOptions(const TransportOptions& options) {
   return cells;
 }
 
-/// Of two sites at one place neither can have a mass of its own.
-Result<void> checkPlaces(const Sites& sites) {
+/// Of two sites at one place neither can have a mass of its own. Both ends of a period are one place.
+Result<void> checkPlaces(const Sites& sites, const Box& domain, Periodic periodic) {
   std::vector<std::uint32_t> order(sites.size());
   std::iota(order.begin(), order.end(), 0u);
-  const auto placeOf = [&](std::uint32_t i) { return std::pair(sites.x[i], sites.y[i]); };
+  const bool along_x = periodic == Periodic::x || periodic == Periodic::xy;
+  const bool along_y = periodic == Periodic::y || periodic == Periodic::xy;
+  const auto placeOf = [&](std::uint32_t i) {
+    return std::pair(along_x && sites.x[i] == domain.xmax ? domain.xmin : sites.x[i],
+                     along_y && sites.y[i] == domain.ymax ? domain.ymin : sites.y[i]);
+  };
   std::ranges::sort(order,
                     [&](auto a, auto b) { return std::pair(placeOf(a), a) < std::pair(placeOf(b), b); });
   const auto same =
@@ -51,14 +58,6 @@ double costOf(const Sites& sites, const CellMoments& cells, int threads) {
     const double dx = cells.centroid[i].x - sites.x[i], dy = cells.centroid[i].y - sites.y[i];
     return cells.spread[i] + cells.mass[i] * (dx * dx + dy * dy);
   });
-}
-
-/// Adding a number to all weights changes no cell, but for a free surface's.
-void centerWeights(std::vector<double>& weights) {
-  CarefulSum sum;
-  for (const double weight : weights) sum.add(weight);
-  const double mean = sum.value() / static_cast<double>(weights.size());
-  for (double& weight : weights) weight -= mean;
 }
 
 template <class Value>
@@ -78,12 +77,17 @@ CellMoments back(const std::vector<std::uint32_t>& order, const CellMoments& cel
 Result<Transported> transport(Session& session, Sites sites, const TransportOptions& options,
                               const TransportWatcher& watcher) {
   const CellsOptions cells = cellsOptions(options);
-  if (auto checked = checkInput(sites, cells); !checked) return tl::unexpected(std::move(checked.error()));
+  if (auto checked = checkTolerance(options.tolerance); !checked) {
+    return tl::unexpected(std::move(checked.error()));
+  }
+  if (auto checked = checkMovable(sites, cells, session.threads()); !checked)
+    return tl::unexpected(std::move(checked.error()));
   auto places = options.periodic == Periodic::none
                     ? Result<Sites>(std::move(sites))
                     : wrapped(sites, options.domain, options.periodic, session.threads());
   if (!places) return tl::unexpected(std::move(places.error()));
-  if (auto checked = checkPlaces(*places); !checked) return tl::unexpected(std::move(checked.error()));
+  if (auto checked = checkPlaces(*places, options.domain, options.periodic); !checked)
+    return tl::unexpected(std::move(checked.error()));
   const auto whole = massOfDomain(session, options);
   if (!whole) return tl::unexpected(whole.error());
   const auto targets = targetsOf(options, places->size(), *whole);
@@ -92,6 +96,7 @@ Result<Transported> transport(Session& session, Sites sites, const TransportOpti
   std::vector<double> ordered(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) ordered[k] = (*targets)[order[k]];
   Sites at = inOrder(*places, order);
+  if (options.surface == Surface::none && !at.weight.empty()) centerWeights(at.weight, session.threads());
   auto reached = reachWeights(session, cells, options.surface, ordered, at,
                               {options.tolerance, options.diagrams}, watcher);
   if (!reached) return tl::unexpected(std::move(reached.error()));
@@ -104,7 +109,6 @@ Result<Transported> transport(Session& session, Sites sites, const TransportOpti
     done.cost = costOf(at, moments, session.threads());
     done.cells = back(order, moments);
   }
-  if (options.surface == Surface::none) centerWeights(at.weight);
   done.sites = std::move(*places);
   done.sites.weight = back(order, at.weight);
   return done;

@@ -151,12 +151,64 @@ TEST(Fluid, RefusesWhatDoesNotFit) {
   EXPECT_EQ(refused([](FluidSetup& s) { s.state.order.assign(16, 0); }),
             "order: it does not name each site once");
   EXPECT_EQ(refused([](FluidSetup& s) { s.options.step = -1; }), "step: it is not 0 or more");
-  EXPECT_EQ(refused([](FluidSetup& s) { s.state.velocity[3].x = NAN; }), "velocity: it is not finite");
+  EXPECT_EQ(refused([](FluidSetup& s) { s.state.velocity[3].x = NAN; }),
+            "velocity: it is not finite, or beyond 1e+50");
   EXPECT_EQ(refused([](FluidSetup& s) {
               s.options.scheme = FluidScheme::projection;
               s.options.surface = Surface::free;
             }),
             "scheme: projection is for domains that are full; springs have free surfaces");
+}
+
+TEST(Fluid, RefusesVolumesThatDoNotFillTheDomain) {
+  Session session = openCpu();
+  FluidSetup setup = fluidCase(FluidCase::taylor_green, 16);
+  setup.state.volume.assign(16, 1);
+  EXPECT_EQ(Fluid::begin(session, setup.state, setup.options).error().message,
+            "volume: they add up to 16, and the area of the domain is 1");
+  setup = fluidCase(FluidCase::dam_break, 50);
+  for (double& volume : setup.state.volume) volume *= 7;
+  EXPECT_FALSE(Fluid::begin(session, setup.state, setup.options));
+}
+
+TEST(Fluid, HalvesStepsThatLeadSitesWhereTheyHaveNoCells) {
+  Session session = openCpu();
+  FluidSetup setup = fluidCase(FluidCase::dam_break, 500);
+  setup.options.step = 0.05;
+  setup.options.until = 0.5;
+  std::uint64_t halvings = 0;
+  auto fluid = Fluid::begin(session, setup.state, setup.options);
+  ASSERT_TRUE(fluid);
+  for (auto more = fluid->step(); *more; more = fluid->step()) halvings += fluid->last().halvings;
+  EXPECT_GT(halvings, 0u);
+  EXPECT_EQ(fluid->end(), FluidEnd::time);
+  EXPECT_LE(fluid->last().worst, setup.options.tolerance);
+}
+
+TEST(Fluid, EndsWhereNoStepIsShortEnough) {
+  Session session = openCpu();
+  FluidSetup setup = fluidCase(FluidCase::taylor_green, 64);
+  setup.options.step = 0.1;
+  // Not all the same way, which would leave cells as they are.
+  for (std::size_t i = 0; i < setup.state.velocity.size(); ++i)
+    setup.state.velocity[i] = {i % 2 == 0 ? 1e40 : -1e40, 0};
+  auto fluid = Fluid::begin(session, setup.state, setup.options);
+  ASSERT_TRUE(fluid);
+  const auto more = fluid->step();
+  ASSERT_TRUE(more) << more.error().message;
+  EXPECT_FALSE(*more);
+  EXPECT_EQ(fluid->end(), FluidEnd::areas);
+}
+
+TEST(Fluid, RefusesStepsThatAreNothingBesideTheTime) {
+  Session session = openCpu();
+  FluidSetup setup = fluidCase(FluidCase::taylor_green, 16);
+  setup.state.time = 1e20;
+  setup.options.until = 1e30;
+  setup.options.step = 1;
+  auto fluid = Fluid::begin(session, setup.state, setup.options);
+  ASSERT_TRUE(fluid);
+  EXPECT_EQ(fluid->step().error().message, "step: one of 1 is nothing beside the time, 1e+20");
 }
 
 TEST(Fluid, IsPushedAtEachSite) {
@@ -167,7 +219,7 @@ TEST(Fluid, IsPushedAtEachSite) {
   EXPECT_EQ(fluid->push({{1, 0}}).error().message, "velocities: 1 for 16 sites");
   std::vector<Point> more(16, Point{0, 0});
   more[3].x = NAN;
-  EXPECT_EQ(fluid->push(more).error().message, "velocities: that of site 3 is not finite");
+  EXPECT_EQ(fluid->push(more).error().message, "velocities: that of site 3 is not finite, or beyond 1e+50");
   EXPECT_EQ(fluid->state().velocity, setup.state.velocity);
   more[3] = {1, 2};
   EXPECT_TRUE(fluid->push(more));

@@ -276,5 +276,54 @@ TEST(Transport, sitesAtOnePlaceAreRefused) {
   EXPECT_THAT(refused(sites, unitSquare()).message, HasSubstr("sites 3 and 7"));
 }
 
+TEST(Transport, bothEndsOfAPeriodAreOnePlace) {
+  TransportOptions options = unitSquare();
+  options.periodic = Periodic::xy;
+  EXPECT_THAT(refused({{0, 0.5, 1}, {0.25, 0.5, 0.25}, {}}, options).message, HasSubstr("sites 0 and 2"));
+  options.periodic = Periodic::y;
+  EXPECT_TRUE(transported({{0, 0.5, 1}, {0.25, 0.5, 0.25}, {}}, options).sites.size() == 3);
+}
+
+TEST(Transport, noMoreDiagramsAreMadeThanAreAllowed) {
+  TransportOptions options = unitSquare();
+  const Sites sites = generate(Pattern::clusters, 300, 1);
+  for (const std::uint64_t most : {1u, 2u, 5u, 9u}) {
+    options.diagrams = most;
+    const Transported done = transported(sites, options);
+    EXPECT_EQ(done.end, TransportEnd::diagrams);
+    // The last that was kept is measured again where the last of all was not.
+    EXPECT_LE(done.trace.size(), most + 1);
+  }
+}
+
+/// Weights of the lightest cells are far less than others, whose rounding they must not have.
+TEST(Transport, massesOfAllMagnitudesAreThoseOfTheWeightsThatAreReturned) {
+  const Sites sites = generate(Pattern::random, 30, 5);
+  TransportOptions options = unitSquare(1e-7);
+  for (std::size_t i = 0; i < sites.size(); ++i)
+    options.masses.push_back(std::pow(10.0, -8.0 * static_cast<double>(i) / 29));
+  const double sum = std::accumulate(options.masses.begin(), options.masses.end(), 0.0);
+  for (double& mass : options.masses) mass /= sum;
+  const Transported done = transported(sites, options);
+  ASSERT_EQ(done.end, TransportEnd::converged);
+  Session session = sessionOf();
+  CellsOptions cells{};
+  cells.domain = {0, 0, 1, 1};
+  EXPECT_LE(worstOf(session.cells(done.sites, cells).value().area, options.masses), 1e-7);
+}
+
+TEST(Transport, whatADoubleCannotWeighIsRefused) {
+  const Sites sites = generate(Pattern::random, 4, 1);
+  TransportOptions options = unitSquare();
+  options.domain = {0, 0, 1e80, 1e80};
+  EXPECT_THAT(refused(sites, options).message, HasSubstr("1e+80 wide"));
+  EXPECT_EQ(refused(sites, options).subject, Subject::domain);
+  options = unitSquare(std::nan(""));
+  EXPECT_THAT(refused(sites, options).message, HasSubstr("tolerance: nan"));
+  options = unitSquare();
+  options.density = {1, 1, {1e100}};
+  EXPECT_THAT(refused(sites, options).message, HasSubstr("density: its largest value is 1e+100"));
+}
+
 }  // namespace
 }  // namespace vorpipe::test

@@ -1,0 +1,15 @@
+/// What can be moved, and how well: sites in domains whose energies a double holds.
+#pragma once
+
+#include "vorpipe.h"
+
+namespace vorpipe::moving {
+
+/// checkInput(), and more: energies are masses times squared lengths, and squares of these are added up. So
+/// sides of the domain are 1e-40 to 1e40, and the largest density is 1e-30 to 1e30. Errors (input).
+Result<void> checkMovable(const Sites& sites, const CellsOptions& options, int threads);
+
+/// Refuses what is no tolerance: less than 0, or no number (input).
+Result<void> checkTolerance(double tolerance);
+
+}  // namespace vorpipe::moving
