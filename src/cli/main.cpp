@@ -9,6 +9,7 @@
 #include "cli/kept_memory.h"
 #include "cli/manual/examples.h"
 #include "cli/manual/manual.h"
+#include "cli/terminal/abrupt_end.h"
 #include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
 #include "vorpipe.h"
@@ -70,14 +71,15 @@ int main(int count, char** arguments) {
   using namespace vorpipe::cli;
   vorpipe::keepFreedMemory();
   try {
+    openStandardStreams();
     endOnSignals();
-    endOnRefusedMemory(exit_device);
+    endOnUncaught(exit_device);
     endOnLostPages(exit_input);
     return parseAndRun(count, arguments);
   } catch (const std::bad_alloc&) {
     printOutOfMemory();
   } catch (const std::exception& error) {
-    printError(error.what());
+    printUncaught(error);
   }
   return exit_device;
 }

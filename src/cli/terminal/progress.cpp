@@ -1,6 +1,5 @@
 #include "cli/terminal/progress.h"
 
-#include <cxxabi.h>
 #include <fmt/core.h>
 #include <signal.h>
 #include <sys/time.h>
@@ -10,10 +9,7 @@
 #include <array>
 #include <atomic>
 #include <cstdio>
-#include <exception>
-#include <new>
 #include <string>
-#include <typeinfo>
 
 #include "cli/terminal/error_line.h"
 #include "io/files/unfinished.h"
@@ -32,9 +28,6 @@ static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_alw
 
 constexpr int bar_width = 30;
 constexpr auto redraw_after = std::chrono::milliseconds(50);
-
-/// Added to a signal's number, it is the exit code that shells report for a process that the signal ended.
-constexpr int killed_by_signal = 128;
 
 /// How long a run that was asked to stop may go on before its process is ended: a call of a driver or of a
 /// file system may take seconds.
@@ -72,8 +65,12 @@ void endProgram(int signal) {
 }
 
 void askToStop(int signal) {
-  int none = 0;
-  if (!caught.compare_exchange_strong(none, signal)) return endProgram(signal);
+  int first = 0;
+  if (!caught.compare_exchange_strong(first, signal)) {
+    // The system sends it once a second, as long as there is time left: `ulimit -t` has two limits.
+    if (signal == SIGXCPU && first == SIGXCPU) return;
+    return endProgram(signal);
+  }
   if (has_time) return;
   const itimerval grace{{0, 0}, {0, grace_microseconds}};
   setitimer(ITIMER_REAL, &grace, nullptr);
@@ -82,38 +79,6 @@ void askToStop(int signal) {
 }  // namespace
 
 void endOnSignals() { installForAll(endProgram); }
-
-void endOnRefusedMemory(int code) {
-  static int exit_code;
-  static std::terminate_handler before;
-  exit_code = code;
-  before = std::set_terminate([] {
-    const std::type_info* const type = abi::__cxa_current_exception_type();
-    if (type == nullptr || *type != typeid(std::bad_alloc)) before();
-    removeUnfinished();
-    printOutOfMemory();
-    _exit(exit_code);
-  });
-}
-
-void endOnLostPages(int code) {
-  static int exit_code;
-  exit_code = code;
-  struct sigaction action {};
-  action.sa_sigaction = [](int, siginfo_t* info, void*) {
-    // Anything else is a fault of the program, which ends it as soon as this returns.
-    if (info->si_code != BUS_ADRERR) return;
-    removeUnfinished();
-    constexpr std::string_view line =
-        "\nvorpipe: --sites: a part of the file is gone: it was cut off meanwhile, or its disk fails\n";
-    // Without a bar there is no line to end.
-    const std::string_view text = bar_is_shown ? line : line.substr(1);
-    const bool written = write(STDERR_FILENO, text.data(), text.size()) >= 0;
-    _exit(written ? exit_code : killed_by_signal + SIGBUS);
-  };
-  action.sa_flags = static_cast<int>(SA_SIGINFO | SA_RESETHAND);
-  sigaction(SIGBUS, &action, nullptr);
-}
 
 void stopOnSignals() {
   install(SIGALRM, [](int) { endProgram(caught); });
@@ -150,6 +115,8 @@ Result<void> stopIfAsked() {
   if (caught != 0) return tl::unexpected(Error{ErrorCode::cancelled, "interrupted"});
   return {};
 }
+
+bool isBarShown() { return bar_is_shown; }
 
 ProgressBar::ProgressBar(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) == 1) {}
 

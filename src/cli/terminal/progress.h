@@ -11,16 +11,11 @@
 
 namespace vorpipe::cli {
 
+/// Added to a signal's number, it is the exit code that shells report for a process that the signal ended.
+inline constexpr int killed_by_signal = 128;
+
 /// From now on SIGINT, SIGTERM, SIGHUP and SIGXCPU end the program at once, with a line that says so.
 void endOnSignals();
-
-/// From now on, where memory is refused to what may not throw, as destructors of some libraries, the program
-/// ends with this code, a line that says so, and no file that is unfinished.
-void endOnRefusedMemory(int code);
-
-/// From now on, where a file that is mapped is cut off while it is in use, or its disk fails, the program
-/// ends with this code, a line that says so, and no file that is unfinished.
-void endOnLostPages(int code);
 
 /// From now on, since there is something to clean up, they only ask the run to stop. If it has not soon, or
 /// at a second one, the program ends where it is, and leaves no file that is unfinished. Writing into a
@@ -46,6 +41,9 @@ int signalExitCode();
 
 /// ErrorCode::cancelled once a signal has asked to stop.
 Result<void> stopIfAsked();
+
+/// Whether there is a bar on standard error. Signal handlers may ask.
+bool isBarShown();
 
 /// A bar on standard error. A stage that is left and taken up again goes on where it was; within a stage
 /// the bar does not go back.
