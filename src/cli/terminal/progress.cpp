@@ -65,12 +65,10 @@ void endProgram(int signal) {
 }
 
 void askToStop(int signal) {
-  int first = 0;
-  if (!caught.compare_exchange_strong(first, signal)) {
-    // The system sends it once a second, as long as there is time left: `ulimit -t` has two limits.
-    if (signal == SIGXCPU && first == SIGXCPU) return;
-    return endProgram(signal);
-  }
+  int none = 0;
+  if (!caught.compare_exchange_strong(none, signal)) return endProgram(signal);
+  // The system sends it again each second, until the second limit of `ulimit -t`.
+  if (signal == SIGXCPU) install(SIGXCPU, SIG_IGN);
   if (has_time) return;
   const itimerval grace{{0, 0}, {0, grace_microseconds}};
   setitimer(ITIMER_REAL, &grace, nullptr);
