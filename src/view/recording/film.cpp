@@ -11,11 +11,11 @@
 #include <array>
 #include <cerrno>
 #include <filesystem>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "io/files/error.h"
+#include "io/files/output_file.h"
 
 extern char** environ;
 
@@ -39,8 +39,8 @@ std::string foundOnPath(const std::string& program) {
 
 class Film final : public Recorder {
  public:
-  Film(std::string ffmpeg, std::string path)
-      : ffmpeg_(std::move(ffmpeg)), path_(std::move(path)), partial_(path_ + ".partial") {}
+  Film(std::string ffmpeg, std::string path, OutputFile file)
+      : ffmpeg_(std::move(ffmpeg)), path_(std::move(path)), file_(std::move(file)) {}
   Film(const Film&) = delete;
   Film& operator=(const Film&) = delete;
   ~Film() override {
@@ -48,8 +48,6 @@ class Film final : public Recorder {
       kill(process_, SIGTERM);
       await();
     }
-    std::error_code ignored;
-    if (begun_) fs::remove(partial_, ignored);
   }
 
   Result<void> add(const Image& frame) override {
@@ -63,10 +61,7 @@ class Film final : public Recorder {
     if (!begun_) return {};
     const int status = await();
     if (status != 0) return deviceError(fmt::format("{}: ffmpeg failed, exit status {}", path_, status));
-    std::error_code code;
-    fs::rename(partial_, path_, code);
-    if (code) return deviceError(fmt::format("{}: {}", path_, code.message()));
-    return {};
+    return file_.commit();
   }
 
  private:
@@ -76,7 +71,8 @@ class Film final : public Recorder {
   /// Ends its input, and waits for it: its exit status.
   int await();
 
-  std::string ffmpeg_, path_, partial_;
+  std::string ffmpeg_, path_;
+  OutputFile file_;  ///< ffmpeg writes to its temporary()
   bool begun_ = false;
   int width_ = 0, height_ = 0;
   pid_t process_ = 0;
@@ -97,7 +93,7 @@ Result<void> Film::begin(int width, int height) {
       // players take those of large ones otherwise than ffmpeg writes them.
       "-vf", "scale=out_color_matrix=bt709:out_range=tv,pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p",
       "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709", "-color_range", "tv",
-      "-movflags", "+faststart", "-f", "mp4", partial_};
+      "-movflags", "+faststart", "-f", "mp4", file_.temporary()};
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
@@ -165,9 +161,14 @@ Result<std::unique_ptr<Recorder>> openFilm(const std::string& path) {
     return deviceError(path +
                        ": films are made by ffmpeg, which is not on PATH; a folder gets numbered PNGs");
   }
+  auto file = OutputFile::create(path);
+  if (!file) return tl::unexpected(std::move(file.error()));
+  if (file->temporary().empty()) {
+    return inputError(path + ": a film is no stream: ffmpeg ends it at its beginning");
+  }
   // Where ffmpeg ends early, writing to it is to fail, and not to end this program.
   signal(SIGPIPE, SIG_IGN);
-  return std::make_unique<Film>(std::move(ffmpeg), path);
+  return std::make_unique<Film>(std::move(ffmpeg), path, std::move(*file));
 }
 
 }  // namespace vorpipe::view

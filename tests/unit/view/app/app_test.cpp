@@ -363,11 +363,21 @@ TEST_F(AppTest, HandsFilmsToFfmpeg) {
   write("bin/ffmpeg",
         "#!/bin/sh\nfor last; do :; done\necho \"$*\" >" + path("arguments") + "\n/bin/cat >\"$last\"\n");
   std::filesystem::permissions(path("bin/ffmpeg"), std::filesystem::perms::owner_all);
+  // What has the name of a film that is not finished may be anybody's.
+  write("film.mp4.partial", "mine");
+  write("film.mp4", "old");
+  std::filesystem::permissions(path("film.mp4"),
+                               std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
   const auto end = play("wait\nresize 200 100\nkey e\nclose\n");
   ::setenv("PATH", old.c_str(), 1);
   ASSERT_TRUE(end) << end.error().message;
   EXPECT_EQ(std::filesystem::file_size(path("film.mp4")) % (400 * 300 * 4), 0U);
   EXPECT_THAT(contents(path("arguments")), HasSubstr("-video_size 400x300 -framerate 30 -i -"));
+  EXPECT_EQ(contents(path("film.mp4.partial")), "mine");
+  EXPECT_EQ(std::filesystem::status(path("film.mp4")).permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  options.record = path("none/film.mp4");
+  EXPECT_FALSE(play("close"));
 }
 
 }  // namespace
