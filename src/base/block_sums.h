@@ -22,7 +22,8 @@ class CarefulSum {
     rest_ += std::abs(sum_) >= std::abs(term) ? (sum_ - sum) + term : (term - sum) + sum_;
     sum_ = sum;
   }
-  [[nodiscard]] double value() const { return sum_ + rest_; }
+  /// Infinite where it is beyond what a double holds.
+  [[nodiscard]] double value() const { return std::isfinite(sum_) ? sum_ + rest_ : sum_; }
 
  private:
   double sum_ = 0, rest_ = 0;

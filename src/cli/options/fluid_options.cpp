@@ -203,7 +203,7 @@ Result<FluidSetup> setupOf(const FluidChoices& choices) {
 }
 
 tl::unexpected<Error> asFluidOption(Error error) {
-  for (const std::string_view name : {"step", "epsilon", "gravity", "tolerance", "scheme"}) {
+  for (const std::string_view name : {"step", "epsilon", "gravity", "tolerance", "scheme", "search"}) {
     if (error.message.starts_with(std::string(name) + ":")) error.message = "--" + error.message;
   }
   return tl::unexpected(std::move(error));

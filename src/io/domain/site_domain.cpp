@@ -109,10 +109,16 @@ void takeOutline(PlacedSites& placed, Outline outline) {
   placed.domain = boxOf(placed.outline.points);
 }
 
+tl::unexpected<Error> tooFarApart(const Request& request) {
+  return inputError(
+      fmt::format("{}: the sites reach too far for a default, name what to draw", request.words.domain));
+}
+
 Result<void> takeHull(const Request& request, const Margin& margin) {
   const Sites& sites = request.placed.sites;
   const Box box = domainOf(sites, Margin{0, false});
   const double longer = std::max(box.xmax - box.xmin, box.ymax - box.ymin);
+  if (!std::isfinite(longer)) return tooFarApart(request);
   auto hull = hullOf(sites, margin.relative ? margin.value * longer : margin.value);
   if (!hull) return renamed(request.words.domain, std::move(hull.error()));
   takeOutline(request.placed, std::move(*hull));
@@ -126,10 +132,7 @@ Result<void> takeDomainOfSites(const Request& request) {
   if (settings.hull) return takeHull(request, margin);
   placed.domain = domainOf(placed.sites, margin);
   const auto [xmin, ymin, xmax, ymax] = placed.domain;
-  if (!std::isfinite(xmax - xmin) || !std::isfinite(ymax - ymin)) {
-    return inputError(
-        fmt::format("{}: the sites reach too far for a default, name what to draw", words.domain));
-  }
+  if (!std::isfinite(xmax - xmin) || !std::isfinite(ymax - ymin)) return tooFarApart(request);
   if (settings.margin && !(xmin < xmax && ymin < ymax)) {
     return inputError(fmt::format(
         "{}: the sites lie on a line, so that their box has no area; it takes more than 0", words.margin));

@@ -80,7 +80,7 @@ struct Relaxation::State {
   bool ended = false;
   Report report{};
   std::string equal_note{};
-  LostSites lost{};  ///< all that were given places so far
+  LostSites lost{};  ///< most of each kind that were given places at one time
 
   QuasiNewton newton{threads};
   std::vector<double> direction{};
@@ -195,9 +195,9 @@ Result<bool> Relaxation::State::moveLost() {
   if (!places) return tl::unexpected(std::move(places.error()));
   auto measured = measure(*places);
   if (!measured) return tl::unexpected(std::move(measured.error()));
-  lost.duplicates += now.duplicates;
-  lost.outside += now.outside;
-  lost.massless += now.massless;
+  lost.duplicates = std::max(lost.duplicates, now.duplicates);
+  lost.outside = std::max(lost.outside, now.outside);
+  lost.massless = std::max(lost.massless, now.massless);
   keep(std::move(*places), std::move(*measured));
   newton.clear();
   step = 0;
