@@ -212,6 +212,11 @@ Result<bool> Fluid::State::advance() {
   if (!(callers.time + length > callers.time)) {
     return refuse(fmt::format("step: one of {} is nothing beside the time, {}", length, callers.time));
   }
+  // Diagrams of few sites are found before they ask.
+  if (options.progress && !options.progress("step", 0)) {
+    end = FluidEnd::cancelled;
+    return false;
+  }
   Parcels before = now;
   Result<bool> done = false;
   bool had_memory = true;

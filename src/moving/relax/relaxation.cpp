@@ -80,7 +80,7 @@ struct Relaxation::State {
   bool ended = false;
   Report report{};
   std::string equal_note{};
-  LostSites lost{};  ///< most of each kind that were given places at one time
+  LostSites lost{};  ///< all that were given places so far
 
   QuasiNewton newton{threads};
   std::vector<double> direction{};
@@ -195,8 +195,9 @@ Result<bool> Relaxation::State::moveLost() {
   if (!places) return tl::unexpected(std::move(places.error()));
   auto measured = measure(*places);
   if (!measured) return tl::unexpected(std::move(measured.error()));
-  lost.duplicates = std::max(lost.duplicates, now.duplicates);
-  lost.outside = std::max(lost.outside, now.outside);
+  lost.duplicates += now.duplicates;
+  lost.outside += now.outside;
+  // The same ones again and again, where there is little mass.
   lost.massless = std::max(lost.massless, now.massless);
   keep(std::move(*places), std::move(*measured));
   newton.clear();

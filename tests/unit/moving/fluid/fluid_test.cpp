@@ -227,7 +227,24 @@ TEST(Fluid, IsPushedAtEachSite) {
   EXPECT_EQ(fluid->state().velocity[4], setup.state.velocity[4]);
 }
 
+/// Whether its diagrams ask or are too small for that.
 TEST(Fluid, StopsWhereProgressSaysSo) {
+  Session session = openCpu();
+  for (const std::uint64_t parcels : {4u, 64u, 250u}) {
+    FluidSetup setup = taylorGreen(parcels, FluidScheme::springs, 0.1);
+    setup.options.until = 1e9;
+    bool go_on = true;
+    setup.options.progress = [&](std::string_view, double) { return go_on; };
+    auto fluid = Fluid::begin(session, setup.state, setup.options);
+    ASSERT_TRUE(fluid);
+    for (int step = 0; step < 50; ++step) EXPECT_TRUE(fluid->step().value());
+    go_on = false;
+    EXPECT_FALSE(fluid->step().value());
+    EXPECT_EQ(fluid->end(), FluidEnd::cancelled);
+  }
+}
+
+TEST(Fluid, IsAsItWasBeforeAStepThatIsStopped) {
   Session session = openCpu();
   FluidSetup setup = taylorGreen(64, FluidScheme::springs, 0.5);
   bool go_on = true;
