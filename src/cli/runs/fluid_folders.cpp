@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "io/files/error.h"
-#include "io/files/output_file.h"
+#include "io/files/replaced_file.h"
 
 namespace vorpipe::cli {
 namespace {

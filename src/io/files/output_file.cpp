@@ -5,22 +5,20 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cassert>
 #include <cerrno>
+#include <deque>
 #include <filesystem>
-#include <optional>
 #include <system_error>
 #include <utility>
 
 #include "io/files/error.h"
+#include "io/files/replaced_file.h"
 
 namespace vorpipe {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::string_view temporary_begin = ".vorpipe-", temporary_end = ".tmp";
 
 /// The path that `path` leads to; its last component may be a link whose target does not exist yet.
 Result<fs::path> followLinks(const fs::path& path) {
@@ -43,13 +41,6 @@ Result<fs::path> followLinks(const fs::path& path) {
   return real / target.filename();
 }
 
-/// A path in `directory` that no other call gets.
-std::string newPath(const fs::path& directory) {
-  static std::atomic<unsigned> counter = 0;
-  return (directory / fmt::format("{}{}-{}{}", temporary_begin, ::getpid(), counter++, temporary_end))
-      .string();
-}
-
 }  // namespace
 
 Result<OutputFile> OutputFile::createDirect(const std::string& path) {
@@ -68,13 +59,15 @@ Result<OutputFile> OutputFile::createDirect(const std::string& path) {
 Result<void> OutputFile::createTemporary() {
   struct stat status {};
   const bool exists = ::stat(target_.c_str(), &status) == 0;
-  if (exists && ::faccessat(AT_FDCWD, target_.c_str(), W_OK, AT_EACCESS) != 0) {
-    return systemError(ErrorCode::input, name(), "cannot be written", errno);
+  if (!exists && errno != ENOENT) return systemError(ErrorCode::input, name(), "cannot be written", errno);
+  if (exists) {
+    const std::string why_not = whyNotReplaced(target_, status);
+    if (!why_not.empty()) return inputError(fmt::format("{}: cannot be written: {}", name(), why_not));
   }
   int descriptor = -1;
   // What a process of this number that was killed has left is not ours.
   do {
-    temporary_ = std::make_unique<Unfinished>(newPath(fs::path(target_).parent_path()));
+    temporary_ = std::make_unique<Unfinished>(pathBeside(target_));
     descriptor = temporary_->create(0666);
   } while (descriptor < 0 && errno == EEXIST);
   if (descriptor < 0) {
@@ -142,10 +135,6 @@ Result<void> OutputFile::commit() {
   return {};
 }
 
-bool isLeftOver(std::string_view name) {
-  return name.starts_with(temporary_begin) && name.ends_with(temporary_end);
-}
-
 Result<std::vector<OutputFile>> createOutputs(std::span<const std::string> paths) {
   std::vector<OutputFile> files;
   for (const std::string& path : paths) {
@@ -169,8 +158,12 @@ Result<void> commitAll(std::span<OutputFile> files) {
       return finished;
     }
   }
+  std::deque<ReplacedFile> replaced;
   for (OutputFile& file : files) {
+    // One alone is replaced or not.
+    if (files.size() > 1 && !file.target().empty()) replaced.emplace_back(file.target());
     if (auto committed = file.commit(); !committed) {
+      for (ReplacedFile& old : replaced) old.putBack();
       return committed;
     }
   }

@@ -22,7 +22,7 @@ class OutputFile final : public ByteSink {
  public:
   /// Finds out at once whether `path` can be written. A symbolic link is followed; a file that exists
   /// keeps its permissions. Errors (input): the directory is missing, the path is a directory, no
-  /// permission.
+  /// permission, a name that is too long, a file that cannot be replaced.
   static Result<OutputFile> create(const std::string& path);
   OutputFile(OutputFile&& other) noexcept = default;
   OutputFile& operator=(OutputFile&& other) noexcept = default;
@@ -57,15 +57,12 @@ class OutputFile final : public ByteSink {
   Stream stream_;
 };
 
-/// Whether a file of this name, without its folder, is one that an OutputFile of a process that was killed
-/// may have left: ".vorpipe-1234-0.tmp".
-bool isLeftOver(std::string_view name);
-
 /// Creates an output file for each path, in order. Errors (input): those of create(), two paths are
 /// one file.
 Result<std::vector<OutputFile>> createOutputs(std::span<const std::string> paths);
 
-/// Commits all files together: none is put in place unless all bytes of all of them were written.
+/// Commits all files together: none is put in place unless all bytes of all of them were written, and what
+/// one of them cannot replace the others leave as well.
 Result<void> commitAll(std::span<OutputFile> files);
 
 }  // namespace vorpipe

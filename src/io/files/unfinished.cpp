@@ -62,6 +62,15 @@ int Unfinished::create(unsigned mode) {
   return descriptor;
 }
 
+bool Unfinished::linkTo(const char* old) {
+  is_there_ = link(old, path_.c_str()) == 0;
+  if (is_there_ && ending) {
+    unlink(path_.c_str());
+    waitForEnd();
+  }
+  return is_there_;
+}
+
 bool Unfinished::moveTo(const char* target) {
   is_there_ = std::rename(path_.c_str(), target) != 0;
   // It may have been removed on another thread.

@@ -20,6 +20,8 @@ class Unfinished {
 
   /// A descriptor of the file, which did not exist before; or -1, and errno says why not.
   int create(unsigned mode);
+  /// Makes the file another name of an old one; whether that was done, else errno says why not.
+  bool linkTo(const char* old);
   /// Renames the file, which is to stay then; whether that was done, else errno says why not.
   bool moveTo(const char* target);
 

@@ -85,6 +85,35 @@ TEST_F(Output, OneThatFailsKeepsTheOthersAway) {
   EXPECT_FALSE(fs::exists(path("a")));
 }
 
+TEST_F(Output, OneThatCannotBePutInPlaceLeavesTheOthersAsTheyWere) {
+  write("a", "old");
+  auto outputs = createOutputs(std::vector{path("a"), path("b"), path("c"), path("d")});
+  ASSERT_TRUE(outputs) << outputs.error().message;
+  // Made meanwhile.
+  fs::create_directory(path("c"));
+  for (OutputFile& file : *outputs) ASSERT_TRUE(file.write("new"));
+  const auto committed = commitAll(*outputs);
+  ASSERT_FALSE(committed);
+  EXPECT_EQ(committed.error().message,
+            path("c") + ": the finished file could not be put in place: Is a directory");
+  outputs->clear();
+  EXPECT_EQ(contents(path("a")), "old");
+  EXPECT_EQ(files(), 2u);
+}
+
+TEST_F(Output, RefusesFilesOfOthersThatTheirFolderProtects) {
+  if (::geteuid() != 0) GTEST_SKIP() << "it takes root to have a file of another user";
+  fs::create_directory(path("sticky"));
+  const std::string file = write("sticky/a", "old");
+  fs::permissions(path("sticky"), fs::perms::all | fs::perms::sticky_bit);
+  fs::permissions(file, fs::perms::all);
+  const AnotherUser user(directory());
+  if (!user.whyNot().empty()) GTEST_SKIP() << user.whyNot();
+  EXPECT_EQ(refused(file).message,
+            file + ": cannot be written: it is another user's, whom its folder protects");
+  EXPECT_TRUE(OutputFile::create(path("sticky/b")));
+}
+
 TEST_F(Output, TwoNamesOfOneFileAreRefused) {
   fs::create_symlink("a", path("link"));
   for (const std::string& other : {path("a"), path("./a"), path("link")}) {
@@ -103,6 +132,7 @@ TEST_F(Output, RefusesWrongPathsAtOnce) {
   EXPECT_THAT(refused(path(".")).message, HasSubstr("is a directory"));
   EXPECT_THAT(refused(path("new/")).message, HasSubstr("is a directory"));
   EXPECT_THAT(refused("").message, HasSubstr("is empty"));
+  EXPECT_THAT(refused(path(std::string(300, 'a'))).message, HasSubstr("File name too long"));
   write("file", "");
   EXPECT_THAT(refused(path("file/a.png")).message, HasSubstr("Not a directory"));
   fs::create_symlink("round", path("round"));
