@@ -57,6 +57,12 @@ refused '--legend: colors by --flow-color have none' $vortex --frames out/none -
 refused '--flow-color: "heat" is not ' $vortex --frames out/none --flow-color heat
 refused '--particles: needs about' $vortex --memory-limit 1MB -o out/a.csv
 refused '--frames: out/frames: the folder holds something' $vortex --frames out/frames
+refused '--checkpoint: out/./k.npz: is the same output file as out/k.npz' \
+  $vortex --steps 1 --checkpoint out/./k.npz --cells out/k.npz
+refused '--series: out/new/ is the folder of --frames' $vortex --steps 1 --frames out/new --series out/new/
+mkdir out/empty
+refused '--frames: another output, k.npz, lies in this folder' \
+  $vortex --steps 1 --frames out/empty --checkpoint out/empty/k.npz
 cp out/whole.csv in/copy.npz
 refused 'in/copy.npz: it is no whole .npz file' fluid --case in/copy.npz -o out/a.csv
 

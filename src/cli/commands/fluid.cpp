@@ -226,6 +226,7 @@ Result<ExitCode> fluid(FluidCommand& command, const Invocation& how) {
   const FluidOptions options = setup->options;
   auto files = openOutputs(command.targets.paths());
   if (!files) return tl::unexpected(std::move(files.error()));
+  if (auto apart = checkApart(command.targets, *files); !apart) return tl::unexpected(apart.error());
   awaitResultOnSignals();
   auto session = Session::open(command.backend);
   if (!session) return tl::unexpected(std::move(session.error()));

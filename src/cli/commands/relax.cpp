@@ -97,7 +97,7 @@ Result<void> saveNumbered(RelaxRun& run, Session& session, const Relaxation& rel
   const auto parts = partsOf(session, run.job, relaxation.sites());
   if (!parts) return tl::unexpected(parts.error());
   const auto paths = run.job.targets.numberedPaths(relaxation.trace().back().diagram);
-  auto numbered = createOutputs(paths);
+  auto numbered = createOutputs(paths, run.files);
   if (!numbered) return tl::unexpected(std::move(numbered.error()));
   const auto writers = writersOf(run.job, *parts);
   for (std::size_t k = 0; k < writers.size(); ++k) {

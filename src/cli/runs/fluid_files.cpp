@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "base/parallel.h"
@@ -28,6 +30,13 @@ CellsOptions cellsOptions(const FluidOptions& options) {
   cells.search = options.search;
   cells.detail = Detail::polygons;
   return cells;
+}
+
+/// Where a folder is, whether it is there or not, and however it is written.
+fs::path placeOf(const std::string& folder) {
+  std::error_code none;
+  // With a file in it, a slash at its end makes no difference.
+  return fs::weakly_canonical(fs::path(folder) / "file", none).parent_path();
 }
 
 }  // namespace
@@ -136,6 +145,43 @@ Result<void> FluidRecord::addToSeries(Session& session, const FluidState& state,
 }
 
 Result<void> FluidRecord::finish() { return recorder_ ? recorder_->finish() : Result<void>(); }
+
+Result<void> checkApart(const FluidTargets& targets, std::span<const OutputFile> files) {
+  struct Folder {
+    const char* option;
+    fs::path path;
+  };
+  std::vector<Folder> folders;
+  std::vector<fs::path> ends;
+  for (const OutputFile& file : files) ends.emplace_back(file.target());
+  const auto checkFile = [&](const char* option, const std::string& path) -> Result<void> {
+    auto file = createOutputs(std::span(&path, 1), files);
+    if (!file) return named(option, std::move(file.error()));
+    ends.emplace_back(file->front().target());
+    return {};
+  };
+  const bool is_film = lowerExtension(targets.frames) == ".mp4";
+  if (!targets.checkpoint.empty()) {
+    if (auto apart = checkFile("--checkpoint", targets.checkpoint); !apart) return apart;
+  }
+  if (is_film) {
+    if (auto apart = checkFile("--frames", targets.frames); !apart) return apart;
+  } else if (!targets.frames.empty()) {
+    folders.push_back({"--frames", placeOf(targets.frames)});
+  }
+  if (!targets.series.empty()) folders.push_back({"--series", placeOf(targets.series)});
+  if (folders.size() == 2 && folders[0].path == folders[1].path) {
+    return inputError(fmt::format("--series: {} is the folder of --frames", targets.series));
+  }
+  for (const Folder& folder : folders) {
+    const auto within = std::ranges::find(ends, folder.path, &fs::path::parent_path);
+    if (within == ends.end()) continue;
+    return inputError(
+        fmt::format("{}: another output, {}, lies in this folder, which is to hold nothing else",
+                    folder.option, within->filename().string()));
+  }
+  return {};
+}
 
 Result<void> saveCheckpoint(const std::string& path, const FluidState& state, const FluidOptions& options) {
   auto file = OutputFile::create(path);

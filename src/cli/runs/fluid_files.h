@@ -7,6 +7,7 @@
 
 #include "cli/options/fluid_options.h"
 #include "cli/options/picture_options.h"
+#include "io/files/output_file.h"
 #include "io/fluid/fluid_series.h"
 #include "view/recording/recorder.h"
 #include "vorpipe.h"
@@ -52,6 +53,10 @@ class FluidRecord {
   bool first_is_drawn_ = false;  ///< by the run that this one goes on with
   std::vector<SeriesStep> series_;
 };
+
+/// Refuses a checkpoint or a film that is one of the `files` at the end, or cannot be written, and files in
+/// folders of frames or series, which hold nothing else. Errors (input) name the option.
+Result<void> checkApart(const FluidTargets& targets, std::span<const OutputFile> files);
 
 /// Writes a checkpoint, whole or not at all.
 Result<void> saveCheckpoint(const std::string& path, const FluidState& state, const FluidOptions& options);

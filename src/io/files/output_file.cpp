@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cerrno>
 #include <deque>
@@ -135,16 +136,20 @@ Result<void> OutputFile::commit() {
   return {};
 }
 
-Result<std::vector<OutputFile>> createOutputs(std::span<const std::string> paths) {
+Result<std::vector<OutputFile>> createOutputs(std::span<const std::string> paths,
+                                              std::span<const OutputFile> others) {
   std::vector<OutputFile> files;
   for (const std::string& path : paths) {
     auto file = OutputFile::create(path);
     if (!file) {
       return tl::unexpected(file.error());
     }
-    for (const OutputFile& other : files) {
-      if (!file->target().empty() && file->target() == other.target()) {
-        return inputError(fmt::format("{}: is the same output file as {}", path, other.name()));
+    const auto isSame = [&](const OutputFile& other) {
+      return !file->target().empty() && file->target() == other.target();
+    };
+    for (const auto& made : {std::span<const OutputFile>(files), others}) {
+      if (const auto same = std::ranges::find_if(made, isSame); same != made.end()) {
+        return inputError(fmt::format("{}: is the same output file as {}", path, same->name()));
       }
     }
     files.push_back(std::move(*file));

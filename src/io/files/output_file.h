@@ -57,9 +57,10 @@ class OutputFile final : public ByteSink {
   Stream stream_;
 };
 
-/// Creates an output file for each path, in order. Errors (input): those of create(), two paths are
-/// one file.
-Result<std::vector<OutputFile>> createOutputs(std::span<const std::string> paths);
+/// Creates an output file for each path, in order. Errors (input): those of create(), two paths are one file,
+/// or one is that of `others`.
+Result<std::vector<OutputFile>> createOutputs(std::span<const std::string> paths,
+                                              std::span<const OutputFile> others = {});
 
 /// Commits all files together: none is put in place unless all bytes of all of them were written, and what
 /// one of them cannot replace the others leave as well.
