@@ -62,6 +62,8 @@ wrong "nothing to write" "-o: name what to write" --sites random:9
 wrong "a picture as sites" "--picture out/old.png" --sites random:9 -o out/old.png
 wrong "cells as sites" "--cells out/old.npz" --sites random:9 -o out/old.npz
 wrong "numbers of nothing" "--save-every: there is no" --sites random:9 --save-every 2 --trace out/old.csv
+wrong "a number that the trace has" "t-0001.csv: is the same output file as" --sites random:9 --iterations 3 \
+  --save-every 1 -o in/t.csv --trace in/t-0001.csv
 wrong "numbers of standard output" "--save-every: standard output" --sites random:9 --save-every 2 -o -
 wrong "a method" '--method: "newton" is not lbfgs or lloyd' --sites random:9 --method newton -o out/old.csv
 wrong "a tolerance" "--tolerance: -1" --sites random:9 --tolerance -1 -o out/old.csv

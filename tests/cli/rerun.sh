@@ -123,6 +123,8 @@ printf '{"arguments": ["rerun", "in/bad.json"], "inputs": [], "outputs": []}' >i
 fails 2 "itself" '"rerun" is no subcommand that has --stats' rerun in/bad.json
 printf '{"arguments": ["cells", "--sits", "random:9"], "inputs": [], "outputs": []}' >in/bad.json
 fails 2 "arguments of another version" '--sits: is no option; did you mean --sites?' rerun in/bad.json
+printf '{"arguments": ["cells", "--sites", "random:9", "-o", "out/a\xef\xbf\xbd.csv"], "inputs": [], "outputs": []}' >in/bad.json
+fails 2 "a name that JSON does not hold" "which was not UTF-8: run it by hand" rerun in/bad.json
 fails 2 "no file of --stats" "STATS" rerun
 
 finish

@@ -150,11 +150,22 @@ std::vector<std::string> differences(const RecordedRun& then, const RecordedRun&
   return parts;
 }
 
+/// JSON has no bytes that are not UTF-8: reports have a character for each, and no name is meant by it.
+Result<void> checkNames(const RerunCommand& command, const std::vector<std::string>& arguments) {
+  constexpr std::string_view replaced = "\xEF\xBF\xBD";
+  const auto lost = [&](const std::string& argument) { return argument.find(replaced) != std::string::npos; };
+  const auto found = std::ranges::find_if(arguments, lost);
+  if (found == arguments.end()) return {};
+  return inputError(fmt::format("{}: the report cannot tell the name {}, which was not UTF-8: run it by hand",
+                                command.stats, *found));
+}
+
 Result<ExitCode> rerun(const RerunCommand& command, CommandLine& line) {
   const auto then = readRecordedRun(command.stats);
   if (!then) return tl::unexpected(then.error());
   const auto arguments = argumentsAgain(command, line.declared(), *then);
   if (!arguments) return tl::unexpected(arguments.error());
+  if (const auto known = checkNames(command, *arguments); !known) return tl::unexpected(known.error());
   if (command.dry_run) {
     fmt::print("{}\n", pasted(*arguments));
     return exit_done;
