@@ -30,6 +30,13 @@ int exitCode(const Error& error) {
   return exit_device;
 }
 
+/// The code of what was done, where standard output took what was said of it.
+int afterOutput(int code) {
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
+  printError("standard output: writing failed");
+  return exit_device;
+}
+
 int runSubcommand(const Run& run, const Invocation& how) {
   const auto done = run(how);
   ignoreSignals();
@@ -37,11 +44,7 @@ int runSubcommand(const Run& run, const Invocation& how) {
     printError(done.error().code == ErrorCode::cancelled ? "interrupted" : done.error().message);
     return exitCode(done.error());
   }
-  if (std::fflush(stdout) != 0) {
-    printError("standard output: writing failed");
-    return exit_device;
-  }
-  return *done;
+  return afterOutput(*done);
 }
 
 int parseAndRun(int count, char** arguments) {
@@ -61,7 +64,7 @@ int parseAndRun(int count, char** arguments) {
     return runSubcommand(print, how);
   }
   const auto run = line.parse(count, arguments);
-  return run ? runSubcommand(*run, how) : run.error();
+  return run ? runSubcommand(*run, how) : afterOutput(run.error());
 }
 
 }  // namespace

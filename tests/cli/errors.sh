@@ -144,8 +144,38 @@ if [ -w /dev/full ]; then
   cases=$((cases + 1))
   "$vorpipe" devices --json >/dev/full 2>log/err && fail "exit code 0"
   one_line
+  name="help, while standard output is full"
+  cases=$((cases + 1))
+  "$vorpipe" --version >/dev/full 2>log/err && fail "exit code 0"
+  one_line
 else
   skipped "a full disk" "there is no /dev/full"
+fi
+
+# A stream that is closed has a number that the first file would get.
+name="streams that are closed"
+cases=$((cases + 1))
+"$vorpipe" render --backend cpu --sites random:9 --size 90x40 -o out/closed.png 0<&- 2>&- >log/out || fail "it fails"
+head -c 4 out/closed.png | grep -q PNG || fail "a note is in the picture"
+"$vorpipe" cells --backend cpu --sites random:9 -o out/closed.csv >&- 2>log/err && fail "exit code 0"
+one_line
+head -n 1 out/closed.csv | grep -q '^site,' || fail "the summary is in the cells"
+
+# As another user: root has as many processes as it likes.
+if [ "$(id -u)" = 0 ] && command -v setpriv prlimit >/dev/null; then
+  name="no more threads"
+  cases=$((cases + 1))
+  chmod 755 . && mkdir -p out/another && chmod 777 out/another
+  prlimit --nproc=3 setpriv --reuid=65533 --clear-groups -- "$vorpipe" cells --sites random:20000 --backend cpu --threads 4 \
+    -o out/another/a.csv >log/out 2>log/err
+  code=$?
+  case $code in
+    0) [ "$(wc -l <out/another/a.csv)" = 20001 ] || fail "not all cells are there" ;;
+    3) one_line && [ -z "$(ls -A out/another)" ] || fail "something is left over" ;;
+    *) fail "exit code $code" ;;
+  esac
+else
+  skipped "no more threads" "it takes root, setpriv and prlimit"
 fi
 
 # -- Devices that are not there -------------------------------------------------------------------------

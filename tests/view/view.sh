@@ -241,4 +241,24 @@ fails 2 "a fluid that cannot begin" '--scheme: projection is for domains that ar
 fails 2 "sites beside a fluid" "--sites: is for sites that are not a fluid's" view --case shear --sites random:9
 fails 2 "an option of fluids" '--run: is for fluids; name one with --case or --resume' view --run
 DISPLAY='' fails 3 "no display" display view --sites random:9
+
+# A server of its own, which ends while a window of it is recorded.
+for window in opengl vulkan; do
+  name="a display that goes away, $window"
+  cases=$((cases + 1))
+  mkfifo number-$window
+  Xvfb -displayfd 3 -screen 0 640x480x24 -nolisten tcp 3>number-$window >/dev/null 2>&1 &
+  server=$!
+  read -r number <number-$window
+  DISPLAY=:$number "$vorpipe" view --sites random:100 --relax --window $window --backend cpu --size 64x48 \
+    --record recorded-$window >log/out 2>log/err &
+  viewer=$!
+  until [ -e recorded-$window/frame-00002.png ] || ! kill -0 $viewer 2>/dev/null; do sleep 0.05; done
+  kill $server
+  wait $viewer
+  code=$?
+  wait $server
+  [ "$code" -eq 3 ] || fail "exit code $code, not 3"
+  one_line
+done
 finish

@@ -18,6 +18,7 @@
 #include "cli/runs/run_end.h"
 #include "cli/runs/view_fluid.h"
 #include "cli/runs/view_input.h"
+#include "cli/terminal/abrupt_end.h"
 #include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
 #include "io/domain/density_file.h"
@@ -183,6 +184,7 @@ Result<ExitCode> runView(const ViewCommand& command) {
   }
   auto options = appOf(command);
   if (!options) return tl::unexpected(std::move(options.error()));
+  endOnLostDisplay(exit_device);
   auto window = openWindow(command);
   if (!window) return tl::unexpected(std::move(window.error()));
   view::WindowScreen screen(std::move(*window));

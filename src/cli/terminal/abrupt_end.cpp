@@ -1,5 +1,6 @@
 #include "cli/terminal/abrupt_end.h"
 
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <signal.h>
@@ -74,6 +75,22 @@ void endOnLostPages(int code) {
   };
   action.sa_flags = static_cast<int>(SA_SIGINFO | SA_RESETHAND);
   sigaction(SIGBUS, &action, nullptr);
+}
+
+void endOnLostDisplay(int code) {
+  static int exit_code;
+  exit_code = code;
+  using Handler = int (*)(void* display);
+  // Opened as GLFW does, and never closed; without it there is no window of X.
+  void* const library = dlopen("libX11.so.6", RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) return;
+  const auto set = reinterpret_cast<Handler (*)(Handler)>(dlsym(library, "XSetIOErrorHandler"));
+  if (set == nullptr) return;
+  set([](void*) -> int {
+    removeUnfinished();
+    printError("the display is gone: its server has closed the connection");
+    _exit(exit_code);
+  });
 }
 
 }  // namespace vorpipe::cli

@@ -20,4 +20,8 @@ void endOnUncaught(int code);
 /// ends with this code.
 void endOnLostPages(int code);
 
+/// From now on, where the X server of a window goes away, the program ends with this code. Xlib's own way is
+/// to say so in words of its own and to end it with 1.
+void endOnLostDisplay(int code);
+
 }  // namespace vorpipe::cli
