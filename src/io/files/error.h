@@ -14,8 +14,8 @@ tl::unexpected<Error> inputError(std::string message);
 /// Reading or writing failed, or memory ran out (exit code 3).
 tl::unexpected<Error> deviceError(std::string message);
 
-/// "FILE: what: REASON", REASON being the system's word for the errno `code`. Of the device, whatever the kind, where
-/// the system has no room: a full disk, too many open files.
+/// "FILE: what: REASON", REASON being the system's word for the errno `code`. Of the device, whatever the
+/// kind, where the system has no room: a full disk, too many open files.
 tl::unexpected<Error> systemError(ErrorCode kind, std::string_view file, std::string_view what, int code);
 
 /// `text` for a message: one line, bytes that do not print as \xNN, cut after 40 bytes.
