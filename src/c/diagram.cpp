@@ -9,6 +9,7 @@
 #include "c/handles.h"
 #include "c/options.h"
 #include "c/placed_input.h"
+#include "c/session_use.h"
 #include "c/shared_parts.h"
 #include "c/structs.h"
 #include "c/surface.h"
@@ -118,7 +119,7 @@ vorpipe_code vorpipe_cells(vorpipe_session* session, const vorpipe_input* input,
   if (session == nullptr) return missing("session");
   if (input == nullptr) return missing("input");
   if (diagram == nullptr) return missing("diagram");
-  return guarded([&] { return find(*session, *input, options, diagram); });
+  return guardedRun(*session, [&] { return find(*session, *input, options, diagram); });
 }
 
 void vorpipe_diagram_free(vorpipe_diagram* diagram) { delete diagram; }

@@ -51,7 +51,7 @@ vorpipe_code setDomain(vorpipe_input& input, DomainSettings domain, Periodic per
   domain.repair = input.domain.repair && !domain.outline.empty();
   input.domain = std::move(domain);
   input.periodic = periodic;
-  input.placed = nullptr;
+  findAnew(input);
   return VORPIPE_DONE;
 }
 
@@ -106,7 +106,7 @@ vorpipe_code vorpipe_input_repair_outline(vorpipe_input* input) {
       return fail(VORPIPE_INPUT, "outline: there is none to repair", Subject::outline);
     }
     input->domain.repair = true;
-    input->placed = nullptr;
+    findAnew(*input);
     return vorpipe_code{VORPIPE_DONE};
   });
 }
@@ -118,7 +118,7 @@ vorpipe_code vorpipe_input_set_margin(vorpipe_input* input, double margin, int32
       return fail(VORPIPE_INPUT, fmt::format("margin: {} is not a number of 0 or more", margin));
     }
     input->domain.margin = Margin{margin, relative != 0};
-    input->placed = nullptr;
+    findAnew(*input);
     return vorpipe_code{VORPIPE_DONE};
   });
 }
@@ -132,7 +132,7 @@ vorpipe_code vorpipe_input_project(vorpipe_input* input, double longitude, doubl
       if (auto projection = Projection::around(*choice.center); !projection) return fail(projection.error());
     }
     input->domain.project = choice;
-    input->placed = nullptr;
+    findAnew(*input);
     return vorpipe_code{VORPIPE_DONE};
   });
 }

@@ -8,6 +8,7 @@
 #include "c/handles.h"
 #include "c/options.h"
 #include "c/placed_input.h"
+#include "c/session_use.h"
 #include "c/surface.h"
 #include "io/files/error.h"
 #include "io/pictures/picture_file.h"
@@ -53,7 +54,7 @@ vorpipe_code vorpipe_draw(vorpipe_session* session, const vorpipe_input* input,
   if (input == nullptr) return missing("input");
   if (format == nullptr) return missing("format");
   if (write == nullptr) return missing("write");
-  return guarded([&] {
+  return guardedRun(*session, [&] {
     const auto known = shapesFormatOf(std::string("picture.") + format);
     if (!known) return fail(known.error());
     auto sink = sinkOf(format, write, user);
@@ -66,7 +67,7 @@ vorpipe_code vorpipe_draw_save(vorpipe_session* session, const vorpipe_input* in
   if (session == nullptr) return missing("session");
   if (input == nullptr) return missing("input");
   if (path == nullptr) return missing("path");
-  return guarded([&] {
+  return guardedRun(*session, [&] {
     const auto known = shapesFormatOf(path);
     if (!known) return fail(known.error());
     return codeOf(save(path, [&](ByteSink& to) { return draw(*session, *input, options, **known, to); }));

@@ -2,20 +2,37 @@
 
 #include <fmt/core.h>
 
-#include <utility>
+#include <algorithm>
+#include <array>
+#include <cstring>
 
 namespace vorpipe::c {
 namespace {
 
+/// Nothing of it is on the heap or has to be destroyed: to register a destructor for a thread takes memory,
+/// and the C library ends the program where there is none.
 struct LastError {
-  std::string message;
-  bool out_of_memory = false;  ///< stands for a message that takes none
+  std::array<char, 8192> message{};  ///< ends with a zero; what is longer ends with "..."
   vorpipe_subject subject = VORPIPE_SUBJECT_NONE;
 };
 
-LastError& lastError() {
-  thread_local LastError error;
-  return error;
+constinit thread_local LastError last_error;
+
+void keep(std::string_view message) {
+  constexpr std::string_view more = "...";
+  std::array<char, 8192>& kept = last_error.message;
+  std::size_t size = std::min(message.size(), kept.size() - 1);
+  const bool is_cut = size < message.size();
+  if (is_cut) {
+    size -= more.size();
+    const auto continues = [&](std::size_t at) {
+      return (static_cast<unsigned char>(message[at]) & 0xC0u) == 0x80u;
+    };
+    while (size > 0 && continues(size)) --size;
+  }
+  std::memcpy(kept.data(), message.data(), size);
+  if (is_cut) size += more.copy(kept.data() + size, more.size());
+  kept[size] = 0;
 }
 
 vorpipe_subject numberOf(Subject subject) {
@@ -56,16 +73,13 @@ vorpipe_code numberOf(ErrorCode code) {
 
 }  // namespace
 
-vorpipe_code fail(vorpipe_code code, std::string message, Subject subject) noexcept {
-  lastError() = {std::move(message), false, numberOf(subject)};
+vorpipe_code fail(vorpipe_code code, std::string_view message, Subject subject) noexcept {
+  keep(message);
+  last_error.subject = numberOf(subject);
   return code;
 }
 
-vorpipe_code outOfMemory() noexcept {
-  lastError().out_of_memory = true;
-  lastError().subject = VORPIPE_SUBJECT_NONE;
-  return VORPIPE_DEVICE;
-}
+vorpipe_code outOfMemory() noexcept { return fail(VORPIPE_DEVICE, "there is not enough memory for this"); }
 
 vorpipe_code fail(const Error& error) { return fail(numberOf(error.code), error.message, error.subject); }
 
@@ -75,9 +89,6 @@ vorpipe_code missing(std::string_view argument) noexcept {
 
 }  // namespace vorpipe::c
 
-const char* vorpipe_last_error() {
-  const auto& error = vorpipe::c::lastError();
-  return error.out_of_memory ? "there is not enough memory for this" : error.message.c_str();
-}
+const char* vorpipe_last_error() { return vorpipe::c::last_error.message.data(); }
 
-vorpipe_subject vorpipe_last_subject() { return vorpipe::c::lastError().subject; }
+vorpipe_subject vorpipe_last_subject() { return vorpipe::c::last_error.subject; }

@@ -3,7 +3,6 @@
 
 #include <exception>
 #include <new>
-#include <string>
 #include <string_view>
 
 #include "c/vorpipe_c.h"
@@ -12,7 +11,7 @@
 namespace vorpipe::c {
 
 /// Keeps what vorpipe_last_error() and vorpipe_last_subject() return; returns the code. Takes no memory.
-vorpipe_code fail(vorpipe_code code, std::string message, Subject subject = Subject::none) noexcept;
+vorpipe_code fail(vorpipe_code code, std::string_view message, Subject subject = Subject::none) noexcept;
 vorpipe_code fail(const Error& error);
 
 /// VORPIPE_DEVICE: there is no memory, not even for a message.

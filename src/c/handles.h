@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <deque>
 #include <memory>
@@ -24,6 +25,7 @@ struct vorpipe_devices {
 struct vorpipe_session {
   vorpipe::Session session;
   int threads;
+  std::atomic<bool> is_busy{false};  ///< with a run, for which c/session_use.h sees to it
 };
 
 namespace vorpipe::c {
@@ -61,6 +63,8 @@ struct vorpipe_input {
   vorpipe::Periodic periodic = vorpipe::Periodic::none;
   vorpipe::Surface surface = vorpipe::Surface::none;
   vorpipe::Density density{};
+  /// Of sites that have moved: the domain as it was found before, until another one is set.
+  std::shared_ptr<const vorpipe::c::PlacedInput> kept;
   mutable std::shared_ptr<const vorpipe::c::PlacedInput> placed;  ///< found when it is first needed
   mutable std::deque<std::string> notes;                          ///< what is in it stays where it is
 };
@@ -86,6 +90,7 @@ struct vorpipe_locator {
 };
 
 struct vorpipe_relaxation {
+  vorpipe_session* session;
   std::shared_ptr<const vorpipe::c::PlacedInput> placed;  ///< as the sites were given
   vorpipe_input input;                                    ///< what else was
   vorpipe::Relaxation relaxation;
@@ -104,6 +109,7 @@ struct vorpipe_transported {
 };
 
 struct vorpipe_fluid {
+  vorpipe_session* session;
   std::shared_ptr<const vorpipe::c::PlacedInput> placed;
   vorpipe_input input;
   vorpipe::Fluid fluid;

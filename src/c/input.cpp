@@ -29,9 +29,6 @@ std::vector<double> copied(const double* numbers, std::uint64_t count, std::size
 
 /// What has sites of the caller's.
 Result<vorpipe_input> inputOf(Sites sites) {
-  if (sites.size() > max_sites) {
-    return inputError(fmt::format("sites: {} of at most {}", sites.size(), max_sites));
-  }
   vorpipe_input input;
   input.sites = std::make_shared<const Sites>(std::move(sites));
   input.attributes = std::make_shared<const std::vector<Attribute>>();
@@ -89,6 +86,9 @@ vorpipe_code setWeights(vorpipe_input& input, Result<std::vector<double>> weight
 }
 
 Result<Sites> sitesOf(const vorpipe_sites& given) {
+  if (given.count > max_sites) {
+    return inputError(fmt::format("sites: {} of at most {}", given.count, max_sites));
+  }
   if (given.count > 0 && given.x == nullptr) return inputError("x: is NULL");
   if (given.count > 0 && given.y == nullptr) return inputError("y: is NULL");
   Sites sites;
@@ -173,7 +173,7 @@ vorpipe_code vorpipe_input_read_weights(vorpipe_input* input, const char* path) 
 vorpipe_code vorpipe_input_random_weights(vorpipe_input* input, double low, double high, uint64_t seed) {
   if (input == nullptr) return missing("input");
   return guarded([&] {
-    if (!std::isfinite(low) || !std::isfinite(high) || low > high) {
+    if (!std::isfinite(high - low) || low > high) {
       return fail(VORPIPE_INPUT, fmt::format("weights: none are from {} to {}", low, high), Subject::weights);
     }
     return setWeights(*input, randomWeights(low, high, input->sites->size(), seed));

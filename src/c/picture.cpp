@@ -8,6 +8,7 @@
 #include "c/handles.h"
 #include "c/options.h"
 #include "c/placed_input.h"
+#include "c/session_use.h"
 #include "c/structs.h"
 #include "io/files/error.h"
 #include "io/files/extension.h"
@@ -94,7 +95,7 @@ vorpipe_code vorpipe_render(vorpipe_session* session, const vorpipe_input* input
   if (session == nullptr) return missing("session");
   if (input == nullptr) return missing("input");
   if (picture == nullptr) return missing("picture");
-  return guarded([&] { return draw(*session, *input, options, picture); });
+  return guardedRun(*session, [&] { return draw(*session, *input, options, picture); });
 }
 
 vorpipe_code vorpipe_picture_read(const char* path, vorpipe_picture** picture) {

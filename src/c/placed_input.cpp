@@ -1,11 +1,14 @@
 #include "c/placed_input.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "io/cells/cell_attributes.h"
+#include "io/files/error.h"
 
 namespace vorpipe::c {
 namespace {
@@ -36,10 +39,8 @@ std::shared_ptr<const Sites> sitesInDegrees(PlacedSites& placed) {
       Sites{std::exchange(placed.longitudes, {}), std::exchange(placed.latitudes, {}), placed.sites.weight});
 }
 
-}  // namespace
-
-Result<std::shared_ptr<const PlacedInput>> placedInput(const vorpipe_input& input) {
-  if (input.placed != nullptr) return input.placed;
+/// Finds the domain of an input. Errors: those of findDomain (input).
+Result<PlacedInput> foundFor(const vorpipe_input& input) {
   PlacedInput placed{{}, input.sites, input.sites};
   PlacedSites& found = placed.domain;
   found.from = input.from;
@@ -57,13 +58,46 @@ Result<std::shared_ptr<const PlacedInput>> placedInput(const vorpipe_input& inpu
   if (moved) placed.sites = std::make_shared<const Sites>(std::exchange(found.sites, {}));
   if (moved && !found.projection) placed.given = placed.sites;
   found.sites = {};
-  std::vector<std::string> notes = std::exchange(found.notes, {});
+  return placed;
+}
+
+/// Takes the domain that was found before, with the system and the weights that are set now. Error (input): a
+/// system of a plane, and the domain is projected.
+Result<PlacedInput> keptFor(const vorpipe_input& input) {
+  PlacedInput placed = *input.kept;
+  const DomainWords words = wordsFor(input);
+  CoordinateSystem& system = placed.domain.projection ? placed.domain.degrees : placed.domain.system;
+  system = input.system;
+  if (placed.domain.projection && system.kind == CoordinateKind::plane) {
+    return inputError(fmt::format("{}: {} says that its coordinates are those of a plane, not degrees",
+                                  words.project, words.sites));
+  }
+  if (placed.domain.projection && system.kind != CoordinateKind::degrees) system = wgs84();
+  Sites sites = *placed.sites;
+  sites.weight = input.sites->weight;
+  placed.sites = std::make_shared<const Sites>(std::move(sites));
+  placed.given = input.sites;
+  return placed;
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const PlacedInput>> placedInput(const vorpipe_input& input) {
+  if (input.placed != nullptr) return input.placed;
+  auto placed = input.kept != nullptr ? keptFor(input) : foundFor(input);
+  if (!placed) return tl::unexpected(std::move(placed.error()));
+  std::vector<std::string> notes = std::exchange(placed->domain.notes, {});
   if (std::string renamed = renamingNote(*input.attributes); !renamed.empty()) {
     notes.push_back(std::move(renamed));
   }
   addNotes(input, std::move(notes));
-  input.placed = std::make_shared<const PlacedInput>(std::move(placed));
+  input.placed = std::make_shared<const PlacedInput>(std::move(*placed));
   return input.placed;
+}
+
+void findAnew(vorpipe_input& input) {
+  input.kept = nullptr;
+  input.placed = nullptr;
 }
 
 std::optional<PlanePositions> takeToDegrees(const PlacedInput& input, Diagram& diagram, int threads) {
@@ -90,7 +124,9 @@ std::unique_ptr<vorpipe_input> inputOf(const vorpipe_input& input, const PlacedI
   PlacedInput other = placed;
   other.sites = std::make_shared<const Sites>(sites);
   other.given = made->sites;
-  made->placed = std::make_shared<const PlacedInput>(std::move(other));
+  made->from = SitesFrom::caller;  // no longer a pattern to spread over an outline
+  made->kept = std::make_shared<const PlacedInput>(std::move(other));
+  made->placed = made->kept;
   return made;
 }
 

@@ -11,6 +11,9 @@ namespace vorpipe::c {
 /// mended or reinterpreted. Errors: those of findDomain (input).
 Result<std::shared_ptr<const PlacedInput>> placedInput(const vorpipe_input& input);
 
+/// Something that the domain depends on has changed: it is found anew, even where it was kept.
+void findAnew(vorpipe_input& input);
+
 /// Takes a diagram of this input back to degrees, if its sites were projected, and keeps its positions.
 std::optional<PlanePositions> takeToDegrees(const PlacedInput& input, Diagram& diagram, int threads);
 
@@ -18,7 +21,7 @@ std::optional<PlanePositions> takeToDegrees(const PlacedInput& input, Diagram& d
 Sites shownSites(const PlacedInput& input, Sites sites);
 
 /// An input like one that was placed, whose sites have become others. The domain stays as it was found, even
-/// where it was that of the sites.
+/// where it was that of the sites, until findAnew().
 std::unique_ptr<vorpipe_input> inputOf(const vorpipe_input& input, const PlacedInput& placed,
                                        const Sites& sites);
 

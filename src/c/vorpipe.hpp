@@ -666,8 +666,16 @@ class Session {
   /// Sites that move until nothing is left to do.
   Relaxation relax(const Input& input, vorpipe_relax_options options = {}, const Progress& progress = {}) {
     vorpipe_relaxation* relaxation = nullptr;
-    run(options, progress, [&] { return vorpipe_relax(get(), input.get(), &options, &relaxation); });
-    return Relaxation(relaxation);
+    Callback<Progress> callback(progress);
+    options.struct_size = sizeof options;
+    if (progress) {
+      options.progress = Callback<Progress>::progress;
+      options.progress_user = callback.user();
+    }
+    const vorpipe_code code = vorpipe_relax(get(), input.get(), &options, &relaxation);
+    Relaxation relaxed(relaxation);  // which it is as well where progress said stop, or has thrown
+    callback.finish(code);
+    return relaxed;
   }
   /// The same step by step: `options.progress` must be good for all of them.
   Relaxation relaxBegin(const Input& input, vorpipe_relax_options options = {}) {

@@ -9,7 +9,8 @@
  * What is zero is left to the library, which knows of fields that a program built earlier does not have.
  * - Objects are opaque and the caller's, to be freed by the function of their name. Freeing NULL does
  * nothing. What a function returns as `const` belongs to the object it is asked of, and lives as long.
- * - One object is used by one thread at a time, but for diagrams and pictures, which are never changed. */
+ * - One object is used by one thread at a time, but for diagrams and pictures, which are never changed. A
+ * session has one run at a time: another one is refused by VORPIPE_DEVICE, from its progress as well. */
 #ifndef VORPIPE_C_H
 #define VORPIPE_C_H
 
@@ -636,8 +637,8 @@ VORPIPE_API vorpipe_relax_end vorpipe_relaxation_end(const vorpipe_relaxation* r
 VORPIPE_API vorpipe_code vorpipe_relaxation_report(const vorpipe_relaxation* relaxation,
                                                    vorpipe_report* report);
 VORPIPE_API const char* vorpipe_relaxation_note(const vorpipe_relaxation* relaxation, size_t index);
-/* The sites where they are, as an input: same domain, weights, density and attributes. For the caller to
- * free. */
+/* The sites where they are, as an input: same domain, weights, density and attributes. The domain stays until
+ * another one, a margin or a projection is set. For the caller to free. */
 VORPIPE_API vorpipe_code vorpipe_relaxation_input(const vorpipe_relaxation* relaxation,
                                                   vorpipe_input** input);
 /* The sites as a file that sites are read from: "csv", "txt", "npy", "geojson", "geojsonl", "gpkg" or "wkt".

@@ -44,6 +44,89 @@ static void outlines(vorpipe_session* session) {
   remove("outline.wkt");
 }
 
+static void name_all(vorpipe_input* input) {
+  vorpipe_text names[50];
+  uint64_t k;
+  for (k = 0; k < 50; ++k) names[k] = (vorpipe_text){"a", 1};
+  DONE(vorpipe_input_add_attribute(input, "name", VORPIPE_TEXT, names, vorpipe_input_count(input)));
+}
+
+/* Sites that have moved keep the domain that was found before, whatever is said of them later; and another
+ * one that is set. */
+static void domains_of_moved(vorpipe_session* session) {
+  double before[4], after[4];
+  int kind;
+  for (kind = 0; kind < 3; ++kind) {
+    vorpipe_input *input = NULL, *moved = NULL;
+    vorpipe_relaxation* relaxation = NULL;
+    DONE(vorpipe_input_read("random:20", 1, &input));
+    DONE(vorpipe_input_set_hull(input));
+    if (kind == 1) DONE(vorpipe_input_set_margin(input, 1, 0));
+    if (kind == 2) {
+      const double x[] = {0, 10, 10, 0, 5, 3}, y[] = {0, 0, 10, 10, 5, 4};
+      vorpipe_sites sites = {sizeof sites};
+      sites.count = 6;
+      sites.x = x;
+      sites.y = y;
+      vorpipe_input_free(input);
+      DONE(vorpipe_input_create(&sites, &input));
+      DONE(vorpipe_input_project(input, NAN, NAN));
+    }
+    DONE(vorpipe_relax(session, input, NULL, &relaxation));
+    DONE(vorpipe_relaxation_input(relaxation, &moved));
+    DONE(vorpipe_input_domain(input, before));
+    name_all(moved);
+    DONE(vorpipe_input_random_weights(moved, 0, 1e-9, 1));
+    DONE(vorpipe_input_set_system(moved, VORPIPE_SYSTEM_UNKNOWN, 0));
+    DONE(vorpipe_input_domain(moved, after));
+    PROMISE(memcmp(before, after, sizeof before) == 0);
+    PROMISE(fabs(areaSum(session, moved) / areaSum(session, input) - 1) < 1e-12);
+    DONE(vorpipe_input_set_margin(moved, 2, 1));
+    DONE(vorpipe_input_domain(moved, after));
+    PROMISE(after[2] > before[2]);
+    if (kind == 2) {
+      DONE(vorpipe_input_set_system(moved, VORPIPE_SYSTEM_PLANE, 0));
+      REFUSED(VORPIPE_INPUT, "plane", vorpipe_input_domain(moved, after));
+    }
+    vorpipe_relaxation_free(relaxation);
+    vorpipe_input_free(moved);
+    vorpipe_input_free(input);
+  }
+}
+
+/* A pattern was spread over its outline once. */
+static void patterns_that_moved(vorpipe_session* session) {
+  const double triangle[] = {100, 100, 140, 100, 120, 160}, other[] = {90, 90, 150, 90, 120, 170};
+  const uint64_t rings[] = {0, 3}, polygons[] = {0, 1};
+  vorpipe_outline outline = {sizeof outline};
+  vorpipe_input *input = NULL, *moved = NULL;
+  vorpipe_transported* found = NULL;
+  vorpipe_diagram* cells = NULL;
+  vorpipe_report report = {sizeof report};
+  int time;
+  outline.point_count = 3;
+  outline.ring_count = outline.polygon_count = 1;
+  outline.points = triangle;
+  outline.ring_offsets = rings;
+  outline.polygon_offsets = polygons;
+  DONE(vorpipe_input_read("random:50", 1, &input));
+  DONE(vorpipe_input_set_outline(input, &outline));
+  DONE(vorpipe_transport(session, input, NULL, &found));
+  DONE(vorpipe_transported_input(found, &moved));
+  name_all(moved);
+  for (time = 0; time < 2; ++time) {
+    DONE(vorpipe_cells(session, moved, NULL, &cells));
+    DONE(vorpipe_diagram_report(cells, &report));
+    PROMISE(report.ok == 50);
+    vorpipe_diagram_free(cells);
+    outline.points = other;
+    DONE(vorpipe_input_set_outline(moved, &outline));
+  }
+  vorpipe_input_free(moved);
+  vorpipe_transported_free(found);
+  vorpipe_input_free(input);
+}
+
 /* Weights and sites out of files; the default domain is the box of the sites, grown by 5 %. */
 static void files(vorpipe_session* session) {
   vorpipe_input* input = NULL;
@@ -65,5 +148,7 @@ static void files(vorpipe_session* session) {
 
 void input_promises(vorpipe_session* session) {
   outlines(session);
+  domains_of_moved(session);
+  patterns_that_moved(session);
   files(session);
 }

@@ -43,6 +43,8 @@ static void sites(vorpipe_session* session) {
   given.y = y;
   REFUSED(VORPIPE_INPUT, "site 1 is not finite", vorpipe_input_create(&given, &input));
   PROMISE(vorpipe_last_subject() == VORPIPE_SUBJECT_SITES && input == NULL);
+  given.count = UINT64_MAX;
+  REFUSED(VORPIPE_INPUT, "of at most", vorpipe_input_create(&given, &input));
   given.count = 0;
   DONE(vorpipe_input_create(&given, &input));
   PROMISE(vorpipe_cells(session, input, NULL, &diagram) == VORPIPE_INPUT);
@@ -50,6 +52,88 @@ static void sites(vorpipe_session* session) {
   input = NULL;
   REFUSED(VORPIPE_INPUT, "nowhere.csv", vorpipe_input_read("nowhere.csv", 1, &input));
   REFUSED(VORPIPE_INPUT, "sites: is NULL", vorpipe_input_read(NULL, 1, &input));
+}
+
+struct nested {
+  vorpipe_session* session;
+  const vorpipe_input* input;
+  int refused, done;
+};
+
+/* Progress that runs its own session. */
+static int32_t run_again(void* user, const char* stage, double fraction) {
+  struct nested* nested = user;
+  vorpipe_diagram* diagram = NULL;
+  vorpipe_picture* picture = NULL;
+  vorpipe_relaxation* relaxation = NULL;
+  vorpipe_fluid* fluid = NULL;
+  (void)stage;
+  (void)fraction;
+  REFUSED(VORPIPE_DEVICE, "busy", vorpipe_cells(nested->session, nested->input, NULL, &diagram));
+  REFUSED(VORPIPE_DEVICE, "busy", vorpipe_render(nested->session, nested->input, NULL, &picture));
+  REFUSED(VORPIPE_DEVICE, "busy", vorpipe_draw_save(nested->session, nested->input, NULL, "busy.svg"));
+  REFUSED(VORPIPE_DEVICE, "busy", vorpipe_relax(nested->session, nested->input, NULL, &relaxation));
+  REFUSED(VORPIPE_DEVICE, "busy", vorpipe_fluid_read(nested->session, "shear", 16, NULL, &fluid));
+  PROMISE(diagram == NULL && picture == NULL && relaxation == NULL && fluid == NULL);
+  ++nested->refused;
+  return 0;
+}
+
+static int32_t run_between(void* user, const vorpipe_fluid_figures* figures) {
+  struct nested* nested = user;
+  vorpipe_diagram* diagram = NULL;
+  (void)figures;
+  DONE(vorpipe_cells(nested->session, nested->input, NULL, &diagram));
+  vorpipe_diagram_free(diagram);
+  ++nested->done;
+  return 0;
+}
+
+/* A session has one run at a time; between the steps of a fluid it is free. */
+static void busy_sessions(vorpipe_session* session, const vorpipe_input* input) {
+  struct nested nested = {session, input, 0, 0};
+  vorpipe_cells_options cells = {sizeof cells};
+  vorpipe_relax_options moves = {sizeof moves};
+  vorpipe_transport_options masses = {sizeof masses};
+  vorpipe_fluid_options flows = {sizeof flows};
+  vorpipe_fluid_run_options steps = {sizeof steps};
+  vorpipe_diagram* diagram = NULL;
+  vorpipe_relaxation* relaxation = NULL;
+  vorpipe_transported* found = NULL;
+  vorpipe_fluid* fluid = NULL;
+  cells.progress = moves.progress = masses.progress = flows.progress = run_again;
+  cells.progress_user = moves.progress_user = masses.progress_user = flows.progress_user = &nested;
+  moves.iterations = masses.diagrams = 2;
+  DONE(vorpipe_cells(session, input, &cells, &diagram));
+  PROMISE(nested.refused > 0);
+  nested.refused = 0;
+  DONE(vorpipe_relax(session, input, &moves, &relaxation));
+  PROMISE(nested.refused > 0);
+  nested.refused = 0;
+  DONE(vorpipe_transport(session, input, &masses, &found));
+  PROMISE(nested.refused > 0);
+  nested.refused = 0;
+  DONE(vorpipe_fluid_read(session, "shear", 16, &flows, &fluid));
+  steps.steps = 2;
+  steps.watch = run_between;
+  steps.watch_user = &nested;
+  DONE(vorpipe_fluid_run(fluid, &steps));
+  PROMISE(nested.refused > 0 && nested.done == 2);
+  vorpipe_fluid_free(fluid);
+  vorpipe_transported_free(found);
+  vorpipe_relaxation_free(relaxation);
+  vorpipe_diagram_free(diagram);
+}
+
+/* A message that is too long to be kept ends so. */
+static void long_messages(void) {
+  char path[10000];
+  vorpipe_input* input = NULL;
+  size_t k;
+  for (k = 0; k + 1 < sizeof path; ++k) path[k] = k % 3 == 0 ? '\xE2' : k % 3 == 1 ? '\x82' : '\xAC';
+  path[sizeof path - 1] = 0;
+  REFUSED(VORPIPE_INPUT, "\xE2\x82\xAC...", vorpipe_input_read(path, 1, &input));
+  PROMISE(strlen(vorpipe_last_error()) < sizeof path);
 }
 
 void refusals(vorpipe_session* session) {
@@ -72,9 +156,12 @@ void refusals(vorpipe_session* session) {
   sites(session);
   DONE(vorpipe_input_read("random:10", 1, &input));
   structs(session, input);
+  busy_sessions(session, input);
+  long_messages();
   REFUSED(VORPIPE_INPUT, "2 for 10", vorpipe_input_set_weights(input, weights, 2));
   PROMISE(vorpipe_last_subject() == VORPIPE_SUBJECT_WEIGHTS);
   REFUSED(VORPIPE_INPUT, "from 2 to 1", vorpipe_input_random_weights(input, 2, 1, 1));
+  REFUSED(VORPIPE_INPUT, "from -1e+308 to", vorpipe_input_random_weights(input, -1e308, 1e308, 1));
   REFUSED(VORPIPE_INPUT, "periodic", vorpipe_input_set_box(input, 0, 0, 1, 1, 4));
   render.width = -1;
   render.height = 5;

@@ -82,6 +82,7 @@ void relaxing_promises(vorpipe_session* session) {
   results(session, input);
   options.progress = stop_at_once;
   REFUSED(VORPIPE_CANCELLED, "", vorpipe_relax(session, input, &options, &relaxation));
+  PROMISE(relaxation == NULL);
   options.progress = NULL;
   options.method = 7;
   REFUSED(VORPIPE_INPUT, "method", vorpipe_relax_begin(session, input, &options, &relaxation));

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,6 +60,18 @@ int main() {
               relaxed.trace()[1][1] < relaxed.trace()[0][1],
           "energy falls");
   promise(session.cells(relaxed.input()).size() == 2000 && relaxed.sites().size() == 2000, "moved sites");
+
+  int asked = 0;
+  const auto interrupt = [&](std::string_view, double) -> bool {
+    if (++asked > 30) throw std::runtime_error("the caller's");
+    return true;
+  };
+  try {
+    session.relax(random, {}, interrupt);  // which leaves nothing behind: a sanitizer would say so
+    promise(false, "the caller's exception");
+  } catch (const std::runtime_error& error) {
+    promise(error.what() == std::string("the caller's"), "the caller's exception");
+  }
 
   int steps = 0;
   const auto even = session.transport(random, {}, {}, [&](const auto&) { return ++steps > 0; });

@@ -16,6 +16,7 @@
 #include "c/moving/moved_sites.h"
 #include "c/moving/moving_options.h"
 #include "c/placed_input.h"
+#include "c/session_use.h"
 #include "c/structs.h"
 #include "io/files/error.h"
 #include "io/files/extension.h"
@@ -28,7 +29,7 @@ Result<vorpipe_fluid*> begun(vorpipe_session& session, vorpipe_input input,
                              std::shared_ptr<const PlacedInput> placed, FluidSetup setup) {
   auto fluid = Fluid::begin(session.session, std::move(setup.state), std::move(setup.options));
   if (!fluid) return tl::unexpected(std::move(fluid.error()));
-  return new vorpipe_fluid{std::move(placed), std::move(input), std::move(*fluid)};
+  return new vorpipe_fluid{&session, std::move(placed), std::move(input), std::move(*fluid)};
 }
 
 Result<vorpipe_fluid*> begun(vorpipe_session& session, const vorpipe_input& input,
@@ -85,7 +86,22 @@ Result<vorpipe_array> arrayOf(const vorpipe_fluid& fluid, vorpipe_fluid_field fi
   }
 }
 
-Result<void> run(Fluid& fluid, const vorpipe_fluid_run_options* given) {
+/// Lets a fluid go on until then.
+Result<void> goOn(vorpipe_fluid& fluid, double until) {
+  const SessionUse use(*fluid.session);
+  if (auto begun = use.begun(); !begun) return begun;
+  return fluid.fluid.goOn(until);
+}
+
+Result<bool> step(vorpipe_fluid& fluid) {
+  const SessionUse use(*fluid.session);
+  if (auto begun = use.begun(); !begun) return tl::unexpected(std::move(begun.error()));
+  return fluid.fluid.step();
+}
+
+/// Between steps, when the caller watches, the session is free.
+Result<void> run(vorpipe_fluid& run, const vorpipe_fluid_run_options* given) {
+  const Fluid& fluid = run.fluid;
   const auto wanted = taken(given, "vorpipe_fluid_run_options");
   if (!wanted) return tl::unexpected(wanted.error());
   constexpr double never = std::numeric_limits<double>::infinity();
@@ -94,10 +110,10 @@ Result<void> run(Fluid& fluid, const vorpipe_fluid_run_options* given) {
   if (until == never && wanted->steps == 0) {
     return inputError("until: name when to end, or a number of steps");
   }
-  if (auto on = fluid.goOn(until); !on) return on;
+  if (auto on = goOn(run, until); !on) return on;
   const auto goes_on = watcherOf(wanted->watch, wanted->watch_user, &figuresOf);
   for (std::uint64_t done = 0; wanted->steps == 0 || done < wanted->steps; ++done) {
-    const auto more = fluid.step();
+    const auto more = step(run);
     if (!more) return tl::unexpected(more.error());
     if (!*more || !goes_on(fluid.last())) break;
   }
@@ -133,7 +149,7 @@ vorpipe_code vorpipe_fluid_begin(vorpipe_session* session, const vorpipe_input* 
   if (session == nullptr) return missing("session");
   if (input == nullptr) return missing("input");
   if (fluid == nullptr) return missing("fluid");
-  return guarded([&]() -> vorpipe_code {
+  return guardedRun(*session, [&]() -> vorpipe_code {
     const auto made = begun(*session, *input, options);
     if (!made) return fail(made.error());
     *fluid = *made;
@@ -146,7 +162,7 @@ vorpipe_code vorpipe_fluid_read(vorpipe_session* session, const char* name, uint
   if (session == nullptr) return missing("session");
   if (name == nullptr) return missing("name");
   if (fluid == nullptr) return missing("fluid");
-  return guarded([&]() -> vorpipe_code {
+  return guardedRun(*session, [&]() -> vorpipe_code {
     const auto made = read(*session, name, parcels, options);
     if (!made) return fail(made.error());
     *fluid = *made;
@@ -158,7 +174,7 @@ void vorpipe_fluid_free(vorpipe_fluid* fluid) { delete fluid; }
 
 vorpipe_code vorpipe_fluid_step(vorpipe_fluid* fluid, vorpipe_fluid_figures* figures, int32_t* more) {
   if (fluid == nullptr) return missing("fluid");
-  return guarded([&]() -> vorpipe_code {
+  return guardedRun(*fluid->session, [&]() -> vorpipe_code {
     if (figures != nullptr) {
       vorpipe_fluid_figures checked{};
       checked.struct_size = figures->struct_size;
@@ -173,13 +189,13 @@ vorpipe_code vorpipe_fluid_step(vorpipe_fluid* fluid, vorpipe_fluid_figures* fig
 
 vorpipe_code vorpipe_fluid_run(vorpipe_fluid* fluid, const vorpipe_fluid_run_options* options) {
   if (fluid == nullptr) return missing("fluid");
-  return guarded([&] { return codeOf(run(fluid->fluid, options)); });
+  return guarded([&] { return codeOf(run(*fluid, options)); });
 }
 
 vorpipe_code vorpipe_fluid_push(vorpipe_fluid* fluid, const double* velocities, uint64_t count) {
   if (fluid == nullptr) return missing("fluid");
   if (velocities == nullptr) return missing("velocities");
-  return guarded([&] { return push(fluid->fluid, velocities, count); });
+  return guardedRun(*fluid->session, [&] { return push(fluid->fluid, velocities, count); });
 }
 
 vorpipe_code vorpipe_fluid_array(const vorpipe_fluid* fluid, vorpipe_fluid_field field,

@@ -8,6 +8,7 @@
 #include "c/moving/moving_options.h"
 #include "c/options.h"
 #include "c/placed_input.h"
+#include "c/session_use.h"
 #include "c/structs.h"
 
 namespace vorpipe::c {
@@ -39,7 +40,7 @@ vorpipe_code begin(vorpipe_session& session, const vorpipe_input& input, const v
   if (!options) return fail(options.error());
   auto begun = Relaxation::begin(session.session, *(*placed)->sites, std::move(*options));
   if (!begun) return fail(begun.error());
-  *relaxation = new vorpipe_relaxation{*placed, input, std::move(*begun)};
+  *relaxation = new vorpipe_relaxation{&session, *placed, input, std::move(*begun)};
   return VORPIPE_DONE;
 }
 
@@ -80,12 +81,12 @@ vorpipe_code vorpipe_relax_begin(vorpipe_session* session, const vorpipe_input* 
   if (session == nullptr) return missing("session");
   if (input == nullptr) return missing("input");
   if (relaxation == nullptr) return missing("relaxation");
-  return guarded([&] { return begin(*session, *input, options, relaxation); });
+  return guardedRun(*session, [&] { return begin(*session, *input, options, relaxation); });
 }
 
 vorpipe_code vorpipe_relaxation_step(vorpipe_relaxation* relaxation, int32_t* more) {
   if (relaxation == nullptr) return missing("relaxation");
-  return guarded([&]() -> vorpipe_code {
+  return guardedRun(*relaxation->session, [&]() -> vorpipe_code {
     const auto stepped = relaxation->relaxation.step();
     if (!stepped) return fail(stepped.error());
     if (more != nullptr) *more = *stepped ? 1 : 0;
@@ -95,13 +96,14 @@ vorpipe_code vorpipe_relaxation_step(vorpipe_relaxation* relaxation, int32_t* mo
 
 vorpipe_code vorpipe_relax(vorpipe_session* session, const vorpipe_input* input,
                            const vorpipe_relax_options* options, vorpipe_relaxation** relaxation) {
-  vorpipe_code code = vorpipe_relax_begin(session, input, options, relaxation);
-  int32_t more = code == VORPIPE_DONE ? 1 : 0;
-  while (more != 0) {
-    code = vorpipe_relaxation_step(*relaxation, &more);
-    if (code == VORPIPE_DONE) continue;
-    vorpipe_relaxation_free(std::exchange(*relaxation, nullptr));
-    more = 0;
+  if (relaxation == nullptr) return missing("relaxation");
+  vorpipe_relaxation* begun = nullptr;
+  vorpipe_code code = vorpipe_relax_begin(session, input, options, &begun);
+  for (int32_t more = 1; code == VORPIPE_DONE && more != 0;) code = vorpipe_relaxation_step(begun, &more);
+  if (code == VORPIPE_DONE) {
+    *relaxation = begun;
+  } else {
+    vorpipe_relaxation_free(begun);
   }
   return code;
 }

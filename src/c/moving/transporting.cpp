@@ -9,6 +9,7 @@
 #include "c/moving/moving_options.h"
 #include "c/options.h"
 #include "c/placed_input.h"
+#include "c/session_use.h"
 #include "c/structs.h"
 #include "io/files/error.h"
 #include "vorpipe/masses.h"
@@ -138,7 +139,7 @@ vorpipe_code vorpipe_transport(vorpipe_session* session, const vorpipe_input* in
   if (session == nullptr) return missing("session");
   if (input == nullptr) return missing("input");
   if (transported == nullptr) return missing("transported");
-  return guarded([&]() -> vorpipe_code {
+  return guardedRun(*session, [&]() -> vorpipe_code {
     auto found = find(*session, *input, options);
     if (!found) return fail(found.error());
     *transported = found->release();

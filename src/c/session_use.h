@@ -1,0 +1,46 @@
+/// The one run that a session has at a time.
+#pragma once
+
+#include "c/failure.h"
+#include "c/handles.h"
+#include "c/vorpipe_c.h"
+#include "vorpipe.h"
+
+namespace vorpipe::c {
+
+/// Takes a session for a run. While it has another, of which the caller's progress may ask for this one, or
+/// another thread, the run is refused: it would find what the first one is amid of.
+class SessionUse {
+ public:
+  explicit SessionUse(vorpipe_session& session)
+      : session_(session), is_refused_(session.is_busy.exchange(true)) {}
+  ~SessionUse() {
+    if (!is_refused_) session_.is_busy = false;
+  }
+  SessionUse(const SessionUse&) = delete;
+  SessionUse& operator=(const SessionUse&) = delete;
+
+  /// Error (device): it is busy.
+  [[nodiscard]] Result<void> begun() const {
+    if (!is_refused_) return {};
+    return tl::unexpected(Error{
+        ErrorCode::device,
+        "session: is busy with another run; what its progress or another thread runs takes one of its own"});
+  }
+
+ private:
+  vorpipe_session& session_;
+  bool is_refused_;
+};
+
+/// Runs what takes the session, and may throw.
+template <class Body>
+vorpipe_code guardedRun(vorpipe_session& session, const Body& body) noexcept {
+  return guarded([&]() -> vorpipe_code {
+    const SessionUse use(session);
+    if (const auto begun = use.begun(); !begun) return fail(begun.error());
+    return body();
+  });
+}
+
+}  // namespace vorpipe::c
