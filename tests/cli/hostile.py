@@ -135,7 +135,7 @@ def geopackages():
     CREATE TABLE gpkg_geometry_columns(table_name TEXT, column_name TEXT, geometry_type_name TEXT, srs_id INTEGER);
     INSERT INTO gpkg_contents VALUES('t', 'features', -1);
     INSERT INTO gpkg_geometry_columns VALUES('t', 'geom', 'POINT', -1);"""
-    endless = "WITH RECURSIVE c(n) AS (SELECT 1 UNION ALL SELECT n + 1 FROM c) SELECT n, zeroblob(1) AS geom FROM c"
+    endless = "WITH RECURSIVE c(n) AS (SELECT 1 UNION ALL SELECT n + 1 FROM c) SELECT n, x'00' AS geom FROM c"
 
     def make(name, script, rows=0):
         path = os.path.join(folder, name)
@@ -160,6 +160,13 @@ def geopackages():
     write("wal.gpkg-wal", noise)
     make("endless.gpkg", f"CREATE VIEW t AS {endless} WHERE n < 0;")
     make("blob.gpkg", "CREATE VIEW t AS SELECT zeroblob(1000000000) AS geom;")
+    numbers = "CREATE TABLE r(n); INSERT INTO r WITH RECURSIVE c(n) AS (SELECT 1 UNION ALL SELECT n + 1 FROM c " \
+              "LIMIT 500) SELECT n FROM c;"
+    make("join.gpkg", f"{numbers} CREATE VIEW t AS SELECT x'00' AS geom FROM r a, r b, r c ORDER BY a.n + b.n;")
+    doubled = "".join(f"CREATE VIEW v{k} AS SELECT n, n AS geom FROM v{k - 1} UNION ALL SELECT n, 2 FROM v{k - 1} "
+                      "LIMIT 9;" for k in range(1, 20))
+    make("views.gpkg", f"{numbers} CREATE VIEW v0 AS SELECT n, n AS geom FROM r; {doubled}"
+                       "CREATE VIEW t AS SELECT * FROM v19;")
 
 
 texts()

@@ -137,8 +137,10 @@ rm -f out/cells.csv
 # -- Databases -----------------------------------------------------------------------------------------------
 bad cut.gpkg "cannot be read"
 bad page.gpkg "cannot be read"
-bad endless.gpkg "far more work than a file of its size has"
-bad blob.gpkg "too big"
+bad endless.gpkg "is recursive, and may never end"
+bad join.gpkg "more memory than a file of its size has" 250000
+bad views.gpkg "too many references" 400000
+bad blob.gpkg "calls zeroblob"
 good triggers.gpkg 500
 good wal.gpkg 500
 

@@ -92,9 +92,8 @@ tl::unexpected<Error> PointLayer::failed(int code) const {
     return inputError(
         fmt::format("{}: cannot be read: it asks for more memory than a file of its size has", path_));
   }
-  if ((code & primary) == SQLITE_INTERRUPT) {
-    return inputError(
-        fmt::format("{}: cannot be read: it asks for far more work than a file of its size has", path_));
+  if (!limits_->refusal().empty()) {
+    return inputError(fmt::format("{}: cannot be read: {}", path_, limits_->refusal()));
   }
   std::string message = fmt::format("{}: cannot be read: {}", path_, sqlite3_errmsg(database_.get()));
   // SQLite quotes what the file has, line ends among it.
@@ -107,42 +106,25 @@ tl::unexpected<Error> PointLayer::failed(int code) const {
 Result<void> PointLayer::openDatabase() {
   auto file = InputFile::open(path_);
   if (!file) return tl::unexpected(file.error());
-  std::array<char, magic.size()> begin{};
-  const auto got = file->read(begin);
+  std::array<char, sqlite_header_size> header{};
+  const auto got = file->read(header);
   if (!got) return tl::unexpected(got.error());
-  if (std::string_view(begin.data(), *got) != magic) {
+  if (!std::string_view(header.data(), *got).starts_with(magic)) {
     return inputError(fmt::format("{}: is no GeoPackage: it does not begin with \"SQLite format 3\"", path_));
   }
-  // A name such as ":memory:" is a file's as well.
-  const std::string place = path_.starts_with('/') ? path_ : "./" + path_;
+  const std::string place = placeOf(path_, header);
   sqlite3* database = nullptr;
-  const int code = sqlite3_open_v2(place.c_str(), &database, SQLITE_OPEN_READONLY, nullptr);
+  const int code = sqlite3_open_v2(place.c_str(), &database, SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr);
   database_.reset(database);
   if (database == nullptr) throw std::bad_alloc();
   if (code != SQLITE_OK) return failed(code);
-  return limitDatabase(file->size().value_or(0));
-}
-
-/// A file of unknown origin may have views that never end, or make text of any length, and damaged pages.
-Result<void> PointLayer::limitDatabase(std::uint64_t file_bytes) const {
-  constexpr std::uint64_t shortest = std::uint64_t{1} << 20, longest = 1'000'000'000;
-  constexpr std::uint64_t few_steps = 100'000'000, steps_of_byte = 1000;
-  constexpr int steps_at_a_time = 1'000'000;
-  sqlite3* const database = database_.get();
-  // Views may not call what has effects.
-  sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
-  sqlite3_limit(database, SQLITE_LIMIT_LENGTH, static_cast<int>(std::clamp(file_bytes, shortest, longest)));
-  // What has to be sorted or joined takes more steps than there are bytes, but at most this multiple.
-  *steps_left_ = (few_steps + file_bytes * steps_of_byte) / steps_at_a_time;
-  const auto step = [](void* left) { return (*static_cast<std::uint64_t*>(left))-- == 0 ? 1 : 0; };
-  sqlite3_progress_handler(database, steps_at_a_time, step, steps_left_.get());
-  const int code = sqlite3_exec(database, "PRAGMA cell_size_check = ON", nullptr, nullptr, nullptr);
-  return code == SQLITE_OK ? Result<void>() : failed(code);
+  const int held = limits_->hold(database, file->size().value_or(0));
+  return held == SQLITE_OK ? Result<void>() : failed(held);
 }
 
 Result<Statement> PointLayer::prepare(const std::string& sql, std::string_view parameter) const {
   sqlite3_stmt* raw = nullptr;
-  const int code = sqlite3_prepare_v2(database_.get(), sql.c_str(), -1, &raw, nullptr);
+  const int code = limits_->prepare(sql, raw);
   Statement statement(raw);
   if (code != SQLITE_OK) return failed(code);
   if (sqlite3_bind_parameter_count(raw) > 0) {

@@ -12,6 +12,7 @@
 
 #include "io/attributes/attribute.h"
 #include "io/attributes/coordinate_system.h"
+#include "io/geopackage/query_limits.h"
 #include "io/geopackage/sqlite.h"
 #include "vorpipe.h"
 
@@ -50,7 +51,6 @@ class PointLayer {
   explicit PointLayer(std::string path) : path_(std::move(path)) {}
   [[nodiscard]] tl::unexpected<Error> failed(int code) const;
   Result<void> openDatabase();
-  [[nodiscard]] Result<void> limitDatabase(std::uint64_t file_bytes) const;
   Result<Statement> prepare(const std::string& sql, std::string_view parameter) const;
   Result<bool> step(const Statement& statement) const;
   Result<void> chooseLayer(const std::string& name);
@@ -59,7 +59,7 @@ class PointLayer {
   Result<void> select();
 
   std::string path_;
-  std::unique_ptr<std::uint64_t> steps_left_ = std::make_unique<std::uint64_t>();  ///< which SQLite counts
+  std::unique_ptr<QueryLimits> limits_ = std::make_unique<QueryLimits>();  ///< which SQLite asks
   Database database_;
   std::string name_, geometry_column_;
   std::int64_t system_id_ = 0;

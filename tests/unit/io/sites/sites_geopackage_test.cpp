@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 
 #include "unit/io/sites/sites_fixture.h"
@@ -132,6 +133,47 @@ TEST_F(GeoPackage, brokenOnesAreRefusedInOneLine) {
   python(
       "import os, sqlite3\ndb = sqlite3.connect('e.gpkg')\ndb.execute('CREATE TABLE a (b)')\ndb.commit()\n");
   EXPECT_EQ(badFile(path("e.gpkg")), " cannot be read: no such table: gpkg_contents");
+}
+
+/// A view of a table a of points.
+std::string viewOf(const std::string& sql) {
+  return R"(layer('a', 'LINESTRING', 0, ', name TEXT', [(k, gp(wkb('<', 1, k, -k)), ' n%d ' % k) for k in range(200)])
+db.execute('INSERT INTO gpkg_contents VALUES ("v", "features")')
+db.execute('INSERT INTO gpkg_geometry_columns VALUES ("v", "geom", "POINT", 0, 0, 0)')
+db.execute("""CREATE VIEW v AS )" +
+         sql + R"(""")
+)";
+}
+
+TEST_F(GeoPackage, viewsAreLayersAsWell) {
+  const SiteTable table = read(viewOf(R"(SELECT row_number() OVER () AS n, geom, name FROM a
+    WHERE name LIKE ' n1%' AND fid < 12 AND replace(trim(name), 'n', '') < '2' ORDER BY upper(name) DESC)"));
+  EXPECT_THAT(table.sites.x, ElementsAre(11, 10, 1));
+  EXPECT_THAT(textsOf(table), ElementsAre("name (text):  n11 ,  n10 ,  n1 "));
+}
+
+TEST_F(GeoPackage, viewsThatAskForMuchAreRefused) {
+  EXPECT_EQ(refusal(viewOf("WITH RECURSIVE c(n) AS (SELECT 1 UNION ALL SELECT n + 1 FROM c) "
+                           "SELECT geom, n FROM c, a ORDER BY n")),
+            " cannot be read: a view in it is recursive, and may never end; save the layer as a table");
+  EXPECT_EQ(
+      refusal(viewOf("SELECT geom, randomblob(1000000) AS r FROM a")),
+      " cannot be read: SQL in it calls randomblob, which is left to no file; save the layer as a table");
+  // What is sorted would go to files beside memory.
+  EXPECT_EQ(refusal(viewOf("SELECT a.geom, replace(a.name || b.name || c.name, 'n', 'm') AS t "
+                           "FROM a, a b, a c ORDER BY t")),
+            " cannot be read: it asks for more memory than a file of its size has");
+  EXPECT_EQ(refusal(viewOf(
+                "SELECT geom FROM a WHERE trim(name, printf('%3000s', 1) || printf('%3000s', 1)) <> ''")),
+            " cannot be read: string or blob too big");
+}
+
+TEST_F(GeoPackage, modeWalLeavesNothingBesideIt) {
+  python(script(R"(db.execute('PRAGMA journal_mode = WAL')
+layer('a', 'POINT', 0, '', [(1, gp(wkb('<', 1, 1, 2)))]))"));
+  EXPECT_THAT(goodFile(path("a.gpkg")).sites.x, ElementsAre(1));
+  EXPECT_FALSE(std::filesystem::exists(path("a.gpkg-wal")));
+  EXPECT_FALSE(std::filesystem::exists(path("a.gpkg-shm")));
 }
 
 }  // namespace
