@@ -20,25 +20,29 @@ namespace {
 
 constexpr std::array<std::string_view, 3> names = {"x", "y", "weight"};
 
-/// Fields are separated by blanks or by one comma with blanks around it: "1, ,2" has an empty field.
-void split(std::string_view line, std::vector<std::string_view>& fields) {
+/// Fields are separated by blanks or by one comma with blanks around it: "1, ,2" has an empty field. Where a
+/// line has both, as "1,5 2,5" has, nothing tells which commas are decimal: the column where that shows is
+/// returned, counted from 1.
+std::optional<std::size_t> split(std::string_view line, std::vector<std::string_view>& fields) {
   fields.clear();
+  const char* const begin = line.data();
   line = trimmed(line.substr(0, line.find('#')));
-  if (line.empty()) {
-    return;
-  }
-  while (true) {
+  bool commas = false, blanks = false;
+  while (!line.empty()) {
     const std::size_t end = std::min(line.find_first_of(" \t,"), line.size());
     fields.push_back(line.substr(0, end));
     line.remove_prefix(end);
-    if (line.empty()) {
-      return;
-    }
+    if (line.empty()) break;
+    const auto column = static_cast<std::size_t>(line.data() - begin) + 1;
     line = trimmed(line);
-    if (line.starts_with(',')) {
-      line = trimmed(line.substr(1));
-    }
+    const bool comma = line.starts_with(',');
+    (comma ? commas : blanks) = true;
+    if (commas && blanks) return column;
+    if (!comma) continue;
+    line = trimmed(line.substr(1));
+    if (line.empty()) fields.emplace_back(line);
   }
+  return std::nullopt;
 }
 
 class TextSites {
@@ -51,7 +55,11 @@ class TextSites {
       const auto line = lines_.next();
       if (!line) return tl::unexpected(line.error());
       if (!*line) return table_.finish();
-      split(**line, fields_);
+      if (const auto column = split(**line, fields_)) {
+        return lines_.errorAt(*column,
+                              "the row has commas and blanks between its fields, so that nothing tells which "
+                              "commas are decimal; keep one of them, and write 1.5, not 1,5");
+      }
       if (fields_.empty()) continue;
       if (auto row = readRow(**line); !row) return tl::unexpected(std::move(row.error()));
     }

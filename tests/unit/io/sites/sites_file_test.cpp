@@ -67,6 +67,15 @@ TEST_F(SitesFile, RefusesTextWithFileLineAndColumn) {
   EXPECT_EQ(bad("a.txt", "# nothing\n"), " holds no sites");
 }
 
+TEST_F(SitesFile, RefusesTextWhoseCommasMayBeDecimal) {
+  const std::string both =
+      "the row has commas and blanks between its fields, so that nothing tells which commas are decimal; "
+      "keep one of them, and write 1.5, not 1,5";
+  EXPECT_EQ(bad("a.txt", "1,5 2,5\n"), "1:4: " + both);
+  EXPECT_EQ(bad("a.xyz", "1 2\n 1,5 2\n"), "2:5: " + both);
+  EXPECT_EQ(bad("a.xyz", "1\t2,5\n"), "1:4: " + both);
+}
+
 TEST_F(SitesFile, RefusesPaths) {
   EXPECT_EQ(readSites(path("no.csv")).error().message,
             path("no.csv") + ": cannot be read: No such file or directory");
