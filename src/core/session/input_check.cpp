@@ -49,6 +49,20 @@ Result<void> checkArea(const Box& domain) {
   return {};
 }
 
+/// Masses, their sum and their moments are doubles.
+Result<void> checkMass(const Density& density, const Box& domain) {
+  // Moments are those of up to 2^60 pixels.
+  constexpr double most_dense = 1e280, most_mass = 1e301;
+  if (density.values.empty()) return {};
+  const double largest = *std::ranges::max_element(density.values);
+  const double mass = largest * ((domain.xmax - domain.xmin) * (domain.ymax - domain.ymin));
+  if (largest <= most_dense && !(mass > most_mass)) return {};
+  return tl::unexpected(refusalOf(
+      Subject::density, fmt::format("its largest value is {}: masses need {:.0e} or less, and {:.0e} or less "
+                                    "times the domain's area; scale it",
+                                    largest, most_dense, most_mass)));
+}
+
 }  // namespace
 
 Result<void> checkOptions(const Sites& sites, const CellsOptions& options) {
@@ -62,7 +76,8 @@ Result<void> checkOptions(const Sites& sites, const CellsOptions& options) {
     if (auto checked = checkDensity(options.density); !checked) return checked;
   }
   if (auto checked = checkOutline(options.outline, options.periodic); !checked) return checked;
-  return checkArea(options.domain);
+  if (auto checked = checkArea(options.domain); !checked) return checked;
+  return checkMass(options.density, options.domain);
 }
 
 }  // namespace vorpipe::core

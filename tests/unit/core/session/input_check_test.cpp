@@ -34,6 +34,13 @@ TEST(Input, IsRefusedAsByARun) {
   options = unit_cells;
   options.density = {2, 2, {1, 2, 3}};
   EXPECT_THAT(refusalOf(sites, options), HasSubstr("density: 3 values"));
+  options.density = {1, 1, {1e281}};
+  EXPECT_THAT(refusalOf(sites, options), HasSubstr("density: its largest value is 1e+281"));
+  options.density = {1, 1, {1e280}};
+  EXPECT_EQ(refusalOf(sites, options), "accepted");
+  options.domain = {0, 0, 1e15, 1e15};
+  EXPECT_THAT(refusalOf(sites, options), HasSubstr("1e+301 or less times the domain's area"));
+  options = unit_cells;
   options = inside(outlineOf({{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}}}));
   EXPECT_THAT(refusalOf(sites, options), HasSubstr("outline: "));
   options = unit_cells;
