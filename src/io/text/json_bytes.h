@@ -42,6 +42,8 @@ class JsonBytes {
       number_column_ = column();
     }
     in_number_ = in_number;
+    // To the parser it is the end, whatever follows.
+    if (c == '\0') stop(errorAt(0, "is no JSON from here on: a byte is 0"));
   }
 
   /// What was parsed up to here is not kept: what follows may take as much memory again.

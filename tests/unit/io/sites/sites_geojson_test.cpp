@@ -47,6 +47,13 @@ TEST_F(GeoJson, featuresHaveAttributesOfTheirTypes) {
   EXPECT_THAT(table.notes, IsEmpty());
 }
 
+TEST_F(GeoJson, nothingIsHiddenBehindAByteOfZero) {
+  const std::string hidden = std::string("\0", 1) + "{}";
+  const std::string what = "is no JSON from here on: a byte is 0";
+  EXPECT_EQ(bad("a.json", point("1,2") + hidden), "1:37: " + what);
+  EXPECT_EQ(bad("a.geojsonl", point("1,2") + hidden + "\n"), "1:37: " + what);
+}
+
 TEST_F(GeoJson, geometriesStandAlone) {
   EXPECT_THAT(good("a.json", point("1,2")).sites.x, ElementsAre(1));
   EXPECT_THAT(good("a.json", feature(point("1,2"))).sites.x, ElementsAre(1));
