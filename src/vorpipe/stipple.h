@@ -12,7 +12,8 @@ namespace vorpipe {
 /// pixels are taken in the order of Hilbert's curve, which keeps neighbors together; what the curve passes is
 /// cut into as many pieces of equal mass as there are sites, and each gets one, at random. The same seed
 /// gives the same sites on every platform, but for what lies outside of an outline, where others are drawn.
-/// Errors (input): no density, or one without mass in the domain.
+/// Errors (input): no density, one that is none, or without mass in the domain; a domain that is no
+/// rectangle.
 Result<Sites> drawnFrom(const Density& density, const Box& domain, const Outline& outline,
                         std::uint64_t count, std::uint64_t seed);
 

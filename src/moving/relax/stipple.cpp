@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "base/refusal.h"
+#include "core/cells/cell_mass.h"
+#include "core/sites/frame.h"
 #include "moving/relax/allowed_places.h"
 
 namespace vorpipe {
@@ -82,6 +84,8 @@ Result<Sites> drawnFrom(const Density& density, const Box& domain, const Outline
                         std::uint64_t count, std::uint64_t seed) {
   const auto refuse = [](const char* what) { return tl::unexpected(refusalOf(Subject::density, what)); };
   if (density.values.empty()) return refuse("there is none to draw sites from");
+  if (auto checked = core::checkDensity(density); !checked) return tl::unexpected(std::move(checked.error()));
+  if (auto checked = core::checkDomain(domain); !checked) return tl::unexpected(std::move(checked.error()));
   const Draw draw(density, domain);
   if (!(draw.mass() > 0) || !std::isfinite(draw.mass())) return refuse("has no mass to draw sites from");
   const moving::AllowedPlaces allowed(domain, outline, Periodic::none);

@@ -282,6 +282,11 @@ TEST(Stipple, EachPieceOfTheMassGetsASite) {
   // The left half of the domain has no mass above its lower row.
   const Outline empty{{{10, 21}, {12, 21}, {12, 22}, {10, 22}}, {0, 4}, {0, 1}};
   EXPECT_THAT(drawnFrom(density, domain, empty, 10, 1).error().message, HasSubstr("no mass inside"));
+  for (const Box& wrong : {Box{14, 22, 10, 20}, Box{10, 20, std::nan(""), 22}}) {
+    EXPECT_EQ(drawnFrom(density, wrong, {}, 10, 1).error().subject, Subject::domain);
+  }
+  density.values = {0, 0, 1, 3, 0, 2, 1, -1};
+  EXPECT_EQ(drawnFrom(density, domain, {}, 10, 1).error().subject, Subject::density);
   density.values.assign(8, 0);
   EXPECT_EQ(drawnFrom(density, domain, {}, 10, 1).error().subject, Subject::density);
 }
