@@ -86,7 +86,7 @@ py::object valuesOf(const Attributes& attributes, std::size_t column) {
     case AttributeType::json:
       break;
   }
-  return listFrom(attribute, [](std::string_view text) { return py::str(text.data(), text.size()); });
+  return listFrom(attribute, [](std::string_view text) { return textOf(text); });
 }
 
 /// Adds a column of what `print` makes of each number; missing where that is nothing.
@@ -137,9 +137,9 @@ void addTexts(Attributes& attributes, const std::string& name, const std::string
   attributes.columns.push_back(std::move(attribute));
 }
 
-std::vector<std::string> namesOf(const Attributes& attributes) {
-  std::vector<std::string> names;
-  for (const Attribute& attribute : attributes.columns) names.push_back(attribute.name());
+py::list namesOf(const Attributes& attributes) {
+  py::list names;
+  for (const Attribute& attribute : attributes.columns) names.append(textOf(attribute.name()));
   return names;
 }
 

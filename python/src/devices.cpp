@@ -6,17 +6,18 @@
 
 #include "errors.h"
 #include "results.h"
+#include "runs.h"
 #include "session_options.h"
 
 namespace vorpipe::python {
 namespace {
 
 std::vector<DeviceInfo> allDevices(const MaskArguments& mask) {
-  const py::gil_scoped_release no_gil;
+  const WithoutGil no_gil;
   return devices(Mask{mask.first, mask.second});
 }
 
-std::string textOf(const DeviceInfo& info) {
+std::string lineOf(const DeviceInfo& info) {
   return fmt::format("<{}: {}>", info.backend, info.usable ? info.name : info.reason);
 }
 
@@ -37,7 +38,7 @@ void defineDevices(py::module_& module) {
       .def_readonly("reason", &DeviceInfo::reason, "Why it cannot be used; empty where it can.")
       .def_property_readonly("features", [](const DeviceInfo& info) { return mapOf(info.features); })
       .def_property_readonly("limits", [](const DeviceInfo& info) { return mapOf(info.limits); })
-      .def("__repr__", &textOf);
+      .def("__repr__", &lineOf);
   py::class_<Arithmetic>(module, "Arithmetic", "How a device rounds; errors are in units in the last place.")
       .def_readonly("quotient", &Arithmetic::quotient)
       .def_readonly("root", &Arithmetic::root)

@@ -4,6 +4,8 @@
 #include <pybind11/pybind11.h>
 
 #include <array>
+#include <exception>
+#include <new>
 #include <string>
 #include <utility>
 
@@ -82,15 +84,32 @@ Kind kindOf(ErrorCode code) {
   return {"DeviceError", "device"};
 }
 
-[[noreturn]] void raise(Kind kind, const std::string& message, std::string_view argument) {
+void setError(Kind kind, const std::string& message, std::string_view argument) {
   const py::object exception = py::module_::import("vorpipe._errors").attr(kind.exception);
   const py::object subject = argument.empty() ? py::object(py::none()) : py::cast(argument);
-  const py::object error = exception(message, kind.code, subject);
+  const py::object error = exception(textOf(message), kind.code, subject);
   PyErr_SetObject(exception.ptr(), error.ptr());
+}
+
+[[noreturn]] void raise(Kind kind, const std::string& message, std::string_view argument) {
+  setError(kind, message, argument);
   throw py::error_already_set();
 }
 
 }  // namespace
+
+py::str textOf(std::string_view text) {
+  PyObject* const made =
+      PyUnicode_DecodeUTF8(text.data(), static_cast<py::ssize_t>(text.size()), "backslashreplace");
+  if (made == nullptr) throw py::error_already_set();
+  return py::reinterpret_steal<py::str>(made);
+}
+
+py::list textsOf(const std::vector<std::string>& texts) {
+  py::list made;
+  for (const std::string& text : texts) made.append(textOf(text));
+  return made;
+}
 
 void raise(Error error) {
   if (const std::string_view named = takeArgument(error.message); !named.empty()) {
@@ -108,6 +127,20 @@ void raise(Error error) {
 
 void raiseInput(std::string_view argument, const std::string& message) {
   raise(kindOf(ErrorCode::input), fmt::format("{}: {}", argument, message), argument);
+}
+
+void registerErrors() {
+  py::register_local_exception_translator([](std::exception_ptr raised) {
+    try {
+      if (raised) std::rethrow_exception(raised);
+    } catch (const std::bad_alloc&) {
+      try {
+        setError(kindOf(ErrorCode::device), "there is not enough memory for this", {});
+      } catch (py::error_already_set& error) {
+        error.restore();
+      }
+    }
+  });
 }
 
 }  // namespace vorpipe::python

@@ -1,13 +1,21 @@
 /// The library's errors as exceptions of Python, which vorpipe/_errors.py defines.
 #pragma once
 
+#include <pybind11/pybind11.h>
+
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "vorpipe.h"
 
 namespace vorpipe::python {
+
+/// As Python has it. A name of a file need not be UTF-8: bytes that are not become \xNN, which can be
+/// printed.
+pybind11::str textOf(std::string_view text);
+pybind11::list textsOf(const std::vector<std::string>& texts);
 
 /// Throws what Python sees as vorpipe.InputError, DeviceError or Cancelled, with code and subject. The
 /// message begins with the argument that the error is about. The GIL is held.
@@ -15,6 +23,9 @@ namespace vorpipe::python {
 
 /// Throws an InputError about an argument: "argument: message".
 [[noreturn]] void raiseInput(std::string_view argument, const std::string& message);
+
+/// Memory that is refused is a DeviceError wherever it is.
+void registerErrors();
 
 /// The value, or the exception. The GIL is held.
 template <class T>

@@ -1,14 +1,18 @@
+#include <fmt/core.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <utility>
 
 #include "arrays.h"
 #include "errors.h"
 #include "io/domain/density_file.h"
 #include "io/domain/outline_file.h"
+#include "io/sites/sites_file.h"
 #include "io/sites/weights_file.h"
 #include "results.h"
+#include "runs.h"
 
 namespace vorpipe::python {
 namespace {
@@ -17,7 +21,7 @@ namespace {
 template <class Read>
 auto readBy(Read read) {
   auto found = [&] {
-    const py::gil_scoped_release no_gil;
+    const WithoutGil no_gil;
     return read();
   }();
   return valueOf(std::move(found));
@@ -27,7 +31,7 @@ py::tuple outlineFrom(const std::string& path) {
   Outline outline = readBy([&] { return readOutline(path); });
   return py::make_tuple(arrayOf<double>(std::move(outline.points)),
                         arrayOf<std::uint64_t>(std::move(outline.ring_offsets)),
-                        arrayOf<std::uint64_t>(std::move(outline.polygon_offsets)), path);
+                        arrayOf<std::uint64_t>(std::move(outline.polygon_offsets)), py::bytes(path));
 }
 
 py::array densityFrom(const std::string& path) {
@@ -49,6 +53,10 @@ void defineFiles(py::module_& module) {
   module.def(
       "random_weights",
       [](double low, double high, std::uint64_t count, std::uint64_t seed) {
+        if (!std::isfinite(high - low) || low > high) {
+          raiseInput("low", fmt::format("no weights are from {} to {}", low, high));
+        }
+        if (count > max_sites) raiseInput("n", fmt::format("{} weights of at most {}", count, max_sites));
         return arrayOf<double>(randomWeights(low, high, count, seed));
       },
       py::arg("low"), py::arg("high"), py::arg("count"), py::arg("seed"));

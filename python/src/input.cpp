@@ -8,6 +8,7 @@
 #include "arrays.h"
 #include "choices.h"
 #include "errors.h"
+#include "runs.h"
 
 namespace vorpipe::python {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 void takePoints(const Numbers& points, std::vector<double>& x, std::vector<double>& y) {
   const auto elements = points.unchecked<2>();
   const auto count = static_cast<std::size_t>(elements.shape(0));
-  const py::gil_scoped_release no_gil;
+  const WithoutGil no_gil;
   x.resize(count);
   y.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -133,7 +134,7 @@ void takeDomain(const DomainArguments& arguments, const GivenPoints& points, Inp
   checkDomain(arguments, input);
   const DomainSettings settings = settingsOf(arguments);
   auto found = [&] {
-    const py::gil_scoped_release no_gil;
+    const WithoutGil no_gil;
     return findDomain(settings, input, wordsOf(arguments, points));
   }();
   valueOf(std::move(found));
@@ -201,7 +202,7 @@ void defineInput(py::module_& module) {
       .def_property_readonly(
           "system",
           [](const Input& input) { return argumentsOf(input.projection ? input.degrees : input.system); })
-      .def_readonly("notes", &Input::notes)
+      .def_property_readonly("notes", [](const Input& input) { return textsOf(input.notes); })
       .def_property_readonly("center",
                              [](const Input& input) -> std::optional<std::array<double, 2>> {
                                if (!input.projection) return std::nullopt;

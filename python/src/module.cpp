@@ -35,5 +35,8 @@ PYBIND11_MODULE(_vorpipe, module) {
   defineSelftest(module);
   defineFiles(module);
   defineTriangles(module);
-  module.def("wait_for_runs", &waitForRuns);
+  module.def("says_stop", &saysStop, py::arg("answer"));
+  module.def("end_runs", &endRuns);
+  module.def("forget_runs", &forgetRuns);
+  registerErrors();
 }

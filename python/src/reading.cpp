@@ -1,5 +1,6 @@
 /// What is found in cells once they are there: shared vertices and edges, the cells of places, the bytes of
 /// files.
+#include <fmt/core.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -14,6 +15,7 @@
 #include "io/cells/cells_file.h"
 #include "io/files/byte_sink.h"
 #include "results.h"
+#include "runs.h"
 #include "vorpipe/free_surface.h"
 
 namespace vorpipe::python {
@@ -31,7 +33,7 @@ auto shown(std::vector<Row> Topology::*rows) {
 
 SharedTopology topologyOfCells(const CellsResult& cells, int threads) {
   auto found = [&] {
-    const py::gil_scoped_release no_gil;
+    const WithoutGil no_gil;
     return topologyOf(cells.shown(), threads);
   }();
   return std::make_shared<Topology>(valueOf(std::move(found)));
@@ -42,7 +44,7 @@ py::bytes bytesOf(const CellsResult& cells, const std::string& extension, bool o
   const CellsFormat& format = formatOf(cells, "cells" + extension, only_cells);
   MemorySink sink(extension);
   auto written = [&] {
-    const py::gil_scoped_release no_gil;
+    const WithoutGil no_gil;
     return writeCells(sink, outputOf(cells, only_cells), format);
   }();
   valueOf(std::move(written));
@@ -57,7 +59,7 @@ struct PlaceFinder {
 
 std::shared_ptr<PlaceFinder> locatorOf(const CellsResult& cells, int threads) {
   auto made = [&] {
-    const py::gil_scoped_release no_gil;
+    const WithoutGil no_gil;
     return Locator::make(cells.input->sites, cellsOptionsOf(*cells.input), threads);
   }();
   return std::make_shared<PlaceFinder>(PlaceFinder{cells.input, valueOf(std::move(made))});
@@ -79,7 +81,7 @@ py::array find(const PlaceFinder& finder, const py::array_t<double, py::array::c
   std::vector<std::uint32_t> sites(count);
   const auto* first = reinterpret_cast<const Point*>(places.data());
   {
-    const py::gil_scoped_release no_gil;
+    const WithoutGil no_gil;
     std::vector<Point> in_plane;
     std::span<const Point> given(first, count);
     if (const auto& projection = finder.input->projection) {
@@ -98,6 +100,7 @@ py::array find(const PlaceFinder& finder, const py::array_t<double, py::array::c
 py::list borderOfCell(const CellsResult& cells, std::size_t site) {
   if (cells.input->surface != Surface::free) raiseInput("surface", "the cells have none that is free");
   const Sites& sites = cells.input->sites;
+  if (site >= sites.size()) throw py::index_error(fmt::format("there is no cell {}", site));
   py::list parts;
   for (const BorderPart& part : borderOf(Cell(cells.diagram, site), {sites.x[site], sites.y[site]})) {
     const auto& projection = cells.input->projection;

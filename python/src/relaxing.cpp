@@ -1,4 +1,5 @@
 /// Sites that move, and sites that are drawn from a density.
+#include <fmt/core.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -9,6 +10,7 @@
 #include "choices.h"
 #include "errors.h"
 #include "io/points/points_file.h"
+#include "io/sites/sites_file.h"
 #include "saving.h"
 #include "session.h"
 #include "vorpipe/stipple.h"
@@ -79,6 +81,7 @@ Density densityFrom(const py::array_t<double>& values) {
 
 py::array drawnPoints(const py::array_t<double>& values, const std::array<double, 4>& box,
                       std::uint64_t count, std::uint64_t seed) {
+  if (count > max_sites) raiseInput("n", fmt::format("{} points of at most {}", count, max_sites));
   const Sites sites =
       valueOf(drawnFrom(densityFrom(values), {box[0], box[1], box[2], box[3]}, {}, count, seed));
   std::vector<Point> rows;

@@ -8,6 +8,7 @@
 
 #include "errors.h"
 #include "io/files/output_file.h"
+#include "runs.h"
 #include "vorpipe.h"
 
 namespace vorpipe::python {
@@ -16,7 +17,7 @@ namespace vorpipe::python {
 template <class Write>
 void saveFile(const std::string& path, const Write& write) {
   auto saved = [&]() -> Result<void> {
-    const pybind11::gil_scoped_release no_gil;
+    const WithoutGil no_gil;
     auto file = OutputFile::create(path);
     if (!file) return tl::unexpected(std::move(file.error()));
     auto written = write(*file);

@@ -33,7 +33,7 @@ struct Waiting {
 
 SharedSession::SharedSession(const BackendOptions& options) : threads_(options.threads) {
   auto opened = [&] {
-    const py::gil_scoped_release no_gil;
+    const WithoutGil no_gil;
     return Session::open(options);
   }();
   session_ = std::make_unique<Session>(valueOf(std::move(opened)));
@@ -147,7 +147,7 @@ struct SharedSession::StepFunction {
   bool call(const TransportStep& step) {
     const py::gil_scoped_acquire gil;
     try {
-      return !function(step).is(py::bool_(false));
+      return !saysStop(function(step));
     } catch (...) {
       raised = std::current_exception();
       return false;
@@ -217,7 +217,7 @@ std::string SharedSession::choice() {
 void SharedSession::close() {
   if (closed_ || getpid() != process_) return;
   refuseOtherUse();
-  const py::gil_scoped_release no_gil;
+  const WithoutGil no_gil;
   const std::lock_guard lock(mutex_);
   closed_ = true;
   session_.reset();

@@ -10,6 +10,7 @@
 #include "arrays.h"
 #include "errors.h"
 #include "io/sites/site_source.h"
+#include "runs.h"
 #include "systems.h"
 
 namespace vorpipe::python {
@@ -32,7 +33,7 @@ std::string inPython(std::string message) {
 /// Reads or generates what `spec` names.
 Shared tableFrom(const std::string& spec, std::uint64_t seed, const ReadOptions& options) {
   auto found = [&] {
-    const py::gil_scoped_release no_gil;
+    const WithoutGil no_gil;
     return loadSites(spec, seed, options);
   }();
   if (!found) found.error().message = inPython(std::move(found.error().message));
@@ -62,10 +63,10 @@ py::array pointsOf(const Sites& sites) {
 void defineTable(py::module_& module) {
   py::class_<Table, Shared>(module, "Table", "Sites that were read or generated.")
       .def("__len__", [](const Table& table) { return table.sites.size(); })
-      .def_readonly("name", &Table::name)
+      .def_property_readonly("name", [](const Table& table) { return textOf(table.name); })
       .def_readonly("generated", &Table::generated)
       .def_readonly("skipped", &Table::skipped)
-      .def_readonly("notes", &Table::notes)
+      .def_property_readonly("notes", [](const Table& table) { return textsOf(table.notes); })
       .def_property_readonly("points", [](const Table& table) { return pointsOf(table.sites); })
       .def_property_readonly("weights", &weightsOf)
       .def_property_readonly(

@@ -5,6 +5,7 @@
 
 #include "arrays.h"
 #include "results.h"
+#include "runs.h"
 #include "triangles.h"
 
 namespace vorpipe::python {
@@ -22,7 +23,7 @@ std::span<const Row> rowsOf(const Rows<Number>& array) {
 
 py::array adjacentArray(const Rows<std::uint32_t>& triangles, std::size_t points) {
   auto adjacent = [&] {
-    const py::gil_scoped_release no_gil;
+    const WithoutGil no_gil;
     return adjacentTriangles(rowsOf<Triangle>(triangles), points);
   }();
   return arrayOf<std::int32_t>(std::move(adjacent));
@@ -32,7 +33,7 @@ std::tuple<py::array, py::array, py::array> fanArrays(const Rows<std::uint32_t>&
                                                       const Rows<std::int32_t>& adjacent,
                                                       std::size_t points) {
   Fans fans = [&] {
-    const py::gil_scoped_release no_gil;
+    const WithoutGil no_gil;
     return fansOf(rowsOf<Triangle>(triangles), rowsOf<Adjacent>(adjacent), points);
   }();
   return {arrayOf<std::int64_t>(std::move(fans.offsets)), arrayOf<std::int32_t>(std::move(fans.triangles)),
@@ -43,7 +44,7 @@ std::tuple<py::array, py::array> flippedArrays(const Rows<double>& points,
                                                const Rows<std::uint32_t>& triangles,
                                                const Rows<std::int32_t>& adjacent) {
   Mesh mesh = [&] {
-    const py::gil_scoped_release no_gil;
+    const WithoutGil no_gil;
     return flipped(rowsOf<Point>(points), rowsOf<Triangle>(triangles), rowsOf<Adjacent>(adjacent));
   }();
   return {arrayOf<std::uint32_t>(std::move(mesh.triangles)), arrayOf<std::int32_t>(std::move(mesh.adjacent))};
@@ -52,7 +53,7 @@ std::tuple<py::array, py::array> flippedArrays(const Rows<double>& points,
 py::array flatArray(const Rows<double>& points, const Rows<std::uint32_t>& triangles,
                     const Rows<std::int32_t>& adjacent) {
   auto are_flat = [&] {
-    const py::gil_scoped_release no_gil;
+    const WithoutGil no_gil;
     return flatOnHull(rowsOf<Point>(points), rowsOf<Triangle>(triangles), rowsOf<Adjacent>(adjacent));
   }();
   return arrayOf<std::uint8_t>(std::move(are_flat));
@@ -62,7 +63,7 @@ std::tuple<py::array, py::array, py::array> centerArrays(const Rows<double>& poi
                                                          const Rows<std::uint32_t>& triangles,
                                                          const Rows<std::int32_t>& adjacent) {
   Centers centers = [&] {
-    const py::gil_scoped_release no_gil;
+    const WithoutGil no_gil;
     return centersOf(rowsOf<Point>(points), rowsOf<Triangle>(triangles), rowsOf<Adjacent>(adjacent));
   }();
   return {arrayOf<std::int32_t>(std::move(centers.of_triangle)),
@@ -73,7 +74,7 @@ py::array trianglesAtPlaces(const Rows<double>& points, const Rows<std::uint32_t
                             const Rows<std::int32_t>& adjacent, const Rows<double>& places,
                             double tolerance) {
   auto found = [&] {
-    const py::gil_scoped_release no_gil;
+    const WithoutGil no_gil;
     return trianglesAt(rowsOf<Point>(points), rowsOf<Triangle>(triangles), rowsOf<Adjacent>(adjacent),
                        rowsOf<Point>(places), tolerance);
   }();

@@ -5,14 +5,17 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
+#include "runs.h"
 #include "vorpipe.h"
 
 namespace vorpipe::python {
@@ -22,9 +25,9 @@ namespace py = pybind11;
 /// What a run on a thread of its own, and the thread of Python that waits for it, tell each other.
 class Watch {
  public:
-  /// For the run: notes how far it is. Returns false once nobody waits any more.
+  /// For the run: notes how far it is. Returns false once nobody waits any more, or Python ends.
   bool note(std::string_view stage, double fraction);
-  [[nodiscard]] bool isStopped() const { return stopped_; }
+  [[nodiscard]] bool isStopped() const { return stopped_ || isEndingWithout(waiter_); }
   /// For the run: it is over.
   void finish();
 
@@ -42,6 +45,7 @@ class Watch {
   bool isOver(std::vector<Noted>& noted);
   static bool tell(const py::object& function, const std::vector<Noted>& noted);
 
+  const std::thread::id waiter_ = std::this_thread::get_id();
   std::mutex mutex_;
   std::condition_variable changed_;
   std::vector<Noted> noted_;  ///< one for each stage since they were told
@@ -49,26 +53,30 @@ class Watch {
   std::atomic<bool> stopped_{false};
 };
 
-/// Starts `run` on a thread of its own.
-void startRun(std::function<void()> run);
-
-/// Waits for runs that nobody waits for any more, so that a program does not end below them. The GIL is held.
-void waitForRuns();
+/// Whether what a function of the caller's returned says stop: False, Python's or NumPy's.
+bool saysStop(const py::object& answer);
 
 /// The result of `run`, which is called on a thread of its own and owns all that it uses: where Ctrl-C or the
-/// caller's function end the waiting, it goes on until it looks up. The GIL is held.
+/// caller's function end the waiting, it goes on until it looks up. Throws what `run` throws. The GIL is
+/// held.
 template <class T>
 Result<T> watched(const py::object& function, std::function<Result<T>(Watch&)> run) {
   struct Shared {
     Watch watch;
     std::optional<Result<T>> result;
+    std::exception_ptr raised;
   };
   auto shared = std::make_shared<Shared>();
   startRun([shared, run = std::move(run)] {
-    shared->result = run(shared->watch);
+    try {
+      shared->result = run(shared->watch);
+    } catch (...) {
+      shared->raised = std::current_exception();
+    }
     shared->watch.finish();
   });
   shared->watch.wait(function);
+  if (shared->raised) std::rethrow_exception(shared->raised);
   if (shared->watch.isStopped()) {
     return tl::unexpected(Error{ErrorCode::cancelled, "the progress function said stop"});
   }

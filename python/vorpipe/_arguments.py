@@ -13,12 +13,23 @@ from ._errors import InputError
 Floats = npt.NDArray[np.float64]
 Bools = npt.NDArray[np.bool_]
 Mask = Tuple[List[str], List[Tuple[str, int]]]
-Outline = Tuple[Floats, npt.NDArray[np.uint64], npt.NDArray[np.uint64], str]
+Outline = Tuple[Floats, npt.NDArray[np.uint64], npt.NDArray[np.uint64], bytes]
 PathLike = Union[str, 'os.PathLike[str]']
 
 
 def refuse(argument: str, message: str) -> InputError:
     return InputError(f'{argument}: {message}', 'input', argument)
+
+
+def path_of(value: Any, argument: str = 'path') -> bytes:
+    """As the system has it: a name that is not UTF-8 too, as os.listdir gives it."""
+    try:
+        path = os.fsencode(value)
+    except (TypeError, ValueError):
+        raise refuse(argument, f'{value!r} is no path') from None
+    if b'\0' in path:
+        raise refuse(argument, f'{value!r} has a zero byte, which names of files do not have')
+    return path
 
 
 def numbers(argument: str, value: Any) -> Floats:
@@ -134,7 +145,7 @@ def density_of(value: Any) -> Optional[Floats]:
     if value is None:
         return None
     if isinstance(value, (str, os.PathLike)):
-        return _vorpipe.read_density(os.fspath(value))
+        return _vorpipe.read_density(path_of(value, 'density'))
     array = numbers('density', value)
     if array.ndim != 2 or array.size == 0:
         raise refuse('density', f'shape {array.shape}, must be (H, W): one value for each pixel')
@@ -254,14 +265,14 @@ def outline_of(value: Any) -> Optional[Outline]:
     if value is None:
         return None
     if isinstance(value, (str, os.PathLike)):
-        return _vorpipe.read_outline(os.fspath(value))
+        return _vorpipe.read_outline(path_of(value, 'outline'))
     polygons = _polygons(getattr(value, '__geo_interface__', value))
     rings = [_ring(ring) for polygon in polygons for ring in polygon]
     if not rings:
         raise refuse('outline', 'it has no ring')
     ring_offsets = np.cumsum([0] + [len(ring) for ring in rings], dtype=np.uint64)
     polygon_offsets = np.cumsum([0] + [len(polygon) for polygon in polygons], dtype=np.uint64)
-    return np.concatenate(rings), ring_offsets, polygon_offsets, ''
+    return np.concatenate(rings), ring_offsets, polygon_offsets, b''
 
 
 def _polygons(value: Any) -> List[Any]:

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import enum
-import os
+import operator
 from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, Tuple
 
 import numpy as np
@@ -59,7 +59,7 @@ class Diagram:
 
     def __getitem__(self, site: int) -> Cell:
         count = len(self)
-        index = int(site)
+        index = operator.index(site)
         if not -count <= index < count:
             raise IndexError(f'there is no cell {index}: the diagram has {count}')
         return Cell(self, index % count)
@@ -269,23 +269,24 @@ class Diagram:
         .csv, .npz, .geojson, .geojsonl, .gpkg, .svg, .obj, .ply, .vtk, .vtp, .vtu or .wkt. Attributes come out in .csv,
         .geojson, .geojsonl and .gpkg. `only_cells` leaves out points without a cell, in formats of features.
         """
-        self._cells.save(os.fspath(path), only_cells)
-        self._warn_of_names(os.fspath(path))
+        to = _arguments.path_of(path)
+        self._cells.save(to, only_cells)
+        self._warn_of_names(to)
 
     def save_edges(self, path: PathLike, threads: Optional[int] = None) -> None:
         """Writes the edges of all cells as lines, each once, with its two points and its length, by the extension.
 
         .csv, .geojson, .geojsonl, .gpkg, .vtp or .wkt.
         """
-        self._cells.save_edges(os.fspath(path), _arguments.threads_of(threads))
+        self._cells.save_edges(_arguments.path_of(path), _arguments.threads_of(threads))
 
     def to_bytes(self, extension: str, *, only_cells: bool = False) -> bytes:
         """What `save` would write into a file with that extension, as ".geojson"."""
         written = _vorpipe.bytes_of(self._cells, extension, only_cells)
-        self._warn_of_names('cells' + extension)
+        self._warn_of_names(b'cells' + extension.encode())
         return written
 
-    def _warn_of_names(self, path: str) -> None:
+    def _warn_of_names(self, path: bytes) -> None:
         given = self._cells.input.attributes
         if given is not None and _vorpipe.carries_attributes(path):
             warn([given.renaming_note])

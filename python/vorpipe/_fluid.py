@@ -62,7 +62,7 @@ class Fluid:
         arrays = {'velocities': velocities, 'volumes': volumes, 'densities': densities, 'weights': weights,
                   'domain': domain, 'periodic': periodic, 'surface': surface}
         if isinstance(begin, (str, os.PathLike)):
-            setup = _named(os.fspath(begin), parcels, arrays)
+            setup = _named(begin, parcels, arrays)
             count = parcels or 2048
         else:
             if parcels is not None:
@@ -112,7 +112,7 @@ class Fluid:
         made = 0
         while steps is None or made < steps:
             told = self.step(progress)
-            if told is None or (callback is not None and callback(told) is False):
+            if told is None or (callback is not None and _vorpipe.says_stop(callback(told))):
                 break
             made += 1
         return self.last
@@ -213,11 +213,13 @@ class Fluid:
     def save(self, path: PathLike) -> None:
         """Writes all that later steps depend on, .npz, to go on from it with the same bytes; or the points with their
         weights: .csv, .txt, .npy, .geojson, .geojsonl, .gpkg or .wkt."""
-        self._fluid.save(os.fspath(path))
+        self._fluid.save(_arguments.path_of(path))
 
 
-def _named(name: str, parcels: Optional[int], arrays: Any) -> _vorpipe.FluidSetup:
+def _named(begin: Named, parcels: Optional[int], arrays: Any) -> _vorpipe.FluidSetup:
     """Of a case or a file, which have all arrays themselves."""
+    path = _arguments.path_of(begin, 'begin')
+    name = os.fsdecode(path)
     for argument, value in arrays.items():
         if value is not None:
             raise _arguments.refuse(argument, f'{name} has its own')
@@ -225,4 +227,4 @@ def _named(name: str, parcels: Optional[int], arrays: Any) -> _vorpipe.FluidSetu
         raise _arguments.refuse('parcels', f'is for cases; {name} has as many as it has')
     if parcels is not None and (parcels != int(parcels) or parcels < 4):
         raise _arguments.refuse('parcels', f'{parcels!r} is no number of at least 4')
-    return _vorpipe.FluidSetup.named(name, 2048 if parcels is None else int(parcels))
+    return _vorpipe.FluidSetup.named(path, 2048 if parcels is None else int(parcels))

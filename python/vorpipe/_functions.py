@@ -1,7 +1,6 @@
 """The functions of the package."""
 from __future__ import annotations
 
-import os
 from typing import Any, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union, overload
 
 from . import _arguments, _vorpipe
@@ -317,7 +316,7 @@ def read_sites(path: PathLike) -> Tuple[Floats, Optional[Floats]]:
 
 def read_weights(path: PathLike, n: int) -> Floats:
     """The weights (n,) of a .txt, .csv or .npy file."""
-    return _vorpipe.read_weights(os.fspath(path), n)
+    return _vorpipe.read_weights(_arguments.path_of(path), n)
 
 
 def backends() -> List[str]:

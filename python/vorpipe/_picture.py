@@ -1,7 +1,6 @@
 """Cells as pixels."""
 from __future__ import annotations
 
-import os
 from typing import TYPE_CHECKING, List, Optional, Tuple
 
 import numpy as np
@@ -83,7 +82,7 @@ class Picture:
 
     def save(self, path: PathLike) -> None:
         """Writes the picture as .png, its ids as .npy or .tif (GeoTIFF), or where its pixels lie as .pgw."""
-        self._picture.save(os.fspath(path))
+        self._picture.save(_arguments.path_of(path))
 
     def plot(self, ax: Optional[Axes] = None) -> Axes:
         """Shows it on matplotlib's axes, in the units of the points; returns the axes."""

@@ -1,13 +1,12 @@
 """Points that come with what is said of them."""
 from __future__ import annotations
 
-import os
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Union
 
 import numpy.typing as npt
 
 from . import _attributes, _crs, _vorpipe
-from ._arguments import Floats, PathLike, refuse
+from ._arguments import Floats, PathLike, path_of, refuse
 from ._warnings import warn
 
 
@@ -100,7 +99,7 @@ def _table_of(path: PathLike, columns: Union[None, str, Sequence[Union[str, int]
     if missing not in (None, 'skip'):
         raise refuse('missing', f'{missing!r} is neither None nor "skip"')
     names = [columns] if isinstance(columns, (str, int)) else [str(column) for column in columns or ()]
-    table = _vorpipe.read_table(os.fspath(path), seed, (format or '').lstrip('.'), names, layer or '',
+    table = _vorpipe.read_table(path_of(path), seed, (format or '').lstrip('.'), names, layer or '',
                                 missing == 'skip', attributes)
     warn(table.notes)
     return table
@@ -112,7 +111,7 @@ def read_points(path: PathLike) -> _vorpipe.Table:
 
 
 def generated(pattern: str, count: int, seed: int) -> Floats:
-    table = _vorpipe.read_table(f'{pattern}:{count}', seed, '', [], '', False, False)
+    table = _vorpipe.read_table(path_of(f'{pattern}:{count}', 'pattern'), seed, '', [], '', False, False)
     if not table.generated:
         raise refuse('pattern', f'{pattern!r} is no generator')
     return table.points

@@ -1,11 +1,10 @@
 """Points that have moved."""
 from __future__ import annotations
 
-import os
 from typing import Optional
 
 from . import _vorpipe
-from ._arguments import Bools, Floats, PathLike
+from ._arguments import Bools, Floats, PathLike, path_of
 
 
 class Relaxed:
@@ -73,4 +72,4 @@ class Relaxed:
 
     def save(self, path: PathLike) -> None:
         """Writes the points, their weights and attributes: .csv, .txt, .npy, .geojson, .geojsonl, .gpkg or .wkt."""
-        self._relaxed.save(os.fspath(path))
+        self._relaxed.save(path_of(path))

@@ -119,11 +119,12 @@ class Session:
                                   view)
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
         given = input_of(points, weights, wanted, periodic, crs=crs, surface=surface)
-        cells = self._session.shapes(given, look, os.fspath(path), progress)
+        to = _arguments.path_of(path)
+        cells = self._session.shapes(given, look, to, progress)
         diagram = Diagram(cells)
         if check:
             raise_broken(diagram.check(self._threads or None))
-        _vorpipe.save_shapes(cells, look, os.fspath(path), self._threads)
+        _vorpipe.save_shapes(cells, look, to, self._threads)
         return diagram
 
     def relax(self, points: Any, weights: Any = None, domain: Any = None, *,
@@ -228,11 +229,20 @@ def close_sessions() -> None:
         _shared.clear()
 
 
-def _renew_lock() -> None:
+def _begin_anew() -> None:
     global _lock
+    _vorpipe.forget_runs()
     _lock = threading.Lock()
 
 
-atexit.register(_vorpipe.wait_for_runs)
-atexit.register(close_sessions)
-os.register_at_fork(after_in_child=_renew_lock)
+def _close_at_exit() -> None:
+    # A thread that opens one never comes back to give the lock: it goes with the program.
+    if _lock.acquire(blocking=False):
+        _lock.release()
+        close_sessions()
+
+
+# The last one comes first.
+atexit.register(_close_at_exit)
+atexit.register(_vorpipe.end_runs)
+os.register_at_fork(after_in_child=_begin_anew)

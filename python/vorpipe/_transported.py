@@ -1,13 +1,12 @@
 """Weights that give cells their masses."""
 from __future__ import annotations
 
-import os
 from typing import TYPE_CHECKING, Any, Callable, Optional
 
 import numpy.typing as npt
 
 from . import _vorpipe
-from ._arguments import Floats, PathLike
+from ._arguments import Floats, PathLike, path_of
 from ._diagram import Diagram
 
 if TYPE_CHECKING:
@@ -93,4 +92,4 @@ class Transported:
 
     def save(self, path: PathLike) -> None:
         """Writes the points, these weights and attributes: .csv, .txt, .npy, .geojson, .geojsonl, .gpkg or .wkt."""
-        self._found.save(os.fspath(path))
+        self._found.save(path_of(path))

@@ -194,3 +194,90 @@ def test_modules_for_helpers_are_imported_when_they_are_used():
         print([name for name in ('scipy', 'matplotlib', 'shapely', 'geopandas', 'pandas') if name in sys.modules])
     ''')
     assert ended.stdout == '[]\n', ended.stderr
+
+
+class Falsehoods:
+    """Says True first, and then NumPy's False."""
+
+    def __init__(self):
+        self.told = 0
+
+    def __call__(self, *arguments):
+        self.told += 1
+        return np.bool_(self.told < 2)
+
+
+def test_numpys_false_stops_too():
+    points = vorpipe.generate('random', 500)
+    with pytest.raises(vorpipe.Cancelled):
+        vorpipe.cells(points, progress=lambda stage, part: np.bool_(False))
+    assert vorpipe.transport(points, domain=(0, 0, 1, 1), callback=Falsehoods()).end == 'cancelled'
+    fluid = vorpipe.Fluid('shear', parcels=20)
+    assert fluid.run(steps=5, callback=Falsehoods()).step == 2
+
+
+@pytest.mark.parametrize('work', ['cells(points)', 'relax(points, iterations=10**9)',
+                                  'transport(points[:200], callback=lambda step: time.sleep(0.1))'])
+def test_a_program_ends_while_a_daemon_thread_computes(work):
+    ended = run(f'''
+        import threading, time
+        import vorpipe
+        points = vorpipe.generate('random', 20_000)
+        session = vorpipe.Session('cpu', threads=1)
+        def compute():
+            while True:
+                session.{work}
+        for _ in range(2):
+            threading.Thread(target=compute, daemon=True).start()
+        time.sleep(0.1)
+    ''')
+    assert ended.returncode == 0 and ended.stderr == ''
+
+
+def test_what_ends_the_program_may_still_compute():
+    ended = run('''
+        import atexit
+        atexit.register(lambda: print(len(vorpipe.cells([[0, 0], [1, 1]]))))
+        import vorpipe
+    ''')
+    assert (ended.returncode, ended.stdout) == (0, '2\n'), ended.stderr
+
+
+def test_a_process_forked_during_a_run_ends():
+    if not hasattr(os, 'fork'):
+        pytest.skip('this system has no fork')
+    ended = run('''
+        import os, sys, threading
+        import vorpipe
+        points = vorpipe.generate('random', 100_000)
+        begun = threading.Event()
+        def progress(stage, part):
+            begun.set()
+        running = threading.Thread(target=lambda: vorpipe.cells(points, threads=1, progress=progress))
+        running.start()
+        begun.wait()
+        child = os.fork()
+        if child == 0:
+            sys.exit(7)
+        print(os.waitpid(child, 0)[1] >> 8)
+    ''')
+    assert ended.stdout == '7\n', ended.stderr
+
+
+@pytest.mark.skipif(sys.platform != 'linux', reason='limits of memory are those of Linux')
+def test_memory_that_a_run_is_refused_is_an_error():
+    ended = run('''
+        import resource
+        import vorpipe
+        points = vorpipe.generate('random', 100_000)
+        session = vorpipe.Session('cpu', threads=1)
+        session.cells(points[:10])
+        with open('/proc/self/statm') as pages:
+            size = int(pages.read().split()[0]) * resource.getpagesize()
+        resource.setrlimit(resource.RLIMIT_AS, (size + 2**20, -1))
+        try:
+            session.cells(points)
+        except vorpipe.DeviceError as error:
+            print(error)
+    ''')
+    assert ended.returncode == 0 and 'memory' in ended.stdout or 'thread' in ended.stdout, ended.stderr
