@@ -110,6 +110,7 @@ Result<ExitCode> runAgain(CommandLine& line, const std::vector<std::string>& arg
   std::vector<std::string> words = arguments;
   words.insert(words.begin(), "vorpipe");
   std::vector<char*> pointers;
+  pointers.reserve(words.size());
   for (std::string& word : words) pointers.push_back(word.data());
   const auto run = line.parse(static_cast<int>(pointers.size()), pointers.data());
   // What was wrong stands on standard error.

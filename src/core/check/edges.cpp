@@ -214,9 +214,11 @@ void checkPartition(const CheckedCells& run, const Twins& twins, Broken& broken)
     if (isPinched(run, i)) return;
   }
   const Counts counts = countAll({run, twins});
-  // A band and a torus have no outside to be a face, and a hole. A part of a box is a disk.
-  const std::size_t outside = run.repeats() ? 0 : 1, parts = run.repeats() ? 0 : countParts(run);
-  if (counts.vertices + counts.faces != counts.edges + parts) {
+  // A band and a torus have no outside to be a face, and a hole. Any other part is a disk.
+  const std::size_t outside = run.repeats() ? 0 : 1;
+  const std::size_t parts = countParts(run), rings = run.repeats() ? std::min<std::size_t>(parts, 1) : 0;
+  const std::size_t disks = parts - rings;
+  if (counts.vertices + counts.faces != counts.edges + disks) {
     broken.add("Euler",
                fmt::format("{} vertices, {} edges and {} faces{} are no partition", counts.vertices,
                            counts.edges, counts.faces + outside, outside > 0 ? " with the outside" : ""));
