@@ -15,7 +15,15 @@ namespace {
 /// back all that an arena takes, some kilobytes of each, and long runs have millions of loops.
 tbb::task_arena& arenaOf(int threads) {
   thread_local std::map<int, tbb::task_arena> arenas;
-  return arenas.try_emplace(threads, threads).first->second;
+  tbb::task_arena& arena = arenas.try_emplace(threads, threads).first->second;
+  if (arena.is_active()) return arena;
+  try {
+    arena.initialize();
+  } catch (...) {
+    arenas.erase(threads);  // one that was refused memory waits for itself forever when it is used again
+    throw;
+  }
+  return arena;
 }
 
 }  // namespace
