@@ -8,28 +8,13 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _vorpipe
-from ._errors import InputError
+from ._scalars import MOST, flag_of, number_of, path_of, refuse, text_of, text_or_none, whole_of
 
 Floats = npt.NDArray[np.float64]
 Bools = npt.NDArray[np.bool_]
 Mask = Tuple[List[str], List[Tuple[str, int]]]
 Outline = Tuple[Floats, npt.NDArray[np.uint64], npt.NDArray[np.uint64], bytes]
 PathLike = Union[str, 'os.PathLike[str]']
-
-
-def refuse(argument: str, message: str) -> InputError:
-    return InputError(f'{argument}: {message}', 'input', argument)
-
-
-def path_of(value: Any, argument: str = 'path') -> bytes:
-    """As the system has it: a name that is not UTF-8 too, as os.listdir gives it."""
-    try:
-        path = os.fsencode(value)
-    except (TypeError, ValueError):
-        raise refuse(argument, f'{value!r} is no path') from None
-    if b'\0' in path:
-        raise refuse(argument, f'{value!r} has a zero byte, which names of files do not have')
-    return path
 
 
 def numbers(argument: str, value: Any) -> Floats:
@@ -112,8 +97,8 @@ def domain_of(domain: Any, outline: Any, margin: Union[None, float, str], repair
               project: Any) -> _vorpipe.Domain:
     hull = isinstance(domain, str) and domain == 'hull'
     wanted, center = project_of(project)
-    return _vorpipe.Domain(None if hull else box_of(domain), hull, outline_of(outline), margin_of(margin), repair,
-                           wanted, center)
+    return _vorpipe.Domain(None if hull else box_of(domain), hull, outline_of(outline), margin_of(margin),
+                           flag_of('repair', repair), wanted, center)
 
 
 def range_of(value: Optional[Sequence[float]]) -> Optional[Tuple[float, float]]:
@@ -134,10 +119,16 @@ def look_of(size: Optional[Sequence[int]], color: str, colormap: str, edges: boo
     if colormap not in _vorpipe.colormaps():
         raise refuse('colormap', f'{colormap!r} is none of {", ".join(_vorpipe.colormaps())}')
     method, neighbors = search_of(search)
-    colors = _vorpipe.Colors(color, colormap, color_scale, range_of(color_range), legend)
-    marks = _vorpipe.Marks(edges=edges, show_sites=show_sites, dual=dual, labels=labels, fill=fill,
-                           edge_width=edge_width, dot_size=dot_size or 0, label_size=label_size, antialias=antialias)
-    return _vorpipe.Look(size_of(size), fit, colors, marks, method, neighbors, box_of(view, 'view'))
+    colors = _vorpipe.Colors(text_of('color', color), colormap, text_or_none('color_scale', color_scale),
+                             range_of(color_range), flag_of('legend', legend))
+    marks = _vorpipe.Marks(edges=flag_of('edges', edges), show_sites=flag_of('show_sites', show_sites),
+                           dual=flag_of('dual', dual), labels=flag_of('labels', labels), fill=flag_of('fill', fill),
+                           edge_width=number_of('edge_width', edge_width),
+                           dot_size=0 if dot_size is None else number_of('dot_size', dot_size),
+                           label_size=number_of('label_size', label_size),
+                           antialias=whole_of('antialias', antialias, -2**31, 2**31 - 1))
+    return _vorpipe.Look(size_of(size), text_or_none('fit', fit), colors, marks, method, neighbors,
+                         box_of(view, 'view'))
 
 
 def density_of(value: Any) -> Optional[Floats]:
@@ -167,7 +158,7 @@ def search_of(value: Any) -> Tuple[str, int]:
     method, colon, count = str(value).partition(':')
     if not colon:
         return method, 30
-    if method != 'flann' or not count.isdecimal():
+    if method != 'flann' or not count.isdecimal() or int(count) >= 2**31:
         raise refuse('search', f'{value!r} is none of "grid", "flann", "flann:K"')
     return method, int(count)
 
@@ -177,9 +168,10 @@ def size_of(value: Optional[Sequence[int]]) -> Optional[Tuple[int, int]]:
     if value is None:
         return None
     try:
-        width, height = (int(side) for side in value)
+        sides = width, height = tuple(value)
     except (TypeError, ValueError):
         raise refuse('size', f'{value!r} is not (width, height) in pixels') from None
+    width, height = (whole_of('size', side, -MOST, MOST, 'is no number of pixels') for side in sides)
     if min(width, height) < 1 or max(width, height) > _vorpipe.LARGEST_SIDE:
         raise refuse('size', f'{width} x {height} pixels: must be 1 to {_vorpipe.LARGEST_SIDE} each')
     return width, height
@@ -188,15 +180,11 @@ def size_of(value: Optional[Sequence[int]]) -> Optional[Tuple[int, int]]:
 def threads_of(value: Optional[int]) -> int:
     if value is None:
         return 0
-    if value != int(value) or not 1 <= value < 2**31:
-        raise refuse('threads', f'{value!r} is no number of threads; None takes all processors')
-    return int(value)
+    return whole_of('threads', value, 1, 2**31 - 1, 'is no number of threads; None takes all processors')
 
 
 def iterations_of(value: int, argument: str = 'iterations') -> int:
-    if value != int(value) or value < 0:
-        raise refuse(argument, f'{value!r} is no number of diagrams')
-    return int(value)
+    return whole_of(argument, value, 0, MOST, 'is no number of diagrams')
 
 
 def masses_of(value: Any) -> Floats:
@@ -251,13 +239,17 @@ def surface_of(value: Optional[str]) -> bool:
 
 
 def mask_of(disabled: Sequence[str], limits: Optional[Mapping[str, int]]) -> Mask:
+    if isinstance(disabled, str) or not hasattr(disabled, '__iter__'):
+        raise refuse('disabled', f'{disabled!r} is no list of names')
+    if limits is not None and not isinstance(limits, Mapping):
+        raise refuse('limits', f'{limits!r} is no mapping from names to numbers')
     for name in disabled:
         if name not in _vorpipe.feature_names():
             raise refuse('disabled', f'{name!r} is none of {", ".join(_vorpipe.feature_names())}')
     for name in limits or {}:
         if name not in _vorpipe.limit_names():
             raise refuse('limits', f'{name!r} is none of {", ".join(_vorpipe.limit_names())}')
-    return list(disabled), [(name, int(limit)) for name, limit in (limits or {}).items()]
+    return list(disabled), [(name, whole_of('limits', limit, 0, 2**64 - 1)) for name, limit in (limits or {}).items()]
 
 
 def outline_of(value: Any) -> Optional[Outline]:
@@ -280,7 +272,8 @@ def _polygons(value: Any) -> List[Any]:
     if isinstance(value, Mapping):
         return _polygons_of_geojson(value)
     depth, inside = 0, value
-    while not isinstance(inside, np.ndarray) and hasattr(inside, '__len__') and len(inside) > 0:
+    # Deeper than polygons go, which a list that holds itself is too.
+    while depth < 5 and not isinstance(inside, np.ndarray) and hasattr(inside, '__len__') and len(inside) > 0:
         depth, inside = depth + 1, inside[0]
     depth += inside.ndim if isinstance(inside, np.ndarray) else 0
     if depth == 2:

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _vorpipe
-from ._arguments import refuse
+from ._scalars import refuse
 
 Attributes = Mapping[str, npt.NDArray[Any]]
 
@@ -33,6 +33,8 @@ def attributes_of(given: Any, count: int, own: Optional[_vorpipe.Attributes] = N
         name = str(key)
         if not name.isprintable() and name != name.encode('utf-8', 'replace').decode():
             raise refuse('attributes', f'UTF-8 cannot say the name {name!r}')
+        if '\0' in name:
+            raise refuse('attributes', f'the name {name!r} has a zero byte, at which files would end it')
         if name in columns.names:
             raise refuse('attributes', f'there are two of the name {name!r}')
         _add(columns, name, given[key], count)

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Any, Optional, Tuple
 
-from ._arguments import refuse
+from ._scalars import refuse
 
 #: the kind ("degrees", "plane", "unknown"), who gave the code, the code, the definition in WKT
 System = Tuple[str, str, int, str]

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, 
 import numpy as np
 import numpy.typing as npt
 
-from . import _arguments, _attributes, _crs, _vorpipe
+from . import _arguments, _attributes, _crs, _scalars, _vorpipe
 from ._arguments import Floats, PathLike
 from ._cell import Cell
 from ._warnings import warn
@@ -74,7 +74,7 @@ class Diagram:
     def _needs(self, detail: str, name: str) -> None:
         details = ('measures', 'polygons', 'everything')
         if details.index(self.detail) < details.index(detail):
-            raise _arguments.refuse('detail', f'{name} takes detail={detail!r}, the cells were computed with '
+            raise _scalars.refuse('detail', f'{name} takes detail={detail!r}, the cells were computed with '
                                               f'{self.detail!r}')
 
     # What it is about
@@ -239,7 +239,7 @@ class Diagram:
         """
         rings, offsets = self.ring_starts, self.offsets
         if len(rings) > np.count_nonzero(np.diff(offsets)):
-            raise _arguments.refuse('outline', 'some cells have several rings, no polygon has them: call rings()')
+            raise _scalars.refuse('outline', 'some cells have several rings, no polygon has them: call rings()')
         return np.split(self.vertices, offsets[1:-1])
 
     def topology(self, threads: Optional[int] = None) -> _vorpipe.Topology:
@@ -269,8 +269,8 @@ class Diagram:
         .csv, .npz, .geojson, .geojsonl, .gpkg, .svg, .obj, .ply, .vtk, .vtp, .vtu or .wkt. Attributes come out in .csv,
         .geojson, .geojsonl and .gpkg. `only_cells` leaves out points without a cell, in formats of features.
         """
-        to = _arguments.path_of(path)
-        self._cells.save(to, only_cells)
+        to = _scalars.path_of(path)
+        self._cells.save(to, _scalars.flag_of('only_cells', only_cells))
         self._warn_of_names(to)
 
     def save_edges(self, path: PathLike, threads: Optional[int] = None) -> None:
@@ -278,11 +278,12 @@ class Diagram:
 
         .csv, .geojson, .geojsonl, .gpkg, .vtp or .wkt.
         """
-        self._cells.save_edges(_arguments.path_of(path), _arguments.threads_of(threads))
+        self._cells.save_edges(_scalars.path_of(path), _arguments.threads_of(threads))
 
     def to_bytes(self, extension: str, *, only_cells: bool = False) -> bytes:
         """What `save` would write into a file with that extension, as ".geojson"."""
-        written = _vorpipe.bytes_of(self._cells, extension, only_cells)
+        _scalars.text_of('extension', extension)
+        written = _vorpipe.bytes_of(self._cells, extension, _scalars.flag_of('only_cells', only_cells))
         self._warn_of_names(b'cells' + extension.encode())
         return written
 

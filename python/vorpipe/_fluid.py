@@ -5,7 +5,7 @@ import math
 import os
 from typing import Any, Callable, Optional, Sequence, Tuple, Union
 
-from . import _arguments, _vorpipe
+from . import _arguments, _scalars, _vorpipe
 from ._arguments import Floats, PathLike
 from ._diagram import Diagram
 from ._picture import Picture
@@ -63,10 +63,10 @@ class Fluid:
                   'domain': domain, 'periodic': periodic, 'surface': surface}
         if isinstance(begin, (str, os.PathLike)):
             setup = _named(begin, parcels, arrays)
-            count = parcels or 2048
+            count = 2048 if parcels is None else int(parcels)
         else:
             if parcels is not None:
-                raise _arguments.refuse('parcels', 'is for cases; points are as many as there are')
+                raise _scalars.refuse('parcels', 'is for cases; points are as many as there are')
             given = input_of(begin, weights, _arguments.domain_of(domain, None, None, False, None), periodic,
                              surface=surface)
             count = len(given)
@@ -74,11 +74,16 @@ class Fluid:
                                            _arguments.positive_of('volumes', volumes, count),
                                            _arguments.positive_of('densities', densities, count))
         found, neighbors = _arguments.search_of(search)
-        setup.choose(scheme=scheme, step=step, epsilon=epsilon, until=until, tolerance=tolerance,
+        setup.choose(scheme=_scalars.text_or_none('scheme', scheme), step=_scalars.number_or_none('step', step),
+                     epsilon=_scalars.number_or_none('epsilon', epsilon),
+                     until=_scalars.number_or_none('until', until),
+                     tolerance=_scalars.number_or_none('tolerance', tolerance),
                      diagrams=None if diagrams is None else _arguments.iterations_of(diagrams, 'diagrams'),
                      gravity=_arguments.gravity_of(gravity), search=found, neighbors=neighbors)
+        if session is not None and not isinstance(session, Session):
+            raise _scalars.refuse('session', f'a {type(session).__name__} is no Session')
         self._session = session or shared_session(backend_for(backend, device, count), device, threads)
-        self._fluid = _vorpipe.begin_fluid(self._session._session, setup, progress)
+        self._fluid = _vorpipe.begin_fluid(self._session._session, setup, _scalars.call_of('progress', progress))
 
     def __len__(self) -> int:
         return len(self._fluid)
@@ -92,7 +97,7 @@ class Fluid:
 
         A step that is stopped, by `progress` or Ctrl-C, has not been; the next one begins where it did.
         """
-        return self.last if self._fluid.step(progress) else None
+        return self.last if self._fluid.step(_scalars.call_of('progress', progress)) else None
 
     def run(self, until: Optional[float] = None, steps: Optional[int] = None,
             callback: Optional[Callable[[_vorpipe.FluidStep], Optional[bool]]] = None,
@@ -102,15 +107,15 @@ class Fluid:
         A fluid that had ended goes on, without another time from then on without an end. `callback` is called after
         each step, and may use the fluid; returning False ends the run.
         """
-        if steps is not None and (steps != int(steps) or steps < 0):
-            raise _arguments.refuse('steps', f'{steps!r} is no number of steps')
+        most = None if steps is None else _scalars.whole_of('steps', steps, what='is no number of steps')
+        _scalars.call_of('callback', callback)
         own = math.inf if self.end == 'time' else self._fluid.until
-        to = own if until is None else float(until)
+        to = own if until is None else _scalars.number_of('until', until)
         if math.isinf(to) and steps is None:
-            raise _arguments.refuse('until', 'name the time at which it ends, or a number of steps')
-        self._fluid.go_on(to, progress)
+            raise _scalars.refuse('until', 'name the time at which it ends, or a number of steps')
+        self._fluid.go_on(to, _scalars.call_of('progress', progress))
         made = 0
-        while steps is None or made < steps:
+        while most is None or made < most:
             told = self.step(progress)
             if told is None or (callback is not None and _vorpipe.says_stop(callback(told))):
                 break
@@ -121,7 +126,7 @@ class Fluid:
         """Adds to the velocities, (N, 2): what stirs."""
         wanted = _arguments.vectors_of('velocities', velocities, len(self))
         if wanted is None:
-            raise _arguments.refuse('velocities', 'there are none')
+            raise _scalars.refuse('velocities', 'there are none')
         self._fluid.push(wanted)
 
     # The state
@@ -213,18 +218,17 @@ class Fluid:
     def save(self, path: PathLike) -> None:
         """Writes all that later steps depend on, .npz, to go on from it with the same bytes; or the points with their
         weights: .csv, .txt, .npy, .geojson, .geojsonl, .gpkg or .wkt."""
-        self._fluid.save(_arguments.path_of(path))
+        self._fluid.save(_scalars.path_of(path))
 
 
 def _named(begin: Named, parcels: Optional[int], arrays: Any) -> _vorpipe.FluidSetup:
     """Of a case or a file, which have all arrays themselves."""
-    path = _arguments.path_of(begin, 'begin')
+    path = _scalars.path_of(begin, 'begin')
     name = os.fsdecode(path)
     for argument, value in arrays.items():
         if value is not None:
-            raise _arguments.refuse(argument, f'{name} has its own')
+            raise _scalars.refuse(argument, f'{name} has its own')
     if parcels is not None and name not in _vorpipe.fluid_cases():
-        raise _arguments.refuse('parcels', f'is for cases; {name} has as many as it has')
-    if parcels is not None and (parcels != int(parcels) or parcels < 4):
-        raise _arguments.refuse('parcels', f'{parcels!r} is no number of at least 4')
-    return _vorpipe.FluidSetup.named(path, 2048 if parcels is None else int(parcels))
+        raise _scalars.refuse('parcels', f'is for cases; {name} has as many as it has')
+    count = 2048 if parcels is None else _scalars.whole_of('parcels', parcels, 4, what='is no number of at least 4')
+    return _vorpipe.FluidSetup.named(path, count)

@@ -3,7 +3,7 @@ from __future__ import annotations
 
 from typing import Any, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union, overload
 
-from . import _arguments, _vorpipe
+from . import _arguments, _scalars, _vorpipe
 from ._arguments import Floats, PathLike
 from ._diagram import Diagram
 from ._picture import Picture
@@ -218,9 +218,9 @@ def drawn_points(density: Any, n: int, domain: Optional[Sequence[float]] = None,
     """
     values = _arguments.density_of(density)
     if values is None:
-        raise _arguments.refuse('density', 'there is none')
+        raise _scalars.refuse('density', 'there is none')
     box = _arguments.box_of(domain) or (0.0, 0.0, float(values.shape[1]), float(values.shape[0]))
-    return _vorpipe.drawn_points(values, box, n, seed)
+    return _vorpipe.drawn_points(values, box, _scalars.whole_of('n', n), _scalars.seed_of(seed))
 
 
 def check(result: Union[Diagram, Picture], threads: Optional[int] = None) -> List[str]:
@@ -228,6 +228,8 @@ def check(result: Union[Diagram, Picture], threads: Optional[int] = None) -> Lis
 
     Returns a line for each promise that is broken; none is as it should be.
     """
+    if not isinstance(result, (Diagram, Picture)):
+        raise _scalars.refuse('result', f'a {type(result).__name__} is neither a Diagram nor a Picture')
     return result.check(threads)
 
 
@@ -248,7 +250,7 @@ def compare(a: Union[Diagram, Picture], b: Union[Diagram, Picture]) -> Union[_vo
         return _vorpipe.diff_cells(a._cells, b._cells)
     if isinstance(a, Picture) and isinstance(b, Picture):
         return _vorpipe.diff_pictures(a._picture, b._picture)
-    raise _arguments.refuse('b', f'a {type(b).__name__} cannot be compared with a {type(a).__name__}')
+    raise _scalars.refuse('b', f'a {type(b).__name__} cannot be compared with a {type(a).__name__}')
 
 
 def devices(*, disabled: Sequence[str] = (), limits: Optional[Mapping[str, int]] = None) -> List[_vorpipe.DeviceInfo]:
@@ -260,8 +262,9 @@ def selftest(backend: Optional[str] = None, device: Device = None, quick: bool =
              threads: Optional[int] = None, *, disabled: Sequence[str] = (), limits: Optional[Mapping[str, int]] = None,
              progress: Optional[Progress] = None) -> _vorpipe.SelftestReport:
     """Runs scenes of its own on each backend and device, and compares what they answer with the processor."""
-    return _vorpipe.selftest(backend or '', '' if device is None else str(device), quick, seed,
-                             _arguments.threads_of(threads), _arguments.mask_of(disabled, limits), progress)
+    return _vorpipe.selftest(_scalars.text_or_none('backend', backend) or '', '' if device is None else str(device),
+                             _scalars.flag_of('quick', quick), _scalars.seed_of(seed), _arguments.threads_of(threads),
+                             _arguments.mask_of(disabled, limits), _scalars.call_of('progress', progress))
 
 
 class Forecast(NamedTuple):
@@ -287,12 +290,12 @@ def forecast(points: Any, weights: Any = None, domain: Any = None, periodic: Uni
     session = _session(backend, device, threads, points, wanted[0] * wanted[1] if wanted else 0)
     given = input_of(points, weights, _arguments.domain_of(domain, outline, None, False, None), periodic,
                      None if picture else density)
-    count = _arguments.threads_of(threads)
+    count, flag = _arguments.threads_of(threads), _scalars.flag_of('check', check)
     if picture:
         look = _arguments.look_of(wanted, color, 'viridis', edges, False, None, None, False, 1, None, None, 'grid',
                                   antialias, dual, labels, label_size, True, None)
-        return Forecast(*_vorpipe.forecast_picture(session._session, given, look, check, count))
-    return Forecast(*_vorpipe.forecast_cells(session._session, given, detail, check, count))
+        return Forecast(*_vorpipe.forecast_picture(session._session, given, look, flag, count))
+    return Forecast(*_vorpipe.forecast_cells(session._session, given, _scalars.text_of('detail', detail), flag, count))
 
 
 def generate(pattern: str, n: int, seed: int = 1) -> Floats:
@@ -305,7 +308,8 @@ def generate(pattern: str, n: int, seed: int = 1) -> Floats:
 
 def random_weights(low: float, high: float, n: int, seed: int = 1) -> Floats:
     """n weights, evenly distributed; those of the command line's --random-weights."""
-    return _vorpipe.random_weights(low, high, n, seed)
+    return _vorpipe.random_weights(_scalars.number_of('low', low), _scalars.number_of('high', high),
+                                   _scalars.whole_of('n', n), _scalars.seed_of(seed))
 
 
 def read_sites(path: PathLike) -> Tuple[Floats, Optional[Floats]]:
@@ -316,7 +320,7 @@ def read_sites(path: PathLike) -> Tuple[Floats, Optional[Floats]]:
 
 def read_weights(path: PathLike, n: int) -> Floats:
     """The weights (n,) of a .txt, .csv or .npy file."""
-    return _vorpipe.read_weights(_arguments.path_of(path), n)
+    return _vorpipe.read_weights(_scalars.path_of(path), _scalars.whole_of('n', n))
 
 
 def backends() -> List[str]:

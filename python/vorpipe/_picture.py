@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, List, Optional, Tuple
 import numpy as np
 import numpy.typing as npt
 
-from . import _arguments, _vorpipe
+from . import _arguments, _scalars, _vorpipe
 from ._arguments import Floats, PathLike
 
 if TYPE_CHECKING:
@@ -82,7 +82,7 @@ class Picture:
 
     def save(self, path: PathLike) -> None:
         """Writes the picture as .png, its ids as .npy or .tif (GeoTIFF), or where its pixels lie as .pgw."""
-        self._picture.save(_arguments.path_of(path))
+        self._picture.save(_scalars.path_of(path))
 
     def plot(self, ax: Optional[Axes] = None) -> Axes:
         """Shows it on matplotlib's axes, in the units of the points; returns the axes."""

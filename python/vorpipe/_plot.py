@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any, Dict, Optional
 
 import numpy as np
 
-from . import _arguments
+from . import _arguments, _scalars
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -53,11 +53,11 @@ def _values(diagram: Diagram, color: Any) -> _arguments.Floats:
     if isinstance(color, str):
         known = ('areas', 'perimeters', 'mass', 'weights', 'status')
         if color not in known:
-            raise _arguments.refuse('color', f'{color!r} is none of {", ".join(known)}, nor an array')
+            raise _scalars.refuse('color', f'{color!r} is none of {", ".join(known)}, nor an array')
         color = getattr(diagram, color)
     values = _arguments.numbers('color', color)
     if values.shape != (len(diagram),):
-        raise _arguments.refuse('color', f'shape {values.shape}, must be ({len(diagram)},): one for each point')
+        raise _scalars.refuse('color', f'shape {values.shape}, must be ({len(diagram)},): one for each point')
     return values
 
 

@@ -1,12 +1,13 @@
 """Points that come with what is said of them."""
 from __future__ import annotations
 
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Union
+from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Union
 
 import numpy.typing as npt
 
 from . import _attributes, _crs, _vorpipe
-from ._arguments import Floats, PathLike, path_of, refuse
+from ._arguments import Floats, PathLike
+from ._scalars import path_of, refuse, seed_of, text_of, text_or_none, whole_of
 from ._warnings import warn
 
 
@@ -98,8 +99,12 @@ def _table_of(path: PathLike, columns: Union[None, str, Sequence[Union[str, int]
               missing: Optional[str], layer: Optional[str], seed: int, attributes: bool) -> _vorpipe.Table:
     if missing not in (None, 'skip'):
         raise refuse('missing', f'{missing!r} is neither None nor "skip"')
-    names = [columns] if isinstance(columns, (str, int)) else [str(column) for column in columns or ()]
-    table = _vorpipe.read_table(path_of(path), seed, (format or '').lstrip('.'), names, layer or '',
+    given = [columns] if isinstance(columns, (str, int)) else columns or ()
+    if not isinstance(given, Iterable):
+        raise refuse('columns', f'{columns!r} is neither a name nor a list of them')
+    names = [text_of('columns', str(column)) for column in given]
+    kind = (text_or_none('format', format) or '').lstrip('.')
+    table = _vorpipe.read_table(path_of(path), seed_of(seed), kind, names, text_or_none('layer', layer) or '',
                                 missing == 'skip', attributes)
     warn(table.notes)
     return table
@@ -111,7 +116,8 @@ def read_points(path: PathLike) -> _vorpipe.Table:
 
 
 def generated(pattern: str, count: int, seed: int) -> Floats:
-    table = _vorpipe.read_table(path_of(f'{pattern}:{count}', 'pattern'), seed, '', [], '', False, False)
+    named = path_of(f'{pattern}:{whole_of("n", count)}', 'pattern')
+    table = _vorpipe.read_table(named, seed_of(seed), '', [], '', False, False)
     if not table.generated:
         raise refuse('pattern', f'{pattern!r} is no generator')
     return table.points

@@ -4,7 +4,8 @@ from __future__ import annotations
 from typing import Optional
 
 from . import _vorpipe
-from ._arguments import Bools, Floats, PathLike, path_of
+from ._arguments import Bools, Floats, PathLike
+from ._scalars import path_of
 
 
 class Relaxed:

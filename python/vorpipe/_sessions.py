@@ -6,7 +6,7 @@ import os
 import threading
 from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Tuple, Union
 
-from . import _arguments, _attributes, _crs, _vorpipe
+from . import _arguments, _attributes, _crs, _scalars, _vorpipe
 from ._arguments import Floats, PathLike
 from ._diagram import Diagram
 from ._errors import CheckError
@@ -63,9 +63,10 @@ class Session:
                  validation: bool = False, *, disabled: Sequence[str] = (),
                  limits: Optional[Mapping[str, int]] = None) -> None:
         if backend not in _vorpipe.backend_names():
-            raise _arguments.refuse('backend', f'{backend!r} is none of {", ".join(_vorpipe.backend_names())}')
+            raise _scalars.refuse('backend', f'{backend!r} is none of {", ".join(_vorpipe.backend_names())}')
         self._threads = _arguments.threads_of(threads)
-        self._session = _vorpipe.Session(backend, '' if device is None else str(device), self._threads, validation,
+        self._session = _vorpipe.Session(backend, '' if device is None else str(device), self._threads,
+                                         _scalars.flag_of('validation', validation),
                                          _arguments.mask_of(disabled, limits))
 
     def cells(self, points: Any, weights: Any = None, domain: Any = None, *,
@@ -78,7 +79,8 @@ class Session:
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
         given = input_of(points, weights, wanted, periodic, density, attributes, crs, surface)
         method, neighbors = _arguments.search_of(search)
-        diagram = Diagram(self._session.cells(given, detail, method, neighbors, progress))
+        diagram = Diagram(self._session.cells(given, _scalars.text_of('detail', detail), method, neighbors,
+                                              _scalars.call_of('progress', progress)))
         if check:
             raise_broken(diagram.check(self._threads or None))
         return diagram
@@ -99,7 +101,7 @@ class Session:
                                   view)
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
         given = input_of(points, weights, wanted, periodic, crs=crs, surface=surface)
-        picture = Picture(self._session.render(given, look, progress))
+        picture = Picture(self._session.render(given, look, _scalars.call_of('progress', progress)))
         if check:
             raise_broken(picture.check(self._threads or None))
         return picture
@@ -119,8 +121,8 @@ class Session:
                                   view)
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
         given = input_of(points, weights, wanted, periodic, crs=crs, surface=surface)
-        to = _arguments.path_of(path)
-        cells = self._session.shapes(given, look, to, progress)
+        to = _scalars.path_of(path)
+        cells = self._session.shapes(given, look, to, _scalars.call_of('progress', progress))
         diagram = Diagram(cells)
         if check:
             raise_broken(diagram.check(self._threads or None))
@@ -138,8 +140,10 @@ class Session:
         given = input_of(points, weights, wanted, periodic, density, attributes, crs)
         found, neighbors = _arguments.search_of(search)
         most = _arguments.iterations_of(iterations)
-        arguments = _vorpipe.RelaxArguments(method, most, float(tolerance), equal_masses, found, neighbors)
-        return Relaxed(self._session.relax(given, arguments, progress))
+        arguments = _vorpipe.RelaxArguments(_scalars.text_of('method', method), most,
+                                            _scalars.number_of('tolerance', tolerance),
+                                            _scalars.flag_of('equal_masses', equal_masses), found, neighbors)
+        return Relaxed(self._session.relax(given, arguments, _scalars.call_of('progress', progress)))
 
     def transport(self, points: Any, masses: Any = None, density: Any = None, domain: Any = None,
                   weights: Any = None, *, tolerance: float = 1e-8, diagrams: int = 400, normalize: bool = False,
@@ -152,12 +156,16 @@ class Session:
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
         given = input_of(points, weights, wanted, periodic, density, attributes, crs)
         found, neighbors = _arguments.search_of(search)
-        arguments = _vorpipe.TransportArguments(masses=_arguments.masses_of(masses), normalize=normalize, fill=fill,
+        arguments = _vorpipe.TransportArguments(masses=_arguments.masses_of(masses),
+                                                normalize=_scalars.flag_of('normalize', normalize),
+                                                fill=_scalars.number_or_none('fill', fill),
                                                 free_surface=_arguments.surface_of(surface),
-                                                tolerance=float(tolerance),
+                                                tolerance=_scalars.number_of('tolerance', tolerance),
                                                 diagrams=_arguments.iterations_of(diagrams, 'diagrams'), search=found,
                                                 neighbors=neighbors)
-        return Transported(self._session.transport(given, arguments, callback, progress), self)
+        found_weights = self._session.transport(given, arguments, _scalars.call_of('callback', callback),
+                                                _scalars.call_of('progress', progress))
+        return Transported(found_weights, self)
 
     @property
     def device(self) -> _vorpipe.DeviceInfo:

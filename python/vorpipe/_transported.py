@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING, Any, Callable, Optional
 import numpy.typing as npt
 
 from . import _vorpipe
-from ._arguments import Floats, PathLike, path_of
+from ._arguments import Floats, PathLike
 from ._diagram import Diagram
+from ._scalars import call_of, path_of
 
 if TYPE_CHECKING:
     from ._sessions import Session
@@ -88,7 +89,8 @@ class Transported:
 
         Its session must be open. `detail` and `progress` are as in `vorpipe.cells`.
         """
-        return Diagram(self._session._session.cells(self._found.weighted, detail, 'grid', 30, progress))
+        return Diagram(self._session._session.cells(self._found.weighted, detail, 'grid', 30,
+                                                    call_of('progress', progress)))
 
     def save(self, path: PathLike) -> None:
         """Writes the points, these weights and attributes: .csv, .txt, .npy, .geojson, .geojsonl, .gpkg or .wkt."""

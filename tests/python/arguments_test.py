@@ -81,6 +81,70 @@ def test_what_is_wrong_about_a_picture_is_named(argument, arguments):
     assert caught.value.subject == argument
 
 
+def fluid(**arguments):
+    return vorpipe.Fluid('shear', **{'parcels': 20, **arguments})
+
+
+def running(**arguments):
+    return fluid().run(**{'steps': 0, **arguments})
+
+
+WITHIN_ITSELF = []
+WITHIN_ITSELF.append(WITHIN_ITSELF)
+
+OF_ANOTHER_TYPE = [
+    (vorpipe.cells, ['outline', WITHIN_ITSELF, 'detail', 5, 'progress', 5, 'repair', 'x']),
+    (vorpipe.render, ['size', (np.inf, 3), 'size', (1.9, 2), 'color', None, 'edges', 'x', 'color_scale', 5,
+                      'edge_width', None, 'dot_size', 'x', 'fit', 5, 'antialias', 2.5, 'antialias', 10**20,
+                      'label_size', 'x', 'progress', 5]),
+    (vorpipe.relax, ['method', 5, 'iterations', 'x', 'iterations', np.nan, 'iterations', 10**20, 'iterations', None,
+                     'tolerance', 'x', 'equal_masses', 'x', 'progress', 5]),
+    (vorpipe.transport, ['tolerance', None, 'diagrams', 'x', 'normalize', 'x', 'fill', 'x', 'callback', 5]),
+    (fluid, ['parcels', 'x', 'parcels', 10**20, 'scheme', 5, 'step', 'x', 'until', 'x', 'diagrams', 'x', 'session', 5,
+             'search', 'flann:99999999999', 'progress', 5]),
+    (running, ['until', 'x', 'steps', np.nan, 'steps', 'x', 'callback', 5]),
+]
+
+
+@pytest.mark.parametrize('call, argument, value', [
+    (call, given[k], given[k + 1]) for call, given in OF_ANOTHER_TYPE for k in range(0, len(given), 2)])
+def test_what_is_of_another_type_is_named(call, argument, value):
+    with pytest.raises(vorpipe.InputError, match=f'^{argument}: ') as caught:
+        call(**({} if call in (fluid, running) else {'points': POINTS}), **{argument: value})
+    assert caught.value.subject == argument and '\n' not in str(caught.value)
+
+
+@pytest.mark.parametrize('argument, call', [
+    ('seed', lambda: vorpipe.generate('random', 5, -1)), ('n', lambda: vorpipe.generate('random', 1.5)),
+    ('seed', lambda: vorpipe.read('random:5', seed=2**64)), ('format', lambda: vorpipe.read('random:5', format=5)),
+    ('columns', lambda: vorpipe.read('random:5', columns=1.5)), ('path', lambda: vorpipe.read(None)),
+    ('low', lambda: vorpipe.random_weights(1, 0, 5)), ('low', lambda: vorpipe.random_weights(np.nan, 1, 5)),
+    ('low', lambda: vorpipe.random_weights(-1e308, 1e308, 5)), ('n', lambda: vorpipe.random_weights(0, 1, -5)),
+    ('n', lambda: vorpipe.random_weights(0, 1, 10**14)), ('n', lambda: vorpipe.drawn_points([[1]], 10**14)),
+    ('domain', lambda: vorpipe.drawn_points([[1]], 5, domain=(1, 1, 0, 0))),
+    ('density', lambda: vorpipe.drawn_points([[1, -1]], 5)), ('result', lambda: vorpipe.check(5)),
+    ('disabled', lambda: vorpipe.devices(disabled=5)), ('limits', lambda: vorpipe.devices(limits=5)),
+    ('validation', lambda: vorpipe.Session('cpu', validation='x')),
+    ('only_cells', lambda: vorpipe.cells(POINTS).to_bytes('.csv', only_cells='x')),
+    ('extension', lambda: vorpipe.cells(POINTS).to_bytes(5))])
+def test_what_other_functions_do_not_take_is_named(argument, call):
+    with pytest.raises(vorpipe.InputError, match=f'^{argument}: ') as caught:
+        call()
+    assert caught.value.subject == argument
+
+
+def test_an_index_is_a_whole_number_of_a_cell():
+    diagram = vorpipe.cells(POINTS, weights=[0.01] * 3, surface='free', domain=(0, 0, 1, 1))
+    assert diagram[np.int64(-1)].site == 2
+    for wrong in (1.5, '1'):
+        with pytest.raises(TypeError):
+            diagram[wrong]
+    cell = diagram[0]
+    cell.site = 10**6
+    with pytest.raises(IndexError):
+        cell.border()
+
+
 def test_a_device_that_is_not_there_is_a_device_error():
     with pytest.raises(vorpipe.DeviceError) as caught:
         vorpipe.Session('cpu', device='none such')

@@ -112,7 +112,7 @@ def test_a_data_frame_is_a_mapping():
     ([1, 2, 3], 'a list is no mapping'), ({'a': [1, 2]}, r"'a' has the shape \(2,\), must be \(3,\)"),
     ({'a': np.zeros((3, 2))}, r'shape \(3, 2\)'), ({'a': [1.0, np.inf, 2]}, "'a' of point 1 is infinite"),
     ({1: [1, 2, 3], '1': [1, 2, 3]}, "two of the name '1'"), ({'a': ['\ud800', 'b', 'c']}, 'UTF-8'),
-    ({'\ud800': [1, 2, 3]}, 'UTF-8')])
+    ({'\ud800': [1, 2, 3]}, 'UTF-8'), ({'a\0b': [1, 2, 3]}, 'has a zero byte')])
 def test_attributes_that_cannot_be_are_refused(attributes, message):
     with pytest.raises(vorpipe.InputError, match=f'^attributes: .*{message}') as caught:
         vorpipe.cells(POINTS, attributes=attributes)

@@ -6,7 +6,7 @@ from typing import Any, Optional, Tuple
 import numpy as np
 import numpy.typing as npt
 
-from .. import _arguments, _vorpipe
+from .. import _scalars, _vorpipe
 from .._arguments import Floats
 from .._errors import InputError
 from .._functions import cells
@@ -23,28 +23,28 @@ class QhullError(InputError, RuntimeError):
 def options_of(options: Optional[str], furthest_site: bool) -> str:
     """The options of Qhull that say something here: others than these are refused, not ignored."""
     if furthest_site:
-        raise _arguments.refuse('furthest_site', 'only the diagram of nearest points is computed')
+        raise _scalars.refuse('furthest_site', 'only the diagram of nearest points is computed')
     chosen = DEFAULT_OPTIONS if options is None else options
     if isinstance(chosen, bytes):
         chosen = chosen.decode('latin1')
     for option in chosen.split():
         if option not in ('Qbb', 'Qc', 'Qz', 'Q12', 'Qt', 'Qx', 'Pp'):
-            raise _arguments.refuse('qhull_options', f'{option} is not known; known are Qbb, Qc, Qz, Q12, Qt, Qx, Pp')
+            raise _scalars.refuse('qhull_options', f'{option} is not known; known are Qbb, Qc, Qz, Q12, Qt, Qx, Pp')
     return chosen
 
 
 def plane_points(value: Any) -> Floats:
     """As scipy takes them, a copy: (N, 2), finite, not masked."""
     if isinstance(value, np.ma.MaskedArray):
-        raise _arguments.refuse('points', 'masked arrays are not taken; leave the masked elements out')
+        raise _scalars.refuse('points', 'masked arrays are not taken; leave the masked elements out')
     array = np.array(value, dtype=np.float64, order='C')
     if array.ndim != 2:
-        raise _arguments.refuse('points', f'shape {array.shape}, must be (N, 2)')
+        raise _scalars.refuse('points', f'shape {array.shape}, must be (N, 2)')
     if array.shape[1] != 2:
-        raise _arguments.refuse('points', f'{array.shape[1]} dimensions: vorpipe.compat is for points in the plane; '
-                                          'take scipy.spatial for others')
+        raise _scalars.refuse('points', f'{array.shape[1]} dimensions: vorpipe.compat is for points in the plane; '
+                                        'take scipy.spatial for others')
     if not np.isfinite(array).all():
-        raise _arguments.refuse('points', 'some are not finite')
+        raise _scalars.refuse('points', 'some are not finite')
     return array
 
 
