@@ -27,7 +27,11 @@ class Geos {
   ~Geos() { GEOS_finish_r(handle_); }
 
   [[nodiscard]] GEOSContextHandle_t handle() const { return handle_; }
-  [[nodiscard]] const std::string& message() const { return message_; }
+  /// Throws std::bad_alloc where that is what it said: nothing is wrong with what it was given.
+  [[nodiscard]] const std::string& message() const {
+    if (message_ == "std::bad_alloc") throw std::bad_alloc();
+    return message_;
+  }
 
  private:
   GEOSContextHandle_t handle_;

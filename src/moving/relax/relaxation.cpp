@@ -346,7 +346,8 @@ Result<bool> Relaxation::step() {
       if (auto equal = state.equalize(); !equal) more = tl::unexpected(std::move(equal.error()));
     }
   } catch (const std::bad_alloc&) {
-    more = tl::unexpected(Error{ErrorCode::device, "out of memory; fewer sites would fit"});
+    state.takeBack(diagrams);  // before the message, for which there may be no memory either
+    return tl::unexpected(Error{ErrorCode::device, "out of memory; fewer sites would fit"});
   }
   if (!more) state.takeBack(diagrams);
   return more;

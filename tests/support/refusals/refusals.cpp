@@ -1,6 +1,7 @@
 // Preloaded into a program, refuses its memory: the VORPIPE_REFUSE_MEMORY-th allocation on any thread since
 // main began, or with VORPIPE_REFUSE_ALL=1 that one and all that follow. How many there were goes to the file
-// VORPIPE_COUNT_MEMORY. What is before main belongs to the loader of programs.
+// VORPIPE_COUNT_MEMORY. What is before main belongs to the loader of programs. A program may choose others by
+// vorpipe_refuse_memory.
 #include <dlfcn.h>
 #include <fcntl.h>
 #include <unistd.h>
@@ -68,6 +69,13 @@ int countedMain(int count, char** arguments, char** environment) {
 }  // namespace
 
 extern "C" {
+
+/// The nth allocation from now on is refused, and with `all` all that follow; 0: none is.
+void vorpipe_refuse_memory(long nth, int all) {
+  refused = nth;
+  all_after = all != 0;
+  allocations = 0;
+}
 
 void* malloc(std::size_t size) { return isRefused() ? nullptr : __libc_malloc(size); }
 void* calloc(std::size_t count, std::size_t size) {
