@@ -296,6 +296,8 @@ def test_what_is_not_for_the_plane_is_refused(kind):
         kind(np.zeros((9, 2)), furthest_site=True)
     with pytest.raises(vorpipe.InputError, match='qhull_options: QJ is not known'):
         kind(np.zeros((9, 2)), qhull_options='QJ')
+    with pytest.raises(vorpipe.InputError, match='qhull_options: Qz is not for incremental'):
+        kind(np.zeros((9, 2)), incremental=True, qhull_options='Qc Qz')
     with pytest.raises(QhullError, match='on a line'):
         kind([(0, 0), (1, 1), (2, 2), (3, 3)])
     with pytest.raises(RuntimeError, match='it takes three'):
@@ -310,7 +312,11 @@ def test_points_are_added_where_that_was_said(kind, rng):
     assert np.array_equal(grown.points, points)
     whole = kind(points)
     if kind is Voronoi:
-        assert grown.regions == whole.regions and grown.ridge_dict == whole.ridge_dict
+        theirs = spatial.Voronoi(points[:10], incremental=True)
+        theirs.add_points(points[10:])
+        # Without a region for the point at infinity before the others, as scipy has it.
+        assert len(grown.regions) == len(theirs.regions) == 30 and whole.regions == [[], *grown.regions]
+        assert np.array_equal(grown.point_region, np.arange(30)) and grown.ridge_dict == whole.ridge_dict
     else:
         assert np.array_equal(grown.simplices, whole.simplices)
     grown.close()

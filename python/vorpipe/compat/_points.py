@@ -13,23 +13,26 @@ from .._functions import cells
 
 Indices = npt.NDArray[np.int32]
 
-DEFAULT_OPTIONS = 'Qbb Qc Qz Q12'
+DEFAULT_OPTIONS, INCREMENTAL_OPTIONS = 'Qbb Qc Qz Q12', 'Qc'
 
 
 class QhullError(InputError, RuntimeError):
     """What scipy.spatial.QhullError is raised for: too few points, or all on a line."""
 
 
-def options_of(options: Optional[str], furthest_site: bool) -> str:
+def options_of(options: Optional[str], furthest_site: bool, incremental: bool) -> str:
     """The options of Qhull that say something here: others than these are refused, not ignored."""
     if furthest_site:
         raise _scalars.refuse('furthest_site', 'only the diagram of nearest points is computed')
-    chosen = DEFAULT_OPTIONS if options is None else options
+    default = INCREMENTAL_OPTIONS if incremental else DEFAULT_OPTIONS
+    chosen = default if options is None else options
     if isinstance(chosen, bytes):
         chosen = chosen.decode('latin1')
     for option in chosen.split():
         if option not in ('Qbb', 'Qc', 'Qz', 'Q12', 'Qt', 'Qx', 'Pp'):
             raise _scalars.refuse('qhull_options', f'{option} is not known; known are Qbb, Qc, Qz, Q12, Qt, Qx, Pp')
+        if incremental and option in ('Qbb', 'Qz'):
+            raise _scalars.refuse('qhull_options', f'{option} is not for incremental=True')
     return chosen
 
 
@@ -62,7 +65,7 @@ class PlaneSet:
     """Points, and what came of them; more may be added where the caller said so."""
 
     def __init__(self, points: Any, furthest_site: bool, incremental: bool, qhull_options: Optional[str]) -> None:
-        self._options = options_of(qhull_options, furthest_site)
+        self._options = options_of(qhull_options, furthest_site, bool(incremental))
         self.furthest_site = False
         self._incremental = bool(incremental)
         self._take(plane_points(points))
