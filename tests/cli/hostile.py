@@ -103,6 +103,11 @@ def arrays():
     stored = io.BytesIO()
     numpy.savez(stored, sites=numpy.zeros((9, 2)), domain=numpy.array([0, 0, 1, 1.0]))
     stored = stored.getvalue()
+    nine = numpy.random.default_rng(1).random((9, 2))
+    for name, more in {"time": {"time": numpy.nan}, "length": {"length": numpy.inf}, "box": {"domain": numpy.zeros(4)},
+                       "gravity": {"gravity": [1, 2.0, 3]}, "tolerance": {"tolerance": numpy.inf}}.items():
+        checkpoint = {"sites": nine, "domain": [0, 0, 1, 1.0]} | more
+        numpy.savez(os.path.join(folder, name + ".npz"), **{k: numpy.atleast_1d(v) for k, v in checkpoint.items()})
     write("shape.npz", stored.replace(b"(9, 2), }", b"(9,99), }"))
     write("cut.npz", stored[: len(stored) // 2])
     deflated = io.BytesIO()

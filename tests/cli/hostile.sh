@@ -116,13 +116,24 @@ bad more.npy.gz ""
 good fortran.npy 3
 bad_as --density packed.npy "need about"
 bad_as --weights more.npy "is truncated"
-for file in shape.npz cut.npz deflated.npz noise.npz; do
-  name=$file
+# bad_checkpoint FILE TEXT: the same for what a fluid goes on from.
+bad_checkpoint() {
+  name=$1
   cases=$((cases + 1))
-  within 150000 fluid --backend cpu --resume "in/$file" --until 1 -o out/cells.csv
+  within 150000 fluid --backend cpu --resume "in/$1" --time 1 -o out/cells.csv
   [ "$code" -eq 2 ] || fail "exit code $code, not 2"
   one_line
-done
+  grep -qF -- "vorpipe: in/$1: $2" log/err || fail "the line does not say '$2'"
+}
+bad_checkpoint shape.npz "sites is not of type <f8 with 2 columns"
+bad_checkpoint cut.npz "it is no whole .npz file"
+bad_checkpoint deflated.npz '"sites.npy" is compressed'
+bad_checkpoint noise.npz "it is no whole .npz file"
+bad_checkpoint time.npz "time is not finite"
+bad_checkpoint length.npz "step: it is not 0 or more"
+bad_checkpoint gravity.npz "gravity has 3 numbers, not 2"
+bad_checkpoint box.npz "the domain 0,0,0,0 is not a rectangle"
+bad_checkpoint tolerance.npz "tolerance: inf is not"
 
 # -- Pictures that claim more than they hold -----------------------------------------------------------------
 for file in bomb bomb16 interlaced; do bad_as --density $file.png "cannot hold 65535 x 65535 pixels"; done

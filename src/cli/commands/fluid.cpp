@@ -82,7 +82,7 @@ Result<Outcome> flow(const FluidCommand& command, Session& session, FluidSetup s
   const FluidOptions options = setup.options;
   const double start = setup.state.time;
   auto fluid = Fluid::begin(session, std::move(setup.state), options);
-  if (!fluid) return tl::unexpected(std::move(fluid.error()));
+  if (!fluid) return asFluidOption(std::move(fluid.error()), command.choices);
   Outcome outcome;
   outcome.first = outcome.last = fluid->last();
   outcome.trace = outcome.timeless = traceHead();
@@ -97,7 +97,7 @@ Result<Outcome> flow(const FluidCommand& command, Session& session, FluidSetup s
       break;
     }
     const auto more = fluid->step();
-    if (!more) return tl::unexpected(more.error());
+    if (!more) return asFluidOption(more.error(), command.choices);
     if (!*more) {
       outcome.end = endOf(fluid->end());
       break;
@@ -232,12 +232,12 @@ Result<ExitCode> fluid(FluidCommand& command, const Invocation& how) {
   if (!session) return tl::unexpected(std::move(session.error()));
   log.choice = session->choice();
   const auto forecast = forecastFluid(plan, *setup, session->device(), command.backend.threads);
-  if (!forecast) return asFluidOption(forecast.error());
+  if (!forecast) return asFluidOption(forecast.error(), command.choices);
   auto record = FluidRecord::open(command.targets, command.picture,
                                   command.choices.resume.empty() ? nullptr : &setup->state);
   if (!record) return tl::unexpected(std::move(record.error()));
   const auto outcome = flow(command, *session, std::move(*setup), *record);
-  if (!outcome) return asFluidOption(outcome.error());
+  if (!outcome) return tl::unexpected(std::move(outcome.error()));
   takeSignal();
   printNotes(command.talk, outcome->report);
   if (!validationIsSilent(outcome->report)) return exit_device;

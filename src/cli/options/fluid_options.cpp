@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "cli/options/options.h"
@@ -202,9 +204,19 @@ Result<FluidSetup> setupOf(const FluidChoices& choices) {
   return setup;
 }
 
-tl::unexpected<Error> asFluidOption(Error error) {
-  for (const std::string_view name : {"step", "epsilon", "gravity", "tolerance", "scheme", "search"}) {
-    if (error.message.starts_with(std::string(name) + ":")) error.message = "--" + error.message;
+tl::unexpected<Error> asFluidOption(Error error, const FluidChoices& choices) {
+  const std::pair<std::string_view, bool> options[] = {
+      {"step:", choices.step.has_value()},           {"epsilon:", choices.epsilon.has_value()},
+      {"gravity:", choices.gravity.has_value()},     {"scheme:", choices.scheme.has_value()},
+      {"tolerance:", choices.tolerance.has_value()}, {"search:", true}};
+  const auto given = std::ranges::find_if(
+      options, [&](const auto& option) { return option.second && error.message.starts_with(option.first); });
+  const std::string& file = choices.begin.empty() ? choices.resume : choices.begin;
+  if (given != std::end(options)) {
+    error.message = "--" + error.message;
+  } else if (error.code == ErrorCode::input && !fluidCaseOf(choices.begin) &&
+             !error.message.starts_with("--")) {
+    error.message = fmt::format("{}: {}", file, error.message);
   }
   return tl::unexpected(std::move(error));
 }

@@ -64,8 +64,9 @@ Result<FluidSetup> startOf(const FluidChoices& choices);
 /// The same of one that ends. Errors (input): that it does not.
 Result<FluidSetup> setupOf(const FluidChoices& choices);
 
-/// An error of the library, which begins with what is wrong, in the words of the command line.
-tl::unexpected<Error> asFluidOption(Error error);
+/// An error of the library, which begins with what is wrong, in the words of the command line: the option
+/// that was given, or else the file that the fluid is of.
+tl::unexpected<Error> asFluidOption(Error error, const FluidChoices& choices);
 
 /// "springs" or "projection".
 std::string_view nameOf(FluidScheme scheme);

@@ -16,7 +16,7 @@ Result<view::Opened> openFluidForView(const FluidChoices& choices, const Backend
   auto session = Session::open(backend);
   if (!session) return tl::unexpected(std::move(session.error()));
   const auto fluid = Fluid::begin(*session, std::move(setup->state), setup->options);
-  if (!fluid) return asFluidOption(fluid.error());
+  if (!fluid) return asFluidOption(fluid.error(), choices);
   auto begun = std::make_shared<view::Flowing>();
   begun->setup = {fluid->state(), setup->options};
   begun->last = fluid->last();

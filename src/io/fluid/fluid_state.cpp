@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <span>
 #include <utility>
 #include <vector>
@@ -53,10 +54,18 @@ class Reader {
     if (!error) error = std::move(read.error());
     return {};
   }
+  /// So many; empty where there is no such array.
+  template <class Number>
+  std::vector<Number> several(const char* name, std::size_t count) {
+    auto read = many<Number>(name);
+    if (!error && file_.has(name) && read.size() != count)
+      refuse(fmt::format("{} has {} numbers, not {}", name, read.size(), count));
+    return error ? std::vector<Number>() : read;
+  }
   /// Leaves the value where there is none.
   template <class Number>
   void single(const char* name, Number& value) {
-    const auto read = many<Number>(name);
+    const auto read = several<Number>(name, 1);
     if (!read.empty()) value = read.front();
   }
   /// The same for one of `count` names.
@@ -64,11 +73,11 @@ class Reader {
   void name(const char* array, std::uint8_t count, Name& value) {
     auto number = static_cast<std::uint8_t>(value);
     single(array, number);
-    if (number >= count && !error) {
-      error = Error{ErrorCode::input,
-                    fmt::format("{}: {} is {}, not below {}", file_.name(), array, number, count)};
-    }
+    if (number >= count) refuse(fmt::format("{} is {}, not below {}", array, number, count));
     value = static_cast<Name>(number);
+  }
+  void refuse(const std::string& what) {
+    if (!error) error = Error{ErrorCode::input, fmt::format("{}: {}", file_.name(), what)};
   }
 
   std::optional<Error> error;
@@ -133,10 +142,11 @@ Result<FluidSetup> readFluid(const std::string& path) {
   state.pressure = read.many<double>("pressure");
   state.trend = read.many<double>("trend");
   state.order = read.many<std::uint32_t>("order");
-  const auto domain = read.many<double>("domain"), gravity = read.many<double>("gravity");
-  if (domain.size() == 4) options.domain = {domain[0], domain[1], domain[2], domain[3]};
-  if (gravity.size() == 2) options.gravity = {gravity[0], gravity[1]};
+  const auto domain = read.several<double>("domain", 4), gravity = read.several<double>("gravity", 2);
+  if (!domain.empty()) options.domain = {domain[0], domain[1], domain[2], domain[3]};
+  if (!gravity.empty()) options.gravity = {gravity[0], gravity[1]};
   read.single("time", state.time);
+  if (!std::isfinite(state.time)) read.refuse("time is not finite");
   read.single("until", options.until);
   read.single("length", options.step);
   read.single("epsilon", options.epsilon);
