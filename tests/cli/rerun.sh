@@ -71,6 +71,14 @@ again in/fewer.csv 2
 grep -qF "<stdin>: has changed since" log/err || fail "it is not told"
 cmp -s out/g.csv in/g.csv || fail "the output has changed"
 
+gzip -c in/sites.csv >in/sites.csv.gz
+"$vorpipe" cells --backend cpu --sites - -o out/g.csv --stats out/g.json <in/sites.csv.gz >log/out 2>log/err
+again in/sites.csv.gz 0
+again in/sites.csv 2
+succeeds "gzip" cells --backend cpu --sites in/sites.csv.gz -o out/h.csv --stats out/h.json
+grep -A1 -F '"in/sites.csv.gz"' out/h.json | grep -qF "\"bytes\": $(wc -c <in/sites.csv.gz)," || fail "not its bytes"
+succeeds "gzip again" rerun out/h.json
+
 succeeds "the command line" rerun --dry-run out/a.json
 [ "$(cat log/out)" = "vorpipe cells --backend cpu --threads 2 --search grid --sites in/sites.csv --weights 'in/the weights.txt' --domain in/outline.wkt -o out/a.csv -o out/a.npz" ] ||
   fail "it is not what was typed"
@@ -79,6 +87,12 @@ cases=$((cases + 1))
 line=$(cat log/out)
 (vorpipe() { "$vorpipe" "$@"; } && eval "$line") >log/out 2>log/err || fail "exit code $?"
 cmp -s out/a.npz in/a.npz || fail "other bytes"
+
+printf '{"arguments": ["cells", "a\\u001b[2J\\u009b\\u0027\\\\ ö"], "inputs": [], "outputs": []}' >in/controls.json
+name="the command line of a name with controls"
+cases=$((cases + 1))
+run 0 rerun --dry-run in/controls.json
+[ "$(cat log/out)" = "vorpipe cells \$'a\\033[2J\\302\\233\\047\\134 \\303\\266'" ] || fail "it is not escaped"
 
 # -- What differs ---------------------------------------------------------------------------------------
 cp in/sites.csv in/before.csv

@@ -51,6 +51,29 @@ Result<std::vector<std::string>> argumentsAgain(const RerunCommand& command, con
   return again;
 }
 
+/// Whether a terminal takes a part of it for a command: controls of ASCII, and those that UTF-8 begins with
+/// C2.
+bool hasControls(std::string_view text) {
+  constexpr unsigned char blank = 0x20, rub_out = 0x7F, leads = 0xC2, last = 0xA0;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const auto byte = static_cast<unsigned char>(text[k]);
+    const auto next = static_cast<unsigned char>(k + 1 < text.size() ? text[k + 1] : last);
+    if (byte < blank || byte == rub_out || (byte == leads && next < last)) return true;
+  }
+  return false;
+}
+
+/// In $'...', which bash, zsh and ksh know, where no byte is but those of plain text.
+std::string escaped(std::string_view text) {
+  std::string quoted = "$'";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = byte >= 0x20 && byte < 0x7F && c != '\'' && c != '\\';
+    quoted += plain ? std::string(1, c) : fmt::format("\\{:03o}", byte);
+  }
+  return quoted + "'";
+}
+
 /// As it can be typed.
 std::string pasted(const std::vector<std::string>& arguments) {
   constexpr std::string_view plain =
@@ -58,7 +81,7 @@ std::string pasted(const std::vector<std::string>& arguments) {
   std::string line = "vorpipe";
   for (const std::string& argument : arguments) {
     const bool bare = !argument.empty() && argument.find_first_not_of(plain) == std::string::npos;
-    line += " " + (bare ? argument : shellQuoted(argument));
+    line += " " + (bare ? argument : hasControls(argument) ? escaped(argument) : shellQuoted(argument));
   }
   return line;
 }
@@ -73,7 +96,7 @@ Result<Contents> keepStandardInput() {
   std::vector<char> bytes(piece);
   ContentHash hash;
   for (std::size_t count = piece; count == piece;) {
-    const auto got = input->read(bytes);
+    const auto got = input->readAsIs(bytes);
     if (!got) return tl::unexpected(got.error());
     count = *got;
     hash.add({bytes.data(), count});

@@ -36,7 +36,7 @@ Result<Contents> contentsOf(const std::string& path) {
   // On the stack: what a run takes of the heap afterwards is forecast to a few percent.
   std::array<char, 1 << 16> bytes;  // NOLINT(cppcoreguidelines-pro-type-member-init)
   for (;;) {
-    const auto count = file->read(bytes);
+    const auto count = file->readAsIs(bytes);
     if (!count) return tl::unexpected(count.error());
     hash.add({bytes.data(), *count});
     if (*count < bytes.size()) return hash.contents();

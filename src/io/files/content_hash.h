@@ -35,7 +35,7 @@ class ContentHash {
   std::uint64_t bytes_ = 0;
 };
 
-/// Reads a whole file. Errors: those of InputFile.
+/// Reads a whole file, gzip as it is. Errors: those of InputFile.
 Result<Contents> contentsOf(const std::string& path);
 
 }  // namespace vorpipe

@@ -29,6 +29,8 @@ class InputFile {
   /// system could not read. Of a file that begins as gzip does, the bytes are those that were packed; error
   /// (input): they are damaged or end too early.
   Result<std::size_t> read(std::span<char> bytes);
+  /// The same of the bytes that stand in the file, whether gzip or not. Either this or read is called.
+  Result<std::size_t> readAsIs(std::span<char> bytes);
 
   /// Size in bytes; none where it is not known beforehand (a pipe, a terminal, and gzip once it is read).
   [[nodiscard]] std::optional<std::uint64_t> size() const { return size_; }
@@ -39,7 +41,6 @@ class InputFile {
   InputFile(int descriptor, std::string name, std::optional<std::uint64_t> size);
   Result<void> begin();
   Result<std::size_t> readBytes(std::span<char> bytes);
-  Result<std::size_t> readAsIs(std::span<char> bytes);
 
   int descriptor_;
   std::string name_;

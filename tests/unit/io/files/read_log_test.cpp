@@ -63,6 +63,15 @@ TEST_F(ReadLogs, HashPipesWhileTheyAreRead) {
   EXPECT_EQ(log.files()[0].contents, (Contents{3, hash_of_abc}));
 }
 
+TEST_F(ReadLogs, HashGzipAsItIs) {
+  // gzip -n of "abc".
+  const std::string packed("\x1F\x8B\x08\0\0\0\0\0\0\x03\x4B\x4C\x4A\x06\0\xC2\x41\x24\x35\x03\0\0\0", 23);
+  const ReadLog log;
+  readAll(write("abc.gz", packed));
+  ASSERT_EQ(log.files().size(), 1U);
+  EXPECT_EQ(log.files()[0].contents.bytes, packed.size());
+}
+
 TEST_F(ReadLogs, LeaveTheFilesOfAnInnerRunToItsLog) {
   const ReadLog outer;
   {
