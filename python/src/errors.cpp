@@ -125,6 +125,16 @@ void raise(Error error) {
   raise(kindOf(error.code), error.message, argument);
 }
 
+void raise(const std::exception_ptr& refused) {
+  try {
+    std::rethrow_exception(refused);
+  } catch (const std::bad_alloc&) {
+    throw;  // which registerErrors() has seen to
+  } catch (const std::exception& error) {
+    raise({ErrorCode::device, error.what()});
+  }
+}
+
 void raiseInput(std::string_view argument, const std::string& message) {
   raise(kindOf(ErrorCode::input), fmt::format("{}: {}", argument, message), argument);
 }

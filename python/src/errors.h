@@ -3,6 +3,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <exception>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,6 +21,9 @@ pybind11::list textsOf(const std::vector<std::string>& texts);
 /// Throws what Python sees as vorpipe.InputError, DeviceError or Cancelled, with code and subject. The
 /// message begins with the argument that the error is about. The GIL is held.
 [[noreturn]] void raise(Error error);
+
+/// Throws what the system refused a run, threads or memory, as a DeviceError.
+[[noreturn]] void raise(const std::exception_ptr& refused);
 
 /// Throws an InputError about an argument: "argument: message".
 [[noreturn]] void raiseInput(std::string_view argument, const std::string& message);

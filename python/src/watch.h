@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "errors.h"
 #include "runs.h"
 #include "vorpipe.h"
 
@@ -57,8 +58,8 @@ class Watch {
 bool saysStop(const py::object& answer);
 
 /// The result of `run`, which is called on a thread of its own and owns all that it uses: where Ctrl-C or the
-/// caller's function end the waiting, it goes on until it looks up. Throws what `run` throws. The GIL is
-/// held.
+/// caller's function end the waiting, it goes on until it looks up. What `run` throws is a
+/// DeviceError. The GIL is held.
 template <class T>
 Result<T> watched(const py::object& function, std::function<Result<T>(Watch&)> run) {
   struct Shared {
@@ -76,7 +77,7 @@ Result<T> watched(const py::object& function, std::function<Result<T>(Watch&)> r
     shared->watch.finish();
   });
   shared->watch.wait(function);
-  if (shared->raised) std::rethrow_exception(shared->raised);
+  if (shared->raised) raise(shared->raised);
   if (shared->watch.isStopped()) {
     return tl::unexpected(Error{ErrorCode::cancelled, "the progress function said stop"});
   }

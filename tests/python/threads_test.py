@@ -280,4 +280,5 @@ def test_memory_that_a_run_is_refused_is_an_error():
         except vorpipe.DeviceError as error:
             print(error)
     ''')
-    assert ended.returncode == 0 and 'memory' in ended.stdout or 'thread' in ended.stdout, ended.stderr
+    assert ended.returncode == 0, ended.stderr
+    assert 'memory' in ended.stdout or 'thread' in ended.stdout
