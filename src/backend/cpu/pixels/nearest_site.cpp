@@ -49,6 +49,8 @@ class Cloud {
 /// Squared distances that differ by less than this part of themselves may be in either order.
 constexpr double near_tie = 1e-14;
 
+double weightOf(const SiteSet& s, std::uint32_t i) { return s.weight.empty() ? 0 : s.weight[i]; }
+
 /// By how much the power of a place to a is larger than to b, in twice the precision.
 DoubleDouble wideLead(const SiteSet& s, std::uint32_t b, std::uint32_t a, Point base, Point p) {
   const auto towards = [](double at_base, double at, double of_a, double of_b) {
@@ -57,21 +59,21 @@ DoubleDouble wideLead(const SiteSet& s, std::uint32_t b, std::uint32_t a, Point 
     return (from_a + from_b) * DoubleDouble::sum(of_b, -of_a);
   };
   return towards(base.x, p.x, s.x[a], s.x[b]) + towards(base.y, p.y, s.y[a], s.y[b]) +
-         DoubleDouble::sum(s.weight[b], -s.weight[a]);
+         DoubleDouble::sum(weightOf(s, b), -weightOf(s, a));
 }
 
-/// Whether a place is nearer to b than to a: from differences, never from squared distances. With weights
-/// large terms may cancel.
+/// Whether a place is nearer to b than to a: from differences, never from squared distances. Far from both,
+/// and with weights, large terms may cancel.
 bool isNearerTo(const SiteSet& s, std::uint32_t b, std::uint32_t a, Point base, Point p) {
+  const double weight_a = weightOf(s, a), weight_b = weightOf(s, b);
   const double x_from_a = (base.x - s.x[a]) + p.x, x_from_b = (base.x - s.x[b]) + p.x;
   const double y_from_a = (base.y - s.y[a]) + p.y, y_from_b = (base.y - s.y[b]) + p.y;
   const double along_x = (x_from_a + x_from_b) * (s.x[b] - s.x[a]);
   const double along_y = (y_from_a + y_from_b) * (s.y[b] - s.y[a]);
-  if (s.weight.empty()) return along_x + along_y > 0;
-  const double lead = (along_x + along_y) + (s.weight[b] - s.weight[a]);
+  const double lead = (along_x + along_y) + (weight_b - weight_a);
   const double terms = (std::abs(x_from_a) + std::abs(x_from_b)) * std::abs(s.x[b] - s.x[a]) +
                        (std::abs(y_from_a) + std::abs(y_from_b)) * std::abs(s.y[b] - s.y[a]) +
-                       std::abs(s.weight[b]) + std::abs(s.weight[a]);
+                       std::abs(weight_b) + std::abs(weight_a);
   constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
   if (std::abs(lead) > rounding * terms) return lead > 0;
   return wideLead(s, b, a, base, p).high > 0;
