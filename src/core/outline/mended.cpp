@@ -9,6 +9,7 @@
 
 #include "base/refusal.h"
 #include "core/outline/geos_outline.h"
+#include "core/outline/repaired.h"
 
 namespace vorpipe::core {
 namespace {
@@ -125,7 +126,7 @@ class Mending {
         }
         if (repaired_ == 0) first_fault_ = **fault;
         ++repaired_;
-        polygon = repairedPolygon(p);
+        polygon = repaired(p);
         if (!polygon) return failed();
       }
       sum_ += area(polygon);
@@ -139,36 +140,13 @@ class Mending {
     return GEOSArea_r(geos_.handle(), geometry.get(), &area) == 1 ? area : 0;
   }
 
-  /// The polygons in a geometry.
-  GeosGeometry polygonsIn(const GeosGeometry& geometry) {
-    Outline found;
-    if (!addPolygons(geos_, geometry.get(), found)) return owned(geos_, nullptr);
-    return geometryOf(geos_, found);
-  }
-
-  /// What a ring winds around an odd number of times.
-  GeosGeometry insideOf(std::size_t ring) {
-    std::vector<GeosGeometry> rings;
-    rings.push_back(geosRing(geos_, ringAt(outline_, ring)));
-    const GeosGeometry alone = geosPolygon(geos_, std::move(rings));
-    if (!alone) return owned(geos_, nullptr);
-    return polygonsIn(owned(geos_, GEOSMakeValid_r(geos_.handle(), alone.get())));
-  }
-
-  /// The inside of the outer ring without that of holes.
-  GeosGeometry repairedPolygon(std::size_t polygon) {
+  /// As core::repairedPolygon, and counted.
+  GeosGeometry repaired(std::size_t polygon) {
     area_before_ += areaOf(outline_, polygon);
-    const auto begin = outline_.polygon_offsets[polygon], end = outline_.polygon_offsets[polygon + 1];
-    GeosGeometry inside = insideOf(begin);
-    for (auto r = begin + 1; inside && r < end; ++r) {
-      const GeosGeometry hole = insideOf(r);
-      if (!hole) return owned(geos_, nullptr);
-      inside = polygonsIn(owned(geos_, GEOSDifference_r(geos_.handle(), inside.get(), hole.get())));
-    }
-    if (!inside) return inside;
+    rings_before_ += outline_.polygon_offsets[polygon + 1] - outline_.polygon_offsets[polygon];
+    GeosGeometry inside = repairedPolygon(geos_, outline_, polygon);
     Outline after;
-    addPolygons(geos_, inside.get(), after);
-    rings_before_ += end - begin;
+    if (!inside || !addPolygons(geos_, inside.get(), after)) return owned(geos_, nullptr);
     rings_after_ += after.ring_offsets.size() - 1;
     parts_made_ += after.polygon_offsets.size() - 1;
     area_after_ += area(inside);

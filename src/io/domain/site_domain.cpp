@@ -91,8 +91,12 @@ Result<Outline> mendedBy(const Mend& mend, const Request& request) {
   const auto& [settings, placed, words] = request;
   auto result = mend(settings.repair);
   if (!result) {
-    if (!settings.repair && !settings.outline.empty() && mend(true)) {
-      result.error().message += fmt::format("; {} mends it", words.repair);
+    // A ring of a thousand points may cross itself in a million, and trying that is not asked for.
+    constexpr std::size_t few_points = 200;
+    const std::size_t points = settings.repair ? 0 : settings.outline.points.size();
+    if (points > few_points || (points > 0 && mend(true))) {
+      result.error().message +=
+          fmt::format("; {} {} it", words.repair, points > few_points ? "may mend" : "mends");
     }
     return renamed(words.domain, std::move(result.error()));
   }

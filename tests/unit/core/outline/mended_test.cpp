@@ -114,6 +114,25 @@ TEST(Mended, holesTakeAwayOnlyWhatIsThere) {
   EXPECT_DOUBLE_EQ(outlineArea(mend(beside, true).outline), 4);
 }
 
+TEST(Mended, whatEdgesWindAroundTwiceIsOutside) {
+  // The second turn goes along the first for a part of it.
+  const Outline twice = outlineOf({{{{0, 0}, {4, 0}, {4, 3}, {0, 3}, {0, 0}, {2, 0}, {2, 2}, {0, 2}}}});
+  EXPECT_DOUBLE_EQ(outlineArea(mend(twice, true).outline), 8);
+}
+
+TEST(Mended, manyCrossingsAndHolesAreOneRepair) {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> at(0, 10);
+  RingPoints ring;
+  for (int k = 0; k < 150; ++k) ring.push_back({at(random), at(random)});
+  EXPECT_GT(outlineArea(mend(outlineOf({{ring}}), true).outline), 30);
+  std::vector<RingPoints> rings{rectangle(0, 0, 80, 10)};
+  for (int k = 0; k < 400; ++k)
+    rings.push_back(rectangle(k / 5, 2 * (k % 5), k / 5 + 0.5, 2 * (k % 5) + 0.5));
+  rings.push_back(rectangle(79.75, 4.75, 81, 5));
+  EXPECT_NEAR(outlineArea(mend(outlineOf({rings}), true).outline), 800 - 400 * 0.25 - 0.0625, 1e-9);
+}
+
 TEST(Mended, whatHasNoAreaIsRefused) {
   EXPECT_THAT(refusalOf(outlineOf({{{{0, 0}, {1, 1}, {0, 0.0}}}, {{{0, 0}, {2, 2}, {1, 1}}}}), true),
               HasSubstr("has an area"));
