@@ -40,13 +40,15 @@ void fill(Attribute& attribute, std::size_t sites) {
 
 std::size_t AttributeColumns::column(std::string_view name) {
   const auto known = by_name_.find(name);
-  return known == by_name_.end() ? newColumn(name) : known->second;
+  return known == by_name_.end() ? newColumn(name) : known->second.column;
 }
 
 std::size_t AttributeColumns::newColumn(std::string_view name) {
   std::string unique(name);
-  for (int number = 2; by_name_.contains(unique); ++number) unique = fmt::format("{}_{}", name, number);
-  by_name_.emplace(unique, columns_.size());
+  // What is taken once stays so: a header of one name, again and again, is no work of its square.
+  const auto same = by_name_.find(name);
+  while (by_name_.contains(unique)) unique = fmt::format("{}_{}", name, same->second.next++);
+  by_name_.emplace(unique, Named{columns_.size()});
   columns_.emplace_back(std::move(unique));
   has_values_.push_back(false);
   return columns_.size() - 1;

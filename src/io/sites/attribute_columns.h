@@ -48,6 +48,10 @@ class AttributeColumns {
   std::vector<Attribute> take();
 
  private:
+  struct Named {
+    std::size_t column;
+    std::size_t next = 2;  ///< number for another of that name
+  };
   struct Value {
     std::size_t column, end;  ///< where it ends in row_text_
     AttributeType type;
@@ -58,7 +62,7 @@ class AttributeColumns {
   std::size_t sites_ = 0;
   std::vector<Attribute> columns_;
   std::vector<bool> has_values_;
-  std::map<std::string, std::size_t, std::less<>> by_name_;
+  std::map<std::string, Named, std::less<>> by_name_;
   std::vector<Value> row_;
   std::string row_text_;  ///< the values of row_, one after the other
 };
