@@ -241,6 +241,10 @@ Result<NpyHeader> readNpyHeader(InputFile& file) {
                                   *file.size() < begin + *bytes ? "is truncated" : "is too long",
                                   *file.size(), header.description, begin + *bytes));
   }
+  if (file.mostBytes() && *file.mostBytes() < *bytes) {
+    return inputError(
+        fmt::format("{}: is damaged: what is packed in it cannot hold {}", file.name(), header.description));
+  }
   return header;
 }
 

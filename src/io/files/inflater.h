@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <span>
@@ -16,6 +17,9 @@ namespace vorpipe {
 
 class Inflater {
  public:
+  /// One byte of deflate's stands for no more than that.
+  static constexpr std::uint64_t largest_ratio = 1032;
+
   /// Fills what it is given unless the file ends first; returns how many bytes that are.
   using Source = std::function<Result<std::size_t>(std::span<char>)>;
 

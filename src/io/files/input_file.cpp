@@ -22,6 +22,7 @@ InputFile::InputFile(InputFile&& other) noexcept
     : descriptor_(std::exchange(other.descriptor_, -1)),
       name_(std::move(other.name_)),
       size_(other.size_),
+      stored_size_(other.stored_size_),
       begun_(other.begun_),
       head_(other.head_),
       head_begin_(other.head_begin_),
@@ -33,6 +34,7 @@ InputFile& InputFile::operator=(InputFile&& other) noexcept {
   std::swap(descriptor_, other.descriptor_);
   std::swap(name_, other.name_);
   std::swap(size_, other.size_);
+  std::swap(stored_size_, other.stored_size_);
   std::swap(begun_, other.begun_);
   std::swap(head_, other.head_);
   std::swap(head_begin_, other.head_begin_);
@@ -63,7 +65,7 @@ Result<InputFile> InputFile::open(const std::string& path) {
     return inputError(file.name_ + ": is a directory; a file is needed");
   }
   if (S_ISREG(status.st_mode) && !standard) {
-    file.size_ = static_cast<std::uint64_t>(status.st_size);
+    file.size_ = file.stored_size_ = static_cast<std::uint64_t>(status.st_size);
   }
   if (ReadLog* log = ReadLog::current()) {
     if (file.size_) {
@@ -73,6 +75,11 @@ Result<InputFile> InputFile::open(const std::string& path) {
     }
   }
   return file;
+}
+
+std::optional<std::uint64_t> InputFile::mostBytes() const {
+  if (size_ || !stored_size_) return size_;
+  return *stored_size_ * Inflater::largest_ratio;
 }
 
 Result<void> InputFile::begin() {

@@ -34,6 +34,8 @@ class InputFile {
 
   /// Size in bytes; none where it is not known beforehand (a pipe, a terminal, and gzip once it is read).
   [[nodiscard]] std::optional<std::uint64_t> size() const { return size_; }
+  /// More bytes than a file can hold, which may be packed; none where its own size is not known beforehand.
+  [[nodiscard]] std::optional<std::uint64_t> mostBytes() const;
   /// The path as it was given, for messages; "<stdin>" for standard input.
   [[nodiscard]] const std::string& name() const { return name_; }
 
@@ -44,7 +46,7 @@ class InputFile {
 
   int descriptor_;
   std::string name_;
-  std::optional<std::uint64_t> size_;
+  std::optional<std::uint64_t> size_, stored_size_;  ///< stored_size_: of gzip as it is
   bool begun_ = false;
   std::array<char, 2> head_{};  ///< the first bytes, which tell gzip
   std::size_t head_begin_ = 0, head_end_ = 0;

@@ -176,15 +176,13 @@ struct Pixels {
 /// takes `of_result` bytes each.
 Result<void> checkPixels(const Handles& handles, const InputFile& file, const std::string& path,
                          std::uint64_t of_rows, std::uint64_t of_result) {
-  // One byte of deflate's stands for no more than that.
-  constexpr std::uint64_t largest_ratio = 1032;
   const std::uint64_t width = png_get_image_width(handles.png, handles.info);
   const std::uint64_t height = png_get_image_height(handles.png, handles.info);
   const std::uint64_t bits = std::uint64_t{png_get_bit_depth(handles.png, handles.info)} *
                              png_get_channels(handles.png, handles.info);
-  if (file.size() && width * bits / 8 * height / largest_ratio > *file.size()) {
+  if (file.mostBytes() && width * bits / 8 * height / Inflater::largest_ratio > *file.mostBytes()) {
     return inputError(fmt::format("{}: is a damaged PNG: {} bytes cannot hold {} x {} pixels", path,
-                                  *file.size(), width, height));
+                                  *file.mostBytes(), width, height));
   }
   return checkRoom(path, "pixels", (of_rows + of_result) * width * height);
 }
