@@ -24,6 +24,7 @@ class Stream {
   // As JsonBuilder calls them.
   bool isList(std::string_view member) {
     const bool list = member == "features" || member == "geometries";
+    if (list && !list_.empty()) bytes_.stop(bytes_.errorAt(0, "is a second list of features or geometries"));
     if (list) list_ = member;
     return list;
   }

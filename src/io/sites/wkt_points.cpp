@@ -14,8 +14,14 @@ WktProblem takePoints(WktTokens& tokens, WktPoints& taken) {
     return problem;
   }
   // Each point may have parentheses of its own: (1 2, 3 4), ((1 2), (3 4)).
-  return tokens.takeList(
-      [&] { return tokens.is("(") || tokens.is("EMPTY") ? tokens.takeList(position) : position(); });
+  const auto point = [&] {
+    const std::size_t before = taken.points.size();
+    auto problem = tokens.is("(") || tokens.is("EMPTY") ? tokens.takeList(position) : position();
+    if (!problem && taken.points.size() > before + 1)
+      return WktProblem(tokens.wrong("a point of several positions ends before this"));
+    return problem;
+  };
+  return tokens.takeList(point);
 }
 
 CoordinateSystem systemOfCode(std::int64_t code) {

@@ -47,6 +47,11 @@ char separatorOf(std::string_view line) {
 
 std::optional<char> namedSeparator(std::string_view line) {
   constexpr std::string_view name = "sep=";
+  // A tab at the end may be what it names; spreadsheets put it all in quotes.
+  line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+  while (line.size() > name.size() + 1 && (line.back() == ' ' || line.back() == '\t')) line.remove_suffix(1);
+  if (line.size() == name.size() + 3 && line.front() == '"' && line.back() == '"')
+    line = line.substr(1, name.size() + 1);
   const bool named = line.size() == name.size() + 1 &&
                      std::ranges::equal(line.substr(0, name.size()), name, [](char a, char b) {
                        return (a >= 'A' && a <= 'Z' ? a - 'A' + 'a' : a) == b;

@@ -105,7 +105,7 @@ Result<bool> CsvReader::isRecord(std::string_view line) {
     return false;
   }
   if (begun_ || text.empty()) return true;
-  if (const auto separator = namedSeparator(text)) {
+  if (const auto separator = namedSeparator(line)) {
     setSeparator(*separator);
     return false;
   }

@@ -22,6 +22,7 @@ TEST_F(SiteTables, areSeparatedByWhatTheFirstLineHas) {
   for (const char* bytes :
        {"x,y,name\n1.5,2,a\n-3,4,b\n", "x;y;name\n1,5;2;a\n-3;4;b\n", "x;y;name\n1.5;2;a\n-3;4;b\n",
         "x\ty\tname\n1,5\t2\ta\n-3\t4\tb\n", "sep=;\r\nx;y;name\r\n1,5;2;a\r\n-3;4;b\r\n",
+        "sep=\t\nx\ty\tname\n1,5\t2\ta\n-3\t4\tb\n", "\"sep=;\"\nx;y;name\n1,5;2;a\n-3;4;b\n",
         "# of 2020, with a comma\nx;y;name\n1,5;2;a\n-3;4;b\n",
         "\"x\";\"y\";\"name, or code, or both\"\n1,5;2;a\n-3;4;b\n"}) {
     SCOPED_TRACE(bytes);

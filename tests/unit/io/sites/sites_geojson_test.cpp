@@ -47,6 +47,13 @@ TEST_F(GeoJson, featuresHaveAttributesOfTheirTypes) {
   EXPECT_THAT(table.notes, IsEmpty());
 }
 
+TEST_F(GeoJson, collectionsHaveOneList) {
+  const std::string one = feature(point("1,2"));
+  EXPECT_EQ(bad("a.json", collection(one, "\"features\":[" + one + "],")).substr(0, 2), "1:");
+  EXPECT_THAT(bad("a.json", collection(one, "\"features\":[" + one + "],")),
+              HasSubstr("is a second list of features or geometries"));
+}
+
 TEST_F(GeoJson, nothingIsHiddenBehindAByteOfZero) {
   const std::string hidden = std::string("\0", 1) + "{}";
   const std::string what = "is no JSON from here on: a byte is 0";

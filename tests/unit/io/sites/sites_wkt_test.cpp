@@ -34,6 +34,7 @@ TEST_F(WktSites, areRefusedWithTheirPlace) {
   EXPECT_EQ(bad("a.wkt", "POINT (1)"), "1:9: \")\", where a number is needed");
   EXPECT_EQ(bad("a.wkt", "POINT (1 2"), "1:11: the text ends, where \",\" or \")\" is needed");
   EXPECT_EQ(bad("a.wkt", "POINT (1 2, 3 4)"), "1:17: a POINT of several positions ends before this");
+  EXPECT_EQ(bad("a.wkt", "MULTIPOINT ((1 2, 3 4))"), "1:23: a point of several positions ends before this");
   EXPECT_EQ(bad("a.wkt", "POINT (1 2)\nPOINT EMPTY"), "2:1: has no place: it is EMPTY");
   EXPECT_EQ(good("a.wkt", "POINT (1 2)\nPOINT EMPTY", skipping()).skipped, 1u);
   EXPECT_EQ(bad("a.wkt", "SRID=4326;POINT (1 2) SRID=1;POINT (1 2)"),
