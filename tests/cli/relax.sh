@@ -68,6 +68,8 @@ wrong "numbers of standard output" "--save-every: standard output" --sites rando
 wrong "a method" '--method: "newton" is not lbfgs or lloyd' --sites random:9 --method newton -o out/old.csv
 wrong "a tolerance" "--tolerance: -1" --sites random:9 --tolerance -1 -o out/old.csv
 wrong "no density to draw from" "--density" --sites density:9 -o out/old.csv
+printf '\x93NUMPY\1\0\x76\0%-117s\n\0\0\0\0' "{'descr': '<f4', 'fortran_order': False, 'shape': (1, 1), }" >in/nothing.npy
+wrong "a density of nothing" "--density: has no mass to draw sites from" --sites density:9 --density in/nothing.npy -o out/old.csv
 wrong "no number" "density:x" --sites density:x --density in/spheres.png -o out/old.csv
 wrong "masses of nothing" "--equal-masses: is for a --density" --sites random:9 --equal-masses -o out/old.csv
 wrong "too little memory" "--memory-limit" --sites random:100000 --memory-limit 20MB -o out/old.csv

@@ -42,9 +42,9 @@ Result<InputOptions> asGenerator(const InputOptions& options, std::uint64_t coun
   return generator;
 }
 
-Result<void> drawSites(Input& input, const Density& density, std::uint64_t seed) {
-  auto drawn = drawnFrom(density, input.domain, input.outline, input.sites.size(), seed);
-  if (!drawn) return named("--sites", std::move(drawn.error()));
+Result<void> drawSites(Input& input, const Density& density, const InputOptions& options) {
+  auto drawn = drawnFrom(density, input.domain, input.outline, input.sites.size(), options.seed);
+  if (!drawn) return asOption(std::move(drawn.error()), options);
   input.sites.x = std::move(drawn->x);
   input.sites.y = std::move(drawn->y);
   return {};
@@ -70,7 +70,7 @@ Result<Input> inputUnder(const Density& density, InputOptions& options, const Pl
   if (!fits) return tl::unexpected(fits.error());
   auto input = loadInput(options);
   if (input && *drawn) {
-    if (auto done = drawSites(*input, density, options.seed); !done)
+    if (auto done = drawSites(*input, density, options); !done)
       return tl::unexpected(std::move(done.error()));
   }
   return input;

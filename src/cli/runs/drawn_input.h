@@ -21,7 +21,7 @@ Result<std::optional<std::uint64_t>> drawnCount(const InputOptions& options);
 Result<InputOptions> asGenerator(const InputOptions& options, std::uint64_t count, const Density& density);
 
 /// Draws the sites anew, in the domain of the input.
-Result<void> drawSites(Input& input, const Density& density, std::uint64_t seed);
+Result<void> drawSites(Input& input, const Density& density, const InputOptions& options);
 
 /// Reads --density; the path may be empty. Errors: those of readDensity.
 Result<Density> densityOf(const std::string& path);
