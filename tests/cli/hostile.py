@@ -61,12 +61,18 @@ def texts():
     write("tiny.csv", "x,y\n0,1e-400\n1,0.5\n2,0." + "3" * 4000 + "\n")
     write("far.csv", "x,y\n1e308,1e308\n-1e308,-1e308\n")
     write("subnormal.csv", "x,y\n5e-324,0\n0,1e-310\n1e-320,1e-320\n")
+    write("columns.csv", "x,y" + ",a" * 50_000 + "\n" + "".join(f"{k},{k * k}" + "," * 50_000 + "\n" for k in range(3)))
     write("duplicates.csv", "x,y\n" + "1,1\n" * 1_000_000)
     for kind, begin in {"csv": b"x,y\n0,", "txt": b"0 ", "wkt": b"POINT(", "geojson": b'{"a":"',
                         "geojsonl": b'{"a":"'}.items():
         write_long("line." + kind, begin)
         write_packed(f"packed.{kind}.gz", begin)
         write_long("zeros." + kind, begin, b"\0")
+
+
+def tangles():
+    places = [f"{x} {y}" for x, y in numpy.random.default_rng(2).integers(0, 10_000, (2000, 2))]
+    write("tangle.wkt", f"POLYGON (({', '.join(places + places[:1])}))")
 
 
 def json():
@@ -125,6 +131,9 @@ def pictures():
         write(name, b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + more
               + chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
 
+    header = struct.pack(">IIBBBBB", 65535, 65535, 1, 0, 0, 0, 0)
+    write("picture.png", gzip.compress(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header)
+                                       + chunk(b"IDAT", zlib.compress(b"\0"))))
     png("bomb.png", 65535, 1, 0, b"\0" * 1_000_000)
     png("bomb16.png", 65535, 16, 6, b"\0" * 1_000_000)
     png("interlaced.png", 65535, 16, 6, b"\0" * 1_000_000, 1)
@@ -175,6 +184,7 @@ def geopackages():
 
 
 texts()
+tangles()
 json()
 arrays()
 pictures()

@@ -72,6 +72,7 @@ good latin1.csv 3
 good cr.csv 3
 good tiny.csv 3
 good duplicates.csv 1000000 700000
+good columns.csv 3
 
 # -- Lines without an end, in a file and packed a thousand to one -----------------------------------------
 for kind in csv txt geojsonl; do
@@ -100,6 +101,12 @@ bad surrogate.geojson "is no JSON from here on"
 for kind in deep members; do bad_as --domain "$kind.geojson" "more than 200"; done
 bad_as --domain line.wkt '"POINT", where POLYGON or MULTIPOLYGON is needed'
 bad_as --domain noise.wkt ""
+name="a ring that crosses itself in a million places"
+cases=$((cases + 1))
+within 150000 cells --backend cpu --sites random:9 --domain in/tangle.wkt -o out/cells.csv
+[ "$code" -eq 2 ] || fail "exit code $code, not 2"
+one_line
+grep -qF -- "; --repair may mend it" log/err || fail "the line does not say what may help"
 
 # -- Arrays with headers that lie ----------------------------------------------------------------------------
 bad more.npy "is truncated: it holds 288 bytes"
@@ -114,7 +121,8 @@ bad header.npy "claims 4294967295 bytes"
 bad nan.npy "element [1, 0]"
 bad more.npy.gz ""
 good fortran.npy 3
-bad_as --density packed.npy "need about"
+bad_as --density packed.npy "what is packed in it cannot hold float64 (1048576, 1048576)"
+bad_as --density picture.png "cannot hold 65535 x 65535 pixels"
 bad_as --weights more.npy "is truncated"
 # bad_checkpoint FILE TEXT: the same for what a fluid goes on from.
 bad_checkpoint() {
