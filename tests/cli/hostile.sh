@@ -134,6 +134,7 @@ bad_checkpoint() {
   grep -qF -- "vorpipe: in/$1: $2" log/err || fail "the line does not say '$2'"
 }
 bad_checkpoint shape.npz "sites is not of type <f8 with 2 columns"
+bad_checkpoint bit.npz '"domain.npy" is damaged: its checksum is another'
 bad_checkpoint cut.npz "it is no whole .npz file"
 bad_checkpoint deflated.npz '"sites.npy" is compressed'
 bad_checkpoint noise.npz "it is no whole .npz file"

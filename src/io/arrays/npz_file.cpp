@@ -1,6 +1,7 @@
 #include "io/arrays/npz_file.h"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <charconv>
 #include <numeric>
@@ -23,6 +24,10 @@ std::uint64_t numberAt(std::string_view bytes, std::size_t at, std::size_t size)
     number = number << 8 | static_cast<unsigned char>(byte);
   }
   return number;
+}
+
+std::uint64_t checksumOf(std::string_view bytes) {
+  return crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
 }
 
 /// What a .npy header has after a key, up to `end`.
@@ -89,7 +94,11 @@ Result<void> NpzFile::index() {
     if (local + 30 > bytes.size() || bytes.substr(local, 4) != local_mark) return broken();
     const std::size_t begin = local + 30 + numberAt(bytes, local + 26, 2) + numberAt(bytes, local + 28, 2);
     if (begin > bytes.size() || size > bytes.size() - begin) return broken();
-    if (auto added = add(name, bytes.substr(begin, size)); !added) return added;
+    const std::string_view array = bytes.substr(begin, size);
+    if (checksumOf(array) != numberAt(bytes, at + 16, 4)) {
+      return inputError(fmt::format("{}: {} is damaged: its checksum is another", name_, quoted(name)));
+    }
+    if (auto added = add(name, array); !added) return added;
     at += 46 + name_size + numberAt(bytes, at + 30, 2) + numberAt(bytes, at + 32, 2);
   }
   return {};
