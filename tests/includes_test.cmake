@@ -105,7 +105,7 @@ set(users
     "^core/search/flann_"
     "^io/text/csv_reader\\."
     "^io/pictures/png_file\\."
-    "^io/(arrays/zip_file|files/inflater|pictures/deflate)\\.cpp$"
+    "^io/(arrays/(npz|zip)_file|files/inflater|pictures/deflate)\\.cpp$"
     "^io/geopackage/"
     "^io/files/content_hash\\.cpp$"
     "^geos\\.h$"
