@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "base/refusal.h"
-#include "core/cells/cell_mass.h"
-#include "core/sites/frame.h"
 #include "moving/relax/allowed_places.h"
 
 namespace vorpipe {
@@ -78,14 +76,23 @@ class Draw {
   std::vector<double> sums_;
 };
 
+/// Refuses what no run over sites that are drawn would take.
+Result<void> checkDensityOver(const Box& domain, const Density& density) {
+  CellsOptions options;
+  options.domain = domain;
+  options.density = density;
+  return checkInput({{domain.xmin}, {domain.ymin}, {}}, options, 1);
+}
+
 }  // namespace
 
 Result<Sites> drawnFrom(const Density& density, const Box& domain, const Outline& outline,
                         std::uint64_t count, std::uint64_t seed) {
   const auto refuse = [](const char* what) { return tl::unexpected(refusalOf(Subject::density, what)); };
   if (density.values.empty()) return refuse("there is none to draw sites from");
-  if (auto checked = core::checkDensity(density); !checked) return tl::unexpected(std::move(checked.error()));
-  if (auto checked = core::checkDomain(domain); !checked) return tl::unexpected(std::move(checked.error()));
+  if (auto checked = checkDensityOver(domain, density); !checked) {
+    return tl::unexpected(std::move(checked.error()));
+  }
   const Draw draw(density, domain);
   if (!(draw.mass() > 0) || !std::isfinite(draw.mass())) return refuse("has no mass to draw sites from");
   const moving::AllowedPlaces allowed(domain, outline, Periodic::none);
