@@ -42,12 +42,12 @@ set(vorpipe_alone
     measured/plot.cpp
     moving/box_moments.cpp
     moving/disc_cells.cpp
-    moving/outlined_cells.cpp
     moving/polygon_edges.cpp
     nearest_site.cpp
     outline.cpp
     outline/clip_cell.cpp
     outline/clipped_records.cpp
+    outline/own_parts.cpp
     outline/validity.cpp
     palette_index.cpp
     panel/panel.cpp

@@ -35,6 +35,11 @@ measures 90 "cpu, weights" cells --backend cpu --sites random:$n --random-weight
 measures 90 "cpu, periodic" cells --backend cpu --sites random:$n --periodic xy -o out/cells.npz
 echo 'POLYGON ((0 0, 1 0, 1 1, 0.5 0.98, 0 1, 0 0))' >in/outline.wkt
 measures 90 "cpu, an outline" cells --backend cpu --sites random:$n --domain in/outline.wkt -o out/cells.npz
+succeeds "a picture for a density" render --backend cpu --sites random:900 --size 400x300 --quiet -o in/density.png
+measures 90 "cpu, a density" cells --backend cpu --sites random:$n --density in/density.png -o out/cells.npz
+measures 90 "cpu, a density, measures" cells --backend cpu --sites random:$n --density in/density.png --detail measures -o out/measures.npz
+measures 90 "cpu, a density in an outline" cells --backend cpu --sites random:$n --domain in/outline.wkt --density in/density.png -o out/cells.npz
+measures 90 "cpu, a density, periodic" cells --backend cpu --sites random:$n --periodic xy --density in/density.png -o out/cells.npz
 awk -v n=$n 'BEGIN { srand(7); print "x,y"; for (i = 0; i < n; ++i) printf "%.9f,%.9f\n", rand(), rand() }' >in/sites.csv
 measures 90 "cpu, sites from a file" cells --backend cpu --sites in/sites.csv
 # How many cells a driver draws at a time follows from how fast it is, and its memory from that: on a machine that is

@@ -11,20 +11,16 @@ namespace vorpipe::core {
 namespace {
 
 /// Clips the cells of a run.
-Result<void> clip(const Machine& machine, const Sites& sites, const CellsOptions& options, FoundCells& found,
-                  ImagesFor purpose) {
+Result<void> clip(const Machine& machine, const Sites& sites, const CellsOptions& options,
+                  FoundCells& found) {
   const Stopwatch watch;
   Diagram& diagram = found.diagram;
-  const int exponent = found.run->prepared.exponent;
-  std::vector<std::uint32_t> order;
-  if (purpose == ImagesFor::cells) {
-    order = std::move(found.run->prepared.set.id);
-    found.run.reset();
-  } else {
-    order = found.run->prepared.set.id;
-  }
-  const ClippedRun run{sites, options.domain, order, exponent, machine.threads};
-  if (auto clipped = clipToOutline(run, options.outline, diagram); !clipped) return clipped;
+  const SiteRun& of = *found.run;
+  const ClippedRun run{sites,     options.domain,       of.prepared.set,
+                       *of.cells, of.prepared.exponent, machine.threads};
+  auto parts = clipToOutline(run, options.outline, diagram);
+  if (!parts) return tl::unexpected(parts.error());
+  found.parts = std::move(*parts);
   if (options.detail == Detail::measures) dropPolygons(diagram);
   diagram.report.time_ms.cells += 1e3 * watch.seconds();
   return {};
@@ -34,7 +30,11 @@ Result<void> clip(const Machine& machine, const Sites& sites, const CellsOptions
 
 Result<FoundCells> findCells(const Machine& machine, const Sites& sites, const CellsOptions& options,
                              ImagesFor purpose) {
-  if (options.periodic != Periodic::none) return periodicCellsOn(machine, sites, options, purpose);
+  if (options.periodic != Periodic::none) {
+    auto cells = periodicCellsOn(machine, sites, options, purpose);
+    if (!cells) return tl::unexpected(cells.error());
+    return FoundCells{std::move(cells->diagram), std::move(cells->run), std::move(cells->scene)};
+  }
   CellsOptions box_options = options;
   // To clip cells takes their polygons, whether they are wanted or not.
   if (!options.outline.empty()) box_options.detail = std::max(options.detail, Detail::polygons);
@@ -47,10 +47,11 @@ Result<FoundCells> findCells(const Machine& machine, const Sites& sites, const C
   diagram->report.time_ms.order = order_ms;
   FoundCells found{std::move(*diagram), std::move(*run), plainScene(sites, options.domain)};
   if (!options.outline.empty()) {
-    if (auto clipped = clip(machine, sites, options, found, purpose); !clipped) {
+    if (auto clipped = clip(machine, sites, options, found); !clipped) {
       return tl::unexpected(clipped.error());
     }
   }
+  if (purpose == ImagesFor::cells) found.run.reset();
   return found;
 }
 

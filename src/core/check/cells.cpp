@@ -84,11 +84,13 @@ std::vector<std::string> brokenBy(const CheckedCells& run) {
     const double area = outline.area();
     checkMeasures(run, area, clipped_sum_slack + outlineRounding(run, outline) / area, broken);
     if (run.detail == Detail::everything) checkTriangles(run, broken);
+    checkThinAreas(run, &outline, broken);
     checkClipped(run, outline, building.get(), broken);
     return broken.take();
   }
   const Box& box = run.caller_domain;
   checkMeasures(run, (box.xmax - box.xmin) * (box.ymax - box.ymin), sumSlack(run), broken);
+  checkThinAreas(run, nullptr, broken);
   const Twins twins = findTwins(run);
   if (checkSymmetry(run, twins, broken)) checkPartition(run, twins, broken);
   if (run.detail == Detail::everything) checkTriangles(run, broken);

@@ -9,29 +9,6 @@
 namespace vorpipe::core::checks {
 namespace {
 
-/// The part of a ring on one side of a line x = at or y = at (Sutherland and Hodgman 1974); parts that lie
-/// apart are joined along the line, which does not change the area.
-std::vector<Point> cut(const std::vector<Point>& ring, double Point::*axis, double at, double side) {
-  std::vector<Point> kept;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Point a = ring[k], b = ring[k + 1 < ring.size() ? k + 1 : 0];
-    const double at_a = side * (a.*axis - at), at_b = side * (b.*axis - at);
-    if (at_a >= 0) kept.push_back(a);
-    if ((at_a < 0) == (at_b < 0)) continue;
-    const double along = at_a / (at_a - at_b);
-    Point p{a.x + along * (b.x - a.x), a.y + along * (b.y - a.y)};
-    p.*axis = at;
-    kept.push_back(p);
-  }
-  return kept;
-}
-
-double areaOf(const std::vector<Point>& ring) {
-  double twice = 0;
-  for (std::size_t k = 1; k + 1 < ring.size(); ++k) twice += cross(ring[k] - ring[0], ring[k + 1] - ring[0]);
-  return twice / 2;
-}
-
 /// The rings of one cell.
 class CellRings {
  public:
@@ -61,7 +38,44 @@ class CellRings {
   std::vector<std::size_t> starts_;
 };
 
-std::string wrongRings(const CheckedCells& run, std::size_t i) {
+/// By how much the area of a cell before ties join its corners, which is what is written, may differ from
+/// what its rings enclose: each edge in truth lies in its line, which its ends may be off, and around each
+/// vertex a place as wide as ties may belong to another cell.
+double movedByTies(const CheckedCells& run, const CellRings& rings, std::size_t i, double reach) {
+  const double off = run.ties(reach) + run.rounding(i);
+  const double at_vertex = 4 * off * off;
+  double moved = at_vertex;
+  rings.eachEdge([&](std::size_t e, Point a, Point b) {
+    const std::int64_t neighbor = run.diagram.neighbors[e];
+    if (neighbor < 0) return;
+    moved += 2 * at_vertex;
+    const auto j = static_cast<std::size_t>(neighbor);
+    const auto beyond = [&](Point p) {
+      return std::abs(beyondBisector(run.way(i, j), run.site(i), run.weightDifference(i, j), p));
+    };
+    moved += std::max(beyond(a), beyond(b)) * length(b - a);
+  });
+  return moved;
+}
+
+struct RingSums {
+  double area, perimeter, rounding;
+};
+
+std::string wrongRingArea(const CheckedCells& run, const CheckedOutline& outline, const CellRings& rings,
+                          const RingSums& sums, std::size_t i, double reach) {
+  const double said = run.diagram.area[i];
+  const double apart = std::abs(sums.area - said * run.scale * run.scale);
+  if (apart <= sums.rounding + movedByTies(run, rings, i, reach)) return {};
+  // Along the outline, ties may have left a cell nothing that belongs to it, or what belongs to cells that it
+  // has no edge with: how much is not known from its rings.
+  const double longest_tie = run.ties(run.shorter_side);
+  if (apart <= longest_tie * (sums.perimeter + longest_tie) && wrongArea(run, &outline, i).empty()) return {};
+  return fmt::format("the rings of site {} have the area {}, its record says {}", i,
+                     sums.area / run.scale / run.scale, said);
+}
+
+std::string wrongRings(const CheckedCells& run, const CheckedOutline& outline, std::size_t i, double reach) {
   const CellRings rings(run, i);
   if (run.edges(i) == 0) return {};
   if (rings.size() == 0 || rings.begin(0) != run.begin(i)) {
@@ -80,11 +94,9 @@ std::string wrongRings(const CheckedCells& run, std::size_t i) {
     }
   });
   if (!wrong.empty()) return wrong;
-  const double slack = run.rounding(i) * (perimeter + longest) + tie_slack * tie_slack * area;
-  if (std::abs(area - run.diagram.area[i] * run.scale * run.scale) > slack) {
-    return fmt::format("the rings of site {} have the area {}, its record says {}", i,
-                       area / run.scale / run.scale, run.diagram.area[i]);
-  }
+  const RingSums sums{area, perimeter, run.rounding(i) * (perimeter + longest)};
+  wrong = wrongRingArea(run, outline, rings, sums, i, reach);
+  if (!wrong.empty()) return wrong;
   const double summed = run.rounding(i) * static_cast<double>(run.edges(i)) * (1 + perimeter);
   if (std::abs(perimeter - run.diagram.perimeter[i] * run.scale) <= summed) return {};
   return fmt::format("the rings of site {} have the perimeter {}, its record says {}", i,
@@ -243,14 +255,38 @@ double CheckedOutline::area() const {
     const Box& box = run_.domain;
     const double low = std::min({a.y, b.y, box.ymin});
     part = {a, b, {b.x, low}, {a.x, low}};
-    part = cut(cut(part, &Point::x, box.xmin, 1), &Point::x, box.xmax, -1);
-    part = cut(cut(part, &Point::y, box.ymin, 1), &Point::y, box.ymax, -1);
+    cutRing({-1, 0}, -box.xmin, part);
+    cutRing({1, 0}, box.xmax, part);
+    cutRing({0, -1}, -box.ymin, part);
+    cutRing({0, 1}, box.ymax, part);
     const double area = sign_[e] * areaOf(part);
     const double next = sum + area;
     lost += std::abs(sum) >= std::abs(area) ? (sum - next) + area : (area - next) + sum;
     sum = next;
   }
   return (sum + lost) / run_.scale / run_.scale;
+}
+
+double CheckedOutline::area(std::span<const Point> ring, Point origin) const {
+  if (ring.empty()) return 0;
+  const Box box = boxOf(ring);
+  double sum = 0;
+  std::vector<Point> part;
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    // What of the ring lies below an edge.
+    Point a = edges_[e].a - origin, b = edges_[e].b - origin;
+    const double sign = a.x > b.x ? sign_[e] : -sign_[e];
+    if (a.x > b.x) std::swap(a, b);
+    if (!(a.x < b.x) || b.x <= box.xmin || a.x >= box.xmax || std::max(a.y, b.y) <= box.ymin) continue;
+    part.assign(ring.begin(), ring.end());
+    cutRing({-1, 0}, -a.x, part);
+    cutRing({1, 0}, b.x, part);
+    const Point way = b - a;
+    const Point normal{-way.y / checks::length(way), way.x / checks::length(way)};
+    cutRing(normal, dot(a, normal), part);
+    sum += sign * areaOf(part);
+  }
+  return sum;
 }
 
 double CheckedOutline::length() const {
@@ -267,7 +303,10 @@ void checkClipped(const CheckedCells& run, const CheckedOutline& outline, const 
   each("neighbors", [&](std::size_t i) { return oneSided(run, i); });
   if (run.detail == Detail::measures) return;
   if (!std::ranges::is_sorted(run.diagram.ring_starts)) broken.add("rings", "ring_starts do not ascend");
-  if (!each("rings", [&](std::size_t i) { return wrongRings(run, i); })) return;
+  if (!each("rings", [&](std::size_t i) {
+        return run.wrongAtAnyReach(i, [&](double reach) { return wrongRings(run, outline, i, reach); });
+      }))
+    return;
   each("edges", [&](std::size_t i) {
     const auto wrong =
         run.wrongAtAnyReach(i, [&](double reach) { return wrongEdges(run, outline, i, reach); });

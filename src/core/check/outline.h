@@ -18,6 +18,8 @@ class CheckedOutline {
 
   /// The area inside both the outline and the domain, in the caller's units.
   [[nodiscard]] double area() const;
+  /// The area inside both the outline and a convex ring, scaled, whose points are seen from `origin`.
+  [[nodiscard]] double area(std::span<const Point> ring, Point origin) const;
   /// Of all edges, scaled.
   [[nodiscard]] double length() const;
 
@@ -33,6 +35,13 @@ class CheckedOutline {
   double low_ = 0, per_band_ = 1;
   std::vector<std::vector<std::uint32_t>> bands_;  ///< edges, by y
 };
+
+/// What is wrong with the area of cell i, beside what the bisectors with all sites leave of the domain, and
+/// of the outline if there is one. The domain does not repeat. Takes a step for each site.
+std::string wrongArea(const CheckedCells& run, const CheckedOutline* outline, std::size_t i);
+
+/// The same of some cells: of the thinnest, whose polygons ties change most. None where the domain repeats.
+void checkThinAreas(const CheckedCells& run, const CheckedOutline* outline, Broken& broken);
 
 /// The promises about cells that are clipped to an outline: rings and their measures; edges on the bisector
 /// and in the neighbor's list, from the same point to the same, or on the outline; pseudo-random places of

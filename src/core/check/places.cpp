@@ -30,6 +30,29 @@ double distance(Point p, Point a, Point b) {
   return length(to - Point{along * edge.x, along * edge.y});
 }
 
+void cutRing(Point normal, double offset, std::vector<Point>& ring) {
+  std::vector<Point> kept;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point a = ring[k], b = ring[k + 1 < ring.size() ? k + 1 : 0];
+    const double at_a = offset - dot(a, normal), at_b = offset - dot(b, normal);
+    if (at_a >= 0) kept.push_back(a);
+    if ((at_a < 0) == (at_b < 0)) continue;
+    const double along = at_a / (at_a - at_b);
+    Point p{a.x + along * (b.x - a.x), a.y + along * (b.y - a.y)};
+    // Along an axis the line is met exactly.
+    if (normal.y == 0) p.x = offset / normal.x;
+    if (normal.x == 0) p.y = offset / normal.y;
+    kept.push_back(p);
+  }
+  ring = std::move(kept);
+}
+
+double areaOf(std::span<const Point> ring) {
+  double twice = 0;
+  for (std::size_t k = 1; k + 1 < ring.size(); ++k) twice += cross(ring[k] - ring[0], ring[k + 1] - ring[0]);
+  return twice / 2;
+}
+
 bool crossesRay(Point p, Point a, Point b) {
   if ((a.y > p.y) == (b.y > p.y)) return false;
   return (cross(b - a, p - a) > 0) == (b.y > a.y);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <random>
+#include <span>
 #include <vector>
 
 #include "core/check/run.h"
@@ -16,6 +17,13 @@ std::vector<Point> samplePlaces(const CheckedCells& run, Random& random);
 
 /// From p to the nearest point of the way from a to b.
 double distance(Point p, Point a, Point b);
+
+/// The part of a ring where dot(p, normal) <= offset (Sutherland and Hodgman 1974), in its place. Parts
+/// of other rings that lie apart are joined along the line, which does not change the area.
+void cutRing(Point normal, double offset, std::vector<Point>& ring);
+
+/// Of a ring that runs counter-clockwise.
+double areaOf(std::span<const Point> ring);
 
 /// Whether the way from a to b crosses the ray from p to the right.
 bool crossesRay(Point p, Point a, Point b);

@@ -124,7 +124,8 @@ void planClipping(MemoryPlan& plan, const Workload& work, Arrays& arrays) {
   plan.drop({arrays[0], arrays[1], arrays[4], arrays[7], first, fate});
 }
 
-/// Plans boxDiagramOn for all sites, images among them.
+/// Plans boxDiagramOn for all sites, images among them. For pictures, and where cells are weighed, what they
+/// were found with stays.
 PlannedCells planRun(MemoryPlan& plan, const Workload& work, std::uint64_t sites, Detail detail,
                      ImagesFor purpose) {
   PlannedSet set = planPrepare(plan, sites, work.weighted);
@@ -172,20 +173,32 @@ PlannedCells planPeriodic(MemoryPlan& plan, const Workload& work, Detail detail,
   return cells;
 }
 
+/// Plans measureMass. What it takes beside the masses has no room in the reserve of the cells, which is used
+/// up where polygons are not wanted.
+void planMasses(MemoryPlan& plan, const Workload& work, Arrays& arrays) {
+  arrays.push_back(plan.take("masses", work.sites * number));
+  arrays.push_back(plan.take("masses", work.sites * point));
+  if (work.periodic) {
+    const auto placed = plan.take("sites and images", work.sites * (work.weighted ? 3 : 2) * number);
+    plan.drop(placed);
+  }
+  planReserve(plan);
+}
+
 }  // namespace
 
 PlannedCells core::planCellsFor(MemoryPlan& plan, const Workload& work, Detail detail, ImagesFor purpose) {
   const bool massive = work.density_pixels > 0;
-  const auto needed = massive ? std::max(detail, Detail::polygons) : detail;
-  PlannedCells cells = work.periodic ? planPeriodic(plan, work, needed, purpose)
-                                     : planRun(plan, work, work.sites, needed, purpose);
+  const auto until = massive ? ImagesFor::pictures : purpose;
+  PlannedCells cells = work.periodic ? planPeriodic(plan, work, detail, until)
+                                     : planRun(plan, work, work.sites, detail, until);
   Arrays& arrays = cells.diagram;
-  if (massive) arrays.push_back(plan.take("masses", work.sites * (number + point)));
   // Polygons that were not asked for.
-  const bool clipped = work.outlined || work.periodic || massive;
-  if (detail == Detail::measures && clipped && !work.outlined) {
+  if (detail == Detail::measures && work.periodic) {
     plan.drop({arrays[0], arrays[1], arrays[2], arrays[3]});
   }
+  if (massive) planMasses(plan, work, arrays);
+  if (purpose == ImagesFor::cells) plan.drop(std::exchange(cells.run, {}));
   return cells;
 }
 

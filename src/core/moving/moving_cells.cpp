@@ -9,8 +9,6 @@
 #include "core/cells/cells_run.h"
 #include "core/moving/box_edges.h"
 #include "core/moving/disc_cells.h"
-#include "core/moving/outlined_cells.h"
-#include "core/moving/own_corners.h"
 #include "core/moving/polygon_edges.h"
 #include "core/session/input_check.h"
 #include "core/session/session_state.h"
@@ -46,8 +44,8 @@ struct MovingCells::State {
   Result<void> update(const Sites& sites, bool unless_empty);
   Result<void> findInBox(const Sites& sites, bool unless_empty);
   Result<void> findPolygons(const Sites& sites);
-  Result<void> takePolygons(FoundCells cells);
-  void weigh(const SiteRun& run, const NeighborRows& rows, int exponent, const Sites& sites);
+  void takePolygons(FoundCells cells);
+  void weigh(const OwnCorners& cells);
 };
 
 Result<void> MovingCells::State::findInBox(const Sites& sites, bool unless_empty) {
@@ -65,17 +63,16 @@ Result<void> MovingCells::State::findInBox(const Sites& sites, bool unless_empty
   });
   if (!done) return tl::unexpected(done.error());
   report = std::move(done->report);
-  if (found.cells) weigh(*found.run, found.cells->rows, found.run->prepared.exponent, sites);
+  if (!found.cells) return {};
+  const Prepared& prepared = found.run->prepared;
+  weigh({prepared.set, found.cells->rows, Unscale(prepared.exponent), sites, session->threads});
   return {};
 }
 
-/// Gives the cells of a run, in units of the caller's times 2^exponent, their masses under the density.
-void MovingCells::State::weigh(const SiteRun& run, const NeighborRows& rows, int exponent,
-                               const Sites& sites) {
-  if (const auto density_pixels = pixels()) {
-    weighCells({run.prepared.set, rows, Unscale(exponent), sites, session->threads}, *density_pixels,
-               moments);
-  }
+/// Gives cells their masses under the density.
+void MovingCells::State::weigh(const OwnCorners& cells) {
+  if (const auto density_pixels = pixels())
+    weighCells(cells, *density_pixels, {moments.area, moments.mass, moments.centroid, moments.spread});
 }
 
 /// Periods and outlines take polygons.
@@ -95,10 +92,11 @@ Result<void> MovingCells::State::findPolygons(const Sites& sites) {
   auto placed = wrapped(sites, options.domain, options.periodic, session->threads);
   if (!placed) return tl::unexpected(placed.error());
   places = std::move(*placed);
-  return takePolygons(std::move(done->cells));
+  takePolygons(std::move(done->cells));
+  return {};
 }
 
-Result<void> MovingCells::State::takePolygons(FoundCells cells) {
+void MovingCells::State::takePolygons(FoundCells cells) {
   Diagram& d = cells.diagram;
   constexpr std::size_t grain = 1 << 14;
   moments.spread.resize(d.size());
@@ -114,16 +112,7 @@ Result<void> MovingCells::State::takePolygons(FoundCells cells) {
   neighbors = {std::move(d.cell_offsets), std::move(d.neighbors), std::move(d.neighbor_shifts)};
   has_neighbors = true;
   polygons = {std::move(d.vertices), std::move(d.edge_lengths), std::move(d.ring_starts)};
-  const SiteRun& run = *cells.run;
-  if (options.outline.empty()) {
-    weigh(run, *run.cells, run.prepared.exponent + scaleExponent(options.domain), places);
-    return {};
-  }
-  const auto density_pixels = pixels();
-  const int exponent = run.prepared.exponent;
-  return measureOutlined({run.prepared.set, *run.cells, Unscale(exponent), places, session->threads},
-                         options.outline, exponent, neighbors, polygons,
-                         density_pixels ? &*density_pixels : nullptr, moments);
+  weigh(ownCorners(cells, options, places, session->threads));
 }
 
 MovingCells::MovingCells(Session& session, CellsOptions options, Surface surface)

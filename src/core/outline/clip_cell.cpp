@@ -222,7 +222,7 @@ OutlineClip::Outcome OutlineClip::clip(std::span<const Point> vertices,
   const Polygon polygon{vertices};
   const bool inside = index.contains(vertices[0]);
   const Outcome whole = inside ? Outcome::inside : Outcome::outside;
-  if (!crossings.find(polygon, near) || !crossings.order(inside)) return whole;
+  if (!crossings.find(polygon, near) || !crossings.order(inside)) return Outcome::crossed;
   if (crossings.all().empty() && crossings.wholeRings().empty()) return whole;
   outer.clear();
   if (crossings.all().empty() && inside) {

@@ -29,11 +29,17 @@ class OutlineClip {
   OutlineClip(const OutlineClip&) = delete;
   OutlineClip& operator=(const OutlineClip&) = delete;
 
-  enum class Outcome : std::uint8_t { inside, outside, cut };
+  enum class Outcome : std::uint8_t {
+    inside,
+    outside,
+    cut,
+    crossed,  ///< what is left of a polygon that crosses itself is not known
+  };
 
   /// Clips the polygon of these vertices, counter-clockwise, whose edge k has the neighbor k. `near` has the
   /// outline's edges whose boxes meet the polygon's, and perhaps others, ascending. `clipped` is replaced
-  /// where the outcome is `cut`. A polygon that crosses itself is inside or outside as its first vertex is.
+  /// where the outcome is `cut`. That a polygon crosses itself is seen only where the outline does not fit
+  /// it.
   Outcome clip(std::span<const Point> vertices, std::span<const std::int64_t> neighbors,
                std::span<const std::uint32_t> near, ClippedCell& clipped);
 

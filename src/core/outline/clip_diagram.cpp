@@ -10,7 +10,7 @@
 #include "base/refusal.h"
 #include "core/diagram/diagram_writer.h"
 #include "core/outline/clip_cell.h"
-#include "core/outline/clipped_records.h"
+#include "core/outline/own_parts.h"
 
 namespace vorpipe::core {
 namespace {
@@ -18,6 +18,8 @@ namespace {
 /// Cells that share one query for the edges near them: most cells are far from all edges.
 constexpr std::size_t group_size = 32;
 constexpr std::size_t grain = 16 * group_size;
+/// Of the domain's shorter side: farther no tie moves a corner, nor a cell without edges from its centroid.
+constexpr double farthest_moved = 2e-4;
 /// Rounding error of an area along an outline of length 1.
 constexpr double line_rounding = 1e-14;
 
@@ -25,31 +27,43 @@ constexpr double line_rounding = 1e-14;
 class GroupClipper {
  public:
   GroupClipper(const ScaledDiagram& cells, const OutlineIndex& index, ClippedCells& out)
-      : cells_(cells), index_(index), clip_(index), out_(out) {}
+      : cells_(cells),
+        index_(index),
+        clip_(index),
+        out_(out),
+        margin_(farthest_moved * shorterSide(cells.domain())) {}
 
-  void group(std::span<const std::uint32_t> sites) {
-    collect(sites);
+  /// Clips the cells `first` to `last` - 1 of the set, and adds those to `near` whose own corners may be on
+  /// another side of the outline.
+  void group(std::size_t first, std::size_t last, std::vector<std::uint32_t>& near) {
+    collect(first, last);
     if (members_.empty()) return;
-    index_.edgesIn(boxOf(points_), near_);
-    if (!near_.empty()) {
-      for (const auto& member : members_) clipOne(member);
+    findEdges(points_);
+    if (near_.empty()) {
+      const Fate fate = fateOf(points_[0]);
+      for (const auto& member : members_) out_.fate[member.site] = fate;
       return;
     }
-    const bool inside = index_.contains(points_[0]);
-    for (const auto& member : members_) out_.fate[member.site] = inside ? Fate::inside : Fate::outside;
+    for (const auto& member : members_) {
+      const auto vertices = std::span(points_).subspan(member.first, member.count);
+      findEdges(vertices);
+      out_.fate[member.site] = near_.empty() ? fateOf(vertices[0]) : clipOne(member);
+      if (!near_.empty()) near.push_back(member.cell);
+    }
   }
 
  private:
   struct Member {
-    std::uint32_t site;
+    std::uint32_t cell, site;
     std::size_t first, count;  ///< of points_ and neighbors_
   };
 
-  void collect(std::span<const std::uint32_t> sites) {
+  void collect(std::size_t first_cell, std::size_t last_cell) {
     members_.clear();
     points_.clear();
     neighbors_.clear();
-    for (const auto site : sites) {
+    for (auto cell = first_cell; cell < last_cell; ++cell) {
+      const auto site = cells_.siteOf(cell);
       if (!cells_.hasCell(site)) continue;
       const std::size_t first = points_.size();
       cells_.appendCell(site, points_, neighbors_);
@@ -58,33 +72,54 @@ class GroupClipper {
         points_.push_back(cells_.centroid(site));
         neighbors_.push_back(wall_outline);
       }
-      members_.push_back({site, first, points_.size() - first});
+      members_.push_back({static_cast<std::uint32_t>(cell), site, first, points_.size() - first});
     }
   }
 
-  void clipOne(const Member& member) {
+  /// Edges that any of these places, each moved by as much as ties may move it, may lie at.
+  void findEdges(std::span<const Point> places) {
+    const Box box = boxOf(places);
+    index_.edgesIn({box.xmin - margin_, box.ymin - margin_, box.xmax + margin_, box.ymax + margin_}, near_);
+  }
+
+  [[nodiscard]] Fate fateOf(Point p) const { return index_.contains(p) ? Fate::inside : Fate::outside; }
+
+  Fate clipOne(const Member& member) {
     const auto vertices = std::span(points_).subspan(member.first, member.count);
     const auto neighbors = std::span(neighbors_).subspan(member.first, member.count);
-    using Outcome = OutlineClip::Outcome;
-    const Outcome outcome = member.count == 1
-                                ? (index_.contains(vertices[0]) ? Outcome::inside : Outcome::outside)
-                                : clip_.clip(vertices, neighbors, near_, clipped_);
-    out_.fate[member.site] = outcome == Outcome::cut      ? Fate::cut
-                             : outcome == Outcome::inside ? Fate::inside
-                                                          : Fate::outside;
-    if (outcome == Outcome::cut) out_.parts[member.site] = std::make_unique<ClippedCell>(clipped_);
+    if (member.count == 1) return fateOf(vertices[0]);
+    switch (clip_.clip(vertices, neighbors, near_, clipped_)) {
+      case OutlineClip::Outcome::inside:
+        return Fate::inside;
+      case OutlineClip::Outcome::outside:
+        return Fate::outside;
+      case OutlineClip::Outcome::cut:
+        out_.parts[member.site] = std::make_unique<ClippedCell>(clipped_);
+        return Fate::cut;
+      case OutlineClip::Outcome::crossed:
+        break;
+    }
+    return fateOf(vertices[0]);
   }
 
   const ScaledDiagram& cells_;
   const OutlineIndex& index_;
   OutlineClip clip_;
   ClippedCells& out_;
+  double margin_;
   std::vector<Member> members_;
   std::vector<Point> points_;
   std::vector<std::int64_t> neighbors_;
   std::vector<std::uint32_t> near_;
   ClippedCell clipped_;
 };
+
+/// Counts the cells that are left.
+void countCells(Diagram& diagram) {
+  const auto left = static_cast<std::uint64_t>(std::ranges::count(diagram.status, Status::ok));
+  diagram.report.empty += diagram.report.ok - left;
+  diagram.report.ok = left;
+}
 
 /// Checks that the cells cover the inside once.
 Result<void> checkAreas(const ScaledDiagram& cells, const Rings& rings, const Diagram& diagram) {
@@ -107,22 +142,27 @@ Result<void> checkAreas(const ScaledDiagram& cells, const Rings& rings, const Di
 
 }  // namespace
 
-Result<void> clipToOutline(const ClippedRun& run, const Outline& outline, Diagram& diagram) {
+Result<OwnParts> clipToOutline(const ClippedRun& run, const Outline& outline, Diagram& diagram) {
   const auto rings = ringsOf(outline, run.exponent);
   if (!rings) return tl::unexpected(rings.error());
   const ScaledDiagram cells(run, diagram);
   ClippedCells clipped(run.sites.size());
-  {
-    const OutlineIndex index(*rings);
-    parallelFor(run.order.size(), grain, run.threads, [&](std::size_t begin, std::size_t end) {
-      GroupClipper clipper(cells, index, clipped);
-      for (auto first = begin; first < end; first += group_size) {
-        clipper.group(std::span(run.order).subspan(first, std::min(group_size, end - first)));
-      }
-    });
-  }
+  const OutlineIndex index(*rings);
+  const std::size_t count = run.set.size();
+  std::vector<std::vector<std::uint32_t>> near_of((count + grain - 1) / grain);
+  parallelFor(count, grain, run.threads, [&](std::size_t begin, std::size_t end) {
+    GroupClipper clipper(cells, index, clipped);
+    for (auto first = begin; first < end; first += group_size) {
+      clipper.group(first, std::min(first + group_size, end), near_of[begin / grain]);
+    }
+  });
+  std::vector<std::uint32_t> near;
+  for (const auto& some : near_of) near.insert(near.end(), some.begin(), some.end());
   writeClipped(cells, clipped, diagram);
-  return checkAreas(cells, *rings, diagram);
+  OwnParts parts = measureOwnParts(run, index, clipped, near, diagram);
+  countCells(diagram);
+  if (auto right = checkAreas(cells, *rings, diagram); !right) return tl::unexpected(right.error());
+  return parts;
 }
 
 }  // namespace vorpipe::core

@@ -1,13 +1,9 @@
 #include "core/outline/clipped_records.h"
 
-#include <algorithm>
-#include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "base/parallel.h"
 #include "core/geometry/polygon_measures.h"
-#include "core/outline/ring_measures.h"
 
 namespace vorpipe::core {
 namespace {
@@ -63,51 +59,25 @@ class ClippedWriter {
       to_.neighbors[out++] =
           both_inside ? neighbor : label(i, neighbor, cells_.vertex(e), cells_.vertex(cells_.next(i, e)));
     }
-    measureKept(i, cells_.begin(i), cells_.end(i) - cells_.begin(i));
-  }
-
-  /// Ties move vertices; the area of a plain diagram is that from before. But cells that are cut are measured
-  /// as they are drawn, and all are to add up to what is inside.
-  void measureKept(std::size_t i, std::size_t begin, std::size_t count) {
-    constexpr double rounding = 1e-12;
-    const Point origin = cells_.vertex(begin);
-    relative_.clear();
-    for (std::size_t k = 0; k < count; ++k) {
-      const Point p = cells_.vertex(begin + k);
-      relative_.push_back({p.x - origin.x, p.y - origin.y});
-    }
-    const Measures m = measurePolygon(relative_);
-    const double area = cells_.scaled(diagram_.area[i], 2);
-    if (std::abs(m.area - area) > rounding * area) writeMeasures(i, origin, m);
-  }
-
-  void writeMeasures(std::size_t i, Point origin, const Measures& m) {
-    diagram_.area[i] = cells_.unscaled(m.area, 2);
-    diagram_.perimeter[i] = cells_.unscaled(m.perimeter);
-    diagram_.centroid[i] = cells_.unscaled(Point{origin.x + m.centroid.x, origin.y + m.centroid.y});
-    for (std::size_t k = 0; k < 3; ++k)
-      diagram_.second_moments[i][k] = cells_.unscaled(m.second_moments[k], 4);
   }
 
   void replace(std::size_t i, const ClippedCell& cell, std::size_t first_ring) {
-    RingMeasures measures;
-    const Point origin = cell.vertices.front();
+    double perimeter = 0;
     const std::size_t out = to_.cell_offsets[i];
     for (std::size_t r = 0; r < cell.ring_starts.size(); ++r) {
       const auto ring = cell.ring(r);
-      relative_.clear();
       for (std::size_t k = 0; k < ring.size(); ++k) {
         const Point a = ring[k], b = ring[k + 1 < ring.size() ? k + 1 : 0];
         const std::size_t e = cell.ring_starts[r] + k;
-        relative_.push_back({a.x - origin.x, a.y - origin.y});
+        const double length = lengthOf({b.x - a.x, b.y - a.y});
+        perimeter += length;
         to_.vertices[out + e] = cells_.unscaled(a);
-        to_.edge_lengths[out + e] = cells_.unscaled(lengthOf({b.x - a.x, b.y - a.y}));
+        to_.edge_lengths[out + e] = cells_.unscaled(length);
         to_.neighbors[out + e] = label(i, cell.neighbors[e], a, b);
       }
       to_.ring_starts[first_ring + r] = out + cell.ring_starts[r];
-      measures.add(relative_, cell.hole[r]);
     }
-    writeMeasures(i, origin, measures.total());
+    diagram_.perimeter[i] = cells_.unscaled(perimeter);
   }
 
   /// The neighbor of cell i across the edge from a to b, which was `neighbor` when it was clipped.
@@ -160,7 +130,6 @@ class ClippedWriter {
   const ClippedCells& clipped_;
   EdgeArrays& to_;
   Diagram& diagram_;
-  std::vector<Point> relative_;
 };
 
 struct Counts {
@@ -215,9 +184,6 @@ void writeClipped(const ScaledDiagram& cells, const ClippedCells& clipped, Diagr
     ClippedWriter writer(cells, clipped, arrays, diagram);
     for (std::size_t i = begin; i < end; ++i) writer.cell(i, first_ring[i]);
   });
-  const auto outside = static_cast<std::uint64_t>(std::ranges::count(clipped.fate, Fate::outside));
-  diagram.report.ok -= outside;
-  diagram.report.empty += outside;
   diagram.cell_offsets = std::move(arrays.cell_offsets);
   diagram.ring_starts = std::move(arrays.ring_starts);
   diagram.vertices = std::move(arrays.vertices);

@@ -18,6 +18,8 @@ class ScaledDiagram {
   [[nodiscard]] std::size_t size() const { return diagram_.status.size(); }
   [[nodiscard]] int threads() const { return run_.threads; }
   [[nodiscard]] const Box& domain() const { return domain_; }
+  /// Of a cell of the set.
+  [[nodiscard]] std::uint32_t siteOf(std::size_t cell) const { return run_.set.id[cell]; }
   [[nodiscard]] bool hasCell(std::size_t site) const { return diagram_.status[site] == Status::ok; }
   [[nodiscard]] Point site(std::size_t site) const {
     return scaled({run_.sites.x[site], run_.sites.y[site]});
@@ -62,7 +64,8 @@ struct ClippedCells {
   std::vector<std::unique_ptr<ClippedCell>> parts;  ///< of cells that are cut
 };
 
-/// Replaces the records in `diagram`, of which `cells` is, as clipToOutline says.
+/// Replaces the records in `diagram`, of which `cells` is, as clipToOutline says, but for measures of cells
+/// that are cut.
 void writeClipped(const ScaledDiagram& cells, const ClippedCells& clipped, Diagram& diagram);
 
 }  // namespace vorpipe::core

@@ -1,19 +1,18 @@
 /// What is clipped to an outline.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
-#include "vorpipe.h"
+#include "core/judge/neighbor_rows.h"
+#include "core/sites/site_set.h"
 
 namespace vorpipe::core {
 
-/// The sites of a diagram and its domain, and where things are in it.
+/// The sites of a diagram and its domain, and the cells that it is of, as they were found.
 struct ClippedRun {
   const Sites& sites;
   const Box& domain;
-  const std::vector<std::uint32_t>& order;  ///< the sites that may have cells, neighbors near each other
-  int exponent;                             ///< what is computed is in units times 2^exponent
+  const SiteSet& set;
+  const NeighborRows& rows;
+  int exponent;  ///< what is computed is in units times 2^exponent
   int threads;
 };
 

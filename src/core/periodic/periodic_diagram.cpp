@@ -111,8 +111,8 @@ class Runs {
 
 }  // namespace
 
-Result<FoundCells> periodicCellsOn(const Machine& machine, const Sites& sites, const CellsOptions& options,
-                                   ImagesFor purpose) {
+Result<PeriodicCells> periodicCellsOn(const Machine& machine, const Sites& sites, const CellsOptions& options,
+                                      ImagesFor purpose) {
   const Stopwatch order_watch;
   auto placed = placeSites(sites, options.domain, options.periodic, machine.threads);
   if (!placed) return tl::unexpected(placed.error());
@@ -132,8 +132,8 @@ Result<FoundCells> periodicCellsOn(const Machine& machine, const Sites& sites, c
   runs.times.cells += 1e3 * records_watch.seconds();
   runs.diagram.report.time_ms = runs.times;
   const Box clip = runs.imaged.box;
-  return FoundCells{std::move(runs.diagram), std::move(runs.run),
-                    Scene{std::move(runs.imaged), clip, placed->domain()}};
+  return PeriodicCells{std::move(runs.diagram), std::move(runs.run),
+                       Scene{std::move(runs.imaged), clip, placed->domain()}};
 }
 
 }  // namespace vorpipe::core

@@ -8,8 +8,8 @@
 
 namespace vorpipe::core {
 
-/// Cells, and where the caller wants to draw them, what they were found with.
-struct FoundCells {
+/// Cells, and where the caller wants more of them, what they were found with.
+struct PeriodicCells {
   Diagram diagram;
   std::unique_ptr<SiteRun> run;  ///< null where only data is wanted
   Scene scene;                   ///< of the run
@@ -17,7 +17,7 @@ struct FoundCells {
 
 /// What Session::cells does where options.periodic names an axis, but for outlines and mass. Errors: those of
 /// boxDiagramOn and placeSites.
-Result<FoundCells> periodicCellsOn(const Machine& machine, const Sites& sites, const CellsOptions& options,
-                                   ImagesFor purpose);
+Result<PeriodicCells> periodicCellsOn(const Machine& machine, const Sites& sites, const CellsOptions& options,
+                                      ImagesFor purpose);
 
 }  // namespace vorpipe::core

@@ -129,7 +129,9 @@ Result<Rendering> renderKept(const Machine& machine, const Sites& sites, const R
     return tl::unexpected(colored.error());
   }
   rendering.key = kept.colors->key;
-  auto& [cells, run, scene] = kept.found;
+  auto& cells = kept.found.diagram;
+  auto& run = kept.found.run;
+  const Scene& scene = kept.found.scene;
   const SiteSet& set = run->prepared.set;
   const auto& palette_indices = kept.colors->index;
   const ShownPart shown = shownPart(scene, options, run->prepared.exponent);

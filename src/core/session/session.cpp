@@ -1,10 +1,8 @@
-#include <algorithm>
 #include <new>
 
 #include "backend/registry/registry.h"
 #include "core/cells/cell_mass.h"
 #include "core/cells/cells_run.h"
-#include "core/diagram/diagram_writer.h"
 #include "core/picture/picture.h"
 #include "core/session/arithmetic.h"
 #include "core/session/input_check.h"
@@ -21,17 +19,16 @@ Error outOfMemory() {
 
 namespace {
 
-/// Cells, and their mass if there is a density: that takes their polygons, whether they are wanted or not.
+/// Cells, and their mass if there is a density.
 Result<Diagram> cellsAndMass(const Machine& machine, const Sites& sites, const CellsOptions& options) {
   if (auto checked = checkOptions(sites, options); !checked) return tl::unexpected(checked.error());
   if (options.density.values.empty()) return cellsOn(machine, sites, options);
-  CellsOptions with_polygons = options;
-  with_polygons.detail = std::max(options.detail, Detail::polygons);
-  auto diagram = cellsOn(machine, sites, with_polygons);
-  if (!diagram) return diagram;
-  measureMass(options.density, options.domain, options.periodic, machine.threads, *diagram);
-  if (options.detail == Detail::measures) dropPolygons(*diagram);
-  return diagram;
+  auto found = findCells(machine, sites, options, ImagesFor::pictures);
+  if (!found) return tl::unexpected(found.error());
+  if (auto weighed = measureMass(options, sites, machine.threads, *found); !weighed) {
+    return tl::unexpected(weighed.error());
+  }
+  return std::move(found->diagram);
 }
 
 }  // namespace

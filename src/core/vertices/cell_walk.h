@@ -19,12 +19,24 @@ class CellWalk {
   /// `row` is its neighbors, and `corners` is where the edges to them begin, ties among them or not.
   template <class Take>
   void operator()(std::size_t begin, std::size_t end, const Take& take) {
-    const auto all = [](std::size_t cell) { return static_cast<std::uint32_t>(cell); };
-    forCellsBySize(cells_, begin, end, all, [&](std::uint32_t cell) { visit(cell, take); });
-    takeBatch(take);
+    walk(
+        begin, end, [](std::size_t cell) { return static_cast<std::uint32_t>(cell); }, take);
+  }
+
+  /// The same for each of these cells.
+  template <class Take>
+  void operator()(std::span<const std::uint32_t> which, const Take& take) {
+    walk(
+        0, which.size(), [&](std::size_t k) { return which[k]; }, take);
   }
 
  private:
+  template <class CellAt, class Take>
+  void walk(std::size_t begin, std::size_t end, const CellAt& cellAt, const Take& take) {
+    forCellsBySize(cells_, begin, end, cellAt, [&](std::uint32_t cell) { visit(cell, take); });
+    takeBatch(take);
+  }
+
   template <class Take>
   void visit(std::uint32_t cell, const Take& take) {
     if (cells_.status(cell) == CellStatus::empty) return;

@@ -90,6 +90,12 @@ void addOutlined(std::vector<HardInput>& all) {
                            {125870603.64854631, -54503563.816400245}},
                           {0, 4, 7},
                           {0, 1, 2}}));
+  all.push_back(
+      outlined("cells thinner than ties, in an outline with a hole",
+               {{0, 0, 0.5, 1, 0.75}, {0, 2e-7, 1, 0, 0.875}, {}},
+               {{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.25, 2e-8}, {0.375, 2e-8}, {0.375, 0.5}, {0.25, 0.5}},
+                {0, 4, 8},
+                {0, 2}}));
   HardInput flush = outlined("a bisector in a hole's wall, and a pixel on it",
                              {{0.428125, 0.253125, 0.296875, 0.34062499999999996},
                               {0.715625, 0.7593749999999999, 0.7593749999999999, 0.8031249999999999},

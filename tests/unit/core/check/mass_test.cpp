@@ -76,6 +76,18 @@ TEST_F(CheckMass, FindsMassesThatNoDensityGives) {
   EXPECT_THAT(broken(), Contains("masses"));
 }
 
+TEST_F(CheckMass, FindsMassesOfThinCellsThatNoDensityGives) {
+  sites = {{0, 0, 1}, {0, 2e-7, 0}, {}};
+  for (const auto detail : {Detail::measures, Detail::polygons}) {
+    options.detail = detail;
+    cells = cellsOf(sites, options);
+    EXPECT_THAT(broken(), IsEmpty());
+    cells.mass[0] *= 0.4;
+    cells.mass[1] += 1.5 * cells.mass[0];
+    EXPECT_THAT(broken(), Contains("masses"));
+  }
+}
+
 TEST_F(CheckMass, FindsCentersBeyondTheCell) {
   const auto right = cells;
   cells.mass_centroid[7].x += 0.5;

@@ -54,6 +54,21 @@ TEST(OutlineCheck, findsWhatIsWrong) {
   EXPECT_THAT(promisesOf(check(sites, options, cellsOf(sites, bare))), Contains("areas"));
 }
 
+TEST(OutlineCheck, findsAreasOfThinCellsThatAreThoseOfTheirPolygons) {
+  const Sites sites{{0, 0, 1}, {0, 2e-7, 0}, {}};
+  for (const auto& outline : {Outline{}, outlineOf({{rectangle(0, 0, 1, 1)}})}) {
+    for (const Detail detail : {Detail::measures, Detail::polygons}) {
+      CellsOptions options = inside(outline);
+      options.detail = detail;
+      Diagram cells = cellsOf(sites, options);
+      EXPECT_THAT(promisesOf(check(sites, options, cells)), testing::IsEmpty());
+      cells.area[0] /= 2;
+      cells.area[1] += cells.area[0];
+      EXPECT_THAT(promisesOf(check(sites, options, cells)), testing::Contains("areas"));
+    }
+  }
+}
+
 std::string refusalOf(const Outline& outline, Periodic periodic = Periodic::none) {
   CellsOptions options = inside(outline);
   options.periodic = periodic;
