@@ -32,6 +32,7 @@ for format in csv obj; do
 done
 measures 90 "cpu, checked" cells --backend cpu --sites random:$n --check -o out/cells.npz
 measures 90 "cpu, weights" cells --backend cpu --sites random:$n --random-weights 0,1e-6 -o out/cells.npz
+measures 88 "cpu, weights, measures" cells --backend cpu --sites random:$n --random-weights 0,1e-6
 measures 90 "cpu, periodic" cells --backend cpu --sites random:$n --periodic xy -o out/cells.npz
 echo 'POLYGON ((0 0, 1 0, 1 1, 0.5 0.98, 0 1, 0 0))' >in/outline.wkt
 measures 90 "cpu, an outline" cells --backend cpu --sites random:$n --domain in/outline.wkt -o out/cells.npz

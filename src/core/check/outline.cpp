@@ -131,11 +131,11 @@ std::string wrongEdges(const CheckedCells& run, const CheckedOutline& outline, s
 }
 
 /// Whether the outline cut cell i: how far it reached before, where ties may have moved the ends of its
-/// edges, is not known then.
-bool isCut(const CheckedCells& run, std::size_t i) {
-  const auto& neighbors = run.diagram.neighbors;
+/// edges, is not known then. Of a cell in a narrow end of the outline, edges along that may be points.
+bool isCut(const CheckedCells& run, const CheckedOutline& outline, std::size_t i) {
   for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
-    if (neighbors[e] == wall_outline) return true;
+    if (run.diagram.neighbors[e] == wall_outline) return true;
+    if (outline.at(run.vertex(e), run.rounding(i)) == CheckedOutline::Side::edge) return true;
   }
   return false;
 }
@@ -310,7 +310,7 @@ void checkClipped(const CheckedCells& run, const CheckedOutline& outline, const 
   each("edges", [&](std::size_t i) {
     const auto wrong =
         run.wrongAtAnyReach(i, [&](double reach) { return wrongEdges(run, outline, i, reach); });
-    return wrong.empty() || !isCut(run, i) ? wrong : wrongEdges(run, outline, i, run.shorter_side);
+    return wrong.empty() || !isCut(run, outline, i) ? wrong : wrongEdges(run, outline, i, run.shorter_side);
   });
   each("neighbors", [&](std::size_t i) { return wrongTwin(run, i); });
   Random random(1);

@@ -132,7 +132,8 @@ PlannedCells planRun(MemoryPlan& plan, const Workload& work, std::uint64_t sites
   Arrays working = planNeighbors(plan, work, sites);
   const auto records = plan.take("records of cells", sites * sizeof(CellRecord));
   const auto ties = planTies(plan, work, sites);
-  Arrays arrays = planArrays(plan, work, sites, work.outlined ? std::max(detail, Detail::polygons) : detail);
+  const Detail found = work.outlined ? std::max(detail, Detail::polygons) : detail;
+  Arrays arrays = planArrays(plan, work, sites, found);
   plan.drop(records);
   if (detail == Detail::everything && !work.periodic) {
     arrays.push_back(plan.take("triangles", 2 * sites * 3 * word));
@@ -141,6 +142,8 @@ PlannedCells planRun(MemoryPlan& plan, const Workload& work, std::uint64_t sites
   }
   if (work.outlined) planClipping(plan, work, arrays);
   planReserve(plan);
+  // The search is the peak then: a second step, shorter than the first, leaves gaps of up to 6 %.
+  if (work.weighted && found == Detail::measures) planReserve(plan);
   plan.drop(ties);
   append(working, set.sites);
   if (purpose == ImagesFor::cells) plan.drop(std::exchange(working, {}));
