@@ -56,7 +56,7 @@ constexpr DeviceNeeds ofDevice() {
   needs.answer = word + row;
   needs.weighted_answer = word + weighted_row;
   needs.pixel = target_pixel + download_pixel;
-  needs.rasterizing = 64 * million;
+  needs.rasterizing = 70 * million;
   needs.largest_view = 4096;
   return needs;
 }
