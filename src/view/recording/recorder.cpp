@@ -10,6 +10,7 @@
 
 #include "io/files/error.h"
 #include "io/files/extension.h"
+#include "io/files/output_file.h"
 #include "io/files/replaced_file.h"
 #include "io/pictures/png_file.h"
 #include "view/recording/film.h"
