@@ -1,6 +1,7 @@
 # VORPIPE_BATCHES: sources that lie in one folder are compiled as one, because most of what each takes is headers and
 # templates that all of them have. The preset dev does so, for a build from nothing; who edits one source again and
-# again says -D VORPIPE_BATCHES=OFF. In the preset asan each source stands alone, and must name all that it uses.
+# again says -D VORPIPE_BATCHES=OFF. In the presets release, bench and asan each source stands alone, and must name all
+# that it uses, which the test named_headers holds it to.
 option(VORPIPE_BATCHES "Compile the sources of a folder as one" OFF)
 
 # vorpipe_batches(target [ALONE name...]): each folder of its sources is a batch. ALONE are files with private names

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 
+#include "backend/backend.h"
 #include "backend/vulkan/device/device.h"
 #include "backend/vulkan/device/instance.h"
 #include "backend/vulkan/device/physical.h"
