@@ -41,7 +41,7 @@ class Source:
     def declares_anywhere(self, name):
         if name[0].isupper():
             return re.search(r'\b(?:class|struct|enum class|using|typename) +' + name + r'\b', self.text)
-        return (re.search(r'(?<!\breturn)(?<!\belse)(?<!\bcase)[\w>&*\]] +[&*]?' + name + r'(?:\(| =)', self.text)
+        return (re.search(r'\b(?!(?:return|else|case)\b)\w+[>\]]*[&*]* ' + name + r'(?:\(| =)', self.text)
                 or re.search(r'[(,] *' + name + r' *[,)]', self.text))
 
 
