@@ -2,9 +2,9 @@
 """Whether each source includes what declares the names that it uses: named_headers_test.py [FOLDER...]
 
 The preset dev compiles the sources of a folder as one, where the include of one serves all; in the preset release each
-stands alone. So, of each name that a header of the folder's sources declares, types and functions of a namespace: a
-source that uses it must reach one of these headers. It reads text, not C++, and takes what a source or its headers
-declare anywhere, members and parameters too, for what is meant: it may miss an include, and never asks for one too many.
+stands alone. So, of each name that a header of the folder's sources declares, a type, a function, a constant: a source
+that uses it must reach one of these headers. It reads text, not C++, and takes what a source or its headers declare
+anywhere, members and parameters too, for what is meant: it may miss an include, and never asks for one too many.
 Folders are src and tests unless they are named.
 """
 import pathlib
@@ -16,6 +16,8 @@ FOLDERS = [pathlib.Path(folder) for folder in sys.argv[1:]] or [ROOT / 'src', RO
 # At the begin of a line, as everything of a namespace is.
 TYPE = re.compile(r'^(?:class|struct|enum class|enum|union) +(?:\[\[\w+\]\] +)?(\w+)\b(?! *;)|^using (\w+) =', re.M)
 FUNCTION = re.compile(r'^(?:\[\[nodiscard\]\] )?[A-Za-z_][\w:<>,&* ]*?[ &*>](\w+)\(', re.M)
+CONSTANT = re.compile(r'^(?:inline )?constexpr [\w:<>, ]+ (\w+_\w+)\b', re.M)
+NAMESPACE = re.compile(r'^namespace (?!vorpipe)(\w+) \{', re.M)
 
 
 class Source:
@@ -25,16 +27,17 @@ class Source:
         self.text = re.sub(r'"(?:\\.|[^"\\\n])*"', '""', text)
         self.words = set(re.findall(r'\w+', self.text))
         self.declares = {name for match in TYPE.findall(self.text) for name in match if name}
-        self.declares |= set(FUNCTION.findall(self.text))
+        for other in (FUNCTION, CONSTANT, NAMESPACE):
+            self.declares |= set(other.findall(self.text))
         self.spaces = {space for named in re.findall(r'^namespace (vorpipe[\w:]*)', self.text, re.M)
                        for space in named.split('::')}
 
     def uses(self, name, spaces):
-        """As a type, or called: not a member, and not of a namespace of others."""
-        for before, space, called in re.findall(r'(\.|->|(?:\b(\w+))?::|)\b' + name + r'\b(\()?', self.text):
+        """As a type, a constant, a namespace, or called: not a member, and not of a namespace of others."""
+        for before, space, after in re.findall(r'(\.|->|(?:\b(\w+))?::|)\b' + name + r'\b(\(|::)?', self.text):
             if before in ('.', '->') or (before and space not in spaces):
                 continue
-            if name[0].isupper() or called:
+            if name[0].isupper() or '_' in name or after:
                 return True
         return False
 
