@@ -49,18 +49,20 @@ Result<void> checkArea(const Box& domain) {
   return {};
 }
 
-/// Masses, their sum and their moments are doubles.
+/// Masses, their sum and their moments are doubles with all digits.
 Result<void> checkMass(const Density& density, const Box& domain) {
-  // Moments are those of up to 2^60 pixels.
-  constexpr double most_dense = 1e280, most_mass = 1e301;
-  if (density.values.empty()) return {};
-  const double largest = *std::ranges::max_element(density.values);
-  const double mass = largest * ((domain.xmax - domain.xmin) * (domain.ymax - domain.ymin));
-  if (largest <= most_dense && !(mass > most_mass)) return {};
+  // Moments are those of up to 2^60 pixels; a cell may have 1e-7 of the least mass.
+  constexpr double least_dense = 1e-280, most_dense = 1e280, least_mass = 1e-301, most_mass = 1e301;
+  const double area = (domain.xmax - domain.xmin) * (domain.ymax - domain.ymin);
+  const bool is_box = area > 0;
+  if (density.values.empty() || !is_box) return {};
+  const double largest = *std::ranges::max_element(density.values), mass = largest * area;
+  const bool has_digits = largest >= least_dense && mass >= least_mass;
+  if (largest == 0 || (has_digits && largest <= most_dense && mass <= most_mass)) return {};
   return tl::unexpected(refusalOf(
-      Subject::density, fmt::format("its largest value is {}: masses need {:.0e} or less, and {:.0e} or less "
-                                    "times the domain's area; scale it",
-                                    largest, most_dense, most_mass)));
+      Subject::density, fmt::format("its largest value is {}: masses need {:.0e} to {:.0e}, and {:.0e} to "
+                                    "{:.0e} times the domain's area; scale it",
+                                    largest, least_dense, most_dense, least_mass, most_mass)));
 }
 
 }  // namespace

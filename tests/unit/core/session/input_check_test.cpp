@@ -39,7 +39,14 @@ TEST(Input, IsRefusedAsByARun) {
   options.density = {1, 1, {1e280}};
   EXPECT_EQ(refusalOf(sites, options), "accepted");
   options.domain = {0, 0, 1e15, 1e15};
-  EXPECT_THAT(refusalOf(sites, options), HasSubstr("1e+301 or less times the domain's area"));
+  EXPECT_THAT(refusalOf(sites, options), HasSubstr("1e-301 to 1e+301 times the domain's area"));
+  options.domain = unit_cells.domain;
+  for (const double none_or_little : {0.0, 1e-280}) {
+    options.density = {1, 1, {none_or_little}};
+    EXPECT_EQ(refusalOf(sites, options), "accepted");
+  }
+  options.density = {1, 1, {5e-324}};
+  EXPECT_THAT(refusalOf(sites, options), HasSubstr("density: its largest value is 5e-324"));
   options = unit_cells;
   options = inside(outlineOf({{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}}}));
   EXPECT_THAT(refusalOf(sites, options), HasSubstr("outline: "));
