@@ -20,7 +20,11 @@ constexpr double level_tolerance = 0.3;
 /// domain has less than half of the mean cell's mass, so that each cell keeps some without it.
 std::vector<double> levelsFor(std::size_t sites) {
   std::vector<double> levels;
-  for (double part = 1; part > 0.5 / static_cast<double>(sites); part /= 10) levels.push_back(part);
+  double part = 1;
+  while (part > 0.5 / static_cast<double>(sites)) {
+    levels.push_back(part);
+    part /= 10;
+  }
   return levels;
 }
 

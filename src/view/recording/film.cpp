@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -10,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <filesystem>
 #include <utility>
 #include <vector>
@@ -17,6 +17,7 @@
 #include "io/files/error.h"
 #include "io/files/output_file.h"
 
+// Not every system has it in a header. NOLINTNEXTLINE(readability-redundant-declaration)
 extern char** environ;
 
 namespace vorpipe::view {
@@ -95,6 +96,7 @@ Result<void> Film::begin(int width, int height) {
       "-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709", "-color_range", "tv",
       "-movflags", "+faststart", "-f", "mp4", file_.temporary()};
   std::vector<char*> pointers;
+  pointers.reserve(arguments.size() + 1);
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);
   posix_spawn_file_actions_t actions;
