@@ -45,7 +45,7 @@ class Source:
         if name[0].isupper():
             return re.search(r'\b(?:class|struct|enum class|using|typename) +' + name + r'\b', self.text)
         return (re.search(r'\b(?!(?:return|else|case)\b)\w+[>\]]*[&*]* ' + name + r'(?:\(| =)', self.text)
-                or re.search(r'[(,] *' + name + r' *[,)]', self.text))
+                or ('_' not in name and re.search(r'[(,] *' + name + r' *[,)]', self.text)))
 
 
 def read():
