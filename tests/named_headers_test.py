@@ -4,7 +4,7 @@
 The preset dev compiles the sources of a folder as one, where the include of one serves all; in the preset release each
 stands alone. So, of each name that a header of the folder's sources declares, a type, a function, a constant: a source
 that uses it must reach one of these headers. It reads text, not C++, and takes what a source or its headers declare
-anywhere, members and parameters too, for what is meant: it may miss an include, and never asks for one too many.
+anywhere, members and parameters too, for what is meant: it would rather miss an include than ask for one too many.
 Folders are src and tests unless they are named.
 """
 import pathlib
@@ -13,7 +13,7 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 FOLDERS = [pathlib.Path(folder) for folder in sys.argv[1:]] or [ROOT / 'src', ROOT / 'tests']
-# At the begin of a line, as everything of a namespace is.
+# At the beginning of a line, as everything of a namespace is.
 TYPE = re.compile(r'^(?:class|struct|enum class|enum|union) +(?:\[\[\w+\]\] +)?(\w+)\b(?! *;)|^using (\w+) =', re.M)
 FUNCTION = re.compile(r'^(?:\[\[nodiscard\]\] )?[A-Za-z_][\w:<>,&* ]*?[ &*>](\w+)\(', re.M)
 CONSTANT = re.compile(r'^(?:inline )?constexpr [\w:<>, ]+ (\w+_\w+)\b', re.M)
