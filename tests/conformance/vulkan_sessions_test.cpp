@@ -1,108 +1,11 @@
 // Whole runs on a device that is lost at any submission, that refuses memory, or that writes nonsense for the
 // host. vulkan_test and compute_test are compiled with it.
+#include "vulkan_sessions.h"
+
 #include <gtest/gtest.h>
-
-#include <cstring>
-
-#include "backend_scene.h"
-#include "faulty_device.h"
-#include "support/devices/backends.h"
 
 namespace vorpipe::test {
 namespace {
-
-constexpr int side = 200;
-
-CellsOptions wantedCells(SearchOptions search = {}) {
-  CellsOptions wanted{};
-  wanted.domain = unit_square;
-  wanted.search = search;
-  wanted.detail = Detail::everything;
-  return wanted;
-}
-
-RenderOptions wantedPicture() {
-  RenderOptions wanted{};
-  wanted.domain = unit_square;
-  wanted.width = wanted.height = side;
-  return wanted;
-}
-
-Result<Session> open(std::string_view name, const Mask& mask = {}) {
-  BackendOptions options;
-  options.name = name;
-  options.mask = mask;
-  options.validation = true;
-  return Session::open(options);
-}
-
-template <class T>
-void expectSame(const std::vector<T>& a, const std::vector<T>& b, std::string_view what) {
-  ASSERT_EQ(a.size(), b.size()) << what;
-  EXPECT_TRUE(a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0) << what;
-}
-
-void expectSameCells(const Diagram& a, const Diagram& b) {
-  expectSame(a.status, b.status, "status");
-  expectSame(a.area, b.area, "area");
-  expectSame(a.cell_offsets, b.cell_offsets, "offsets");
-  expectSame(a.neighbors, b.neighbors, "neighbors");
-  expectSame(a.vertices, b.vertices, "vertices");
-  expectSame(a.triangles, b.triangles, "triangles");
-}
-
-void expectRight(const Result<Diagram>& cells, const Diagram& reference) {
-  ASSERT_TRUE(cells.has_value()) << cells.error().message;
-  EXPECT_EQ(cells->report.validation_messages, std::vector<std::string>());
-  expectSameCells(*cells, reference);
-}
-
-void expectRight(const Result<Rendering>& rendering, const Sites& sites) {
-  ASSERT_TRUE(rendering.has_value()) << rendering.error().message;
-  EXPECT_EQ(rendering->report.validation_messages, std::vector<std::string>());
-  expectNearestEverywhere(rendering->image, sites, unit_square);
-}
-
-// What takes over where no Vulkan device is left.
-std::string_view afterVulkan() { return whyUnusable("opengl").empty() ? "opengl" : "cpu"; }
-
-class VulkanSessions : public testing::Test {
- protected:
-  // Enough for two devices.
-  const Sites sites_ = generate(Pattern::random, 300, 5);
-  const Diagram reference_ = *open("cpu")->cells(sites_, wantedCells());
-};
-
-// Has every submission of a run, and every wait for one, lose its device; the run is `work` in a session of
-// the backend `name`. Returns how many there are.
-template <class Work>
-int loseEverySubmission(std::string_view name, bool all_devices, const Work& work) {
-  constexpr int most = 500;
-  for (int nth = 1; nth < most; nth++) {
-    SCOPED_TRACE(testing::Message() << name << ", lost at submission or wait " << nth);
-    FaultyDriver driver;
-    driver.losing_call = nth;
-    driver.loses_all = all_devices;
-    {
-      auto session = open(name);
-      if (!session) {
-        ADD_FAILURE() << session.error().message;
-        return 0;
-      }
-      work(*session, [&] { return driver.submissions >= nth; });
-    }
-    EXPECT_EQ(driver.alive, 0);
-    if (driver.submissions < nth || testing::Test::HasFailure()) return nth - 1;
-  }
-  ADD_FAILURE() << "no end of submissions";
-  return 0;
-}
-
-void expectLost(const Error& error) {
-  EXPECT_EQ(error.code, ErrorCode::device);
-  EXPECT_NE(error.message.find("VK_ERROR_DEVICE_LOST"), std::string::npos) << error.message;
-  EXPECT_EQ(error.message.find('\n'), std::string::npos);
-}
 
 TEST_F(VulkanSessions, ThatLoseTheirDeviceEndWithAnErrorWhereItWasNamed) {
   const auto cells = [&](Session& session, const auto& is_lost) {
@@ -117,71 +20,6 @@ TEST_F(VulkanSessions, ThatLoseTheirDeviceEndWithAnErrorWhereItWasNamed) {
   };
   EXPECT_GE(loseEverySubmission(backendName(), false, cells), 2);
   EXPECT_GE(loseEverySubmission(backendName(), false, picture), 6);
-}
-
-TEST_F(VulkanSessions, ThatLoseTheirDeviceGoOnWithTheNextWhereTheChoiceWasLeft) {
-  for (const bool all_devices : {false, true}) {
-    const auto next = [&](const Report& report, const Session& session, bool is_lost) {
-      ASSERT_EQ(report.notes.size(), is_lost ? (all_devices ? 2U : 1U) : 0U);
-      EXPECT_EQ(report.backend, session.device().backend);
-      EXPECT_EQ(report.backend, !is_lost      ? "vulkan-compute"
-                                : all_devices ? afterVulkan()
-                                              : "vulkan-geometry");
-      if (!is_lost) return;
-      EXPECT_NE(report.notes[0].find("VK_ERROR_DEVICE_LOST"), std::string::npos) << report.notes[0];
-      EXPECT_EQ(session.choice(), report.notes.back());
-    };
-    const auto cells = [&](Session& session, const auto& is_lost) {
-      const auto found = session.cells(sites_, wantedCells());
-      expectRight(found, reference_);
-      if (found) next(found->report, session, is_lost());
-    };
-    const auto picture = [&](Session& session, const auto& is_lost) {
-      const auto drawn = session.render(sites_, wantedPicture());
-      expectRight(drawn, sites_);
-      if (drawn) next(drawn->report, session, is_lost());
-    };
-    EXPECT_GE(loseEverySubmission("auto", all_devices, cells), 2);
-    EXPECT_GE(loseEverySubmission("auto", all_devices, picture), 6);
-  }
-}
-
-// In the first picture, in another view, or while other sites take the device.
-TEST_F(VulkanSessions, ThatLoseTheirDeviceKeepTheSitesOfPictures) {
-  const auto views = [&](Session& session, const auto& is_lost) {
-    KeptSites kept(session, sites_);
-    RenderOptions wanted = wantedPicture();
-    const auto first = kept.render(wanted);
-    expectRight(first, sites_);
-    expectRight(session.cells(sites_, wantedCells()), reference_);
-    wanted.view = Box{0.25, 0.25, 0.75, 0.5};
-    const auto part = kept.render(wanted);
-    ASSERT_TRUE(part) << part.error().message;
-    expectNearestEverywhere(part->image, sites_, *wanted.view);
-    EXPECT_EQ(session.device().backend == "vulkan-compute", !is_lost());
-  };
-  EXPECT_GE(loseEverySubmission("auto", false, views), 12);
-}
-
-// `vulkan` is its two backends and no other.
-TEST_F(VulkanSessions, OfVulkanTryBothPipelines) {
-  FaultyDriver driver;
-  driver.losing_call = 1;
-  {
-    auto session = open("vulkan");
-    ASSERT_TRUE(session.has_value());
-    const auto found = session->cells(sites_, wantedCells());
-    expectRight(found, reference_);
-    EXPECT_EQ(session->device().backend, "vulkan-geometry");
-  }
-  driver.losing_call = 1;
-  driver.submissions = 0;
-  driver.loses_all = true;
-  auto session = open("vulkan");
-  ASSERT_TRUE(session.has_value());
-  const auto found = session->cells(sites_, wantedCells());
-  ASSERT_FALSE(found.has_value());
-  expectLost(found.error());
 }
 
 TEST_F(VulkanSessions, GetLessAtATimeFromADeviceThatRefusesMemory) {
