@@ -6,7 +6,7 @@ root=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root" || exit
 source third_party/prepare.sh
 lockBuild
-installPackages tool build test python shader driver coverage
+installPackages tool build test program python shader driver coverage
 if ! command -v gcovr >/dev/null; then
   echo 'coverage.sh: gcovr is missing' >&2
   exit 1

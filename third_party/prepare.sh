@@ -20,8 +20,8 @@ packagesOf() {
   done <"$root/third_party/README.md"
 }
 
-# installPackages role...: installs with apt what is missing. A failure is not the end: the configure
-# step names what it cannot do without.
+# installPackages role...: installs with apt what is missing, and waits where another one installs. A failure is not
+# the end: the configure step names what it cannot do without.
 installPackages() {
   command -v apt-get >/dev/null && command -v dpkg-query >/dev/null || return 0
   local wanted installed package
@@ -41,13 +41,14 @@ installPackages() {
   fi
   note "vorpipe: installing ${missing[*]}"
   packages_changed=1
-  local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q)
-  "${apt[@]}" update >"$root/build/packages.log" 2>&1
-  if ! "${apt[@]}" install -y --no-install-recommends "${missing[@]}" >>"$root/build/packages.log" 2>&1; then
+  local log=$root/build/packages.$1.log
+  local apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=600)
+  "${apt[@]}" update >"$log" 2>&1
+  if ! "${apt[@]}" install -y --no-install-recommends "${missing[@]}" >>"$log" 2>&1; then
     # One package that this release does not have must not keep the others out.
     for package in "${missing[@]}"; do
-      "${apt[@]}" install -y --no-install-recommends "$package" >>"$root/build/packages.log" 2>&1 ||
-        printf 'vorpipe: could not install %s, see build/packages.log\n' "$package" >&2
+      "${apt[@]}" install -y --no-install-recommends "$package" >>"$log" 2>&1 ||
+        printf 'vorpipe: could not install %s, see %s\n' "$package" "${log#"$root/"}" >&2
     done
   fi
 }
@@ -59,10 +60,10 @@ requireTools() {
     if ! command -v "$tool" >/dev/null; then
       {
         printf 'vorpipe: %s is missing. Packages for the build:\n' "$tool"
-        printf '  Debian, Ubuntu: apt-get install %s\n' "$(packagesOf 6 tool build test python shader driver | xargs)"
-        printf '  Fedora: dnf install %s\n' "$(packagesOf 7 tool build test python shader driver | xargs)"
-        printf '  Arch: pacman -S %s\n' "$(packagesOf 8 tool build test python shader driver | xargs)"
-        printf '  Homebrew: brew install %s\n' "$(packagesOf 9 tool build test python shader driver | xargs)"
+        printf '  Debian, Ubuntu: apt-get install %s\n' "$(packagesOf 6 tool build test program python shader driver | xargs)"
+        printf '  Fedora: dnf install %s\n' "$(packagesOf 7 tool build test program python shader driver | xargs)"
+        printf '  Arch: pacman -S %s\n' "$(packagesOf 8 tool build test program python shader driver | xargs)"
+        printf '  Homebrew: brew install %s\n' "$(packagesOf 9 tool build test program python shader driver | xargs)"
       } >&2
       return 1
     fi

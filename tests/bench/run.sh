@@ -5,7 +5,7 @@ root=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 source "$root/third_party/prepare.sh"
 
 lockBuild
-installPackages tool build test python shader driver peer
+installPackages tool build test program python shader driver peer
 buildPreset bench bench_cells || exit 3
 modules=$root/build/bench/tests/bench
 if command -v npm >/dev/null; then
