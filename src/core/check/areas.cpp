@@ -22,8 +22,7 @@ class CutOut {
     const Point low = Point{box.xmin, box.ymin} - origin_, high = Point{box.xmax, box.ymax} - origin_;
     ring_ = {low, {high.x, low.y}, high, {low.x, high.y}};
     measureReach();
-    for (std::size_t j = 0; j < run.size(); ++j)
-      if (j != i && run.diagram.owner[j] == j) cutBy(j, run.way(i, j), run.weightDifference(i, j));
+    cutByAllBut(i);
   }
 
   [[nodiscard]] const std::vector<Point>& ring() const { return ring_; }
@@ -33,6 +32,21 @@ class CutOut {
   [[nodiscard]] double rounding() const { return rounding_; }
 
  private:
+  /// First by few sites from all over the input, then by more: of sites that come in rows each would cut a
+  /// little more off than the one before it, until the row of site i.
+  void cutByAllBut(std::size_t i) {
+    constexpr std::size_t finer = 8;
+    std::size_t step = 1, coarser = run_.size();
+    while (step < run_.size() / finer) step *= finer;
+    for (; step > 0; coarser = step, step /= finer) {
+      for (std::size_t j = 0; j < run_.size(); j += step) {
+        const bool is_cut = coarser < run_.size() && j % coarser == 0;
+        if (!is_cut && j != i && run_.diagram.owner[j] == j)
+          cutBy(j, run_.way(i, j), run_.weightDifference(i, j));
+      }
+    }
+  }
+
   void cutBy(std::size_t j, Point way, double weight_difference) {
     const double away = length(way), middle = (away + weight_difference / away) / 2;
     if (middle >= reach_) return;

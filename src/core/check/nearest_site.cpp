@@ -2,6 +2,8 @@
 
 #include <nanoflann.hpp>
 
+#include <algorithm>
+#include <limits>
 #include <numeric>
 
 namespace vorpipe::core::checks {
@@ -29,6 +31,45 @@ using Metric = nanoflann::L2_Simple_Adaptor<double, Cloud, double, std::uint32_t
 template <int dimensions>
 using KdTree = nanoflann::KDTreeSingleIndexAdaptor<Metric, Cloud, dimensions, std::uint32_t>;
 constexpr std::size_t leaf_size = 16;
+
+/// Of a search: what is nearest, and what double does not tell from it. A result set of nanoflann's, so that
+/// one descent finds both.
+class NearestAndEqual {
+ public:
+  using DistanceType = double;
+
+  [[nodiscard]] double worstDist() const { return bound_; }
+  [[nodiscard]] bool full() const { return !found_.empty(); }
+  bool addPoint(double squared, std::uint32_t point) {
+    if (squared >= bound_) return true;
+    found_.push_back({squared, point});
+    // What is as far as the bound is left out; the least distance is 0 at a site.
+    const double bound = squared * (1 + squared_rounding) + std::numeric_limits<double>::min();
+    if (bound < bound_) {
+      bound_ = bound;
+      std::erase_if(found_, [&](const Found& other) { return other.squared >= bound_; });
+    }
+    return true;
+  }
+
+  /// Points of the cloud, the nearest first.
+  [[nodiscard]] std::vector<std::uint32_t> points() {
+    std::ranges::sort(found_);
+    std::vector<std::uint32_t> points;
+    points.reserve(found_.size());
+    for (const Found& found : found_) points.push_back(found.point);
+    return points;
+  }
+
+ private:
+  struct Found {
+    double squared;
+    std::uint32_t point;
+    auto operator<=>(const Found&) const = default;
+  };
+  double bound_ = std::numeric_limits<double>::infinity();
+  std::vector<Found> found_;
+};
 
 double square(double a) { return a * a; }
 
@@ -127,23 +168,14 @@ std::uint32_t NearestSite::at(Point p) const {
 
 std::vector<std::uint32_t> NearestSite::allAt(Point p) const {
   const double place[3] = {p.x, p.y, 0};
-  std::vector<std::pair<std::uint32_t, double>> near;
-  const auto search = [&](const auto& tree) {
-    std::uint32_t found = 0;
-    double squared = 0;
-    tree.knnSearch(place, 1, &found, &squared);
-    // The search takes what is nearer than the radius; that is 0 at a site.
-    const double radius = squared * (1 + squared_rounding) + std::numeric_limits<double>::min();
-    tree.radiusSearch(place, radius, near, {});
-  };
+  NearestAndEqual near;
   if (tree_->flat) {
-    search(*tree_->flat);
+    tree_->flat->findNeighbors(near, place, {});
   } else {
-    search(*tree_->lifted);
+    tree_->lifted->findNeighbors(near, place, {});
   }
-  std::vector<std::uint32_t> sites;
-  sites.reserve(near.size());
-  for (const auto& [found, squared] : near) sites.push_back(tree_->cloud.index[found]);
+  std::vector<std::uint32_t> sites = near.points();
+  for (auto& site : sites) site = tree_->cloud.index[site];
   return sites;
 }
 
