@@ -32,19 +32,16 @@ class CutOut {
   [[nodiscard]] double rounding() const { return rounding_; }
 
  private:
-  /// First by few sites from all over the input, then by more: of sites that come in rows each would cut a
-  /// little more off than the one before it, until the row of site i.
+  /// First by few sites from all over the input: of sites that come in rows each would cut a little more off
+  /// than the one before it, until the row of site i.
   void cutByAllBut(std::size_t i) {
-    constexpr std::size_t finer = 8;
-    std::size_t step = 1, coarser = run_.size();
-    while (step < run_.size() / finer) step *= finer;
-    for (; step > 0; coarser = step, step /= finer) {
-      for (std::size_t j = 0; j < run_.size(); j += step) {
-        const bool is_cut = coarser < run_.size() && j % coarser == 0;
-        if (!is_cut && j != i && run_.diagram.owner[j] == j)
-          cutBy(j, run_.way(i, j), run_.weightDifference(i, j));
-      }
-    }
+    const std::size_t size = run_.size(), some = size / 32;
+    const auto far_apart = static_cast<std::size_t>(0.618033988749895 * static_cast<double>(size)) | 1;
+    const auto cutByOther = [&](std::size_t j) {
+      if (j != i && run_.diagram.owner[j] == j) cutBy(j, run_.way(i, j), run_.weightDifference(i, j));
+    };
+    for (std::size_t k = 0; k < some; ++k) cutByOther(k * far_apart % size);
+    for (std::size_t j = 0; j < size; ++j) cutByOther(j);
   }
 
   void cutBy(std::size_t j, Point way, double weight_difference) {
