@@ -33,7 +33,9 @@ class CutOut {
 
  private:
   /// First by few sites from all over the input: of sites that come in rows each would cut a little more off
-  /// than the one before it, until the row of site i.
+  /// than the one before it, until the row of site i. Steps of the golden section of the input are spread
+  /// evenly however many there are, and unlike those of a power of two meet no row again and again. To cut by
+  /// a site twice changes nothing.
   void cutByAllBut(std::size_t i) {
     const std::size_t size = run_.size(), some = size / 32;
     const auto far_apart = static_cast<std::size_t>(0.618033988749895 * static_cast<double>(size)) | 1;
