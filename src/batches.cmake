@@ -9,9 +9,10 @@ if(VORPIPE_BATCHES)
   add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,GNU>:--param=ggc-min-heapsize=2097152>)
 endif()
 
-# vorpipe_batches(target [ALONE name...]): each folder of its sources is a batch. ALONE are files with private names
-# that others beside them have as well, of which the compiler says "redefinition" or "shadows"; before a name that
-# files of other folders have too stands its folder, as in sites/weights.cpp.
+# vorpipe_batches(target [ALONE name...]): each folder of its sources is a batch; what is the only one of its folder is
+# in the batch of the folder around. ALONE are files with private names that others of the batch have as well, of which
+# the compiler says "redefinition" or "shadows"; before a name that files of other folders have too stands its folder,
+# as in sites/weights.cpp.
 function(vorpipe_batches target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "ALONE")
   if(NOT VORPIPE_BATCHES)
@@ -20,13 +21,25 @@ function(vorpipe_batches target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   get_target_property(sources ${target} SOURCES)
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
+  set(folders)
   foreach(source IN LISTS sources)
+    cmake_path(GET source PARENT_PATH folder)
+    list(APPEND folders "${folder}/")
+  endforeach()
+  list(LENGTH folders all)
+  foreach(source folder IN ZIP_LISTS sources folders)
+    set(elsewhere ${folders})
+    list(REMOVE_ITEM elsewhere "${folder}")
+    list(LENGTH elsewhere others)
     cmake_path(GET source FILENAME name)
     cmake_path(GET source PARENT_PATH folder)
+    cmake_path(GET folder FILENAME last)
     string(REPLACE "${CMAKE_CURRENT_SOURCE_DIR}/" "" folder "${folder}")
+    math(EXPR here "${all} - ${others}")
+    if(here EQUAL 1)
+      cmake_path(GET folder PARENT_PATH folder)
+    endif()
     string(MAKE_C_IDENTIFIER "batch_${folder}" group)
-    cmake_path(GET source PARENT_PATH path)
-    cmake_path(GET path FILENAME last)
     if(NOT name IN_LIST arg_ALONE AND NOT "${last}/${name}" IN_LIST arg_ALONE)
       set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
     endif()
