@@ -2,37 +2,14 @@
 /// and what else is asked for.
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "conformance/cells_fixture.h"
+#include "support/oracles/same_bytes.h"
 #include "support/sites/data_sets.h"
 
 namespace vorpipe::test {
 namespace {
 
 class SameCells : public Cells {};
-
-/// Everything in a diagram but its report, to the byte.
-void expectSameBytes(const Diagram& a, const Diagram& b) {
-  const auto same = [](const auto& left, const auto& right, const char* what) {
-    ASSERT_EQ(left.size(), right.size()) << what;
-    // An empty vector has no place in memory to compare.
-    const bool equal =
-        left.empty() || std::memcmp(left.data(), right.data(), left.size() * sizeof(left[0])) == 0;
-    EXPECT_TRUE(equal) << what;
-  };
-  same(a.status, b.status, "status");
-  same(a.owner, b.owner, "owner");
-  same(a.area, b.area, "area");
-  same(a.perimeter, b.perimeter, "perimeter");
-  same(a.centroid, b.centroid, "centroid");
-  same(a.second_moments, b.second_moments, "second moments");
-  same(a.cell_offsets, b.cell_offsets, "cell offsets");
-  same(a.vertices, b.vertices, "vertices");
-  same(a.neighbors, b.neighbors, "neighbors");
-  same(a.edge_lengths, b.edge_lengths, "edge lengths");
-  same(a.triangles, b.triangles, "triangles");
-}
 
 TEST_P(SameCells, ofAllBackendsAgree) {
   for (const auto pattern : {Pattern::random, Pattern::jitter, Pattern::clusters, Pattern::hex}) {

@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "backend_scene.h"
 #include "faulty_device.h"
+#include "support/oracles/same_bytes.h"
 
 namespace vorpipe::test {
 
@@ -38,25 +38,10 @@ inline Result<Session> open(std::string_view name, const Mask& mask = {}) {
   return Session::open(options);
 }
 
-template <class T>
-void expectSame(const std::vector<T>& a, const std::vector<T>& b, std::string_view what) {
-  ASSERT_EQ(a.size(), b.size()) << what;
-  EXPECT_TRUE(a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0) << what;
-}
-
-inline void expectSameCells(const Diagram& a, const Diagram& b) {
-  expectSame(a.status, b.status, "status");
-  expectSame(a.area, b.area, "area");
-  expectSame(a.cell_offsets, b.cell_offsets, "offsets");
-  expectSame(a.neighbors, b.neighbors, "neighbors");
-  expectSame(a.vertices, b.vertices, "vertices");
-  expectSame(a.triangles, b.triangles, "triangles");
-}
-
 inline void expectRight(const Result<Diagram>& cells, const Diagram& reference) {
   ASSERT_TRUE(cells.has_value()) << cells.error().message;
   EXPECT_EQ(cells->report.validation_messages, std::vector<std::string>());
-  expectSameCells(*cells, reference);
+  expectSameBytes(*cells, reference);
 }
 
 inline void expectRight(const Result<Rendering>& rendering, const Sites& sites) {

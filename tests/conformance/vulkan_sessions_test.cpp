@@ -81,9 +81,9 @@ TEST_F(VulkanSessions, KeepToTheLargestAllocation) {
 // What is found in another way is measured in another order.
 void expectEqualCells(const Result<Diagram>& cells, const Diagram& reference) {
   ASSERT_TRUE(cells.has_value()) << cells.error().message;
-  expectSame(cells->status, reference.status, "status");
-  expectSame(cells->cell_offsets, reference.cell_offsets, "offsets");
-  expectSame(cells->neighbors, reference.neighbors, "neighbors");
+  expectSameBytes(cells->status, reference.status, "status");
+  expectSameBytes(cells->cell_offsets, reference.cell_offsets, "offsets");
+  expectSameBytes(cells->neighbors, reference.neighbors, "neighbors");
   for (std::size_t i = 0; i < reference.area.size(); i++) {
     ASSERT_NEAR(cells->area[i], reference.area[i], 1e-12 * reference.area[i]) << "site " << i;
   }

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 #include <set>
 
 #include "core/sites/site_set.h"
+#include "support/oracles/same_bytes.h"
 #include "support/sites/random_sites.h"
 #include "unit/fixtures/brute_force.h"
 #include "unit/fixtures/checked_runs.h"
@@ -82,25 +82,6 @@ void compare(const Sites& sites, const Diagram& cells) {
 
 void expectRight(const Sites& sites) { compare(sites, checked(sites)); }
 
-template <class T>
-void expectSameBytes(const std::vector<T>& a, const std::vector<T>& b) {
-  ASSERT_EQ(a.size(), b.size());
-  EXPECT_TRUE(a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
-}
-
-void expectSame(const Diagram& a, const Diagram& b) {
-  expectSameBytes(a.status, b.status);
-  expectSameBytes(a.owner, b.owner);
-  expectSameBytes(a.area, b.area);
-  expectSameBytes(a.centroid, b.centroid);
-  expectSameBytes(a.second_moments, b.second_moments);
-  expectSameBytes(a.cell_offsets, b.cell_offsets);
-  expectSameBytes(a.neighbors, b.neighbors);
-  expectSameBytes(a.vertices, b.vertices);
-  expectSameBytes(a.edge_lengths, b.edge_lengths);
-  expectSameBytes(a.triangles, b.triangles);
-}
-
 TEST(WeightedCells, ofRandomWeights) {
   for (const double most : {0.1, 1.0, 10.0, 100.0, 1e4}) {
     for (const std::size_t count : {1u, 2u, 3u, 10u, 150u}) {
@@ -130,7 +111,7 @@ TEST(WeightedCells, ofEqualWeightsAreThoseOfNone) {
   const auto cells = cellsOf(sites, unit_cells);
   for (const double weight : {0.0, 1e9 / 3, -1e-300}) {
     sites.weight.assign(sites.size(), weight);
-    expectSame(cellsOf(sites, unit_cells), cells);
+    expectSameBytes(cellsOf(sites, unit_cells), cells);
   }
 }
 
@@ -142,7 +123,7 @@ TEST(WeightedCells, areTheSameWithAConstantAdded) {
     for (const double more : {1e6, -1e6, 0.25}) {
       auto moved = sites;
       for (auto& weight : moved.weight) weight += more;
-      expectSame(checked(moved), cells);
+      expectSameBytes(checked(moved), cells);
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "unit/fixtures/checked_runs.h"
+#include "unit/fixtures/cpu_session.h"
 #include "vorpipe.h"
 #include "vorpipe/free_surface.h"
 

@@ -6,19 +6,13 @@
 #include <numbers>
 #include <random>
 
+#include "unit/fixtures/cpu_session.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {
 namespace {
 
 using ::testing::HasSubstr;
-
-Session sessionOf(int threads = 0) {
-  BackendOptions options;
-  options.name = "cpu";
-  options.threads = threads;
-  return std::move(Session::open(options).value());
-}
 
 CellsOptions unitSquare() {
   CellsOptions options{};
@@ -46,7 +40,7 @@ TEST(FreeSurface, LatticesOfDiscsAreThoseOfTheirFormulas) {
     sites.y.push_back((k / side + 0.5) * h);
     sites.weight.push_back(r * r);
   }
-  Session session = sessionOf();
+  Session session = cpuSession();
   MovingCells moving(session, unitSquare(), Surface::free);
   ASSERT_TRUE(moving.update(sites));
   const double area =
@@ -68,7 +62,7 @@ TEST(FreeSurface, LatticesOfDiscsAreThoseOfTheirFormulas) {
 }
 
 TEST(FreeSurface, DiscsThatHoldTheirCellsChangeNothing) {
-  Session session = sessionOf();
+  Session session = cpuSession();
   Sites sites = generate(Pattern::random, 300, 2);
   sites.weight.assign(sites.size(), 3);
   MovingCells cut(session, unitSquare(), Surface::free), filling(session, unitSquare());
@@ -99,7 +93,7 @@ std::vector<double> slopes(MovingCells& moving, Sites sites, std::vector<double>
 }
 
 TEST(FreeSurface, EdgesSayHowAreasChange) {
-  Session session = sessionOf();
+  Session session = cpuSession();
   const Sites sites = drops(60, 4);
   MovingCells moving(session, unitSquare(), Surface::free);
   ASSERT_TRUE(moving.update(sites));
@@ -126,7 +120,7 @@ TEST(FreeSurface, EdgesSayHowAreasChange) {
 }
 
 TEST(FreeSurface, CellsAreWhatDiscsHaveOfTheSquare) {
-  Session session = sessionOf();
+  Session session = cpuSession();
   const Sites sites = drops(25, 9);
   MovingCells moving(session, unitSquare(), Surface::free);
   ASSERT_TRUE(moving.update(sites));
@@ -162,7 +156,7 @@ TEST(FreeSurface, CellsAreWhatDiscsHaveOfTheSquare) {
 }
 
 TEST(FreeSurface, SitesWithoutWeightHaveNoCell) {
-  Session session = sessionOf();
+  Session session = cpuSession();
   Sites sites = drops(36, 3, Pattern::jitter);
   MovingCells moving(session, unitSquare(), Surface::free);
   EXPECT_TRUE(moving.updateUnlessEmpty(sites).value());
@@ -187,7 +181,7 @@ TEST(FreeSurface, SitesWithoutWeightHaveNoCell) {
 
 TEST(FreeSurface, DoesNotDependOnThreads) {
   const Sites sites = drops(6000, 6);
-  Session one = sessionOf(1), three = sessionOf(3);
+  Session one = cpuSession(1), three = cpuSession(3);
   MovingCells a(one, unitSquare(), Surface::free), b(three, unitSquare(), Surface::free);
   ASSERT_TRUE(a.update(sites));
   ASSERT_TRUE(b.update(sites));
@@ -212,7 +206,7 @@ TEST(FreeSurface, DoesNotDependOnThreads) {
 }
 
 TEST(FreeSurface, RefusesWhatItDoesNotTakeYet) {
-  Session session = sessionOf();
+  Session session = cpuSession();
   const Sites sites = drops(10, 1);
   const auto refusedFor = [&](const CellsOptions& options) {
     const auto updated = MovingCells(session, options, Surface::free).update(sites);

@@ -11,6 +11,7 @@
 
 #include "core/cells/segment_density.h"
 #include "unit/fixtures/checked_runs.h"
+#include "unit/fixtures/cpu_session.h"
 #include "unit/fixtures/long_cells.h"
 
 namespace vorpipe::test {

@@ -8,6 +8,7 @@
 
 #include "unit/core/outline/geos_clip.h"
 #include "unit/fixtures/checked_runs.h"
+#include "unit/fixtures/cpu_session.h"
 #include "unit/fixtures/outlines.h"
 
 namespace vorpipe::test {
@@ -339,10 +340,7 @@ TEST(OutlineCells, threadsAndDetailDoNotMatter) {
   CellsOptions options = inside(outline);
   std::vector<Diagram> runs;
   for (const int threads : {1, 3}) {
-    BackendOptions backend;
-    backend.name = "cpu";
-    backend.threads = threads;
-    runs.push_back(std::move(*Session::open(backend)->cells(sites, options)));
+    runs.push_back(std::move(*cpuSession(threads).cells(sites, options)));
   }
   EXPECT_EQ(runs[0].neighbors, runs[1].neighbors);
   EXPECT_EQ(runs[0].ring_starts, runs[1].ring_starts);

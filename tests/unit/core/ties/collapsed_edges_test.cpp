@@ -4,6 +4,7 @@
 #include <random>
 #include <string>
 
+#include "unit/fixtures/cpu_session.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {
@@ -11,13 +12,10 @@ namespace {
 
 /// Computes the cells on `cpu`, and says what is wrong with them.
 std::string wrongWith(const Sites& sites, const Box& domain, Diagram& diagram) {
-  BackendOptions backend;
-  backend.name = "cpu";
-  auto session = Session::open(backend);
-  if (!session) return session.error().message;
+  Session session = cpuSession();
   CellsOptions options{};
   options.domain = domain;
-  auto cells = session->cells(sites, options);
+  auto cells = session.cells(sites, options);
   if (!cells) return cells.error().message;
   diagram = std::move(*cells);
   const auto broken = check(sites, options, diagram);

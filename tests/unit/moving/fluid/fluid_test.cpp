@@ -1,4 +1,5 @@
 #include "vorpipe/fluid.h"
+#include "unit/fixtures/cpu_session.h"
 
 #include <gtest/gtest.h>
 
@@ -11,15 +12,6 @@
 
 namespace vorpipe {
 namespace {
-
-Session openCpu(int threads = 0) {
-  BackendOptions options{};
-  options.name = "cpu";
-  options.threads = threads;
-  auto session = Session::open(options);
-  EXPECT_TRUE(session);
-  return std::move(*session);
-}
 
 /// What a run came to, and what it was on the way.
 struct Ran {
@@ -65,7 +57,7 @@ FluidSetup taylorGreen(std::uint64_t parcels, FluidScheme scheme, double step_in
 }
 
 TEST(Fluid, SpringsKeepEnergyToTheSecondOrder) {
-  Session session = openCpu();
+  Session session = test::cpuSession();
   const Ran coarse = runSteps(session, taylorGreen(256, FluidScheme::springs, 0.5));
   const Ran fine = runSteps(session, taylorGreen(256, FluidScheme::springs, 0.25));
   EXPECT_EQ(coarse.steps, 16U);
@@ -76,7 +68,7 @@ TEST(Fluid, SpringsKeepEnergyToTheSecondOrder) {
 }
 
 TEST(Fluid, ReflectionIsOfSecondOrder) {
-  Session session = openCpu();
+  Session session = test::cpuSession();
   const FluidSetup small = taylorGreen(256, FluidScheme::projection, 0.5);
   const FluidSetup large = taylorGreen(576, FluidScheme::projection, 0.5);
   const Ran coarse = runSteps(session, small), fine = runSteps(session, large);
@@ -90,13 +82,13 @@ TEST(Fluid, ReflectionIsOfSecondOrder) {
 /// Across a change of the order in memory, which comes after 32 steps.
 TEST(Fluid, GoesOnFromAStateToTheSameBytes) {
   for (const auto scheme : {FluidScheme::springs, FluidScheme::projection}) {
-    Session session = openCpu();
+    Session session = test::cpuSession();
     FluidSetup setup = taylorGreen(64, scheme, 0);
     setup.options.until = 10;
     const Ran whole = runSteps(session, setup, 34);
     setup.state = runSteps(session, setup, 31).state;
     EXPECT_EQ(setup.state.step, 31U);
-    Session other = openCpu(1);
+    Session other = test::cpuSession(1);
     const Ran rest = runSteps(other, setup, 3);
     EXPECT_EQ(rest.state.step, 34U);
     EXPECT_EQ(rest.state.time, whole.state.time);
@@ -108,7 +100,7 @@ TEST(Fluid, GoesOnFromAStateToTheSameBytes) {
 }
 
 TEST(Fluid, AreasChangeAsTheDerivativesSay) {
-  Session session = openCpu();
+  Session session = test::cpuSession();
   const Sites sites = generate(Pattern::jitter, 36, 4);
   const Box box{0, 0, 1, 1};
   MovingCells cells(session, {.domain = box, .search = {}, .progress = {}});
@@ -136,7 +128,7 @@ TEST(Fluid, AreasChangeAsTheDerivativesSay) {
 }
 
 TEST(Fluid, RefusesWhatDoesNotFit) {
-  Session session = openCpu();
+  Session session = test::cpuSession();
   const auto refused = [&](const auto& spoil) {
     FluidSetup setup = fluidCase(FluidCase::taylor_green, 16);
     spoil(setup);
@@ -161,7 +153,7 @@ TEST(Fluid, RefusesWhatDoesNotFit) {
 }
 
 TEST(Fluid, RefusesVolumesThatDoNotFillTheDomain) {
-  Session session = openCpu();
+  Session session = test::cpuSession();
   FluidSetup setup = fluidCase(FluidCase::taylor_green, 16);
   setup.state.volume.assign(16, 1);
   EXPECT_EQ(Fluid::begin(session, setup.state, setup.options).error().message,
@@ -172,7 +164,7 @@ TEST(Fluid, RefusesVolumesThatDoNotFillTheDomain) {
 }
 
 TEST(Fluid, HalvesStepsThatLeadSitesWhereTheyHaveNoCells) {
-  Session session = openCpu();
+  Session session = test::cpuSession();
   FluidSetup setup = fluidCase(FluidCase::dam_break, 500);
   setup.options.step = 0.05;
   setup.options.until = 0.5;
@@ -186,7 +178,7 @@ TEST(Fluid, HalvesStepsThatLeadSitesWhereTheyHaveNoCells) {
 }
 
 TEST(Fluid, EndsWhereNoStepIsShortEnough) {
-  Session session = openCpu();
+  Session session = test::cpuSession();
   FluidSetup setup = fluidCase(FluidCase::taylor_green, 64);
   setup.options.step = 0.1;
   // Not all the same way, which would leave cells as they are.
@@ -201,7 +193,7 @@ TEST(Fluid, EndsWhereNoStepIsShortEnough) {
 }
 
 TEST(Fluid, RefusesStepsThatAreNothingBesideTheTime) {
-  Session session = openCpu();
+  Session session = test::cpuSession();
   FluidSetup setup = fluidCase(FluidCase::taylor_green, 16);
   setup.state.time = 1e20;
   setup.options.until = 1e30;
@@ -212,7 +204,7 @@ TEST(Fluid, RefusesStepsThatAreNothingBesideTheTime) {
 }
 
 TEST(Fluid, IsPushedAtEachSite) {
-  Session session = openCpu();
+  Session session = test::cpuSession();
   const FluidSetup setup = fluidCase(FluidCase::taylor_green, 16);
   auto fluid = Fluid::begin(session, setup.state, setup.options);
   ASSERT_TRUE(fluid);
@@ -229,7 +221,7 @@ TEST(Fluid, IsPushedAtEachSite) {
 
 /// Whether its diagrams ask or are too small for that.
 TEST(Fluid, StopsWhereProgressSaysSo) {
-  Session session = openCpu();
+  Session session = test::cpuSession();
   for (const std::uint64_t parcels : {4u, 64u, 250u}) {
     FluidSetup setup = taylorGreen(parcels, FluidScheme::springs, 0.1);
     setup.options.until = 1e9;
@@ -245,7 +237,7 @@ TEST(Fluid, StopsWhereProgressSaysSo) {
 }
 
 TEST(Fluid, IsAsItWasBeforeAStepThatIsStopped) {
-  Session session = openCpu();
+  Session session = test::cpuSession();
   FluidSetup setup = taylorGreen(64, FluidScheme::springs, 0.5);
   bool go_on = true;
   setup.options.progress = [&](std::string_view, double) { return go_on; };

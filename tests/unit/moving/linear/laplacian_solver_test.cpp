@@ -1,4 +1,5 @@
 #include "moving/linear/laplacian_solver.h"
+#include "unit/fixtures/cpu_session.h"
 
 #include <gtest/gtest.h>
 
@@ -123,9 +124,7 @@ std::pair<Laplacian, std::vector<double>> ofCells(Pattern pattern, std::uint64_t
     sites.weight = Numbers().several(count);
     for (auto& weight : sites.weight) weight *= weights * mean;
   }
-  BackendOptions backend;
-  backend.name = "cpu";
-  Session session = std::move(Session::open(backend).value());
+  Session session = test::cpuSession();
   CellsOptions options{};
   options.domain = box;
   MovingCells cells(session, options);

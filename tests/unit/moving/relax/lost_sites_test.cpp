@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "unit/fixtures/cpu_session.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {
@@ -21,9 +22,7 @@ RelaxOptions unitFor(std::uint64_t iterations) {
 }
 
 Relaxed relaxedOnCpu(const Sites& sites, const RelaxOptions& options) {
-  BackendOptions backend;
-  backend.name = "cpu";
-  Session session = std::move(Session::open(backend).value());
+  Session session = cpuSession();
   auto done = relax(session, sites, options);
   EXPECT_TRUE(done) << (done ? "" : done.error().message);
   return done ? std::move(*done) : Relaxed{};

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "moving/transport/start_weights.h"
+#include "unit/fixtures/cpu_session.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {
@@ -13,13 +14,6 @@ namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-
-Session sessionOf(int threads = 0) {
-  BackendOptions options;
-  options.name = "cpu";
-  options.threads = threads;
-  return std::move(Session::open(options).value());
-}
 
 TransportOptions unitSquare(double tolerance = 1e-12) {
   TransportOptions options{};
@@ -29,14 +23,14 @@ TransportOptions unitSquare(double tolerance = 1e-12) {
 }
 
 Transported transported(const Sites& sites, const TransportOptions& options, int threads = 0) {
-  Session session = sessionOf(threads);
+  Session session = cpuSession(threads);
   auto done = transport(session, sites, options);
   EXPECT_TRUE(done) << (done ? "" : done.error().message);
   return done ? std::move(*done) : Transported{};
 }
 
 Error refused(const Sites& sites, const TransportOptions& options) {
-  Session session = sessionOf();
+  Session session = cpuSession();
   const auto done = transport(session, sites, options);
   EXPECT_FALSE(done);
   return done ? Error{} : done.error();
@@ -94,7 +88,7 @@ TEST(Transport, randomSitesGetEqualAreasInFewDiagrams) {
 
 TEST(Transport, theCellsOfItsWeightsAreItsCells) {
   const Transported done = transported(generate(Pattern::random, 3000, 2), unitSquare());
-  Session session = sessionOf();
+  Session session = cpuSession();
   CellsOptions options{};
   options.domain = {0, 0, 1, 1};
   const Diagram diagram = session.cells(done.sites, options).value();
@@ -245,7 +239,7 @@ TEST(Transport, threadsDoNotMatter) {
 }
 
 TEST(Transport, whatTheWatcherStopsIsReturned) {
-  Session session = sessionOf();
+  Session session = cpuSession();
   const auto done = transport(session, generate(Pattern::random, 500, 9), unitSquare(),
                               [](const TransportStep& step) { return step.diagram < 2; });
   ASSERT_TRUE(done);
@@ -306,7 +300,7 @@ TEST(Transport, massesOfAllMagnitudesAreThoseOfTheWeightsThatAreReturned) {
   for (double& mass : options.masses) mass /= sum;
   const Transported done = transported(sites, options);
   ASSERT_EQ(done.end, TransportEnd::converged);
-  Session session = sessionOf();
+  Session session = cpuSession();
   CellsOptions cells{};
   cells.domain = {0, 0, 1, 1};
   EXPECT_LE(worstOf(session.cells(done.sites, cells).value().area, options.masses), 1e-7);

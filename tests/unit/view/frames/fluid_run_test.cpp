@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "unit/fixtures/cpu_session.h"
 #include "view/frames/flow_colors.h"
 #include "view/frames/painter.h"
 
@@ -29,11 +30,9 @@ FixedFluid begun(FluidCase which) { return toBegin(fluidCase(which, 64)); }
 
 /// What the library has after as many steps.
 FluidState stateAfter(FluidCase which, int steps) {
-  BackendOptions backend;
-  backend.name = "cpu";
-  auto session = Session::open(backend);
+  Session session = test::cpuSession();
   FluidSetup setup = fluidCase(which, 64);
-  auto fluid = Fluid::begin(*session, setup.state, setup.options);
+  auto fluid = Fluid::begin(session, setup.state, setup.options);
   for (int step = 0; step < steps; ++step) EXPECT_TRUE(*fluid->step());
   return fluid->state();
 }
