@@ -1,5 +1,8 @@
 /// The targets without libFuzzer: what was found once, and what a deterministic loop makes of the seeds.
 /// Usage: fuzz_replay SEEDS SECONDS [NAME...]
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -33,27 +36,46 @@ std::vector<std::string> seedsIn(const fs::path& folder) {
   return seeds;
 }
 
-/// What is being run, to find out from why the process ended.
-std::string current_path;
+/// What is being run, to find out from why the process ended. It stays open and is written over: a file made
+/// anew for each run took more than most runs.
+class CurrentInput {
+ public:
+  explicit CurrentInput(const fs::path& path)
+      : file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644)) {
+    require(file_ >= 0, "the file for the input can be opened");
+  }
+  CurrentInput(const CurrentInput&) = delete;
+  CurrentInput& operator=(const CurrentInput&) = delete;
+  ~CurrentInput() { ::close(file_); }
 
-void runOne(const Target& target, const std::string& bytes) {
-  std::ofstream(current_path, std::ios::binary | std::ios::trunc) << bytes;
+  void keep(const std::string& bytes) {
+    const bool written = ::pwrite(file_, bytes.data(), bytes.size(), 0) == std::ssize(bytes) &&
+                         ::ftruncate(file_, std::ssize(bytes)) == 0;
+    require(written, "the input can be kept");
+  }
+
+ private:
+  int file_;
+};
+
+void runOne(const Target& target, const std::string& bytes, CurrentInput& current) {
+  current.keep(bytes);
   target.run(bytes);
 }
 
-void replay(const Target& target, const fs::path& seeds_folder, double seconds) {
+void replay(const Target& target, const fs::path& seeds_folder, double seconds, CurrentInput& current) {
   using Clock = std::chrono::steady_clock;
   const auto seeds = seedsIn(seeds_folder / target.name);
   require(!seeds.empty(), "each target has seeds");
   const auto begin = Clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - begin).count(); };
-  for (const std::string& seed : seeds) runOne(target, seed);
+  for (const std::string& seed : seeds) runOne(target, seed, current);
   Mutation mutation(seeds, target.longest);
   std::uint64_t runs = seeds.size();
   double longest = 0;
   while (elapsed() < seconds) {
     const double before = elapsed();
-    runOne(target, mutation.next());
+    runOne(target, mutation.next(), current);
     longest = std::max(longest, elapsed() - before);
     ++runs;
   }
@@ -63,7 +85,8 @@ void replay(const Target& target, const fs::path& seeds_folder, double seconds) 
 }
 
 int replayAll(const fs::path& seeds, double seconds, std::vector<std::string_view> names) {
-  current_path = fs::current_path() / "fuzz_input";
+  const fs::path current_path = fs::current_path() / "fuzz_input";
+  CurrentInput current(current_path);
   if (names.empty())
     for (const Target& target : targets()) names.push_back(target.name);
   for (const std::string_view name : names) {
@@ -73,7 +96,7 @@ int replayAll(const fs::path& seeds, double seconds, std::vector<std::string_vie
       return 2;
     }
     std::fprintf(stderr, "%s, input in %s\n", target->name.data(), current_path.c_str());
-    replay(*target, seeds, seconds / static_cast<double>(names.size()));
+    replay(*target, seeds, seconds / static_cast<double>(names.size()), current);
   }
   return 0;
 }
