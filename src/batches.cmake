@@ -54,7 +54,6 @@ set(vorpipe_alone
     delaunay/triangulation.cpp
     diagram/dual_triangles.cpp
     discs/far_disc.cpp
-    draw_marks.cpp
     edges.cpp
     fish.cpp
     legend.cpp
@@ -68,7 +67,6 @@ set(vorpipe_alone
     outline/clipped_records.cpp
     outline/own_parts.cpp
     outline/validity.cpp
-    palette_index.cpp
     panel/panel.cpp
     periodic/band.cpp
     periodic/band_proof.cpp
@@ -105,6 +103,7 @@ set(vorpipe_batched_rooms
     vorpipe_cli_reports
     vorpipe_cli_runs
     vorpipe_cli_terminal
+    vorpipe_colors
     vorpipe_compare
     vorpipe_delaunay
     vorpipe_diagram
@@ -122,6 +121,7 @@ set(vorpipe_batched_rooms
     vorpipe_io_pictures
     vorpipe_io_points
     vorpipe_io_text
+    vorpipe_marks
     vorpipe_moved_fluid
     vorpipe_moved_linear
     vorpipe_moved_relax

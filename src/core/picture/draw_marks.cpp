@@ -3,10 +3,10 @@
 #include <cmath>
 #include <optional>
 
-#include "core/picture/blend.h"
-#include "core/picture/font.h"
+#include "core/marks/blend.h"
+#include "core/marks/font.h"
+#include "core/marks/smooth.h"
 #include "core/picture/frame.h"
-#include "core/picture/smooth.h"
 
 namespace vorpipe::core {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <functional>
 
-#include "core/picture/overlay.h"
-#include "core/picture/strokes.h"
+#include "core/marks/overlay.h"
+#include "core/marks/strokes.h"
 
 namespace vorpipe::core {
 

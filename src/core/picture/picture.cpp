@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "base/stopwatch.h"
+#include "core/colors/colormap.h"
+#include "core/marks/draw_legend.h"
 #include "core/outline/pixel_mask.h"
 #include "core/periodic/scene.h"
-#include "core/picture/colormap.h"
-#include "core/picture/draw_legend.h"
 #include "core/picture/draw_marks.h"
 #include "core/picture/draw_places.h"
 #include "core/picture/frame.h"

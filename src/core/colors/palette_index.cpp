@@ -1,10 +1,10 @@
-#include "core/picture/palette_index.h"
+#include "core/colors/palette_index.h"
 
 #include <algorithm>
 
 #include "base/parallel.h"
-#include "core/picture/color_scale.h"
-#include "core/picture/colormap.h"
+#include "core/colors/color_scale.h"
+#include "core/colors/colormap.h"
 
 namespace vorpipe::core {
 namespace {

@@ -2,7 +2,7 @@
 /// as they are.
 #pragma once
 
-#include "core/picture/strokes.h"
+#include "core/marks/strokes.h"
 
 namespace vorpipe::core {
 

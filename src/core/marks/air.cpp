@@ -3,7 +3,7 @@
 
 #include "base/parallel.h"
 #include "base/refusal.h"
-#include "core/picture/blend.h"
+#include "core/marks/blend.h"
 #include "vorpipe.h"
 #include "vorpipe/free_surface.h"
 

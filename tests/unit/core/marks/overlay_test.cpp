@@ -1,4 +1,4 @@
-#include "core/picture/overlay.h"
+#include "core/marks/overlay.h"
 
 #include <gtest/gtest.h>
 

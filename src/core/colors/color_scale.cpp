@@ -1,4 +1,4 @@
-#include "core/picture/color_scale.h"
+#include "core/colors/color_scale.h"
 
 #include <fmt/core.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "base/parallel_sort.h"
-#include "core/picture/color_ticks.h"
+#include "core/colors/color_ticks.h"
 
 namespace vorpipe::core {
 namespace {

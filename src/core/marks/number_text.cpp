@@ -1,4 +1,4 @@
-#include "core/picture/number_text.h"
+#include "core/marks/number_text.h"
 
 #include <fmt/core.h>
 

@@ -1,11 +1,11 @@
-#include "core/picture/font.h"
+#include "core/marks/font.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
-#include "core/picture/blend.h"
+#include "core/marks/blend.h"
 
 namespace vorpipe::core {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/picture/room.h"
+#include "core/marks/room.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
-#include "core/picture/draw_legend.h"
+#include "core/marks/draw_legend.h"
 
 #include <cmath>
 
-#include "core/picture/blend.h"
-#include "core/picture/font.h"
+#include "core/marks/blend.h"
+#include "core/marks/font.h"
 
 namespace vorpipe::core {
 

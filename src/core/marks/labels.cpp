@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "core/picture/font.h"
-#include "core/picture/room.h"
+#include "core/marks/font.h"
+#include "core/marks/room.h"
 #include "vorpipe/shapes.h"
 
 namespace vorpipe {

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "core/picture/colormap.h"
-#include "core/picture/font.h"
-#include "core/picture/number_text.h"
+#include "core/colors/colormap.h"
+#include "core/marks/font.h"
+#include "core/marks/number_text.h"
 #include "vorpipe.h"
 
 namespace vorpipe::core {

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "core/picture/strokes.h"
+#include "core/marks/strokes.h"
 
 namespace vorpipe::core {
 

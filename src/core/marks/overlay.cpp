@@ -1,11 +1,11 @@
-#include "core/picture/overlay.h"
+#include "core/marks/overlay.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "base/parallel.h"
-#include "core/picture/blend.h"
+#include "core/marks/blend.h"
 
 namespace vorpipe::core {
 namespace {

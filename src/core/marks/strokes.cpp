@@ -1,4 +1,4 @@
-#include "core/picture/strokes.h"
+#include "core/marks/strokes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "core/picture/blend.h"
+#include "core/marks/blend.h"
 
 namespace vorpipe::core {
 namespace {

@@ -6,8 +6,8 @@
 #include <set>
 #include <string>
 
-#include "core/picture/font.h"
-#include "core/picture/smooth.h"
+#include "core/marks/font.h"
+#include "core/marks/smooth.h"
 #include "unit/fixtures/checked_runs.h"
 #include "vorpipe/shapes.h"
 

@@ -1,4 +1,4 @@
-#include "core/picture/color_ticks.h"
+#include "core/colors/color_ticks.h"
 
 #include <algorithm>
 #include <array>

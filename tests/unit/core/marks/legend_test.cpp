@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/picture/draw_legend.h"
-#include "core/picture/font.h"
-#include "core/picture/number_text.h"
+#include "core/marks/draw_legend.h"
+#include "core/marks/font.h"
+#include "core/marks/number_text.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {

@@ -1,4 +1,4 @@
-#include "core/picture/color_scale.h"
+#include "core/colors/color_scale.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "core/picture/palette_index.h"
+#include "core/colors/palette_index.h"
 
 namespace vorpipe::test {
 

@@ -1,10 +1,10 @@
-#include "core/picture/smooth.h"
+#include "core/marks/smooth.h"
 
 #include <algorithm>
 #include <array>
 
 #include "base/parallel.h"
-#include "core/picture/blend.h"
+#include "core/marks/blend.h"
 
 namespace vorpipe::core {
 namespace {

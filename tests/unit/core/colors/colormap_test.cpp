@@ -1,4 +1,4 @@
-#include "core/picture/colormap.h"
+#include "core/colors/colormap.h"
 
 #include <gtest/gtest.h>
 
