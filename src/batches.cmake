@@ -113,6 +113,7 @@ set(vorpipe_batched_rooms
     vorpipe_geometry
     vorpipe_io_arrays
     vorpipe_io_cells
+    vorpipe_io_columns
     vorpipe_io_domain
     vorpipe_io_edges
     vorpipe_io_files
@@ -121,6 +122,7 @@ set(vorpipe_batched_rooms
     vorpipe_io_pictures
     vorpipe_io_points
     vorpipe_io_text
+    vorpipe_io_weights
     vorpipe_marks
     vorpipe_moved_fluid
     vorpipe_moved_linear

@@ -10,7 +10,7 @@
 #include "io/domain/density_file.h"
 #include "io/domain/outline_file.h"
 #include "io/sites/sites_file.h"
-#include "io/sites/weights_file.h"
+#include "io/weights/weights_file.h"
 #include "results.h"
 #include "runs.h"
 

@@ -13,7 +13,7 @@
 #include "io/files/error.h"
 #include "io/sites/site_source.h"
 #include "io/sites/sites_file.h"
-#include "io/sites/weights_file.h"
+#include "io/weights/weights_file.h"
 
 namespace vorpipe::c {
 namespace {

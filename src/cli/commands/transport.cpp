@@ -21,8 +21,8 @@
 #include "cli/terminal/progress.h"
 #include "io/files/error.h"
 #include "io/forecast/forecast_files.h"
-#include "io/sites/weights_file.h"
 #include "io/text/number.h"
+#include "io/weights/weights_file.h"
 
 namespace vorpipe::cli {
 namespace {

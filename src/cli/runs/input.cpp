@@ -9,7 +9,7 @@
 #include "io/domain/outline_file.h"
 #include "io/files/error.h"
 #include "io/sites/site_source.h"
-#include "io/sites/weights_file.h"
+#include "io/weights/weights_file.h"
 
 namespace vorpipe::cli {
 namespace {

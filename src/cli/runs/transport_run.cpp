@@ -10,7 +10,7 @@
 
 #include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
-#include "io/sites/masses_file.h"
+#include "io/weights/masses_file.h"
 #include "vorpipe/masses.h"
 
 namespace vorpipe::cli {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "io/attributes/coordinate_system.h"
+#include "io/columns/weight_name.h"
 #include "io/sites/table_builder.h"
-#include "io/sites/weight_name.h"
 
 namespace vorpipe {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <utility>
 
+#include "io/columns/csv_attributes.h"
+#include "io/columns/csv_columns.h"
 #include "io/files/error.h"
-#include "io/sites/csv_attributes.h"
-#include "io/sites/csv_columns.h"
 #include "io/sites/sites_reader.h"
 #include "io/sites/table_builder.h"
 #include "io/sites/wkt_points.h"

@@ -5,12 +5,12 @@
 #include <optional>
 #include <utility>
 
+#include "io/columns/weight_name.h"
 #include "io/files/error.h"
 #include "io/geopackage/geometry_points.h"
 #include "io/geopackage/point_layer.h"
 #include "io/sites/sites_reader.h"
 #include "io/sites/table_builder.h"
-#include "io/sites/weight_name.h"
 #include "io/text/number.h"
 #include "io/text/utf8.h"
 

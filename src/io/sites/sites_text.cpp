@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "io/columns/column_choice.h"
 #include "io/files/error.h"
-#include "io/sites/column_choice.h"
 #include "io/sites/sites_reader.h"
 #include "io/sites/table_builder.h"
 #include "io/text/line_reader.h"

@@ -9,7 +9,7 @@
 
 #include "io/domain/outline_file.h"
 #include "io/files/extension.h"
-#include "io/sites/weights_file.h"
+#include "io/weights/weights_file.h"
 #include "unit/io/sites/sites_fixture.h"
 
 namespace vorpipe::test {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/arrays/npy_array.h"
-#include "io/sites/weights_file.h"
+#include "io/weights/weights_file.h"
 #include "unit/fixtures/temporary_directory.h"
 
 namespace vorpipe::test {

@@ -1,4 +1,4 @@
-#include "io/sites/csv_columns.h"
+#include "io/columns/csv_columns.h"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -7,8 +7,8 @@
 #include <array>
 #include <utility>
 
+#include "io/columns/column_choice.h"
 #include "io/files/error.h"
-#include "io/sites/column_choice.h"
 #include "io/text/lower_case.h"
 
 namespace vorpipe {

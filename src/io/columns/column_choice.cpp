@@ -1,4 +1,4 @@
-#include "io/sites/column_choice.h"
+#include "io/columns/column_choice.h"
 
 #include <fmt/core.h>
 

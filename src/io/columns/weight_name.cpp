@@ -1,4 +1,4 @@
-#include "io/sites/weight_name.h"
+#include "io/columns/weight_name.h"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "io/attributes/coordinate_system.h"
-#include "io/sites/weight_name.h"
+#include "io/columns/weight_name.h"
 #include "vorpipe.h"
 
 namespace vorpipe {

@@ -1,4 +1,4 @@
-#include "io/sites/csv_attributes.h"
+#include "io/columns/csv_attributes.h"
 
 #include <algorithm>
 #include <optional>

@@ -1,15 +1,15 @@
-#include "io/sites/masses_file.h"
+#include "io/weights/masses_file.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 
+#include "io/columns/weight_name.h"
 #include "io/files/error.h"
-#include "io/sites/site_numbers.h"
-#include "io/sites/weight_name.h"
 #include "io/text/lower_case.h"
 #include "io/text/number.h"
+#include "io/weights/site_numbers.h"
 
 namespace vorpipe {
 namespace {

@@ -1,4 +1,4 @@
-#include "io/sites/attribute_columns.h"
+#include "io/columns/attribute_columns.h"
 
 #include <fmt/core.h>
 

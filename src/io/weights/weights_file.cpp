@@ -1,15 +1,15 @@
-#include "io/sites/weights_file.h"
+#include "io/weights/weights_file.h"
 
 #include <optional>
 #include <random>
 #include <string_view>
 
 #include "io/arrays/npy_array.h"
+#include "io/columns/weight_name.h"
 #include "io/files/error.h"
 #include "io/files/extension.h"
-#include "io/sites/site_numbers.h"
-#include "io/sites/weight_name.h"
 #include "io/text/print.h"
+#include "io/weights/site_numbers.h"
 
 namespace vorpipe {
 

@@ -1,4 +1,4 @@
-#include "io/sites/site_numbers.h"
+#include "io/weights/site_numbers.h"
 
 #include <fmt/format.h>
 
