@@ -12,8 +12,8 @@
 #include "c/handles.h"
 #include "c/options.h"
 #include "io/attributes/attribute.h"
-#include "io/files/error.h"
 #include "io/sites/attribute_values.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe::c {
 namespace {

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "io/text/quoted.h"
 #include "target.h"
 
 namespace vorpipe::fuzz {
@@ -51,7 +52,7 @@ void require(bool kept, std::string_view promise) {
 void requireTold(const Error& error, std::string_view subject) {
   constexpr std::size_t longest = 2000;
   require(error.message.starts_with(subject), "an error begins with what it is about: " + error.message);
-  require(error.message.find_first_of("\r\n") == std::string::npos, "an error is one line: " + error.message);
+  require(escaped(error.message) == error.message, "an error is one line of UTF-8: " + error.message);
   require(error.message.size() <= longest, "an error is no longer than 2000 bytes");
   require(error.code == ErrorCode::input, "bad input is an input error: " + error.message);
 }

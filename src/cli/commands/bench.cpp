@@ -19,6 +19,7 @@
 #include "cli/terminal/progress.h"
 #include "io/files/error.h"
 #include "io/forecast/forecast_files.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

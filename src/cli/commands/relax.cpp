@@ -23,6 +23,7 @@
 #include "io/files/error.h"
 #include "io/forecast/forecast_files.h"
 #include "io/text/number.h"
+#include "io/text/quoted.h"
 #include "vorpipe/stipple.h"
 
 namespace vorpipe::cli {

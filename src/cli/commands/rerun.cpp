@@ -15,6 +15,7 @@
 #include "cli/terminal/error_line.h"
 #include "io/files/error.h"
 #include "io/files/input_file.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -23,6 +23,7 @@
 #include "cli/terminal/progress.h"
 #include "io/domain/density_file.h"
 #include "io/files/error.h"
+#include "io/text/quoted.h"
 #include "view/app/app.h"
 #include "view/app/window_screen.h"
 

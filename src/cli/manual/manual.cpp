@@ -11,6 +11,7 @@
 #include "cli/manual/completions.h"
 #include "cli/manual/roff.h"
 #include "io/files/error.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

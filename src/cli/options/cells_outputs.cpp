@@ -10,6 +10,7 @@
 #include "cli/options/standard_output.h"
 #include "io/cells/measures_npz.h"
 #include "io/files/error.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "cli/options/suggestion.h"
 #include "cli/options/unknown_option.h"
 #include "cli/terminal/error_line.h"
-#include "io/files/error.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

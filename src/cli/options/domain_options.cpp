@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "io/files/error.h"
 #include "io/text/number.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe::cli {
 

@@ -14,6 +14,7 @@
 #include "io/fluid/fluid_state.h"
 #include "io/sites/sites_file.h"
 #include "io/text/number.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "io/files/error.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -5,6 +5,7 @@
 #include "cli/options/options.h"
 #include "io/files/error.h"
 #include "io/text/number.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -9,9 +9,9 @@
 #include <cmath>
 
 #include "cli/options/suggestion.h"
-#include "io/files/error.h"
 #include "io/files/extension.h"
 #include "io/text/number.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "io/files/error.h"
 #include "io/text/number.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

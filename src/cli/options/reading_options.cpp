@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "io/files/error.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -12,6 +12,7 @@
 #include "cli/options/standard_output.h"
 #include "io/files/error.h"
 #include "io/pictures/picture_file.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

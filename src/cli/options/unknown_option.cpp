@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "cli/options/suggestion.h"
-#include "io/files/error.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -11,6 +11,7 @@
 
 #include "io/files/error.h"
 #include "io/files/replaced_file.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

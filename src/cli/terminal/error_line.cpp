@@ -2,18 +2,15 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cstdio>
-#include <string>
+
+#include "io/text/quoted.h"
 
 namespace vorpipe::cli {
 
 void printError(std::string_view message) {
-  std::string line(message);
-  std::ranges::replace_if(
-      line, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; }, ' ');
   // What standard error does not take is lost: fmt::print would throw.
-  std::fputs(fmt::format("vorpipe: {}\n", line).c_str(), stderr);
+  std::fputs(fmt::format("vorpipe: {}\n", escaped(message)).c_str(), stderr);
 }
 
 void printOutOfMemory() { std::fputs("vorpipe: there is not enough memory for this\n", stderr); }

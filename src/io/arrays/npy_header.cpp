@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "io/files/error.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe {
 namespace {

@@ -9,6 +9,7 @@
 
 #include "io/files/error.h"
 #include "io/files/input_file.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe {
 namespace {

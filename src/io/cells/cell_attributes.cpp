@@ -7,9 +7,9 @@
 #include <string_view>
 #include <unordered_set>
 
-#include "io/files/error.h"
 #include "io/text/field_text.h"
 #include "io/text/lower_case.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe {
 namespace {

@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "io/files/error.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe {
 

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "io/columns/column_choice.h"
-#include "io/files/error.h"
 #include "io/text/lower_case.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe {
 namespace {

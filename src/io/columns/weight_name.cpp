@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/files/error.h"
 #include "io/text/lower_case.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe {
 

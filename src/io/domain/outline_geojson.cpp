@@ -6,6 +6,7 @@
 #include "io/domain/outline_reader.h"
 #include "io/files/error.h"
 #include "io/text/json_parser.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe {
 namespace {

@@ -33,21 +33,4 @@ tl::unexpected<Error> systemError(ErrorCode kind, std::string_view file, std::st
       Error{kind, fmt::format("{}: {}: {}", file, what, std::generic_category().message(code))});
 }
 
-std::string printable(std::string_view text) {
-  constexpr std::size_t longest = 40;
-  std::string result;
-  for (const char c : text.substr(0, longest)) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7F) {
-      result += fmt::format("\\x{:02x}", byte);
-    } else {
-      result += c;
-    }
-  }
-  if (text.size() > longest) result += "...";
-  return result;
-}
-
-std::string quoted(std::string_view text) { return fmt::format("\"{}\"", printable(text)); }
-
 }  // namespace vorpipe

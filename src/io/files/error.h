@@ -18,10 +18,4 @@ tl::unexpected<Error> deviceError(std::string message);
 /// kind, where the system has no room: a full disk, too many open files.
 tl::unexpected<Error> systemError(ErrorCode kind, std::string_view file, std::string_view what, int code);
 
-/// `text` for a message: one line, bytes that do not print as \xNN, cut after 40 bytes.
-std::string printable(std::string_view text);
-
-/// The same in double quotes.
-std::string quoted(std::string_view text);
-
 }  // namespace vorpipe

@@ -12,6 +12,7 @@
 
 #include "io/files/error.h"
 #include "io/files/input_file.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe {
 namespace {
@@ -95,10 +96,8 @@ tl::unexpected<Error> PointLayer::failed(int code) const {
   if (!limits_->refusal().empty()) {
     return inputError(fmt::format("{}: cannot be read: {}", path_, limits_->refusal()));
   }
-  std::string message = fmt::format("{}: cannot be read: {}", path_, sqlite3_errmsg(database_.get()));
-  // SQLite quotes what the file has, line ends among it.
-  std::ranges::replace_if(
-      message, [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
+  // SQLite quotes what the file has.
+  const auto message = fmt::format("{}: cannot be read: {}", path_, escaped(sqlite3_errmsg(database_.get())));
   const bool device = (code & primary) == SQLITE_NOMEM || (code & primary) == SQLITE_IOERR;
   return device ? deviceError(message) : inputError(message);
 }

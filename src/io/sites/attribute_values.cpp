@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "io/files/error.h"
+#include "io/text/quoted.h"
 #include "io/text/utf8.h"
 
 namespace vorpipe {

@@ -9,8 +9,8 @@
 #include <system_error>
 #include <utility>
 
-#include "io/files/error.h"
 #include "io/sites/wkt_points.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe {
 namespace {

@@ -13,6 +13,7 @@
 
 #include "io/files/error.h"
 #include "io/sites/sites_file.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe {
 namespace {

@@ -16,6 +16,7 @@
 #include "io/sites/wkt_points.h"
 #include "io/text/csv_reader.h"
 #include "io/text/number.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe {
 namespace {

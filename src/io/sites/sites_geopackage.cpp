@@ -12,6 +12,7 @@
 #include "io/sites/sites_reader.h"
 #include "io/sites/table_builder.h"
 #include "io/text/number.h"
+#include "io/text/quoted.h"
 #include "io/text/utf8.h"
 
 namespace vorpipe {

@@ -6,7 +6,7 @@
 #include <string>
 #include <system_error>
 
-#include "io/files/error.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe {
 namespace {
@@ -43,8 +43,11 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
-tl::expected<double, std::string> parseNumber(std::string_view text) {
-  std::string_view number = trimmed(text);
+namespace {
+
+/// The number that `number` is, which stands in a file as `text`.
+tl::expected<double, std::string> numberIn(std::string_view number, std::string_view text) {
+  number = trimmed(number);
   if (number.empty()) {
     return tl::unexpected(std::string("empty field"));
   }
@@ -69,6 +72,10 @@ tl::expected<double, std::string> parseNumber(std::string_view text) {
   return value;
 }
 
+}  // namespace
+
+tl::expected<double, std::string> parseNumber(std::string_view text) { return numberIn(text, text); }
+
 tl::expected<Decimal, std::string> parseDecimal(std::string_view text) {
   const auto commas = std::ranges::count(text, ',');
   const bool point = text.find('.') != std::string_view::npos;
@@ -82,9 +89,7 @@ tl::expected<Decimal, std::string> parseDecimal(std::string_view text) {
   if (commas > 1) return tl::unexpected(quoted(text) + " has several commas");
   std::string with_point(text);
   std::ranges::replace(with_point, ',', '.');
-  const auto value = parseNumber(with_point);
-  if (!value) return tl::unexpected(quoted(text) + " is not a finite number");
-  return Decimal{*value, DecimalMark::comma};
+  return numberIn(with_point, text).map([](double value) { return Decimal{value, DecimalMark::comma}; });
 }
 
 }  // namespace vorpipe

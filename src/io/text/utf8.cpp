@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
 
 namespace vorpipe {
@@ -51,14 +50,19 @@ void append(std::string& text, std::uint32_t code) {
 
 }  // namespace
 
+std::size_t characterLength(std::string_view bytes) {
+  const std::size_t length = bytes.empty() ? 0 : lengthFrom(static_cast<unsigned char>(bytes[0]));
+  if (length > bytes.size()) return 0;
+  return length < 2 || isCharacter(bytes.substr(0, length)) ? length : 0;
+}
+
 bool isUtf8(std::string_view bytes) {
   const auto first =
       std::ranges::find_if(bytes, [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
   bytes.remove_prefix(static_cast<std::size_t>(first - bytes.begin()));
   while (!bytes.empty()) {
-    const std::size_t length = lengthFrom(static_cast<unsigned char>(bytes[0]));
-    if (length == 0 || length > bytes.size()) return false;
-    if (length > 1 && !isCharacter(bytes.substr(0, length))) return false;
+    const std::size_t length = characterLength(bytes);
+    if (length == 0) return false;
     bytes.remove_prefix(length);
   }
   return true;

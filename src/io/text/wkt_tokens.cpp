@@ -13,6 +13,7 @@
 #include "io/files/error.h"
 #include "io/text/line_reader.h"
 #include "io/text/number.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe {
 namespace {

@@ -9,6 +9,7 @@
 #include "io/files/error.h"
 #include "io/text/lower_case.h"
 #include "io/text/number.h"
+#include "io/text/quoted.h"
 #include "io/weights/site_numbers.h"
 
 namespace vorpipe {

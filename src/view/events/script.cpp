@@ -11,6 +11,7 @@
 #include "io/files/error.h"
 #include "io/files/input_file.h"
 #include "io/text/number.h"
+#include "io/text/quoted.h"
 #include "view/events/words.h"
 #include "vorpipe/picture.h"
 
