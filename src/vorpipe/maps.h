@@ -12,14 +12,16 @@
 namespace vorpipe {
 
 /// A projection whose center is amid places in degrees, however they lie to the antimeridian and the poles,
-/// rounded to 0.01 degrees: in the direction of the middle of the box around them in space. Errors (input):
-/// a place has a latitude beyond 90 or a longitude beyond 360 degrees from 0; there is none.
+/// rounded to 0.01 degrees: in the direction of the middle of the box around them in space. Amid an outline
+/// that is all around the Earth, as the equator is, it is that of what lies to the left. Errors (input): a
+/// place has a latitude beyond 90 or a longitude beyond 360 degrees from 0; there is none.
 Result<Projection> projectionAmid(const Sites& degrees);
 Result<Projection> projectionAmid(const Outline& degrees);
 
 /// A box in degrees as an outline, its sides along parallels in steps of a few degrees. Its longitudes may be
 /// of any turn; a box of 360 degrees goes around the Earth. Errors (input): a latitude beyond 90 or a
-/// longitude beyond 360 degrees from 0, more than 360 degrees of longitude, both poles.
+/// longitude beyond 360 degrees from 0, more than 360 degrees of longitude; all around the Earth on both
+/// sides of the equator.
 Result<Outline> outlineOfDegrees(const Box& degrees);
 
 /// Sites from degrees to the plane; weights stay, which are square kilometers then. Errors: as

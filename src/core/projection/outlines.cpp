@@ -131,12 +131,18 @@ Result<Outline> outlineOfDegrees(const Box& degrees) {
   } else {
     // Around a pole: the parallel away from it, and inside it the other, unless that is the pole itself.
     if (ymin == -quarter && ymax == quarter) return refuse("it is the whole Earth");
+    if (ymin < 0 && ymax > 0) {
+      return refuse(
+          "it goes around the Earth on both sides of the equator, farther than 90 degrees from either pole; "
+          "name a part of it");
+    }
     const bool north = ymin + ymax > 0;
     for (const double latitude : {north ? ymin : ymax, north ? ymax : ymin}) {
       if (std::abs(latitude) == quarter) continue;
       ring.clear();
-      addParallel(latitude, xmin, xmax, ring);
-      ring.push_back({xmax, latitude});
+      // Of the two sides of the equator, what is meant lies to the left.
+      addParallel(latitude, north ? xmin : xmax, north ? xmax : xmin, ring);
+      ring.push_back({north ? xmax : xmin, latitude});
       addRing(ring, outline);
     }
   }

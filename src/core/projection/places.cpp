@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,40 +34,61 @@ tl::unexpected<Error> noPlace(Subject subject, const std::string& what, Point de
                   what, degrees.x, degrees.y, turn, quarter)));
 }
 
-/// The box around places as points of the unit sphere.
+/// From the center of the Earth, in units of its radius.
+using SpacePoint = std::array<double, 3>;
+
+SpacePoint inSpace(Point degrees) {
+  const double x = degrees.x * degree, y = degrees.y * degree;
+  return {std::cos(y) * std::cos(x), std::cos(y) * std::sin(x), std::sin(y)};
+}
+
+/// Where what is seen in this direction from the center of the Earth lies; degrees. Nothing: the center
+/// itself.
+std::optional<Point> placeToward(const SpacePoint& at) {
+  constexpr double least = 1e-9;
+  const double across = std::hypot(at[0], at[1]);
+  if (across >= least) return Point{std::atan2(at[1], at[0]) / degree, std::atan2(at[2], across) / degree};
+  // At a pole any longitude is as good.
+  if (std::abs(at[2]) >= least) return Point{0, std::copysign(quarter, at[2])};
+  return {};
+}
+
+/// The box around places in space.
 class SpaceBox {
  public:
   void add(Point degrees) {
-    const double x = degrees.x * degree, y = degrees.y * degree;
-    const std::array<double, 3> at = {std::cos(y) * std::cos(x), std::cos(y) * std::sin(x), std::sin(y)};
+    const SpacePoint at = inSpace(degrees);
     for (std::size_t k = 0; k < at.size(); ++k) {
       low_[k] = std::min(low_[k], at[k]);
       high_[k] = std::max(high_[k], at[k]);
     }
   }
 
-  /// Where the box's middle lies, seen from the center of the Earth; degrees.
-  [[nodiscard]] Point middle() const {
-    const double x = low_[0] + high_[0], y = low_[1] + high_[1], z = low_[2] + high_[2];
-    const double across = std::hypot(x, y);
-    // All around the Earth, or a pole, any direction is as good.
-    constexpr double least = 1e-9;
-    const bool around = across < least;
-    return {around ? 0 : std::atan2(y, x) / degree,
-            around && std::abs(z) < least ? 0 : std::atan2(z, across) / degree};
+  /// Where its middle lies. Nothing: places are all around the Earth.
+  [[nodiscard]] std::optional<Point> middle() const {
+    return placeToward({low_[0] + high_[0], low_[1] + high_[1], low_[2] + high_[2]});
   }
 
  private:
-  std::array<double, 3> low_ = {1, 1, 1}, high_ = {-1, -1, -1};
+  SpacePoint low_ = {1, 1, 1}, high_ = {-1, -1, -1};
 };
 
-template <class PlaceAt>
-Result<Projection> amid(std::size_t count, const PlaceAt& placeAt) {
-  SpaceBox box;
-  for (std::size_t i = 0; i < count; ++i) box.add(placeAt(i));
+/// The middle of what lies to the left of a ring: of a hemisphere, whose border is all around the Earth.
+std::optional<Point> middleLeftOf(std::span<const Point> ring) {
+  SpacePoint sum{};
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const SpacePoint a = inSpace(ring[i]), b = inSpace(ring[(i + 1) % ring.size()]);
+    for (std::size_t k = 0; k < sum.size(); ++k) {
+      const std::size_t next = (k + 1) % sum.size(), last = (k + 2) % sum.size();
+      sum[k] += a[next] * b[last] - a[last] * b[next];
+    }
+  }
+  return placeToward(sum);
+}
+
+Result<Projection> projectionNear(Point middle) {
   constexpr double steps = 100;  // of a degree
   const auto rounded = [](double degrees) { return std::round(degrees * steps) / steps + 0.0; };
-  const Point middle = box.middle();
   return Projection::around({rounded(middle.x), rounded(middle.y)});
 }
 
@@ -83,7 +106,9 @@ Result<void> checkPlaces(const Sites& degrees) {
 Result<Projection> projectionAmid(const Sites& degrees) {
   if (degrees.size() == 0) return tl::unexpected(refusalOf(Subject::sites, "there are none"));
   if (auto checked = checkPlaces(degrees); !checked) return tl::unexpected(std::move(checked.error()));
-  return amid(degrees.size(), [&](std::size_t i) { return Point{degrees.x[i], degrees.y[i]}; });
+  SpaceBox box;
+  for (std::size_t i = 0; i < degrees.size(); ++i) box.add({degrees.x[i], degrees.y[i]});
+  return projectionNear(box.middle().value_or(Point{0, 0}));
 }
 
 Result<Projection> projectionAmid(const Outline& degrees) {
@@ -91,7 +116,11 @@ Result<Projection> projectionAmid(const Outline& degrees) {
   for (const Point place : degrees.points) {
     if (!isPlace(place)) return noPlace(Subject::outline, "the point", place);
   }
-  return amid(degrees.points.size(), [&](std::size_t i) { return degrees.points[i]; });
+  SpaceBox box;
+  for (const Point place : degrees.points) box.add(place);
+  if (const auto middle = box.middle()) return projectionNear(*middle);
+  const std::span<const Point> first(degrees.points.data(), degrees.ring_offsets[1]);
+  return projectionNear(middleLeftOf(first).value_or(Point{0, 0}));
 }
 
 Result<Sites> toPlane(const Projection& projection, const Sites& degrees, int threads) {

@@ -70,6 +70,21 @@ TEST(Maps, centersLieAmidPlaces) {
   EXPECT_EQ(center({0, 90, 180, -90}, {-80, -80, -80, -80}).y, -90);
 }
 
+// The equator is the border of both hemispheres.
+TEST(Maps, hemispheresAreAroundTheirPoles) {
+  const auto centerOf = [](const Box& box) {
+    return projectionAmid(outlineOfDegrees(box).value())->center();
+  };
+  EXPECT_EQ(centerOf({-180, 0, 180, 90}), (Point{0, 90}));
+  EXPECT_EQ(centerOf({-180, -90, 180, 0}), (Point{0, -90}));
+  Outline west;
+  for (const Point place : {Point{0, -90}, Point{0, 0}, Point{0, 90}, Point{180, 0}})
+    west.points.push_back(place);
+  west.ring_offsets = {0, 4};
+  west.polygon_offsets = {0, 1};
+  EXPECT_EQ(projectionAmid(west)->center(), (Point{-90, 0}));
+}
+
 TEST(Maps, placesThatAreNoneAreRefused) {
   for (const Point bad : {Point{0, 91}, Point{400, 0}, Point{std::nan(""), 0}, Point{0, std::nan("")}}) {
     const auto amid = projectionAmid(Sites{{1, bad.x}, {2, bad.y}, {}});
@@ -82,6 +97,11 @@ TEST(Maps, placesThatAreNoneAreRefused) {
        {Box{0, 0, 1, 91}, Box{-400, 0, 0, 1}, Box{-180, -90, 180, 90}, Box{-200, 0, 200, 1}}) {
     EXPECT_FALSE(outlineOfDegrees(bad));
   }
+  for (const Box& around : {Box{-180, -5, 180, 5}, Box{0, -1, 360, 60}, Box{-180, -90, 180, 1e-9}}) {
+    const auto outline = outlineOfDegrees(around);
+    ASSERT_FALSE(outline);
+    EXPECT_THAT(outline.error().message, testing::HasSubstr("on both sides of the equator"));
+  }
 }
 
 TEST(Maps, boxesInDegreesHaveTheirAreaOnTheEllipsoid) {
@@ -91,6 +111,8 @@ TEST(Maps, boxesInDegreesHaveTheirAreaOnTheEllipsoid) {
                          {-180, 60, 180, 90},
                          {-180, 60, 180, 80},
                          {-180, -90, 180, -65},
+                         {-180, -90, 180, 0},
+                         {0, 0, 360, 90},
                          {30, 80, 60, 90},
                          {12, 41, 12.01, 41.01}}) {
     SCOPED_TRACE(fmt::format("{},{},{},{}", box.xmin, box.ymin, box.xmax, box.ymax));
