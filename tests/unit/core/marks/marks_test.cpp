@@ -19,20 +19,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-RenderOptions optionsOf(int width, int height) {
-  RenderOptions options{};
-  options.domain = {0, 0, 1, 1};
-  options.width = width;
-  options.height = height;
-  return options;
-}
-
-Rendering drawn(const Sites& sites, const RenderOptions& options) {
-  auto rendering = cpuSession().render(sites, options);
-  EXPECT_TRUE(rendering) << rendering.error().message;
-  return std::move(*rendering);
-}
-
 Diagram polygonsOf(const Sites& sites, const RenderOptions& options) {
   CellsOptions cells = cellsOptions(options);
   cells.detail = Detail::polygons;

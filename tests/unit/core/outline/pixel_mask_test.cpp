@@ -24,12 +24,6 @@ RenderOptions picture(const Outline& outline, int width, int height) {
   return options;
 }
 
-Rendering drawn(const Sites& sites, const RenderOptions& options) {
-  auto rendering = cpuSession().render(sites, options);
-  EXPECT_TRUE(rendering) << rendering.error().message;
-  return std::move(*rendering);
-}
-
 /// By the textbook, edge by edge.
 bool isInside(const Outline& outline, double x, double y) {
   bool inside = false;

@@ -19,14 +19,6 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-RenderOptions optionsOf(int width, int height) {
-  RenderOptions options{};
-  options.domain = {0, 0, 1, 1};
-  options.width = width;
-  options.height = height;
-  return options;
-}
-
 struct Scene {
   Sites sites;
   RenderOptions options;
