@@ -65,6 +65,19 @@ void Attribute::add(std::optional<std::string_view> value) {
   ends_.push_back(text_.size() * 2 + (value ? 0 : 1));
 }
 
+Attribute Attribute::rewritten(AttributeType type, std::string (*rewrite)(std::string_view)) const {
+  Attribute all(name_, type);
+  for (std::size_t site = 0; site < size(); ++site) {
+    const auto value = at(site);
+    if (value) {
+      all.add(rewrite(*value));
+    } else {
+      all.add(std::nullopt);
+    }
+  }
+  return all;
+}
+
 void Attribute::inferType() {
   bool any = false, integers = true, numbers = true, booleans = true;
   for (std::size_t site = 0; site < size() && (numbers || booleans); ++site) {

@@ -41,6 +41,9 @@ class Attribute {
   /// The value of the next site.
   void add(std::optional<std::string_view> value);
 
+  /// The same with each value rewritten; those that are missing stay so.
+  [[nodiscard]] Attribute rewritten(AttributeType type, std::string (*rewrite)(std::string_view)) const;
+
   void rename(std::string name) { name_ = std::move(name); }
   void setType(AttributeType type) { type_ = type; }
 

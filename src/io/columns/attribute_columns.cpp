@@ -18,20 +18,6 @@ AttributeType typeOf(AttributeType a, AttributeType b) {
   return isNumber(a) && isNumber(b) ? AttributeType::real : AttributeType::json;
 }
 
-/// Text as JSON, which is among other JSON from now on.
-Attribute quotedTexts(const Attribute& texts) {
-  Attribute json(texts.name(), AttributeType::json);
-  for (std::size_t site = 0; site < texts.size(); ++site) {
-    const auto text = texts.at(site);
-    if (text) {
-      json.add(jsonString(*text));
-    } else {
-      json.add(std::nullopt);
-    }
-  }
-  return json;
-}
-
 void fill(Attribute& attribute, std::size_t sites) {
   while (attribute.size() < sites) attribute.add(std::nullopt);
 }
@@ -63,8 +49,9 @@ void AttributeColumns::set(std::size_t column, AttributeType type, std::string_v
 void AttributeColumns::add(const Value& value, std::string_view text, std::size_t sites) {
   Attribute& attribute = columns_[value.column];
   const AttributeType type = has_values_[value.column] ? typeOf(attribute.type(), value.type) : value.type;
+  // Text is among other JSON from now on.
   if (type == AttributeType::json && attribute.type() == AttributeType::text)
-    attribute = quotedTexts(attribute);
+    attribute = attribute.rewritten(AttributeType::json, jsonString);
   has_values_[value.column] = true;
   attribute.setType(type);
   fill(attribute, sites_);

@@ -1,7 +1,6 @@
 #include "io/columns/csv_attributes.h"
 
 #include <algorithm>
-#include <optional>
 
 #include "io/text/utf8.h"
 
@@ -47,16 +46,7 @@ std::string_view CsvText::of(const CsvReader& csv, std::size_t field) {
 
 Attribute withDecimalPoints(Attribute attribute, DecimalMark mark) {
   if (mark == DecimalMark::point || !haveDecimalCommas(attribute, mark)) return attribute;
-  Attribute numbers(attribute.name());
-  for (std::size_t site = 0; site < attribute.size(); ++site) {
-    const auto value = attribute.at(site);
-    if (value) {
-      numbers.add(withPoint(*value));
-    } else {
-      numbers.add(std::nullopt);
-    }
-  }
-  return numbers;
+  return attribute.rewritten(attribute.type(), withPoint);
 }
 
 }  // namespace vorpipe
