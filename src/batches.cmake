@@ -99,6 +99,7 @@ set(vorpipe_batched_rooms
     vorpipe_cells
     vorpipe_check
     vorpipe_cli_manual
+    vorpipe_cli_moving
     vorpipe_cli_options
     vorpipe_cli_reports
     vorpipe_cli_runs
@@ -119,6 +120,7 @@ set(vorpipe_batched_rooms
     vorpipe_io_files
     vorpipe_io_fluid
     vorpipe_io_geopackage
+    vorpipe_io_meshes
     vorpipe_io_pictures
     vorpipe_io_points
     vorpipe_io_text

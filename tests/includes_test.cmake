@@ -109,7 +109,7 @@ set(users
     "^io/geopackage/"
     "^io/files/content_hash\\.cpp$"
     "^geos\\.h$"
-    "^(core/outline/(geos_outline|hull|mended|repaired|validity)|io/cells/hole_triangles)\\."
+    "^(core/outline/(geos_outline|hull|mended|repaired|validity)|io/meshes/hole_triangles)\\."
     "^core/outline/"
     "^cli/options/(command_line|help_format)\\.cpp$"
     "^base/parallel(_sort)?\\.cpp$"

@@ -9,6 +9,8 @@
 
 #include "bench/measured/driver_threads.h"
 #include "cli/commands/command.h"
+#include "cli/moving/view_fluid.h"
+#include "cli/moving/view_input.h"
 #include "cli/options/fluid_options.h"
 #include "cli/options/options.h"
 #include "cli/options/picture_options.h"
@@ -16,8 +18,6 @@
 #include "cli/runs/forecast.h"
 #include "cli/runs/input.h"
 #include "cli/runs/run_end.h"
-#include "cli/runs/view_fluid.h"
-#include "cli/runs/view_input.h"
 #include "cli/terminal/abrupt_end.h"
 #include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"

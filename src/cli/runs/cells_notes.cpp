@@ -6,8 +6,8 @@
 
 #include "cli/terminal/error_line.h"
 #include "io/cells/cell_attributes.h"
-#include "io/cells/cell_rings.h"
 #include "io/files/extension.h"
+#include "io/meshes/cell_rings.h"
 
 namespace vorpipe::cli {
 namespace {

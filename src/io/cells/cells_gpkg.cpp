@@ -4,10 +4,10 @@
 
 #include "io/cells/cell_attributes.h"
 #include "io/cells/cell_records.h"
-#include "io/cells/cell_rings.h"
 #include "io/cells/cells_file.h"
 #include "io/geopackage/attribute_fields.h"
 #include "io/geopackage/geopackage.h"
+#include "io/meshes/cell_rings.h"
 #include "io/text/field_text.h"
 
 namespace vorpipe {

@@ -1,5 +1,5 @@
 #include "io/cells/cells_file.h"
-#include "io/cells/cells_mesh.h"
+#include "io/meshes/cells_mesh.h"
 #include "io/text/print.h"
 
 namespace vorpipe {

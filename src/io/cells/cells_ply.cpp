@@ -1,6 +1,6 @@
 #include "io/cells/cells_file.h"
-#include "io/cells/cells_mesh.h"
 #include "io/files/byte_order.h"
+#include "io/meshes/cells_mesh.h"
 #include "io/text/print.h"
 
 namespace vorpipe {

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/cells/cell_rings.h"
 #include "io/cells/cells_file.h"
+#include "io/meshes/cell_rings.h"
 #include "io/text/print.h"
 
 namespace vorpipe {

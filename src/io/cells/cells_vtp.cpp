@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "io/cells/cells_file.h"
-#include "io/cells/mesh_arrays.h"
+#include "io/meshes/mesh_arrays.h"
 
 namespace vorpipe {
 namespace {
@@ -15,7 +15,7 @@ Result<void> writeVtpCells(ByteSink& sink, const CellsOutput& output) {
          fmt::format("NumberOfPoints=\"{}\" NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" "
                      "NumberOfPolys=\"{}\"",
                      mesh.points.size(), mesh.size()),
-         {meshPoints(mesh), {"Polys", meshFaces(mesh)}, meshData(mesh, output)}});
+         {meshPoints(mesh), {"Polys", meshFaces(mesh)}, meshData(mesh, output.sites, output.diagram)}});
   });
 }
 

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "io/cells/cells_file.h"
-#include "io/cells/mesh_arrays.h"
+#include "io/meshes/mesh_arrays.h"
 
 namespace vorpipe {
 namespace {
@@ -15,9 +15,10 @@ Result<void> writeVtuCells(ByteSink& sink, const CellsOutput& output) {
     auto faces = meshFaces(mesh);
     faces.push_back(vtkNumbers<std::uint8_t>("types", mesh.size(), [](std::size_t) { return polygon; }));
     return writeVtkXml(
-        sink, {"UnstructuredGrid",
-               fmt::format("NumberOfPoints=\"{}\" NumberOfCells=\"{}\"", mesh.points.size(), mesh.size()),
-               {meshPoints(mesh), {"Cells", std::move(faces)}, meshData(mesh, output)}});
+        sink,
+        {"UnstructuredGrid",
+         fmt::format("NumberOfPoints=\"{}\" NumberOfCells=\"{}\"", mesh.points.size(), mesh.size()),
+         {meshPoints(mesh), {"Cells", std::move(faces)}, meshData(mesh, output.sites, output.diagram)}});
   });
 }
 

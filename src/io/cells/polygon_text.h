@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "io/cells/cell_rings.h"
+#include "io/meshes/cell_rings.h"
 #include "io/text/print.h"
 
 namespace vorpipe {

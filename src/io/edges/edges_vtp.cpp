@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "io/cells/vtk_xml.h"
 #include "io/edges/edges_file.h"
+#include "io/meshes/vtk_xml.h"
 
 namespace vorpipe {
 namespace {

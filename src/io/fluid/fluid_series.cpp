@@ -6,12 +6,12 @@
 #include <string_view>
 #include <utility>
 
-#include "io/cells/cells_mesh.h"
-#include "io/cells/mesh_arrays.h"
-#include "io/cells/vtk_xml.h"
 #include "io/files/error.h"
 #include "io/files/input_file.h"
 #include "io/fluid/wetted_cells.h"
+#include "io/meshes/cells_mesh.h"
+#include "io/meshes/mesh_arrays.h"
+#include "io/meshes/vtk_xml.h"
 #include "io/text/number.h"
 
 namespace vorpipe {

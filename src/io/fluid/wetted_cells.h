@@ -1,7 +1,7 @@
 /// Cells as polygons, of a free surface too.
 #pragma once
 
-#include "io/cells/cells_mesh.h"
+#include "io/meshes/cells_mesh.h"
 #include "vorpipe.h"
 
 namespace vorpipe {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "io/arrays/npy_elements.h"
-#include "io/cells/cells_mesh.h"
+#include "io/meshes/cells_mesh.h"
 #include "unit/io/cells/cells_fixture.h"
 
 namespace vorpipe::test {

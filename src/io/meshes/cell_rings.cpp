@@ -1,4 +1,4 @@
-#include "io/cells/cell_rings.h"
+#include "io/meshes/cell_rings.h"
 
 #include <algorithm>
 

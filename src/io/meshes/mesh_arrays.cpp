@@ -1,4 +1,4 @@
-#include "io/cells/mesh_arrays.h"
+#include "io/meshes/mesh_arrays.h"
 
 namespace vorpipe {
 
@@ -14,8 +14,7 @@ std::vector<VtkArray> meshFaces(const CellsMesh& mesh) {
                                    [&mesh](std::size_t face) { return mesh.offsets[face + 1]; })};
 }
 
-VtkSection meshData(const CellsMesh& mesh, const CellsOutput& output) {
-  const Diagram& diagram = output.diagram;
+VtkSection meshData(const CellsMesh& mesh, const Sites& sites, const Diagram& diagram) {
   const auto numbers = [&mesh](std::string_view name, const std::vector<double>& by_site) {
     return vtkNumbers<double>(name, mesh.size(), [&](std::size_t face) { return by_site[mesh.sites[face]]; });
   };
@@ -30,7 +29,7 @@ VtkSection meshData(const CellsMesh& mesh, const CellsOutput& output) {
       "status", mesh.size(), [&](std::size_t face) { return diagram.status[mesh.sites[face]]; }));
   data.arrays.push_back(vtkPoints("centroid", mesh.size(),
                                   [&](std::size_t face) { return diagram.centroid[mesh.sites[face]]; }));
-  if (!output.sites.weight.empty()) data.arrays.push_back(numbers("weight", output.sites.weight));
+  if (!sites.weight.empty()) data.arrays.push_back(numbers("weight", sites.weight));
   if (!diagram.mass.empty()) data.arrays.push_back(numbers("mass", diagram.mass));
   return data;
 }

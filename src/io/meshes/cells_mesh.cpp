@@ -1,4 +1,4 @@
-#include "io/cells/cells_mesh.h"
+#include "io/meshes/cells_mesh.h"
 
 #include <fmt/core.h>
 
@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
-#include "io/cells/cell_rings.h"
-#include "io/cells/hole_triangles.h"
 #include "io/files/error.h"
+#include "io/meshes/cell_rings.h"
+#include "io/meshes/hole_triangles.h"
 
 namespace vorpipe {
 namespace {

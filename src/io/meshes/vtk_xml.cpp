@@ -1,4 +1,4 @@
-#include "io/cells/vtk_xml.h"
+#include "io/meshes/vtk_xml.h"
 
 #include <fmt/format.h>
 

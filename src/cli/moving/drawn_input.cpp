@@ -1,4 +1,4 @@
-#include "cli/runs/drawn_input.h"
+#include "cli/moving/drawn_input.h"
 
 #include <fmt/format.h>
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "io/cells/cell_rings.h"
+#include "io/meshes/cell_rings.h"
 #include "vorpipe.h"
 
 namespace vorpipe {

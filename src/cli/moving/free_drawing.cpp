@@ -1,4 +1,4 @@
-#include "cli/runs/free_drawing.h"
+#include "cli/moving/free_drawing.h"
 
 #include <utility>
 

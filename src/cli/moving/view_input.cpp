@@ -1,4 +1,4 @@
-#include "cli/runs/view_input.h"
+#include "cli/moving/view_input.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

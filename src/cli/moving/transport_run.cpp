@@ -1,4 +1,4 @@
-#include "cli/runs/transport_run.h"
+#include "cli/moving/transport_run.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "io/cells/hole_triangles.h"
+#include "io/meshes/hole_triangles.h"
 
 #include <utility>
 

@@ -1,4 +1,4 @@
-#include "cli/runs/view_fluid.h"
+#include "cli/moving/view_fluid.h"
 
 #include <memory>
 #include <utility>

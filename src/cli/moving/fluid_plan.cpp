@@ -1,4 +1,4 @@
-#include "cli/runs/fluid_plan.h"
+#include "cli/moving/fluid_plan.h"
 
 #include <fmt/format.h>
 

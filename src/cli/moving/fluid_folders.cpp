@@ -1,4 +1,4 @@
-#include "cli/runs/fluid_folders.h"
+#include "cli/moving/fluid_folders.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "cli/runs/result_files.h"
+#include "cli/moving/result_files.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <iterator>
 #include <utility>
 
-#include "cli/runs/free_drawing.h"
+#include "cli/moving/free_drawing.h"
 #include "cli/runs/picture.h"
 #include "io/forecast/forecast_files.h"
 #include "vorpipe/free_surface.h"

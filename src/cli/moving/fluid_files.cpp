@@ -1,4 +1,4 @@
-#include "cli/runs/fluid_files.h"
+#include "cli/moving/fluid_files.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "base/parallel.h"
-#include "cli/runs/fluid_folders.h"
+#include "cli/moving/fluid_folders.h"
 #include "cli/runs/input.h"
 #include "cli/runs/picture.h"
 #include "io/files/error.h"
