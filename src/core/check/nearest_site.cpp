@@ -3,6 +3,7 @@
 #include <nanoflann.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <numeric>
 
@@ -31,6 +32,8 @@ using Metric = nanoflann::L2_Simple_Adaptor<double, Cloud, double, std::uint32_t
 template <int dimensions>
 using KdTree = nanoflann::KDTreeSingleIndexAdaptor<Metric, Cloud, dimensions, std::uint32_t>;
 constexpr std::size_t leaf_size = 16;
+/// Nodes that a search visits. What others visit is not added up: threads would wait for each other's sums.
+constexpr std::uint64_t long_search = 256;
 
 /// Of a search: what is nearest, and what double does not tell from it. A result set of nanoflann's, so that
 /// one descent finds both.
@@ -38,7 +41,16 @@ class NearestAndEqual {
  public:
   using DistanceType = double;
 
-  [[nodiscard]] double worstDist() const { return bound_; }
+  NearestAndEqual() {
+    constexpr std::size_t few = 8;
+    found_.reserve(few);
+  }
+
+  /// Asked for at each node.
+  [[nodiscard]] double worstDist() const {
+    ++visited_;
+    return bound_;
+  }
   [[nodiscard]] bool full() const { return !found_.empty(); }
   bool addPoint(double squared, std::uint32_t point) {
     if (squared >= bound_) return true;
@@ -52,22 +64,23 @@ class NearestAndEqual {
     return true;
   }
 
-  /// Points of the cloud, the nearest first.
-  [[nodiscard]] std::vector<std::uint32_t> points() {
+  [[nodiscard]] std::uint64_t visited() const { return visited_; }
+
+  struct Found {
+    double squared;
+    std::uint32_t point;  ///< of the cloud
+    auto operator<=>(const Found&) const = default;
+  };
+
+  [[nodiscard]] const std::vector<Found>& found() const { return found_; }
+  [[nodiscard]] const std::vector<Found>& nearestFirst() {
     std::ranges::sort(found_);
-    std::vector<std::uint32_t> points;
-    points.reserve(found_.size());
-    for (const Found& found : found_) points.push_back(found.point);
-    return points;
+    return found_;
   }
 
  private:
-  struct Found {
-    double squared;
-    std::uint32_t point;
-    auto operator<=>(const Found&) const = default;
-  };
   double bound_ = std::numeric_limits<double>::infinity();
+  mutable std::uint64_t visited_ = 0;
   std::vector<Found> found_;
 };
 
@@ -138,9 +151,23 @@ struct NearestSite::Tree {
       flat = std::make_unique<KdTree<2>>(2, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(leaf_size));
     }
   }
+
+  [[nodiscard]] NearestAndEqual search(Point p) const {
+    const double place[3] = {p.x, p.y, 0};
+    NearestAndEqual near;
+    if (flat) {
+      flat->findNeighbors(near, place, {});
+    } else {
+      lifted->findNeighbors(near, place, {});
+    }
+    if (near.visited() > long_search) visited.fetch_add(near.visited(), std::memory_order_relaxed);
+    return near;
+  }
+
   Cloud cloud;
   std::unique_ptr<KdTree<2>> flat;  ///< one of these two
   std::unique_ptr<KdTree<3>> lifted;
+  mutable std::atomic<std::uint64_t> visited = 0;
 };
 
 NearestSite::NearestSite(const CheckedSites& run, std::span<const std::uint32_t> owner)
@@ -149,16 +176,15 @@ NearestSite::NearestSite(NearestSite&&) noexcept = default;
 NearestSite::~NearestSite() = default;
 
 std::uint32_t NearestSite::at(Point p) const {
-  const double place[3] = {p.x, p.y, 0};
-  std::uint32_t found[2] = {0, 0};
-  double squared[2] = {0, 0};
-  const auto count = tree_->flat ? tree_->flat->knnSearch(place, 2, found, squared)
-                                 : tree_->lifted->knnSearch(place, 2, found, squared);
-  std::uint32_t best = tree_->cloud.index[found[0]];
-  if (count < 2 || squared[1] > squared[0] * (1 + squared_rounding)) return best;
+  const NearestAndEqual near = tree_->search(p);
+  const auto& index = tree_->cloud.index;
+  // A place that is no number is nearer to none than to another.
+  if (near.found().empty()) return index.front();
+  std::uint32_t best = index[std::ranges::min(near.found()).point];
   // Of sites near each other the squares say little; on which side of their bisector p lies, much.
   const CheckedSites& run = tree_->cloud.run;
-  for (const auto site : allAt(p)) {
+  for (const auto& other : near.found()) {
+    const std::uint32_t site = index[other.point];
     const Point way = run.way(best, site);
     if (way != Point{0, 0} && beyondBisector(way, run.site(best), run.weightDifference(best, site), p) > 0)
       best = site;
@@ -167,16 +193,13 @@ std::uint32_t NearestSite::at(Point p) const {
 }
 
 std::vector<std::uint32_t> NearestSite::allAt(Point p) const {
-  const double place[3] = {p.x, p.y, 0};
-  NearestAndEqual near;
-  if (tree_->flat) {
-    tree_->flat->findNeighbors(near, place, {});
-  } else {
-    tree_->lifted->findNeighbors(near, place, {});
-  }
-  std::vector<std::uint32_t> sites = near.points();
-  for (auto& site : sites) site = tree_->cloud.index[site];
+  NearestAndEqual near = tree_->search(p);
+  std::vector<std::uint32_t> sites;
+  sites.reserve(near.found().size());
+  for (const auto& found : near.nearestFirst()) sites.push_back(tree_->cloud.index[found.point]);
   return sites;
 }
+
+std::uint64_t NearestSite::visited() const { return tree_->visited.load(std::memory_order_relaxed); }
 
 }  // namespace vorpipe::core::checks

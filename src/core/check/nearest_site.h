@@ -31,6 +31,10 @@ class NearestSite {
   /// powers, differ from the least by no more than rounding.
   [[nodiscard]] std::vector<std::uint32_t> allAt(Point p) const;
 
+  /// How many nodes of the tree all long searches so far have come by. Most searches are short; they are long
+  /// where most sites are about as far, as seen from the center of a circle.
+  [[nodiscard]] std::uint64_t visited() const;
+
  private:
   struct Tree;
   std::unique_ptr<Tree> tree_;
