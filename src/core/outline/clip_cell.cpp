@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <tuple>
 
 #include "core/outline/crossings.h"
 
@@ -97,6 +99,11 @@ void append(std::span<const Point> points, std::span<const std::int64_t> neighbo
   cell.ring_starts.push_back(static_cast<std::uint32_t>(cell.vertices.size()));
   cell.vertices.insert(cell.vertices.end(), points.begin(), points.end());
   cell.neighbors.insert(cell.neighbors.end(), neighbors.begin(), neighbors.end());
+}
+
+/// Edges are sorted by this.
+std::tuple<std::int64_t, double, double> placeOf(std::int64_t neighbor, Point from) {
+  return {neighbor, from.x, from.y};
 }
 
 }  // namespace
@@ -205,11 +212,34 @@ void ClippedCell::clear() {
   neighbors.clear();
   ring_starts.clear();
   hole.clear();
+  sorted_edges.clear();
 }
 
 std::span<const Point> ClippedCell::ring(std::size_t r) const {
   const std::size_t end = r + 1 < ring_starts.size() ? ring_starts[r + 1] : vertices.size();
   return std::span(vertices).subspan(ring_starts[r], end - ring_starts[r]);
+}
+
+Point ClippedCell::endOf(std::uint32_t edge) const {
+  const auto next_ring = std::ranges::upper_bound(ring_starts, edge);
+  const std::size_t end = next_ring != ring_starts.end() ? *next_ring : vertices.size();
+  return vertices[edge + std::size_t{1} < end ? edge + std::size_t{1} : *std::prev(next_ring)];
+}
+
+void ClippedCell::sortEdges() {
+  sorted_edges.clear();
+  for (std::uint32_t edge = 0; edge < neighbors.size(); ++edge) {
+    if (neighbors[edge] >= 0) sorted_edges.push_back(edge);
+  }
+  std::ranges::sort(sorted_edges, {},
+                    [&](std::uint32_t edge) { return placeOf(neighbors[edge], vertices[edge]); });
+}
+
+bool ClippedCell::hasEdge(std::int64_t neighbor, Point a, Point b) const {
+  const auto from_a =
+      std::ranges::equal_range(sorted_edges, placeOf(neighbor, a), {},
+                               [&](std::uint32_t edge) { return placeOf(neighbors[edge], vertices[edge]); });
+  return std::ranges::any_of(from_a, [&](std::uint32_t edge) { return endOf(edge) == b; });
 }
 
 OutlineClip::OutlineClip(const OutlineIndex& index) : state_(std::make_unique<State>(index)) {}

@@ -14,9 +14,18 @@ struct ClippedCell {
   std::vector<std::int64_t> neighbors;     ///< of each edge; wall_outline along the outline
   std::vector<std::uint32_t> ring_starts;  ///< the first vertex of each ring
   std::vector<bool> hole;                  ///< whether each ring is one
+  /// Edges between sites, by the neighbor and by where they begin; none until sortEdges.
+  std::vector<std::uint32_t> sorted_edges;
 
   void clear();
   [[nodiscard]] std::span<const Point> ring(std::size_t r) const;
+  /// Where an edge ends.
+  [[nodiscard]] Point endOf(std::uint32_t edge) const;
+
+  /// Has edges be found quickly: cells that a long outline cuts into many parts have thousands in common.
+  void sortEdges();
+  /// Whether an edge with a site as neighbor runs from a to b. To be called after sortEdges.
+  [[nodiscard]] bool hasEdge(std::int64_t neighbor, Point a, Point b) const;
 };
 
 /// Clips polygons. Every decision is exact, and where two polygons share an edge, crossings on it are the

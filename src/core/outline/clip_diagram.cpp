@@ -95,6 +95,7 @@ class GroupClipper {
         return Fate::outside;
       case OutlineClip::Outcome::cut:
         out_.parts[member.site] = std::make_unique<ClippedCell>(clipped_);
+        out_.parts[member.site]->sortEdges();
         return Fate::cut;
       case OutlineClip::Outcome::crossed:
         break;

@@ -18,7 +18,8 @@ struct EdgeArrays {
   std::vector<double> edge_lengths;
 };
 
-/// Writes the records of clipped cells: those by edge into new arrays, those by site over the old ones.
+/// Writes the records of clipped cells, whose edges are sorted: those by edge into new arrays, those by site
+/// over the old ones.
 class ClippedWriter {
  public:
   ClippedWriter(const ScaledDiagram& cells, const ClippedCells& clipped, EdgeArrays& to, Diagram& diagram)
@@ -110,20 +111,8 @@ class ClippedWriter {
   /// that are ties are gone already.
   [[nodiscard]] bool isCommon(std::size_t i, std::size_t j, Point a, Point b) const {
     if (isTie(i, j, a, b) && !hadEdge(i, j, a, b)) return false;
-    const auto site = static_cast<std::int64_t>(i);
     if (clipped_.fate[j] == Fate::inside) return hadEdge(j, i, b, a);
-    if (clipped_.fate[j] != Fate::cut) return false;
-    const ClippedCell& other = *clipped_.parts[j];
-    for (std::size_t r = 0; r < other.ring_starts.size(); ++r) {
-      const auto ring = other.ring(r);
-      for (std::size_t k = 0; k < ring.size(); ++k) {
-        if (other.neighbors[other.ring_starts[r] + k] == site && ring[k] == b &&
-            ring[k + 1 < ring.size() ? k + 1 : 0] == a) {
-          return true;
-        }
-      }
-    }
-    return false;
+    return clipped_.fate[j] == Fate::cut && clipped_.parts[j]->hasEdge(static_cast<std::int64_t>(i), b, a);
   }
 
   const ScaledDiagram& cells_;

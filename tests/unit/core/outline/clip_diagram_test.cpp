@@ -334,6 +334,21 @@ TEST(OutlineCells, manyLakesAndIslandsInFewCells) {
   for (const std::uint64_t count : {1U, 2U, 50U}) expectAsGeos(generate(Pattern::random, count, 11), outline);
 }
 
+TEST(OutlineCells, combsLeaveCellsManyEdgesInCommon) {
+  RingPoints comb{{0, 0}, {1, 0}};
+  const int dents = 2000;
+  for (int k = dents; k > 0; --k) {
+    comb.push_back({static_cast<double>(k) / dents, 1});
+    comb.push_back({(k - 0.5) / dents, 0.001});
+  }
+  comb.push_back({0, 1});
+  const Outline outline = outlineOf({{comb}});
+  const Sites sites{{0.5, 0.5, 0.5}, {0.1, 0.5, 0.9}, {}};
+  expectAsGeos(sites, outline);
+  const Diagram cells = cellsOf(sites, inside(outline));
+  EXPECT_EQ(std::ranges::count(cells.neighbors, 1), 2 * (dents + 1));
+}
+
 TEST(OutlineCells, threadsAndDetailDoNotMatter) {
   const Outline outline = country(2000);
   const Sites sites = generate(Pattern::random, 5000, 9);
