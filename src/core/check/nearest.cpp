@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -55,37 +54,36 @@ class NearestOfPlaces {
   void add(std::span<const std::uint32_t> cells) {
     std::vector<Point> places;
     for (const auto i : cells) std::ranges::copy(placesOf(run_, i), std::back_inserter(places));
-    std::ranges::sort(places, {}, bits);
-    const auto equal = std::ranges::unique(places, {}, bits);
+    const auto key = [](Point p) { return PlaceKey(p); };
+    std::ranges::sort(places, {}, key);
+    const auto equal = std::ranges::unique(places, {}, key);
     places.erase(equal.begin(), equal.end());
-    std::erase_if(places, [&](Point p) { return std::ranges::binary_search(known_, bits(p), {}, bitsOf); });
+    std::erase_if(places,
+                  [&](Point p) { return std::ranges::binary_search(known_, PlaceKey(p), {}, keyOf); });
     const std::size_t before = known_.size();
     known_.resize(before + places.size());
     parallelFor(places.size(), searches_of_task, run_.threads, [&](std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k)
         known_[before + k] = {places[k], nearestImage(run_, nearest_, places[k])};
     });
-    std::ranges::inplace_merge(known_, known_.begin() + static_cast<std::ptrdiff_t>(before), {}, bitsOf);
+    std::ranges::inplace_merge(known_, known_.begin() + static_cast<std::ptrdiff_t>(before), {}, keyOf);
   }
 
   /// Of a place of those cells.
   [[nodiscard]] const NearImage& at(Point p) const {
-    return std::ranges::lower_bound(known_, bits(p), {}, bitsOf)->nearest;
+    return std::ranges::lower_bound(known_, PlaceKey(p), {}, keyOf)->nearest;
   }
 
  private:
-  using Bits = std::pair<std::uint64_t, std::uint64_t>;
   struct Known {
     Point place;
     NearImage nearest;
   };
-  /// Of a broken diagram, places may be no numbers, which have no order.
-  static Bits bits(Point p) { return {std::bit_cast<std::uint64_t>(p.x), std::bit_cast<std::uint64_t>(p.y)}; }
-  static Bits bitsOf(const Known& known) { return bits(known.place); }
+  static PlaceKey keyOf(const Known& known) { return PlaceKey(known.place); }
 
   const CheckedCells& run_;
   const NearestSite& nearest_;
-  std::vector<Known> known_;  ///< by bits of its place
+  std::vector<Known> known_;  ///< by place
 };
 
 /// Has `search(begin, end)` be called for parts of [0, count), from its beginning, as far as there is time;

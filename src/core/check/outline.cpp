@@ -1,211 +1,16 @@
 #include "core/check/outline.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
+#include <cmath>
 
 #include "core/check/places.h"
 
 namespace vorpipe::core::checks {
-namespace {
 
-/// The rings of one cell.
-class CellRings {
- public:
-  CellRings(const CheckedCells& run, std::size_t i) : run_(run), end_(run.end(i)) {
-    const auto& starts = run.diagram.ring_starts;
-    for (auto s = std::ranges::lower_bound(starts, run.begin(i)); s != starts.end() && *s < end_; ++s) {
-      starts_.push_back(*s);
-    }
-  }
-  [[nodiscard]] std::size_t size() const { return starts_.size(); }
-  [[nodiscard]] std::size_t begin(std::size_t r) const { return starts_[r]; }
-  [[nodiscard]] std::size_t end(std::size_t r) const { return r + 1 < size() ? starts_[r + 1] : end_; }
-
-  /// Calls take(edge, from, to) for each edge.
-  template <class Take>
-  void eachEdge(const Take& take) const {
-    for (std::size_t r = 0; r < size(); ++r) {
-      for (std::size_t e = begin(r); e < end(r); ++e) {
-        take(e, run_.vertex(e), run_.vertex(e + 1 < end(r) ? e + 1 : begin(r)));
-      }
-    }
-  }
-
- private:
-  const CheckedCells& run_;
-  std::size_t end_;
-  std::vector<std::size_t> starts_;
-};
-
-/// By how much the area of a cell before ties join its corners, which is what is written, may differ from
-/// what its rings enclose: each edge in truth lies in its line, which its ends may be off, and around each
-/// vertex a place as wide as ties may belong to another cell.
-double movedByTies(const CheckedCells& run, const CellRings& rings, std::size_t i, double reach) {
-  const double off = run.ties(reach) + run.rounding(i);
-  const double at_vertex = 4 * off * off;
-  double moved = at_vertex;
-  rings.eachEdge([&](std::size_t e, Point a, Point b) {
-    const std::int64_t neighbor = run.diagram.neighbors[e];
-    if (neighbor < 0) return;
-    moved += 2 * at_vertex;
-    const auto j = static_cast<std::size_t>(neighbor);
-    const auto beyond = [&](Point p) {
-      return std::abs(beyondBisector(run.way(i, j), run.site(i), run.weightDifference(i, j), p));
-    };
-    moved += std::max(beyond(a), beyond(b)) * length(b - a);
-  });
-  return moved;
-}
-
-struct RingSums {
-  double area, perimeter, rounding;
-};
-
-std::string wrongRingArea(const CheckedCells& run, const CheckedOutline& outline, const CellRings& rings,
-                          const RingSums& sums, std::size_t i, double reach) {
-  const double said = run.diagram.area[i];
-  const double apart = std::abs(sums.area - said * run.scale * run.scale);
-  if (apart <= sums.rounding + movedByTies(run, rings, i, reach)) return {};
-  // Along the outline, ties may have left a cell nothing that belongs to it, or what belongs to cells that it
-  // has no edge with: how much is not known from its rings.
-  const double longest_tie = run.ties(run.shorter_side);
-  if (apart <= longest_tie * (sums.perimeter + longest_tie) && wrongArea(run, &outline, i).empty()) return {};
-  return fmt::format("the rings of site {} have the area {}, its record says {}", i,
-                     sums.area / run.scale / run.scale, said);
-}
-
-std::string wrongRings(const CheckedCells& run, const CheckedOutline& outline, std::size_t i, double reach) {
-  const CellRings rings(run, i);
-  if (run.edges(i) == 0) return {};
-  if (rings.size() == 0 || rings.begin(0) != run.begin(i)) {
-    return fmt::format("no ring of site {} begins where its cell does", i);
-  }
-  double area = 0, perimeter = 0, longest = 0;
-  const Point origin = run.vertex(run.begin(i));
-  std::string wrong;
-  rings.eachEdge([&](std::size_t e, Point a, Point b) {
-    area += cross(a - origin, b - origin) / 2;
-    const double side = length(b - a);
-    perimeter += side;
-    longest = std::max(longest, length(a - origin));
-    if (std::abs(side - run.diagram.edge_lengths[e] * run.scale) > run.rounding(i)) {
-      wrong = fmt::format("edge {} of site {} is not as long as its ends are apart", e - run.begin(i), i);
-    }
-  });
-  if (!wrong.empty()) return wrong;
-  const RingSums sums{area, perimeter, run.rounding(i) * (perimeter + longest)};
-  wrong = wrongRingArea(run, outline, rings, sums, i, reach);
-  if (!wrong.empty()) return wrong;
-  const double summed = run.rounding(i) * static_cast<double>(run.edges(i)) * (1 + perimeter);
-  if (std::abs(perimeter - run.diagram.perimeter[i] * run.scale) <= summed) return {};
-  return fmt::format("the rings of site {} have the perimeter {}, its record says {}", i,
-                     perimeter / run.scale, run.diagram.perimeter[i]);
-}
-
-bool isOnWall(const CheckedCells& run, std::int64_t wall, Point p) {
-  const Box& box = run.domain;
-  const double x = countedCoordinate(p.x), y = countedCoordinate(p.y);
-  return wall == wall_xmin   ? x == box.xmin
-         : wall == wall_xmax ? x == box.xmax
-         : wall == wall_ymin ? y == box.ymin
-                             : y == box.ymax;
-}
-
-std::string wrongEdges(const CheckedCells& run, const CheckedOutline& outline, std::size_t i, double reach) {
-  std::string wrong;
-  CellRings(run, i).eachEdge([&](std::size_t e, Point a, Point b) {
-    const std::int64_t neighbor = run.diagram.neighbors[e];
-    const auto j = static_cast<std::size_t>(neighbor);
-    const double slack = run.ties(reach) + run.rounding(i) + (neighbor < 0 ? 0 : run.rounding(j));
-    const auto beyond = [&](Point p) {
-      return std::abs(beyondBisector(run.way(i, j), run.site(i), run.weightDifference(i, j), p));
-    };
-    const Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
-    const bool right = neighbor == wall_outline ? outline.at(middle, slack) == CheckedOutline::Side::edge
-                       : neighbor < 0           ? isOnWall(run, neighbor, a) && isOnWall(run, neighbor, b)
-                                                : beyond(a) <= slack && beyond(b) <= slack;
-    if (!right) wrong = fmt::format("edge {} of site {} is not where {} is", e - run.begin(i), i, neighbor);
-  });
-  return wrong;
-}
-
-/// Whether the outline cut cell i: how far it reached before, where ties may have moved the ends of its
-/// edges, is not known then. Of a cell in a narrow end of the outline, edges along that may be points.
-bool isCut(const CheckedCells& run, const CheckedOutline& outline, std::size_t i) {
-  for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
-    if (run.diagram.neighbors[e] == wall_outline) return true;
-    if (outline.at(run.vertex(e), run.rounding(i)) == CheckedOutline::Side::edge) return true;
-  }
-  return false;
-}
-
-std::string wrongTwin(const CheckedCells& run, std::size_t i) {
-  std::string wrong;
-  CellRings(run, i).eachEdge([&](std::size_t e, Point a, Point b) {
-    const std::int64_t neighbor = run.diagram.neighbors[e];
-    if (neighbor < 0) return;
-    bool found = false;
-    CellRings(run, static_cast<std::size_t>(neighbor)).eachEdge([&](std::size_t other, Point c, Point d) {
-      found = found || (run.diagram.neighbors[other] == static_cast<std::int64_t>(i) && a == d && b == c);
-    });
-    if (!found) wrong = fmt::format("site {} has an edge with {}, which has another or none", i, neighbor);
-  });
-  return wrong;
-}
-
-std::string oneSided(const CheckedCells& run, std::size_t i) {
-  const auto& neighbors = run.diagram.neighbors;
-  for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
-    if (neighbors[e] < 0) continue;
-    const auto j = static_cast<std::size_t>(neighbors[e]);
-    const auto first = neighbors.begin() + static_cast<std::ptrdiff_t>(run.begin(j));
-    const auto last = neighbors.begin() + static_cast<std::ptrdiff_t>(run.end(j));
-    if (std::find(first, last, static_cast<std::int64_t>(i)) != last) continue;
-    return fmt::format("site {} has {} as a neighbor, and not the other way round", i, j);
-  }
-  return {};
-}
-
-/// What is wrong if p belongs to the cell of `owner`.
-std::string wrongInCell(const CheckedCells& run, const CheckedOutline& outline, std::uint32_t owner,
-                        Point p) {
-  bool inside = false;
-  double away = std::numeric_limits<double>::infinity();
-  CellRings(run, owner).eachEdge([&](std::size_t, Point a, Point b) {
-    inside = inside != crossesRay(p, a, b);
-    away = std::min(away, distance(p, a, b));
-  });
-  return run.wrongAtAnyReach(owner, [&](double reach) -> std::string {
-    const double slack = run.ties(reach) + run.rounding(owner);
-    const auto side = outline.at(p, slack);
-    if (away <= slack || side == CheckedOutline::Side::edge) return {};
-    if (inside == (side == CheckedOutline::Side::inside)) return {};
-    return fmt::format("({}, {}) lies {} the outline, but {} in the cell of its nearest site {}",
-                       p.x / run.scale, p.y / run.scale, inside ? "outside" : "inside", inside ? "" : "not ",
-                       owner);
-  });
-}
-
-std::string wrongPlace(const CheckedCells& run, const CheckedOutline& outline, const NearestSite& nearest,
-                       Point p) {
-  std::string wrong;
-  // Of those that double does not tell apart, any may have it.
-  for (const auto site : nearest.allAt(p)) {
-    wrong = wrongInCell(run, outline, run.diagram.owner[site], p);
-    if (wrong.empty()) break;
-  }
-  return wrong;
-}
-
-}  // namespace
-
-CheckedOutline::CheckedOutline(const CheckedSites& run) : run_(run) {
-  constexpr std::size_t band_count = 4096;
+CheckedOutline::CheckedOutline(const CheckedSites& run) : run_(run), nodes_(2 * band_count) {
   const Outline& outline = *run.outline;
   low_ = run.domain.ymin;
   per_band_ = (run.domain.ymax - run.domain.ymin) / band_count;
-  bands_.resize(band_count);
   std::size_t ring = 0;
   for (std::size_t p = 0; p + 1 < outline.polygon_offsets.size(); ++p) {
     for (const std::size_t first = ring; ring < outline.polygon_offsets[p + 1]; ++ring) {
@@ -224,25 +29,38 @@ CheckedOutline::CheckedOutline(const CheckedSites& run) : run_(run) {
   for (std::uint32_t e = 0; e < edges_.size(); ++e) {
     const auto [low, high] = std::minmax(edges_[e].a.y, edges_[e].b.y);
     // Edges just beside a band belong to it too: a place there may be near them.
-    const std::size_t last = bandOf(high + per_band_);
-    for (std::size_t band = bandOf(low - per_band_); band <= last; ++band) bands_[band].push_back(e);
+    addToBands(e, bandOf(low - per_band_), bandOf(high + per_band_));
+  }
+}
+
+void CheckedOutline::addToBands(std::uint32_t edge, std::size_t first, std::size_t last) {
+  std::size_t low = first + band_count, high = last + band_count + 1;
+  for (; low < high; low /= 2, high /= 2) {
+    if (low % 2 == 1) nodes_[low++].push_back(edge);
+    if (high % 2 == 1) nodes_[--high].push_back(edge);
   }
 }
 
 std::size_t CheckedOutline::bandOf(double y) const {
   const double band = std::floor((y - low_) / per_band_);
-  return static_cast<std::size_t>(std::clamp(band, 0.0, static_cast<double>(bands_.size() - 1)));
+  return static_cast<std::size_t>(std::clamp(band, 0.0, static_cast<double>(band_count - 1)));
 }
 
 CheckedOutline::Side CheckedOutline::at(Point p, double slack) const {
+  const auto is_near = [&](std::uint32_t e) {
+    const auto& [a, b] = edges_[e];
+    const auto [left, right] = std::minmax(a.x, b.x);
+    return left - slack <= p.x && p.x <= right + slack && distance(p, a, b) <= slack;
+  };
   const std::size_t last = bandOf(p.y + slack);
   for (std::size_t band = bandOf(p.y - slack); band <= last; ++band) {
-    for (const auto e : bands_[band]) {
-      if (distance(p, edges_[e].a, edges_[e].b) <= slack) return Side::edge;
-    }
+    if (anyEdgeIn(band, is_near)) return Side::edge;
   }
   bool inside = false;
-  for (const auto e : bands_[bandOf(p.y)]) inside = inside != crossesRay(p, edges_[e].a, edges_[e].b);
+  anyEdgeIn(bandOf(p.y), [&](std::uint32_t e) {
+    inside = inside != crossesRay(p, edges_[e].a, edges_[e].b);
+    return false;
+  });
   return inside ? Side::inside : Side::outside;
 }
 
@@ -293,30 +111,6 @@ double CheckedOutline::length() const {
   double sum = 0;
   for (const auto& [a, b] : edges_) sum += checks::length(b - a);
   return sum;
-}
-
-void checkClipped(const CheckedCells& run, const CheckedOutline& outline, const NearestSite& nearest,
-                  Broken& broken) {
-  const auto each = [&](std::string_view promise, const auto& test) {
-    return broken.expect(promise, run.size(), run.threads, test);
-  };
-  each("neighbors", [&](std::size_t i) { return oneSided(run, i); });
-  if (run.detail == Detail::measures) return;
-  if (!std::ranges::is_sorted(run.diagram.ring_starts)) broken.add("rings", "ring_starts do not ascend");
-  if (!each("rings", [&](std::size_t i) {
-        return run.wrongAtAnyReach(i, [&](double reach) { return wrongRings(run, outline, i, reach); });
-      }))
-    return;
-  each("edges", [&](std::size_t i) {
-    const auto wrong =
-        run.wrongAtAnyReach(i, [&](double reach) { return wrongEdges(run, outline, i, reach); });
-    return wrong.empty() || !isCut(run, outline, i) ? wrong : wrongEdges(run, outline, i, run.shorter_side);
-  });
-  each("neighbors", [&](std::size_t i) { return wrongTwin(run, i); });
-  Random random(1);
-  const std::vector<Point> places = samplePlaces(run, random);
-  broken.expect("nearest sites", places.size(), run.threads,
-                [&](std::size_t k) { return wrongPlace(run, outline, nearest, places[k]); });
 }
 
 }  // namespace vorpipe::core::checks

@@ -1,7 +1,13 @@
 /// What is checked where the domain has an outline.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "core/check/checks.h"
 
@@ -27,13 +33,26 @@ class CheckedOutline {
   struct Edge {
     Point a, b;
   };
+  static constexpr std::size_t band_count = 4096;
+
   [[nodiscard]] std::size_t bandOf(double y) const;
+  void addToBands(std::uint32_t edge, std::size_t first, std::size_t last);
+  /// Whether `test` is true of an edge of this band; no other is tested after that.
+  template <class Test>
+  bool anyEdgeIn(std::size_t band, const Test& test) const {
+    for (std::size_t node = band + band_count; node > 0; node /= 2) {
+      if (std::ranges::any_of(nodes_[node], test)) return true;
+    }
+    return false;
+  }
 
   const CheckedSites& run_;
   std::vector<Edge> edges_;
   std::vector<int> sign_;  ///< of each edge: 1 where the inside lies to its left
   double low_ = 0, per_band_ = 1;
-  std::vector<std::vector<std::uint32_t>> bands_;  ///< edges, by y
+  /// Edges by bands of y, as a segment tree: node 1 has all bands, 2n and 2n + 1 the halves of n. An edge
+  /// stands in few nodes that have its bands, so that long edges take no more memory than some short ones.
+  std::vector<std::vector<std::uint32_t>> nodes_;
 };
 
 /// What is wrong with the area of cell i, beside what the bisectors with all sites leave of the domain, and

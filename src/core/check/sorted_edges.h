@@ -1,0 +1,36 @@
+/// The edges of each cell, to be found by what they are.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/check/run.h"
+
+namespace vorpipe::core::checks {
+
+/// A hub has an edge with each of its many neighbors, and an outline of many narrow parts leaves two cells
+/// thousands of edges in common: looking through all of them for each would take the square of that.
+class SortedEdges {
+ public:
+  /// Keeps a reference.
+  explicit SortedEdges(const CheckedCells& run);
+
+  /// Whether cell i has an edge with site j.
+  [[nodiscard]] bool has(std::size_t i, std::size_t j) const;
+  /// The same from a to b, in a diagram with polygons and rings as they should be.
+  [[nodiscard]] bool has(std::size_t i, std::size_t j, Point a, Point b) const;
+
+ private:
+  [[nodiscard]] std::int64_t neighborOf(std::uint64_t edge) const { return run_.diagram.neighbors[edge]; }
+  /// Where an edge ends in its ring.
+  [[nodiscard]] Point endOf(std::uint64_t edge) const;
+  /// Those of cell i with site j.
+  [[nodiscard]] std::span<const std::uint64_t> edgesOf(std::size_t i, std::size_t j) const;
+
+  const CheckedCells& run_;
+  std::vector<std::uint64_t> edges_;  ///< cell by cell, by neighbor, and by where they begin
+};
+
+}  // namespace vorpipe::core::checks
