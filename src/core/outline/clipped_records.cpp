@@ -100,6 +100,12 @@ class ClippedWriter {
     return false;
   }
 
+  /// The same, asked of the cell with fewer edges: what one has, the other has from b to a.
+  [[nodiscard]] bool hadCommonEdge(std::size_t i, std::size_t j, Point a, Point b) const {
+    const bool fewer = cells_.end(i) - cells_.begin(i) <= cells_.end(j) - cells_.begin(j);
+    return fewer ? hadEdge(i, j, a, b) : hadEdge(j, i, b, a);
+  }
+
   /// Whether a part of an edge between cells i and j, from a to b, is a tie.
   [[nodiscard]] bool isTie(std::size_t i, std::size_t j, Point a, Point b) const {
     const Point p = cells_.site(i), q = cells_.site(j);
@@ -110,8 +116,8 @@ class ClippedWriter {
   /// Whether the edge of cell i from a to b is one of cell j, from b to a, and no tie. Of whole edges those
   /// that are ties are gone already.
   [[nodiscard]] bool isCommon(std::size_t i, std::size_t j, Point a, Point b) const {
-    if (isTie(i, j, a, b) && !hadEdge(i, j, a, b)) return false;
-    if (clipped_.fate[j] == Fate::inside) return hadEdge(j, i, b, a);
+    if (isTie(i, j, a, b) && !hadCommonEdge(i, j, a, b)) return false;
+    if (clipped_.fate[j] == Fate::inside) return hadCommonEdge(i, j, a, b);
     return clipped_.fate[j] == Fate::cut && clipped_.parts[j]->hasEdge(static_cast<std::int64_t>(i), b, a);
   }
 
