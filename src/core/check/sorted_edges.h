@@ -23,14 +23,18 @@ class SortedEdges {
   [[nodiscard]] bool has(std::size_t i, std::size_t j, Point a, Point b) const;
 
  private:
-  [[nodiscard]] std::int64_t neighborOf(std::uint64_t edge) const { return run_.diagram.neighbors[edge]; }
-  /// Where an edge ends in its ring.
-  [[nodiscard]] Point endOf(std::uint64_t edge) const;
+  [[nodiscard]] std::int64_t neighbor(std::size_t i, std::uint32_t k) const {
+    return run_.diagram.neighbors[run_.begin(i) + k];
+  }
+  /// Where edge k of cell i begins.
+  [[nodiscard]] Point from(std::size_t i, std::uint32_t k) const { return run_.vertex(run_.begin(i) + k); }
+  /// Where it ends, in its ring.
+  [[nodiscard]] Point to(std::size_t i, std::uint32_t k) const;
   /// Those of cell i with site j.
-  [[nodiscard]] std::span<const std::uint64_t> edgesOf(std::size_t i, std::size_t j) const;
+  [[nodiscard]] std::span<const std::uint32_t> edgesOf(std::size_t i, std::size_t j) const;
 
   const CheckedCells& run_;
-  std::vector<std::uint64_t> edges_;  ///< cell by cell, by neighbor, and by where they begin
+  std::vector<std::uint32_t> edges_;  ///< of each cell, by neighbor, and by where they begin
 };
 
 }  // namespace vorpipe::core::checks
