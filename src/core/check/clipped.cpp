@@ -191,6 +191,16 @@ std::string wrongPlace(const CheckedCells& run, const CheckedOutline& outline, c
   return wrong;
 }
 
+bool haveRings(const CheckedCells& run, const CheckedOutline& outline, Broken& broken) {
+  if (!std::ranges::is_sorted(run.diagram.ring_starts)) {
+    broken.add("rings", "ring_starts do not ascend");
+    return false;
+  }
+  return broken.expect("rings", run.size(), run.threads, [&](std::size_t i) {
+    return run.wrongAtAnyReach(i, [&](double reach) { return wrongRings(run, outline, i, reach); });
+  });
+}
+
 }  // namespace
 
 void checkClipped(const CheckedCells& run, const CheckedOutline& outline, const NearestSite& nearest,
@@ -199,16 +209,10 @@ void checkClipped(const CheckedCells& run, const CheckedOutline& outline, const 
     return broken.expect(promise, run.size(), run.threads, test);
   };
   const SortedEdges edges(run);
-  each("neighbors", [&](std::size_t i) { return oneSided(run, edges, i); });
-  if (run.detail == Detail::measures) return;
-  if (!std::ranges::is_sorted(run.diagram.ring_starts)) {
-    broken.add("rings", "ring_starts do not ascend");
+  if (run.detail == Detail::measures || !haveRings(run, outline, broken)) {
+    each("neighbors", [&](std::size_t i) { return oneSided(run, edges, i); });
     return;
   }
-  if (!each("rings", [&](std::size_t i) {
-        return run.wrongAtAnyReach(i, [&](double reach) { return wrongRings(run, outline, i, reach); });
-      }))
-    return;
   each("edges", [&](std::size_t i) {
     const auto wrong =
         run.wrongAtAnyReach(i, [&](double reach) { return wrongEdges(run, outline, i, reach); });

@@ -27,19 +27,23 @@ SortedEdges::SortedEdges(const CheckedCells& run) : run_(run), edges_(run.diagra
   });
 }
 
-std::span<const std::uint32_t> SortedEdges::edgesOf(std::size_t i, std::size_t j) const {
-  const auto all = std::span(edges_).subspan(run_.begin(i), run_.edges(i));
-  const auto those = std::ranges::equal_range(all, static_cast<std::int64_t>(j), {},
-                                              [&](std::uint32_t k) { return neighbor(i, k); });
-  return {those.begin(), those.end()};
+bool SortedEdges::has(std::size_t i, std::size_t j) const {
+  const auto site = static_cast<std::int64_t>(j);
+  const auto neighbor_of = [&](std::uint32_t k) { return neighbor(i, k); };
+  const auto edges = edgesOf(i);
+  const auto first = std::ranges::lower_bound(edges, site, {}, neighbor_of);
+  return first != edges.end() && neighbor_of(*first) == site;
 }
 
-bool SortedEdges::has(std::size_t i, std::size_t j) const { return !edgesOf(i, j).empty(); }
-
 bool SortedEdges::has(std::size_t i, std::size_t j, Point a, Point b) const {
-  const auto from_a = std::ranges::equal_range(edgesOf(i, j), PlaceKey(a), {},
-                                               [&](std::uint32_t k) { return PlaceKey(from(i, k)); });
-  return std::ranges::any_of(from_a, [&](std::uint32_t k) { return to(i, k) == b; });
+  const std::pair wanted(static_cast<std::int64_t>(j), PlaceKey(a));
+  const auto place_of = [&](std::uint32_t k) { return std::pair(neighbor(i, k), PlaceKey(from(i, k))); };
+  const auto edges = edgesOf(i);
+  for (auto k = std::ranges::lower_bound(edges, wanted, {}, place_of);
+       k != edges.end() && place_of(*k) == wanted; ++k) {
+    if (to(i, *k) == b) return true;
+  }
+  return false;
 }
 
 Point SortedEdges::to(std::size_t i, std::uint32_t k) const {

@@ -30,8 +30,9 @@ class SortedEdges {
   [[nodiscard]] Point from(std::size_t i, std::uint32_t k) const { return run_.vertex(run_.begin(i) + k); }
   /// Where it ends, in its ring.
   [[nodiscard]] Point to(std::size_t i, std::uint32_t k) const;
-  /// Those of cell i with site j.
-  [[nodiscard]] std::span<const std::uint32_t> edgesOf(std::size_t i, std::size_t j) const;
+  [[nodiscard]] std::span<const std::uint32_t> edgesOf(std::size_t i) const {
+    return std::span(edges_).subspan(run_.begin(i), run_.edges(i));
+  }
 
   const CheckedCells& run_;
   std::vector<std::uint32_t> edges_;  ///< of each cell, by neighbor, and by where they begin
