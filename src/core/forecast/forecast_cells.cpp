@@ -225,7 +225,11 @@ void planCellsCheck(MemoryPlan& plan, const Workload& work, Detail detail) {
     const auto after = plan.take(what, work.sites * word);
     plan.drop({after, sides});
   }
-  plan.drop({twins, tree});
+  // Places of sampled cells, with what is nearest.
+  constexpr std::uint64_t most_sampled = 10'000, place = 4 * point;
+  const auto sampled = partOf(std::min(work.sites, most_sampled), work.spread.edges + 1);
+  const auto places = plan.take(what, sampled * place);
+  plan.drop({places, twins, tree});
 }
 
 }  // namespace vorpipe
