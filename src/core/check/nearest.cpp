@@ -54,10 +54,9 @@ class NearestOfPlaces {
   void add(std::span<const std::uint32_t> cells) {
     std::vector<Point> places;
     for (const auto i : cells) std::ranges::copy(placesOf(run_, i), std::back_inserter(places));
-    const auto key = [](Point p) { return PlaceKey(p); };
-    std::ranges::sort(places, {}, key);
-    const auto equal = std::ranges::unique(places, {}, key);
-    places.erase(equal.begin(), equal.end());
+    std::ranges::sort(places, {}, [](Point p) { return PlaceKey(p); });
+    const auto equal = [](Point p, Point q) { return PlaceKey(p) == PlaceKey(q); };
+    places.erase(std::unique(places.begin(), places.end(), equal), places.end());
     std::erase_if(places,
                   [&](Point p) { return std::ranges::binary_search(known_, PlaceKey(p), {}, keyOf); });
     const std::size_t before = known_.size();

@@ -236,10 +236,10 @@ void ClippedCell::sortEdges() {
 }
 
 bool ClippedCell::hasEdge(std::int64_t neighbor, Point a, Point b) const {
-  const auto from_a =
-      std::ranges::equal_range(sorted_edges, placeOf(neighbor, a), {},
-                               [&](std::uint32_t edge) { return placeOf(neighbors[edge], vertices[edge]); });
-  return std::ranges::any_of(from_a, [&](std::uint32_t edge) { return endOf(edge) == b; });
+  const auto place = [&](std::uint32_t edge) { return placeOf(neighbors[edge], vertices[edge]); };
+  const auto first = std::ranges::lower_bound(sorted_edges, placeOf(neighbor, a), {}, place);
+  const auto last = std::ranges::upper_bound(first, sorted_edges.end(), placeOf(neighbor, a), {}, place);
+  return std::any_of(first, last, [&](std::uint32_t edge) { return endOf(edge) == b; });
 }
 
 OutlineClip::OutlineClip(const OutlineIndex& index) : state_(std::make_unique<State>(index)) {}
