@@ -16,7 +16,7 @@ fi
 
 source third_party/prepare.sh
 mkdir -p build
-installPackages tool build fuzz
+installPackages tool build test fuzz
 if [[ ! -f build/fuzz/build.ninja ]]; then cmake --preset fuzz >build/fuzz.log || exit; fi
 cmake --build --preset fuzz >build/fuzz.log 2>&1 || { tail -30 build/fuzz.log >&2; exit 1; }
 fuzz=build/fuzz/tests/fuzz/fuzz

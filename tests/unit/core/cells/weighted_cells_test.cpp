@@ -54,21 +54,18 @@ void compare(const Sites& sites, const Diagram& cells) {
   const auto prepared = prepare(sites, unit_cells.domain, 1);
   ASSERT_TRUE(prepared);
   const auto& set = prepared->set;
-  std::vector<std::int32_t> others(set.size());
-  std::iota(others.begin(), others.end(), 0);
   for (std::uint32_t i = 0; i < set.size(); ++i) {
     SCOPED_TRACE("site " + std::to_string(set.id[i]));
     const auto id = set.id[i];
-    auto rest = others;
-    rest.erase(rest.begin() + i);
-    const double area =
-        std::ldexp(static_cast<double>(areaOf(cellByBruteForce(set, i, rest))), -2 * prepared->exponent);
+    const auto others = othersByPower(set, i);
+    const RationalCell cell = cellByBruteForce(set, i, others);
+    const double area = std::ldexp(static_cast<double>(areaOf(cell)), -2 * prepared->exponent);
     EXPECT_EQ(cells.status[id], area > 0 ? Status::ok : Status::empty);
     EXPECT_NEAR(cells.area[id], area, 1e-12);
     std::set<std::int64_t> reported(
         cells.neighbors.begin() + static_cast<std::ptrdiff_t>(cells.cell_offsets[id]),
         cells.neighbors.begin() + static_cast<std::ptrdiff_t>(cells.cell_offsets[id + 1]));
-    for (const auto& [neighbor, ratio] : edgesByBruteForce(set, i)) {
+    for (const auto& [neighbor, ratio] : edgesByBruteForce(set, cell, others)) {
       if (neighbor < 0) continue;
       const bool has = reported.contains(set.id[static_cast<std::size_t>(neighbor)]);
       if (ratio > 1.01 * shortest) {

@@ -1,0 +1,7 @@
+find_path(GMP_INCLUDE_DIR gmp.h)
+find_library(GMP_LIBRARY gmp)
+if(GMP_INCLUDE_DIR AND GMP_LIBRARY)
+  add_library(dep::gmp INTERFACE IMPORTED)
+  target_include_directories(dep::gmp SYSTEM INTERFACE ${GMP_INCLUDE_DIR})
+  target_link_libraries(dep::gmp INTERFACE ${GMP_LIBRARY})
+endif()
