@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vorpipe::core::checks {
 
@@ -43,7 +44,7 @@ std::int32_t whole(double periods) {
   return std::abs(periods) < most ? static_cast<std::int32_t>(periods) : 0;
 }
 
-/// Those from which an image nearest to p may be seen as a site.
+/// Those from which an image nearest to p may be seen as a site; the one that is in the domain first.
 std::vector<Frame> framesOf(const CheckedSites& run, Point p) {
   const auto periods = [](bool repeats, double from_low, double period) {
     return repeats ? whole(std::floor(from_low / period)) : 0;
@@ -58,6 +59,7 @@ std::vector<Frame> framesOf(const CheckedSites& run, Point p) {
       frames.push_back({run.moved(p, {-shift[0], -shift[1]}), shift});
     }
   }
+  std::swap(frames.front(), frames[frames.size() / 2]);
   return frames;
 }
 
@@ -80,6 +82,22 @@ double nearerRounding(const CheckedSites& run, const NearImage& a, const NearIma
   return squared_rounding * (of_squares + of_places);
 }
 
+/// Whether an image that a frame sees may be as near to p as `near`: all sites are in the domain, and most
+/// frames are farther from it.
+bool maySeeAsNear(const CheckedSites& run, const NearestSite& nearest, const Frame& frame,
+                  const NearImage& near, Point p) {
+  const auto outside = [](double at, double low, double high) {
+    return std::max({low - at, 0.0, at - high});
+  };
+  const Point to_domain{run.repeats_x ? outside(frame.from.x, run.domain.xmin, run.domain.xmax) : 0,
+                        run.repeats_y ? outside(frame.from.y, run.domain.ymin, run.domain.ymax) : 0};
+  const double farther = dot(to_domain, to_domain), squared = squaredTo(near, p);
+  const double heavier = run.weightDifference(nearest.heaviest(), near.site);
+  const double rounding =
+      farther + squared + std::abs(heavier) + run.largest * (length(to_domain) + std::sqrt(squared));
+  return !(farther - squared - heavier > 4 * squared_rounding * rounding);
+}
+
 }  // namespace
 
 NearImage nearestImage(const CheckedSites& run, const NearestSite& nearest, Point p) {
@@ -89,6 +107,7 @@ NearImage nearestImage(const CheckedSites& run, const NearestSite& nearest, Poin
   }
   NearImage best{no_site, {}, {}};
   for (const Frame& frame : framesOf(run, p)) {
+    if (best.site != no_site && !maySeeAsNear(run, nearest, frame, best, p)) continue;
     const NearImage image = imageOf(run, nearest.at(frame.from), frame.shift);
     if (best.site == no_site || nearerBy(run, image, best, p) > 0) best = image;
   }
@@ -98,6 +117,7 @@ NearImage nearestImage(const CheckedSites& run, const NearestSite& nearest, Poin
 std::vector<NearImage> nearestImages(const CheckedSites& run, const NearestSite& nearest, Point p) {
   std::vector<NearImage> images;
   for (const Frame& frame : framesOf(run, p)) {
+    if (!images.empty() && !maySeeAsNear(run, nearest, frame, images.front(), p)) continue;
     for (const auto site : nearest.allAt(frame.from)) images.push_back(imageOf(run, site, frame.shift));
   }
   if (!run.repeats()) return images;

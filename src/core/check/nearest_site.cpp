@@ -16,6 +16,7 @@ struct Cloud {
   const CheckedSites& run;
   std::vector<std::uint32_t> index;
   std::vector<double> height;  ///< empty without weights
+  std::uint32_t heaviest = 0;  ///< of the run
   [[nodiscard]] std::size_t kdtree_get_point_count() const { return index.size(); }
   [[nodiscard]] double kdtree_get_pt(std::uint32_t k, std::size_t axis) const {
     if (axis == 2) return height[k];
@@ -121,15 +122,14 @@ Cloud liftedCloud(const CheckedSites& run, std::span<const std::uint32_t> owner)
   double bound = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < run.size(); ++i) bound = std::min(bound, powersIn(run, i).most);
   Cloud cloud{run, {}, {}};
-  std::uint32_t heaviest = 0;
   for (std::uint32_t i = 0; i < run.size(); ++i) {
     if (standsWithOwner(run, owner, i)) continue;
     const Powers powers = powersIn(run, i);
     if (powers.least > bound + 64 * epsilon * (std::abs(bound) + std::abs(powers.least))) continue;
-    if (cloud.index.empty() || run.weightDifference(i, heaviest) > 0) heaviest = i;
+    if (cloud.index.empty() || run.weightDifference(i, cloud.heaviest) > 0) cloud.heaviest = i;
     cloud.index.push_back(i);
   }
-  for (const auto i : cloud.index) cloud.height.push_back(std::sqrt(run.weightDifference(heaviest, i)));
+  for (const auto i : cloud.index) cloud.height.push_back(std::sqrt(run.weightDifference(cloud.heaviest, i)));
   return cloud;
 }
 
@@ -199,6 +199,8 @@ std::vector<std::uint32_t> NearestSite::allAt(Point p) const {
   for (const auto& found : near.nearestFirst()) sites.push_back(tree_->cloud.index[found.point]);
   return sites;
 }
+
+std::uint32_t NearestSite::heaviest() const { return tree_->cloud.heaviest; }
 
 std::uint64_t NearestSite::visited() const { return tree_->visited.load(std::memory_order_relaxed); }
 

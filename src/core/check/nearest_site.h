@@ -31,6 +31,9 @@ class NearestSite {
   /// powers, differ from the least by no more than rounding.
   [[nodiscard]] std::vector<std::uint32_t> allAt(Point p) const;
 
+  /// A heaviest of the sites that may be nearest to a place; any without weights.
+  [[nodiscard]] std::uint32_t heaviest() const;
+
   /// How many nodes of the tree all long searches so far have come by. Most searches are short; they are long
   /// where most sites are about as far, as seen from the center of a circle.
   [[nodiscard]] std::uint64_t visited() const;

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <random>
 
+#include "core/check/images.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {
@@ -68,6 +69,36 @@ TEST(CheckNearestSite, TakesAPlaceThatIsNoNumber) {
   const Sites sites = circleOf(300);
   const CheckedSites run(sites, unit_domain, Periodic::none, 1);
   EXPECT_LT(NearestSite(run, {}).at({std::numeric_limits<double>::quiet_NaN(), 0.5}), 300u);
+}
+
+/// Most of the nine tiles are too far away to be asked.
+TEST(CheckNearestImage, IsTheOneOfLeastPowerInNineTiles) {
+  const auto seed = std::random_device{}();
+  SCOPED_TRACE(seed);
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> anywhere(0, 1);
+  for (const double heaviest : {0.0, 1e-3, 1.0}) {
+    for (const std::size_t count : {2u, 9u, 100u}) {
+      Sites sites = generate(Pattern::random, count, seed);
+      for (std::size_t i = 0; i < count && heaviest > 0; ++i)
+        sites.weight.push_back(heaviest * anywhere(random));
+      const CheckedSites run(sites, unit_domain, Periodic::xy, 1);
+      const NearestSite nearest(run, {});
+      for (int k = 0; k < 200; ++k) {
+        const Point p{anywhere(random), anywhere(random)};
+        double least = std::numeric_limits<double>::infinity();
+        for (const double x : {-1.0, 0.0, 1.0})
+          for (const double y : {-1.0, 0.0, 1.0})
+            for (std::size_t i = 0; i < count; ++i)
+              least = std::min(least, powerOf(run, i, {p.x + x, p.y + y}));
+        const auto powerOfImage = [&](const NearImage& image) {
+          return dot(p - image.place, p - image.place) - run.weightDifference(image.site, 0);
+        };
+        EXPECT_NEAR(powerOfImage(nearestImage(run, nearest, p)), least, 1e-14);
+        EXPECT_NEAR(powerOfImage(nearestImages(run, nearest, p).front()), least, 1e-14);
+      }
+    }
+  }
 }
 
 /// A check of many such places would take hours.
