@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Runs tests of the Python package with pytest: run.py FILE...; without pytest they are skipped, and it says so."""
 import os
+import signal
 import sys
 
 try:
@@ -13,4 +14,7 @@ except ImportError:
             report.write(f'{os.environ.get("VORPIPE_TEST_NAME", "")}\t\t{reason}\n')
     sys.exit(77)
 
+# Scripts start jobs in the background with SIGINT ignored, and Python then has no KeyboardInterrupt: tests that
+# interrupt themselves would go on for ever.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 sys.exit(pytest.main(['-q', '-p', 'no:cacheprovider', '--tb=short', *sys.argv[1:]]))
