@@ -50,17 +50,6 @@ run 0 cells --sites random:9 --verbose --stats out/cells.json
 one_line
 grep -q '^vorpipe: note: auto took' log/err || fail "it does not say why a backend was taken"
 expect "9 unweighted cells"
-if [ -n "${VORPIPE_EXPECTED_BACKENDS-}" ]; then
-  validation=${VORPIPE_VALIDATION-}
-  unset VORPIPE_VALIDATION
-  notes "auto without a GPU" "auto took cpu: no hardware device, and software drivers are slower than that" \
-    cells --sites random:9 --verbose --stats out/cells.json
-  for device in "--limit maxTexelBufferElements=65536" "--disable geometryShader" "--device llvmpipe" --validate; do
-    notes "auto, $device" "auto took vulkan-compute: no hardware device, but a software driver for Vulkan" \
-      cells --sites random:9 $device --verbose --stats out/cells.json
-  done
-  [ -z "$validation" ] || export VORPIPE_VALIDATION=$validation
-fi
 for sites in square:400 hex:400 circle:700 circle:300 random:1 random:2; do
   succeeds "cells of $sites" cells --backend cpu --sites $sites --check --stats out/cells.json
 done

@@ -40,7 +40,6 @@ Result<OpenedBackend> openVulkan(const BackendOptions& options) {
 std::vector<std::string> othersAfter(const BackendOptions& options, std::string_view taken) {
   std::vector<std::string> order = {"vulkan-compute", "vulkan-geometry"};
   if (options.name == "auto") {
-    if (taken == "cpu") return {};
     order.emplace_back("opengl");
     if (options.device.empty()) order.emplace_back("cpu");
   } else if (options.name != "vulkan") {
@@ -61,18 +60,16 @@ Result<OpenedBackend> openAuto(const BackendOptions& options) {
   if (isHardware(opengl)) {
     return opened(std::move(opengl), "auto took opengl: Vulkan has no hardware device here, OpenGL has");
   }
-  // Who names a device, has it pretend to be a smaller one or its use checked means no processor.
-  const bool means_device = options.validation || !options.device.empty() || !options.mask.disabled.empty() ||
-                            !options.mask.limits.empty();
-  if (means_device && vulkan) return took("no hardware device, but a software driver for Vulkan");
-  if (means_device && opengl) {
+  if (vulkan) return took("no hardware device, but a software driver for Vulkan");
+  if (opengl) {
     return opened(
         std::move(opengl),
         fmt::format("auto took opengl: no hardware device, and Vulkan failed ({})", vulkan.error().message));
   }
   if (!options.device.empty()) return tl::unexpected(vulkan.error());
   return opened(makeCpuBackend(options),
-                "auto took cpu: no hardware device, and software drivers are slower than that");
+                fmt::format("auto took cpu: Vulkan failed ({}) and OpenGL failed ({})",
+                            vulkan.error().message, opengl.error().message));
 }
 
 }  // namespace
