@@ -39,15 +39,20 @@ Sites circleOf(std::size_t count) {
   return sites;
 }
 
+Sites randomSites(std::size_t count, double heaviest, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> anywhere(0, 1);
+  Sites sites = generate(Pattern::random, count, random());
+  for (std::size_t i = 0; i < count && heaviest > 0; ++i) sites.weight.push_back(heaviest * anywhere(random));
+  return sites;
+}
+
 TEST(CheckNearestSite, IsTheOneOfLeastPower) {
   const auto seed = std::random_device{}();
   SCOPED_TRACE(seed);
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> anywhere(0, 1);
   for (const double heaviest : {0.0, 1e-3, 1.0}) {
-    Sites sites = generate(Pattern::random, 500, seed);
-    for (std::size_t i = 0; i < sites.size() && heaviest > 0; ++i)
-      sites.weight.push_back(heaviest * anywhere(random));
+    const Sites sites = randomSites(500, heaviest, random);
     const CheckedSites run(sites, unit_domain, Periodic::none, 1);
     const NearestSite nearest(run, {});
     for (int k = 0; k < 200; ++k) {
@@ -79,9 +84,7 @@ TEST(CheckNearestImage, IsTheOneOfLeastPowerInNineTiles) {
   std::uniform_real_distribution<double> anywhere(0, 1);
   for (const double heaviest : {0.0, 1e-3, 1.0}) {
     for (const std::size_t count : {2u, 9u, 100u}) {
-      Sites sites = generate(Pattern::random, count, seed);
-      for (std::size_t i = 0; i < count && heaviest > 0; ++i)
-        sites.weight.push_back(heaviest * anywhere(random));
+      const Sites sites = randomSites(count, heaviest, random);
       const CheckedSites run(sites, unit_domain, Periodic::xy, 1);
       const NearestSite nearest(run, {});
       for (int k = 0; k < 200; ++k) {
