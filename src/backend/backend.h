@@ -17,6 +17,10 @@
 
 namespace vorpipe {
 
+/// Which drivers to look for a device with: those of hardware alone leave out any that computes on the host's
+/// processors, before it is opened.
+enum class Drivers : std::uint8_t { any, hardware };
+
 /// A line {p : p . (nx, ny) = h}; the cell lies where p . n <= h. n is a unit vector.
 /// `bound` is a lower bound of the distance from the site at which this and every later line of the
 /// same entry come from: once it reaches the security radius, the rest of the list cannot cut.

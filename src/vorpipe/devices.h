@@ -39,6 +39,8 @@ struct DeviceInfo {
   std::string type;  ///< discrete, integrated, virtual, cpu, other
   bool usable = false;
   std::string reason;  ///< why it cannot be used, and what would help; empty when usable
+  /// Drivers that were looked through for hardware before this was taken: they stay in the process.
+  bool beside_drivers = false;
   std::vector<std::pair<std::string, bool>> features;
   std::vector<std::pair<std::string, std::uint64_t>> limits;
 };

@@ -87,6 +87,7 @@ struct Workload {
   /// The device's memory is this machine's, as with software drivers. (What a graphics card holds of its own
   /// is not counted.)
   bool device_on_host = true;
+  bool beside_drivers = false;  ///< as DeviceInfo has it
   int threads = 0;
 };
 

@@ -49,6 +49,19 @@ cases=$((cases + 1))
 run 0 cells --sites random:9 --verbose --stats out/cells.json
 one_line
 grep -q '^vorpipe: note: auto took' log/err || fail "it does not say why a backend was taken"
+if [ -n "${VORPIPE_EXPECTED_BACKENDS-}" ]; then
+  grep -q '^vorpipe: note: auto took cpu: no hardware device (vulkan: llvmpipe .* is a software driver; opengl: EGL lists ' log/err ||
+    fail "it did not take cpu"
+  for device in "--limit maxTexelBufferElements=65536" "--disable geometryShader" "--device llvmpipe"; do
+    notes "auto, $device" "auto took vulkan-compute: no hardware device, but a software driver for Vulkan" \
+      cells --sites random:9 $device --verbose --stats out/cells.json
+  done
+fi
+name="auto without drivers" cases=$((cases + 1))
+VK_DRIVER_FILES=/dev/null __EGL_VENDOR_LIBRARY_FILENAMES=/dev/null run 0 cells --sites random:9 --verbose --stats out/cells.json
+one_line
+grep -q '^vorpipe: note: auto took cpu: no hardware device (.*no Vulkan driver.*; opengl: ' log/err ||
+  fail "it does not say why Vulkan and OpenGL failed"
 expect "9 unweighted cells"
 for sites in square:400 hex:400 circle:700 circle:300 random:1 random:2; do
   succeeds "cells of $sites" cells --backend cpu --sites $sites --check --stats out/cells.json

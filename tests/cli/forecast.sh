@@ -24,6 +24,11 @@ for backend in $backends; do
   measures 90 "$backend, measures" cells --backend "$backend" --sites random:$n
   measures 90 "$backend, everything" cells --backend "$backend" --sites random:$n -o out/cells.npz
 done
+# Drivers that were looked through stay in memory.
+if [ -n "${VORPIPE_EXPECTED_BACKENDS-}" ]; then
+  measures 90 "auto, measures" cells --sites random:$n
+  measures 90 "auto, everything" cells --sites random:$n -o out/cells.npz
+fi
 # Enough sites that some cells have ties.
 measures 90 "cpu, a million sites" cells --backend cpu --sites random:1000000 -o out/cells.npz
 for format in csv obj; do
@@ -75,6 +80,7 @@ grep -qE -- '--sites: needs about [0-9.]+ GB of memory, 1.0 GB are allowed by --
 fails 2 "cells of a file within 30MB" "--sites: needs about" cells --backend cpu --sites in/sites.csv --memory-limit 30MB -o out/old.csv
 fails 2 "pictures compared within 90MB" "--memory-limit" compare --backends cpu,vulkan-compute --sites random:9 --memory-limit 90MB --report out/old.json
 fails 2 "another backend" "--backend cpu needs" cells --backend vulkan-compute --sites random:9 --memory-limit 60MB -o out/old.csv
+fails 2 "without a look at drivers" "--backend cpu needs" cells --sites random:9 --memory-limit 60MB -o out/old.csv
 succeeds "bench within 1MB" bench stages --backend cpu --memory-limit 1MB --max-sites 10000 --repetitions 1 --max-side 500
 expect "allowed by --memory-limit"
 for limit in 1GB 1.5GiB 4000000000; do

@@ -161,17 +161,21 @@ Result<std::unique_ptr<Backend>> open(opengl::Device device) {
 
 }  // namespace
 
-Result<std::unique_ptr<Backend>> makeOpenGlBackend(const BackendOptions& options) {
+Result<std::unique_ptr<Backend>> makeOpenGlBackend(const BackendOptions& options, Drivers drivers) {
   Capabilities any;
   if (auto known = applyMask(any, options.mask); !known) return tl::unexpected(known.error());
-  auto device = opengl::chooseDevice(opengl::findDevices(options.mask), options.device);
+  auto device = opengl::chooseDevice(opengl::findDevices(options.mask, drivers), options.device);
   if (!device) return tl::unexpected(device.error());
+  if (drivers == Drivers::hardware && device->info.type == "cpu") {
+    return tl::unexpected(
+        Error{ErrorCode::device, fmt::format("opengl: {} is a software driver", device->info.name)});
+  }
   return open(std::move(*device));
 }
 
 std::vector<DeviceInfo> listOpenGlDevices(const Mask& mask) {
   std::vector<DeviceInfo> infos;
-  for (auto& device : opengl::findDevices(mask)) infos.push_back(std::move(device.info));
+  for (auto& device : opengl::findDevices(mask, Drivers::any)) infos.push_back(std::move(device.info));
   return infos;
 }
 

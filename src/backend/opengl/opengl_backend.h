@@ -10,8 +10,10 @@ namespace vorpipe {
 
 /// Opens the device that options.device names (an index of listOpenGlDevices, or a part of a name in
 /// any case), or the best usable one if it is empty. Needs no display.
-/// Errors: the mask names something unknown (input); no such device, or none that can be used (device).
-Result<std::unique_ptr<Backend>> makeOpenGlBackend(const BackendOptions& options);
+/// Errors: the mask names something unknown (input); no such device, or none that can be used or is of
+/// `drivers` (device).
+Result<std::unique_ptr<Backend>> makeOpenGlBackend(const BackendOptions& options,
+                                                   Drivers drivers = Drivers::any);
 
 /// Every device that OpenGL lists here, as it would be under mask; one entry that says why when there is
 /// none.

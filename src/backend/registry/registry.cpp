@@ -22,13 +22,13 @@ bool isHardware(const Made& made) { return made && (*made)->info().device.type !
 
 // Compute comes first: it is the faster of the two on lavapipe, where geometry shaders
 // run on one thread. Where only the other one can run, that.
-Result<OpenedBackend> openVulkan(const BackendOptions& options) {
-  auto compute = makeVulkanComputeBackend(options);
+Result<OpenedBackend> openVulkan(const BackendOptions& options, Drivers drivers) {
+  auto compute = makeVulkanComputeBackend(options, drivers);
   if (compute) {
     return opened(std::move(compute),
                   "vulkan took vulkan-compute: it needs no geometry shader and runs on all threads");
   }
-  auto geometry = makeVulkanGeometryBackend(options);
+  auto geometry = makeVulkanGeometryBackend(options, drivers);
   if (!geometry) return tl::unexpected(compute.error());
   return opened(std::move(geometry), fmt::format("vulkan took vulkan-geometry: vulkan-compute failed ({})",
                                                  compute.error().message));
@@ -40,6 +40,7 @@ Result<OpenedBackend> openVulkan(const BackendOptions& options) {
 std::vector<std::string> othersAfter(const BackendOptions& options, std::string_view taken) {
   std::vector<std::string> order = {"vulkan-compute", "vulkan-geometry"};
   if (options.name == "auto") {
+    if (taken == "cpu") return {};
     order.emplace_back("opengl");
     if (options.device.empty()) order.emplace_back("cpu");
   } else if (options.name != "vulkan") {
@@ -49,14 +50,20 @@ std::vector<std::string> othersAfter(const BackendOptions& options, std::string_
   return order;
 }
 
+// Who names a device or has it pretend to be a smaller one means a device, be its driver software.
+bool meansDevice(const BackendOptions& options) {
+  return !options.device.empty() || !options.mask.disabled.empty() || !options.mask.limits.empty();
+}
+
 Result<OpenedBackend> openAuto(const BackendOptions& options) {
-  auto vulkan = openVulkan(options);
+  const Drivers drivers = meansDevice(options) ? Drivers::any : Drivers::hardware;
+  auto vulkan = openVulkan(options, drivers);
   const auto took = [&](std::string_view why) -> Result<OpenedBackend> {
     vulkan->choice = fmt::format("auto took {}: {}", vulkan->backend->info().device.backend, why);
     return std::move(vulkan);
   };
   if (vulkan && vulkan->backend->info().device.type != "cpu") return took("it has a hardware device");
-  auto opengl = makeOpenGlBackend(options);
+  auto opengl = makeOpenGlBackend(options, drivers);
   if (isHardware(opengl)) {
     return opened(std::move(opengl), "auto took opengl: Vulkan has no hardware device here, OpenGL has");
   }
@@ -67,9 +74,10 @@ Result<OpenedBackend> openAuto(const BackendOptions& options) {
         fmt::format("auto took opengl: no hardware device, and Vulkan failed ({})", vulkan.error().message));
   }
   if (!options.device.empty()) return tl::unexpected(vulkan.error());
-  return opened(makeCpuBackend(options),
-                fmt::format("auto took cpu: Vulkan failed ({}) and OpenGL failed ({})",
-                            vulkan.error().message, opengl.error().message));
+  auto cpu = opened(makeCpuBackend(options), fmt::format("auto took cpu: no hardware device (vulkan: {}; {})",
+                                                         vulkan.error().message, opengl.error().message));
+  if (cpu) cpu->beside_drivers = true;
+  return cpu;
 }
 
 }  // namespace
@@ -79,7 +87,7 @@ Result<OpenedBackend> openBackend(const BackendOptions& options) {
   if (auto known = applyMask(any, options.mask); !known) return tl::unexpected(known.error());
   const auto& name = options.name;
   if (name == "auto" || name == "vulkan") {
-    auto chosen = name == "auto" ? openAuto(options) : openVulkan(options);
+    auto chosen = name == "auto" ? openAuto(options) : openVulkan(options, Drivers::any);
     if (chosen) chosen->others = othersAfter(options, chosen->backend->info().device.backend);
     return chosen;
   }

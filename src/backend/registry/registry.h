@@ -15,12 +15,13 @@ struct OpenedBackend {
   std::string choice;  ///< why this one, where the name left a choice
   /// The backends that the same name would take next, by their own names, if this one fails at work.
   std::vector<std::string> others{};
+  bool beside_drivers = false;  ///< as DeviceInfo has it
 };
 
 /// Opens `options.name`: a registry name (vulkan-geometry, vulkan-compute, opengl, cpu), "vulkan"
 /// (vulkan-compute, or vulkan-geometry where only that can run) or "auto" (a hardware device through
-/// Vulkan, then through OpenGL; without one Vulkan's software driver, OpenGL's, cpu). Errors: an unknown name
-/// (input); no such device (device).
+/// Vulkan, then through OpenGL; without one cpu, but where a device is named or masked Vulkan's software
+/// driver, then OpenGL's). Errors: an unknown name (input); no such device (device).
 Result<OpenedBackend> openBackend(const BackendOptions& options);
 
 /// What finds the cells that a device leaves.

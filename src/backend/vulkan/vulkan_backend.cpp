@@ -5,6 +5,7 @@
 
 #include "backend/vulkan/compute/compute.h"
 #include "backend/vulkan/device/device_pool.h"
+#include "backend/vulkan/device/error.h"
 #include "backend/vulkan/device/instance.h"
 #include "backend/vulkan/device/physical.h"
 #include "backend/vulkan/geometry/geometry.h"
@@ -17,13 +18,17 @@ using vulkan::Pipeline;
 
 constexpr int most_devices = 8;
 
-Result<std::unique_ptr<Backend>> openDevice(const BackendOptions& options, Pipeline pipeline) {
+Result<std::unique_ptr<Backend>> openDevice(const BackendOptions& options, Pipeline pipeline,
+                                            Drivers drivers) {
   Result<vulkan::Instance> instance = vulkan::Instance::open(options.validation);
   if (!instance) return tl::unexpected(std::move(instance).error());
   const Result<std::vector<vulkan::Physical>> devices = vulkan::enumerate(*instance, options.mask, pipeline);
   if (!devices) return tl::unexpected(devices.error());
   const Result<vulkan::Physical> device = vulkan::choose(*devices, options.device);
   if (!device) return tl::unexpected(device.error());
+  if (drivers == Drivers::hardware && device->info.type == "cpu") {
+    return vulkan::deviceError(device->info.name + " is a software driver");
+  }
   if (pipeline == Pipeline::compute) {
     // Without a GPU the device is the host, which has the sites in their bins already.
     const bool is_host = device->info.type == "cpu";
@@ -49,16 +54,17 @@ void listDevices(const Mask& mask, Pipeline pipeline, std::vector<DeviceInfo>& l
 
 }  // namespace
 
-Result<std::unique_ptr<Backend>> makeVulkanGeometryBackend(const BackendOptions& options) {
-  auto first = openDevice(options, Pipeline::geometry);
+Result<std::unique_ptr<Backend>> makeVulkanGeometryBackend(const BackendOptions& options, Drivers drivers) {
+  auto first = openDevice(options, Pipeline::geometry, drivers);
   if (!first || (*first)->info().device.type != "cpu") return first;
   const int devices = std::min(threadCount(options.threads), most_devices);
   return vulkan::makeDevicePool(
-      std::move(*first), [options] { return openDevice(options, Pipeline::geometry); }, devices);
+      std::move(*first), [options] { return openDevice(options, Pipeline::geometry, Drivers::any); },
+      devices);
 }
 
-Result<std::unique_ptr<Backend>> makeVulkanComputeBackend(const BackendOptions& options) {
-  return openDevice(options, Pipeline::compute);
+Result<std::unique_ptr<Backend>> makeVulkanComputeBackend(const BackendOptions& options, Drivers drivers) {
+  return openDevice(options, Pipeline::compute, drivers);
 }
 
 std::vector<DeviceInfo> listVulkanDevices(const Mask& mask) {

@@ -9,12 +9,14 @@
 namespace vorpipe {
 
 /// Opens the device that options name, or the best usable one: discrete before integrated, virtual,
-/// cpu and other. Errors: no loader, driver or device, none that fits options.device, one that
+/// cpu and other. Errors: no loader, driver or device, none that fits options.device or `drivers`, one that
 /// lacks a feature (device; the message names the remedy); an unknown name in the mask (input).
-Result<std::unique_ptr<Backend>> makeVulkanGeometryBackend(const BackendOptions& options);
+Result<std::unique_ptr<Backend>> makeVulkanGeometryBackend(const BackendOptions& options,
+                                                           Drivers drivers = Drivers::any);
 
 /// The same for the pipeline without a geometry shader.
-Result<std::unique_ptr<Backend>> makeVulkanComputeBackend(const BackendOptions& options);
+Result<std::unique_ptr<Backend>> makeVulkanComputeBackend(const BackendOptions& options,
+                                                          Drivers drivers = Drivers::any);
 
 /// Every Vulkan device in the order of its index, as it would be with mask, once for each pipeline;
 /// without any, one entry for each pipeline that says why.

@@ -57,7 +57,8 @@ std::string adviceFor(const InputOptions& options, const Workload& work, const P
   };
   Workload other = work;
   other.backend = "cpu";
-  if (work.device_on_host && work.backend != "cpu" && needs(other) <= limit) {
+  other.beside_drivers = false;
+  if (work.device_on_host && (work.backend != "cpu" || work.beside_drivers) && needs(other) <= limit) {
     return fmt::format("--backend cpu needs {}", sizeText(needs(other)));
   }
   other = work;
@@ -124,6 +125,7 @@ Result<TileSizes> forecastTiles(const InputOptions& options, std::uint64_t sites
   work.sites = sites;
   work.backend = device.backend;
   work.device_on_host = device.type == "cpu";
+  work.beside_drivers = device.beside_drivers;
   work.threads = backend.threads;
   const auto peak = [&](std::uint64_t tile) { return peakInTiles(options, work, mapped_bytes, tile); };
   const auto fits = [&](std::uint64_t tile) { return !lackOfMemory(peak(tile), limit); };

@@ -119,6 +119,7 @@ namespace vorpipe {
 
 void planSession(MemoryPlan& plan, const Workload& work) {
   plan.take("the program, its libraries and the driver", core::needsOf(work).program);
+  if (work.beside_drivers) plan.take("drivers that were looked through for hardware", looked_through_bytes);
 }
 
 }  // namespace vorpipe

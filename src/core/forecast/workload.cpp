@@ -13,6 +13,7 @@ Result<Workload> workloadOf(const Sites& sites, const CellsOptions& options, Ima
   work.search = options.search.method;
   work.backend = device.backend;
   work.device_on_host = device.type == "cpu";
+  work.beside_drivers = device.beside_drivers;
   work.threads = threads;
   const auto all = sitesAndImages(sites, options.domain, options.periodic, purpose, threads);
   if (!all) return tl::unexpected(all.error());

@@ -31,6 +31,7 @@ DeviceInUse::DeviceInUse(BackendOptions options, OpenedBackend opened) : options
 
 void DeviceInUse::take(OpenedBackend opened) {
   info_ = opened.backend->info().device;
+  info_.beside_drivers = opened.beside_drivers;
   options_.name = info_.backend;
   choice_ = opened.choice;
   bounds_ = {};

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "vorpipe.h"
+#include "backend/backend.h"
 
 namespace vorpipe::opengl {
 
@@ -42,7 +42,8 @@ class Context {
 };
 
 /// Opens a context on each device, in the system's order; an element is an error where a device
-/// gives none. Error (device): there is no OpenGL without a display here at all.
-Result<std::vector<Result<Context>>> openContexts();
+/// gives none. Where only hardware is wanted, devices that the system itself calls software are left out.
+/// Error (device): there is no OpenGL without a display here at all, or none of the drivers wanted.
+Result<std::vector<Result<Context>>> openContexts(Drivers drivers);
 
 }  // namespace vorpipe::opengl

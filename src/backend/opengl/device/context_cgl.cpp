@@ -60,7 +60,7 @@ Result<Scope> Context::enter() const {
   return Scope([previous] { CGLSetCurrentContext(previous); });
 }
 
-Result<std::vector<Result<Context>>> openContexts() {
+Result<std::vector<Result<Context>>> openContexts(Drivers) {
   std::vector<Result<Context>> contexts;
   contexts.push_back(openContext());
   return contexts;

@@ -8,6 +8,7 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "backend/opengl/device/context.h"
 #include "backend/opengl/device/egl_display.h"
@@ -112,11 +113,14 @@ Result<Scope> Context::enter() const {
   return Scope(std::move(leave));
 }
 
-Result<std::vector<Result<Context>>> openContexts() {
+Result<std::vector<Result<Context>>> openContexts(Drivers drivers) {
   if (auto found = findLibraries(); !found) return tl::unexpected(found.error());
   std::vector<Result<Context>> contexts;
   bool any = false;
-  const auto devices = eglDevices();
+  auto devices = eglDevices();
+  if (drivers == Drivers::hardware && std::erase_if(devices, isSoftware) > 0 && devices.empty()) {
+    return tl::unexpected(Error{ErrorCode::device, "opengl: EGL lists software drivers alone"});
+  }
   for (std::size_t i = 0; i < devices.size(); ++i) {
     contexts.push_back(
         openContext(openDisplay(EGL_PLATFORM_DEVICE_EXT, devices[i]), fmt::format("EGL device {}", i)));

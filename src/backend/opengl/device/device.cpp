@@ -151,8 +151,8 @@ std::size_t bestNamed(const std::vector<Device>& devices, std::string_view part)
 
 }  // namespace
 
-std::vector<Device> findDevices(const Mask& mask) {
-  auto contexts = openContexts();
+std::vector<Device> findDevices(const Mask& mask, Drivers drivers) {
+  auto contexts = openContexts(drivers);
   std::vector<Device> devices;
   if (!contexts) {
     devices.push_back(unusable(contexts.error()));

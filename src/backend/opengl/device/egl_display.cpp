@@ -50,6 +50,11 @@ std::vector<EGLDeviceEXT> eglDevices() {
   return devices;
 }
 
+bool isSoftware(EGLDeviceEXT device) {
+  const auto query = extensionFunction<PFNEGLQUERYDEVICESTRINGEXTPROC>("eglQueryDeviceStringEXT");
+  return query != nullptr && hasExtension(query(device, EGL_EXTENSIONS), "EGL_MESA_device_software");
+}
+
 bool hasSurfacelessPlatform() {
   return hasClientExtension("EGL_EXT_platform_base") && hasClientExtension("EGL_MESA_platform_surfaceless");
 }

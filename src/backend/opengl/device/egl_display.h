@@ -18,6 +18,9 @@ Result<EGLDisplay> openDisplay(EGLenum platform, void* native);
 /// The devices that EGL lists, in its order; none where it cannot list or open devices.
 std::vector<EGLDeviceEXT> eglDevices();
 
+/// Whether a device computes on the host's processors, as far as EGL says.
+bool isSoftware(EGLDeviceEXT device);
+
 bool hasSurfacelessPlatform();
 
 /// Whether a list as EGL_EXTENSIONS gives it, or null, has the extension.
