@@ -13,7 +13,7 @@ endfunction()
 
 # What names many templates and does nothing for long is optimized a little.
 add_library(vorpipe_quick INTERFACE)
-target_compile_options(vorpipe_quick INTERFACE $<$<NOT:$<CONFIG:Debug>>:-O1>)
+target_compile_options(vorpipe_quick INTERFACE $<$<NOT:$<CONFIG:Debug>>:-Og>)
 
 # VORPIPE_PRECOMPILE: headers that most sources include are read once for all, which is a quarter of a build from
 # nothing. The preset asan is without, so that there every source is held to naming what it uses.
