@@ -133,9 +133,10 @@ void addRunOptions(Options& options, BackendOptions& backend, std::optional<std:
             parseBytes);
   addMaskOptions(options, backend.mask);
   backend.validation = validationAskedByEnvironment();
-  options.addFlag("--validate", backend.validation,
-                  "turns on Vulkan's validation layers; a message of theirs fails the run [on where "
-                  "VORPIPE_VALIDATION is 1]");
+  options.addFlag(
+      "--validate", backend.validation,
+      "turns on Vulkan's validation layers, where Vulkan computes; a message of theirs fails the run "
+      "[on where VORPIPE_VALIDATION is 1]");
 }
 
 void addSearchOptions(Options& options, SearchOptions& search) {
