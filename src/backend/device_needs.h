@@ -11,7 +11,7 @@ namespace vorpipe {
 inline constexpr std::size_t feedback_bytes = std::size_t{32} * 1024 * 1024;
 
 /// What stays of drivers that are closed again, as measured with Mesa 22.3.6, LLVM 15 and libvulkan 1.3.
-inline constexpr std::uint64_t looked_through_bytes = 60'000'000;
+inline constexpr std::uint64_t looked_through_bytes = 57'000'000;
 
 /// In bytes. Those of the device count where its memory is the host's.
 struct DeviceNeeds {

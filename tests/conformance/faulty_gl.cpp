@@ -37,7 +37,8 @@ FaultyGl* between = nullptr;
 // Found by eglGetProcAddress.
 #define VORPIPE_EGL_EXTENSIONS(_)                                                                         \
   _(eglGetPlatformDisplayEXT, PFNEGLGETPLATFORMDISPLAYEXTPROC)                                            \
-  _(eglQueryDevicesEXT, PFNEGLQUERYDEVICESEXTPROC)
+  _(eglQueryDevicesEXT, PFNEGLQUERYDEVICESEXTPROC)                                                        \
+  _(eglQueryDeviceStringEXT, PFNEGLQUERYDEVICESTRINGEXTPROC)
 // clang-format on
 
 /// What a function returns when it fails.

@@ -52,6 +52,23 @@ TEST(OpenGlFaults, LeaveNoFunctionOut) {
   expectListed(called, {FaultyGl::canFail(), FaultyGl::cannotFail()});
 }
 
+// Software drivers are left out also where EGL does not say what they are.
+TEST(OpenGlFaults, LeaveSoftwareDriversOut) {
+  constexpr int most_calls = 3000;
+  for (int nth = 1; nth < most_calls; nth++) {
+    FaultyGl faulty(nth, FaultyGl::Failure::context_lost);
+    const auto opened = makeOpenGlBackend({}, Drivers::hardware);
+    ASSERT_FALSE(opened.has_value()) << faulty.failed;
+    EXPECT_EQ(opened.error().code, ErrorCode::device);
+    if (faulty.calls < nth) {
+      EXPECT_GT(nth, 5);
+      return;
+    }
+    EXPECT_EQ(faulty.contexts_alive, faulty.failed == "eglDestroyContext" ? 1 : 0);
+  }
+  FAIL() << "there is always another call";
+}
+
 // Lets the first call fail, then the second, and so on until the work is done before its turn.
 TEST(OpenGlFaults, AreErrorsOrDoNoHarm) {
   const Scene scene = makeScene(10);
