@@ -49,6 +49,7 @@ cases=$((cases + 1))
 run 0 cells --sites random:9 --verbose --stats out/cells.json
 one_line
 grep -q '^vorpipe: note: auto took' log/err || fail "it does not say why a backend was taken"
+expect "9 unweighted cells"
 if [ -n "${VORPIPE_EXPECTED_BACKENDS-}" ]; then
   grep -q '^vorpipe: note: auto took cpu: no hardware device (vulkan: llvmpipe .* is a software driver; opengl: EGL lists ' log/err ||
     fail "it did not take cpu"

@@ -18,8 +18,8 @@ struct Device {
   std::optional<Context> context;
 };
 
-/// Every device here that has one of `drivers`, as it would be under mask; one that says why when there is
-/// none.
+/// Every device of which openContexts() has a context or an error, as it would be under mask; one that says
+/// why when there is none.
 std::vector<Device> findDevices(const Mask& mask, Drivers drivers);
 
 /// The device named by an index or a part of a name in any case, or the best one if wanted is empty.
