@@ -1,18 +1,18 @@
-# VORPIPE_BATCHES: sources that lie in one folder are compiled as one, because most of what each takes is headers and
+# VORPIPE_BATCHES: sources that lie together are compiled as one, because most of what each takes is headers and
 # templates that all of them have. The preset dev does so, for a build from nothing; who edits one source again and
 # again says -D VORPIPE_BATCHES=OFF. In the presets release, bench and asan each source stands alone, and must name all
 # that it uses, which the test named_headers holds it to.
-option(VORPIPE_BATCHES "Compile the sources of a folder as one" OFF)
+option(VORPIPE_BATCHES "Compile sources that lie together as one" OFF)
 if(VORPIPE_BATCHES)
   # GCC collects its garbage at each doubling of 128 MB. A batch needs 1.2 GB without that, 1 GB with it, and a tenth
   # more time.
   add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,GNU>:--param=ggc-min-heapsize=2097152>)
 endif()
 
-# vorpipe_batches(target [ALONE name...]): each folder of its sources is a batch; what is the only one of its folder is
-# in the batch of the folder around. ALONE are files with private names that others of the batch have as well, of which
-# the compiler says "redefinition" or "shadows"; before a name that files of other folders have too stands its folder,
-# as in sites/weights.cpp.
+# vorpipe_batches(target [ALONE name...]): its sources in batches of whole folders, as many as it takes to have a dozen
+# sources. ALONE are files with private names that others of the batch have as well, of which the
+# compiler says "redefinition" or "shadows"; before a name that files of other folders have too stands its folder, as in
+# sites/weights.cpp.
 function(vorpipe_batches target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "ALONE")
   if(NOT VORPIPE_BATCHES)
@@ -21,28 +21,22 @@ function(vorpipe_batches target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   get_target_property(sources ${target} SOURCES)
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
-  set(folders)
+  set(count 0)
   foreach(source IN LISTS sources)
-    cmake_path(GET source PARENT_PATH folder)
-    list(APPEND folders "${folder}/")
-  endforeach()
-  list(LENGTH folders all)
-  foreach(source folder IN ZIP_LISTS sources folders)
-    set(elsewhere ${folders})
-    list(REMOVE_ITEM elsewhere "${folder}")
-    list(LENGTH elsewhere others)
     cmake_path(GET source FILENAME name)
     cmake_path(GET source PARENT_PATH folder)
     cmake_path(GET folder FILENAME last)
+    if(name IN_LIST arg_ALONE OR "${last}/${name}" IN_LIST arg_ALONE)
+      continue()
+    endif()
     string(REPLACE "${CMAKE_CURRENT_SOURCE_DIR}/" "" folder "${folder}")
-    math(EXPR here "${all} - ${others}")
-    if(here EQUAL 1)
-      cmake_path(GET folder PARENT_PATH folder)
+    if(count EQUAL 0 OR (count GREATER_EQUAL 12 AND NOT folder STREQUAL folder_before))
+      string(MAKE_C_IDENTIFIER "batch_${folder}" group)
+      set(count 0)
     endif()
-    string(MAKE_C_IDENTIFIER "batch_${folder}" group)
-    if(NOT name IN_LIST arg_ALONE AND NOT "${last}/${name}" IN_LIST arg_ALONE)
-      set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
-    endif()
+    set(folder_before "${folder}")
+    math(EXPR count "${count} + 1")
+    set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
   endforeach()
 endfunction()
 

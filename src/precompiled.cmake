@@ -32,12 +32,15 @@ if(VORPIPE_PRECOMPILE)
       PRIVATE
       <algorithm>
       <array>
+      <chrono>
       <cmath>
       <cstdint>
       <functional>
+      <map>
       <memory>
       <optional>
       <span>
+      <stop_token>
       <string>
       <string_view>
       <utility>

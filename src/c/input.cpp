@@ -70,7 +70,7 @@ Result<ReadOptions> readOptions(const vorpipe_read_options& given) {
 }
 
 /// Gives the caller an object.
-vorpipe_code give(Result<vorpipe_input> made, vorpipe_input** input) {
+vorpipe_code giveInput(Result<vorpipe_input> made, vorpipe_input** input) {
   if (!made) return fail(made.error());
   *input = new vorpipe_input(std::move(*made));
   return VORPIPE_DONE;
@@ -117,14 +117,14 @@ vorpipe_code vorpipe_input_create(const vorpipe_sites* sites, vorpipe_input** in
     if (!given) return fail(given.error());
     auto copy = sitesOf(*given);
     if (!copy) return fail(copy.error());
-    return give(inputOf(std::move(*copy)), input);
+    return giveInput(inputOf(std::move(*copy)), input);
   });
 }
 
 vorpipe_code vorpipe_input_read(const char* sites, uint64_t seed, vorpipe_input** input) {
   if (sites == nullptr) return missing("sites");
   if (input == nullptr) return missing("input");
-  return guarded([&] { return give(inputOf(sites, seed, {.attributes = false}), input); });
+  return guarded([&] { return giveInput(inputOf(sites, seed, {.attributes = false}), input); });
 }
 
 vorpipe_code vorpipe_input_read_with(const char* sites, const vorpipe_read_options* options,
@@ -136,7 +136,7 @@ vorpipe_code vorpipe_input_read_with(const char* sites, const vorpipe_read_optio
     if (!given) return fail(given.error());
     const auto reading = readOptions(*given);
     if (!reading) return fail(reading.error());
-    return give(inputOf(sites, given->seed == 0 ? 1 : given->seed, *reading), input);
+    return giveInput(inputOf(sites, given->seed == 0 ? 1 : given->seed, *reading), input);
   });
 }
 

@@ -17,12 +17,11 @@
 #include "backend/to_float.h"
 #include "core/sites/site_set.h"
 #include "support/oracles/oracle.h"
+#include "support/sites/unit.h"
 
 namespace vorpipe::test {
 
 using namespace core;
-
-inline constexpr Box unit_square{0, 0, 1, 1};
 
 /// Defined by the tests of each device backend: opens it, or fails the test and returns null.
 std::unique_ptr<Backend> openBackend(const Mask& mask = {}, int threads = 0);
@@ -42,7 +41,7 @@ struct Scene {
 };
 
 inline SiteSet prepared(const Sites& sites) {
-  auto made = prepare(sites, unit_square, 1);
+  auto made = prepare(sites, unit, 1);
   EXPECT_TRUE(made.has_value());
   return made ? std::move(made->set) : SiteSet{};
 }
@@ -92,7 +91,7 @@ inline std::vector<std::uint32_t> range(std::size_t first, std::size_t last) {
 
 /// The unit square in width * height pixels; color c of the palette is c in every channel.
 inline View makeView(int width, int height) {
-  View view{unit_square, width, height, {}};
+  View view{unit, width, height, {}};
   for (std::uint32_t palette_index = 0; palette_index < view.palette.size(); palette_index++)
     view.palette[palette_index] = palette_index * 0x01010101U;
   return view;
@@ -158,7 +157,7 @@ inline std::vector<std::uint32_t> drawSites(Backend& backend, const std::vector<
 
 /// Checks that all pixels belong to a nearest site and have its color.
 inline void expectPicture(const Image& image, const Scene& scene, const View& view) {
-  expectNearestEverywhere(image, scene.sites, unit_square);
+  expectNearestEverywhere(image, scene.sites, unit);
   for (std::size_t pixel = 0; pixel < image.ids.size(); pixel++) {
     ASSERT_EQ(image.rgba[pixel], view.palette[image.ids[pixel] % 256]);
   }

@@ -11,11 +11,10 @@
 #include "support/devices/backends.h"
 #include "support/oracles/cell_oracle.h"
 #include "support/shared.h"
+#include "support/sites/unit.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {
-
-inline constexpr Box unit{0, 0, 1, 1};
 
 inline CellsOptions within(const Box& domain, SearchOptions search = {}, Detail detail = Detail::everything) {
   CellsOptions wanted{};

@@ -11,12 +11,11 @@
 #include "support/oracles/oracle.h"
 #include "support/shared.h"
 #include "support/sites/data_sets.h"
+#include "support/sites/unit.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {
 namespace {
-
-constexpr Box unit{0, 0, 1, 1};
 
 RenderOptions picture(Box domain, int width = 96, int height = 96) {
   RenderOptions wanted{};

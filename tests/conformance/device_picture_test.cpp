@@ -58,7 +58,7 @@ TEST(DevicePicture, OfSitesElsewhereShowsNearestSites) {
     });
   }
   EXPECT_TRUE(left.empty());
-  expectNearestEverywhere(read(*backend, view), sites, unit_square);
+  expectNearestEverywhere(read(*backend, view), sites, unit);
 }
 
 TEST(DevicePicture, OfAPartIsThatPartOfTheWhole) {

@@ -14,11 +14,10 @@
 #include "support/exact/exact_comparison.h"
 #include "support/exact/exact_triangles.h"
 #include "support/sites/data_sets.h"
+#include "support/sites/unit.h"
 
 namespace vorpipe::test {
 namespace {
-
-constexpr Box unit{0, 0, 1, 1};
 
 std::set<std::int64_t> neighborsOf(const ExactCells& cells, std::size_t i, double longer_than) {
   std::set<std::int64_t> neighbors;

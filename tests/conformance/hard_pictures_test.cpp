@@ -10,12 +10,11 @@
 #include "support/oracles/oracle.h"
 #include "support/shared.h"
 #include "support/sites/random_sites.h"
+#include "support/sites/unit.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {
 namespace {
-
-constexpr Box unit{0, 0, 1, 1};
 
 RenderOptions picture(const Box& domain, int width, int height) {
   RenderOptions options{};

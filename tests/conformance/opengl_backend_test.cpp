@@ -121,7 +121,7 @@ struct BufferLimit {
 TEST(OpenGlBackend, IsGivenLessAtATimeWhereItRefusesMemory) {
   const Sites sites = generate(Pattern::random, 40000, 3);
   CellsOptions wanted{};
-  wanted.domain = unit_square;
+  wanted.domain = unit;
   wanted.detail = Detail::everything;
   BackendOptions options;
   options.name = "opengl";

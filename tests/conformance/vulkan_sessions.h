@@ -17,7 +17,7 @@ inline constexpr int side = 200;
 
 inline CellsOptions wantedCells(SearchOptions search = {}) {
   CellsOptions wanted{};
-  wanted.domain = unit_square;
+  wanted.domain = unit;
   wanted.search = search;
   wanted.detail = Detail::everything;
   return wanted;
@@ -25,7 +25,7 @@ inline CellsOptions wantedCells(SearchOptions search = {}) {
 
 inline RenderOptions wantedPicture() {
   RenderOptions wanted{};
-  wanted.domain = unit_square;
+  wanted.domain = unit;
   wanted.width = wanted.height = side;
   return wanted;
 }
@@ -47,7 +47,7 @@ inline void expectRight(const Result<Diagram>& cells, const Diagram& reference) 
 inline void expectRight(const Result<Rendering>& rendering, const Sites& sites) {
   ASSERT_TRUE(rendering.has_value()) << rendering.error().message;
   EXPECT_EQ(rendering->report.validation_messages, std::vector<std::string>());
-  expectNearestEverywhere(rendering->image, sites, unit_square);
+  expectNearestEverywhere(rendering->image, sites, unit);
 }
 
 class VulkanSessions : public testing::Test {

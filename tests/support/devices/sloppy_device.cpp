@@ -287,6 +287,8 @@ class Device final : public SloppyDevice {
         const double twice = (from(x, view_.corner.x, s.x[own]) + from(x, view_.corner.x, s.x[other])) * dx +
                              (from(y, view_.corner.y, s.y[own]) + from(y, view_.corner.y, s.y[other])) * dy +
                              (s.weight.empty() ? 0 : s.weight[other] - s.weight[own]);
+        // Most places are on their own side of the bisector, and need no length.
+        if (twice <= 0) continue;
         farthest_beyond_ = std::max(farthest_beyond_, 0.5 * twice / std::hypot(dx * pixel_x, dy * pixel_y));
       }
     }

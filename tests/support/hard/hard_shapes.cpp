@@ -10,7 +10,7 @@
 namespace vorpipe::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 Point anywhere(Random& random) {
   const double x = random.uniform();

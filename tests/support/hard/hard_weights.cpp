@@ -90,7 +90,7 @@ std::vector<double> magnitudes(const Sites& sites, double extent, Random& random
   });
 }
 
-constexpr std::array<HardWeights, 11> kinds{{{"lifted", lifted},
+constexpr std::array<HardWeights, 11> hard_weights{{{"lifted", lifted},
                                              {"lifted", lifted},
                                              {"lifted", lifted},
                                              {"flattened", flattened},
@@ -104,6 +104,6 @@ constexpr std::array<HardWeights, 11> kinds{{{"lifted", lifted},
 
 }  // namespace
 
-std::span<const HardWeights> hardWeights() { return kinds; }
+std::span<const HardWeights> hardWeights() { return hard_weights; }
 
 }  // namespace vorpipe::test

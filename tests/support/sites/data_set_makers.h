@@ -6,6 +6,7 @@
 
 #include "support/sites/data_sets.h"
 #include "support/sites/random_sites.h"
+#include "support/sites/unit.h"
 
 namespace vorpipe::test {
 
@@ -17,9 +18,7 @@ struct Maker {
 /// Those of weightedSetKinds().
 const std::vector<Maker>& weightedMakers();
 
-inline constexpr Box unit_square{0, 0, 1, 1};
-
-inline DataSet inUnit(Sites sites) { return {{}, std::move(sites), unit_square}; }
+inline DataSet inUnit(Sites sites) { return {{}, std::move(sites), unit}; }
 
 inline DataSet inItsBox(Sites sites) {
   const Box box = boxAround(sites);

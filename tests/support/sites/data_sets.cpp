@@ -39,7 +39,7 @@ DataSet turnedLattice(std::uint64_t n, Random&) {
 }
 
 DataSet scaled(double scale, std::uint64_t n, Random& random) {
-  return {{}, mapped(randomSites(n, random), scale, 0, 0), mapped(unit_square, scale, 0, 0)};
+  return {{}, mapped(randomSites(n, random), scale, 0, 0), mapped(unit, scale, 0, 0)};
 }
 
 /// Eastings and northings in meters, to the millimeter.
@@ -114,7 +114,7 @@ const std::vector<Maker>& makers() {
        }},
       {{"cropped", "most sites outside of the domain"},
        [](N n, Random& r) {
-         return DataSet{{}, mapped(randomSites(n, r), 3, -1.3, -0.7), unit_square};
+         return DataSet{{}, mapped(randomSites(n, r), 3, -1.3, -0.7), unit};
        }},
       {{"far", "no site in the domain"},
        [](N n, Random& r) { return inUnit(mapped(randomSites(n, r), 1, 5, -3)); }},

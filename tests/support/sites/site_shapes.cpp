@@ -7,7 +7,7 @@
 namespace vorpipe::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 }  // namespace
 

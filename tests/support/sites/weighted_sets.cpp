@@ -63,7 +63,7 @@ DataSet inLayers(N n, Random& random) {
   const double square = 9 / static_cast<double>(n);
   return {{},
           weighted(std::move(sites), [&](std::size_t) { return 20 * square * random.uniform(); }),
-          unit_square};
+          unit};
 }
 
 }  // namespace
@@ -159,13 +159,13 @@ const std::vector<Maker>& weightedMakers() {
        [](N n, Random& r) {
          return DataSet{{},
                         mapped(withRandomWeights(randomSites(n, r), 0, 2, r), 1e-60, 0, 0),
-                        mapped(unit_square, 1e-60, 0, 0)};
+                        mapped(unit, 1e-60, 0, 0)};
        }},
       {{"huge-weights", "coordinates of 1e60"},
        [](N n, Random& r) {
          return DataSet{{},
                         mapped(withRandomWeights(randomSites(n, r), 0, 2, r), 1e60, 0, 0),
-                        mapped(unit_square, 1e60, 0, 0)};
+                        mapped(unit, 1e60, 0, 0)};
        }},
       {{"two-weights", "two sites"},
        [](N, Random& r) { return inUnit(withRandomWeights(randomSites(2, r), 0, 0.5, r)); }},

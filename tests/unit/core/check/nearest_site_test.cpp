@@ -11,6 +11,7 @@
 #include <random>
 
 #include "core/check/images.h"
+#include "support/sites/unit.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {
@@ -20,7 +21,6 @@ using ::testing::SizeIs;
 
 namespace {
 
-constexpr Box unit_domain{0, 0, 1, 1};
 constexpr Point center{0.5, 0.5};
 
 double powerOf(const CheckedSites& run, std::size_t i, Point p) {
@@ -53,7 +53,7 @@ TEST(CheckNearestSite, IsTheOneOfLeastPower) {
   std::uniform_real_distribution<double> anywhere(0, 1);
   for (const double heaviest : {0.0, 1e-3, 1.0}) {
     const Sites sites = randomSites(500, heaviest, random);
-    const CheckedSites run(sites, unit_domain, Periodic::none, 1);
+    const CheckedSites run(sites, unit, Periodic::none, 1);
     const NearestSite nearest(run, {});
     for (int k = 0; k < 200; ++k) {
       const Point p{anywhere(random), anywhere(random)};
@@ -66,13 +66,13 @@ TEST(CheckNearestSite, IsTheOneOfLeastPower) {
 
 TEST(CheckNearestSite, KnowsAllThatAreAsNear) {
   const Sites sites = circleOf(300);
-  const CheckedSites run(sites, unit_domain, Periodic::none, 1);
+  const CheckedSites run(sites, unit, Periodic::none, 1);
   EXPECT_THAT(NearestSite(run, {}).allAt({center.x * run.scale, center.y * run.scale}), SizeIs(300));
 }
 
 TEST(CheckNearestSite, TakesAPlaceThatIsNoNumber) {
   const Sites sites = circleOf(300);
-  const CheckedSites run(sites, unit_domain, Periodic::none, 1);
+  const CheckedSites run(sites, unit, Periodic::none, 1);
   EXPECT_LT(NearestSite(run, {}).at({std::numeric_limits<double>::quiet_NaN(), 0.5}), 300u);
 }
 
@@ -85,7 +85,7 @@ TEST(CheckNearestImage, IsTheOneOfLeastPowerInNineTiles) {
   for (const double heaviest : {0.0, 1e-3, 1.0}) {
     for (const std::size_t count : {2u, 9u, 100u}) {
       const Sites sites = randomSites(count, heaviest, random);
-      const CheckedSites run(sites, unit_domain, Periodic::xy, 1);
+      const CheckedSites run(sites, unit, Periodic::xy, 1);
       const NearestSite nearest(run, {});
       for (int k = 0; k < 200; ++k) {
         const Point p{anywhere(random), anywhere(random)};
@@ -107,7 +107,7 @@ TEST(CheckNearestImage, IsTheOneOfLeastPowerInNineTiles) {
 /// A check of many such places would take hours.
 TEST(CheckNearestSite, CountsWhatLongSearchesVisit) {
   const Sites sites = circleOf(100'000);
-  const CheckedSites run(sites, unit_domain, Periodic::none, 1);
+  const CheckedSites run(sites, unit, Periodic::none, 1);
   const NearestSite nearest(run, {});
   static_cast<void>(nearest.at(run.site(17)));
   EXPECT_EQ(nearest.visited(), 0u);

@@ -5,16 +5,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "support/sites/unit.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {
 
-constexpr int width = 160;
-constexpr int height = 120;
-constexpr Box unit{0, 0, 1, 1};
-
+constexpr int picture_width = 160;
+constexpr int picture_height = 120;
 using Ids = std::vector<std::uint32_t>;
 
-inline std::size_t at(int row, int column) { return static_cast<std::size_t>(row * width + column); }
+inline std::size_t at(int row, int column) { return static_cast<std::size_t>(row * picture_width + column); }
 
 }  // namespace vorpipe::test

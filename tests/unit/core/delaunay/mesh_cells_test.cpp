@@ -10,6 +10,7 @@
 #include "backend/registry/registry.h"
 #include "core/search/neighbor_search.h"
 #include "core/sites/site_set.h"
+#include "unit/fixtures/all_of.h"
 #include "unit/fixtures/changed_cpu.h"
 #include "unit/fixtures/proposed_cells.h"
 
@@ -20,12 +21,6 @@ using namespace core;
 namespace {
 
 SiteSet prepared(Sites sites, const Box& domain = {0, 0, 1, 1}) { return prepare(sites, domain, 2)->set; }
-
-std::vector<std::uint32_t> allOf(const SiteSet& sites) {
-  std::vector<std::uint32_t> all(sites.size());
-  std::iota(all.begin(), all.end(), 0u);
-  return all;
-}
 
 CellNeighbors cellsFromMesh(const SiteSet& sites, int threads = 2) {
   SiteMesh mesh(sites, threads);

@@ -10,6 +10,7 @@
 #include "backend/registry/registry.h"
 #include "core/drawing/pixel_polygon.h"
 #include "core/sites/site_set.h"
+#include "support/sites/unit.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {
@@ -17,8 +18,6 @@ namespace vorpipe::test {
 using namespace core;
 
 namespace {
-
-constexpr Box unit{0, 0, 1, 1};
 
 SiteSet setOf(const Sites& sites) { return std::move(prepare(sites, unit, 2)->set); }
 

@@ -5,17 +5,17 @@
 #include <cmath>
 #include <random>
 
+#include "support/sites/unit.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {
 namespace {
 
-constexpr Box unit{0, 0, 1, 1};
-constexpr std::size_t many = 40'000;
+constexpr std::size_t enough = 40'000;
 
 TEST(Spread, EvenSitesHaveNeitherTiesNorCrowds) {
   for (const Pattern pattern : {Pattern::random, Pattern::jitter, Pattern::hex}) {
-    const Spread spread = spreadOf(generate(pattern, many, 3), unit, 2);
+    const Spread spread = spreadOf(generate(pattern, enough, 3), unit, 2);
     EXPECT_EQ(spread.tied, 0) << static_cast<int>(pattern);
     EXPECT_EQ(spread.edges, 6);
     EXPECT_FALSE(spread.uneven);
@@ -24,14 +24,14 @@ TEST(Spread, EvenSitesHaveNeitherTiesNorCrowds) {
 }
 
 TEST(Spread, AllCellsOfALatticeAreTied) {
-  const Spread spread = spreadOf(generate(Pattern::square, many, 1), unit, 2);
+  const Spread spread = spreadOf(generate(Pattern::square, enough, 1), unit, 2);
   EXPECT_GT(spread.tied, 0.98);
   EXPECT_NEAR(spread.edges, 4, 0.3);
   EXPECT_FALSE(spread.uneven);
 }
 
 TEST(Spread, TurnedMovedAndInAnyOrderALatticeIsOne) {
-  Sites sites = generate(Pattern::square, many, 1);
+  Sites sites = generate(Pattern::square, enough, 1);
   for (std::size_t i = 0; i < sites.size(); ++i) {
     const double x = sites.x[i], y = sites.y[i];
     sites.x[i] = 1000 + 300 * (x - y) * std::sqrt(0.5);
@@ -50,8 +50,8 @@ TEST(Spread, TurnedMovedAndInAnyOrderALatticeIsOne) {
 
 TEST(Spread, OfSomeTiesItSaysHowMany) {
   // Half of the domain is a lattice.
-  Sites sites = generate(Pattern::square, many, 1);
-  const Sites other = generate(Pattern::random, many, 1);
+  Sites sites = generate(Pattern::square, enough, 1);
+  const Sites other = generate(Pattern::random, enough, 1);
   for (std::size_t i = 0; i < sites.size(); ++i) {
     if (sites.x[i] > 0.5) sites.x[i] = 0.5 + other.x[i] / 2, sites.y[i] = other.y[i];
   }
@@ -61,29 +61,29 @@ TEST(Spread, OfSomeTiesItSaysHowMany) {
 }
 
 TEST(Spread, ClustersAreUnevenAndNoCurves) {
-  const Spread spread = spreadOf(generate(Pattern::clusters, many, 1), unit, 2);
+  const Spread spread = spreadOf(generate(Pattern::clusters, enough, 1), unit, 2);
   EXPECT_TRUE(spread.uneven);
   EXPECT_FALSE(spread.along_curves);
 }
 
 TEST(Spread, ACircleIsACurve) {
-  EXPECT_TRUE(spreadOf(generate(Pattern::circle, many, 1), unit, 2).along_curves);
+  EXPECT_TRUE(spreadOf(generate(Pattern::circle, enough, 1), unit, 2).along_curves);
 }
 
 TEST(Spread, SitesBeyondTheDomainAreTheJudges) {
-  const Spread spread = spreadOf(generate(Pattern::random, many, 1), {0, 0, 1, 0.9}, 2);
+  const Spread spread = spreadOf(generate(Pattern::random, enough, 1), {0, 0, 1, 0.9}, 2);
   EXPECT_TRUE(spread.uneven);
   EXPECT_TRUE(spread.along_curves);
-  EXPECT_FALSE(spreadOf(generate(Pattern::random, many, 1), {0, 0, 1, 0.97}, 2).along_curves);
+  EXPECT_FALSE(spreadOf(generate(Pattern::random, enough, 1), {0, 0, 1, 0.97}, 2).along_curves);
 }
 
 TEST(Spread, EqualSitesAndSitesOnALineAreLookedAt) {
   Sites sites;
-  sites.x.assign(many, 0.5);
-  sites.y.assign(many, 0.5);
+  sites.x.assign(enough, 0.5);
+  sites.y.assign(enough, 0.5);
   EXPECT_TRUE(spreadOf(sites, unit, 2).uneven);
   // Evenly along the only axis that there is, they are no crowd; but their cells reach far.
-  for (std::size_t i = 0; i < many; ++i) sites.x[i] = static_cast<double>(i) / many;
+  for (std::size_t i = 0; i < enough; ++i) sites.x[i] = static_cast<double>(i) / enough;
   const Spread spread = spreadOf(sites, unit, 2);
   EXPECT_TRUE(spread.uneven);
   EXPECT_FALSE(spread.along_curves);
@@ -91,7 +91,7 @@ TEST(Spread, EqualSitesAndSitesOnALineAreLookedAt) {
 }
 
 TEST(Spread, DoesNotDependOnThreads) {
-  const Sites sites = generate(Pattern::clusters, many, 4);
+  const Sites sites = generate(Pattern::clusters, enough, 4);
   const Spread one = spreadOf(sites, unit, 1), several = spreadOf(sites, unit, 4);
   EXPECT_EQ(one.tied, several.tied);
   EXPECT_EQ(one.edges, several.edges);

@@ -12,7 +12,7 @@ using namespace core;
 
 namespace {
 
-constexpr std::uint32_t plain = 0xFFC0C0C0u;
+constexpr std::uint32_t plain_color = 0xFFC0C0C0u;
 
 std::size_t at(const Image& image, int row, int column) {
   return static_cast<std::size_t>(row * image.width + column);
@@ -25,7 +25,7 @@ Image imageOf(int width, int height, const IdOf& idOf) {
   for (int row = 0; row < height; ++row) {
     for (int column = 0; column < width; ++column) {
       image.ids.push_back(idOf(row, column));
-      image.rgba.push_back(image.ids.back() == no_site ? 0 : plain);
+      image.rgba.push_back(image.ids.back() == no_site ? 0 : plain_color);
     }
   }
   return image;
@@ -57,7 +57,7 @@ TEST(Overlay, WideEdgesAreAllPixelsNearAnEdgePixelAndNoOther) {
         for (int r = 0; r < wide.height; ++r) {
           for (int c = 0; c < wide.width; ++c) {
             const auto pixel = at(thin, r, c);
-            const bool edge = thin.ids[pixel] != no_site && thin.rgba[pixel] != plain;
+            const bool edge = thin.ids[pixel] != no_site && thin.rgba[pixel] != plain_color;
             near = near || (edge && std::hypot(r + shift - row, c + shift - column) <= radius);
           }
         }
@@ -65,7 +65,7 @@ TEST(Overlay, WideEdgesAreAllPixelsNearAnEdgePixelAndNoOther) {
         const bool none = wide.ids[pixel] == no_site;
         ASSERT_EQ(wide.rgba[pixel], none   ? 0
                                     : near ? 0xFF181818u
-                                           : plain)
+                                           : plain_color)
             << width << ' ' << row << ' ' << column;
       }
     }
@@ -77,7 +77,7 @@ TEST(Overlay, EdgesAreDarkOnTheLeftAndAboveOfWhereCellsMeet) {
   drawEdges(image, 1, 1);
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 4; ++column)
-      EXPECT_EQ(image.rgba[at(image, row, column)] != plain, column == 1);
+      EXPECT_EQ(image.rgba[at(image, row, column)] != plain_color, column == 1);
   }
 }
 
@@ -143,7 +143,7 @@ TEST(Frame, PixelsBesideItHaveNoSite) {
         const int r = row - frame.top, c = column - frame.left;
         const bool inside = r >= 0 && r < 3 && c >= 0 && c < 4;
         EXPECT_EQ(image.ids[at(image, row, column)], inside ? number(r, c) : no_site);
-        EXPECT_EQ(image.rgba[at(image, row, column)], inside ? plain : 0u);
+        EXPECT_EQ(image.rgba[at(image, row, column)], inside ? plain_color : 0u);
       }
     }
   }

@@ -203,7 +203,7 @@ TEST(OutlineCells, cellsAreClippedToTheBoxAndTheOutline) {
 TEST(OutlineCells, unitsDoNotMatter) {
   const Outline outline = country(1000);
   const Sites sites = generate(Pattern::random, 500, 5);
-  const Diagram plain = cellsOf(sites, inside(outline));
+  const Diagram as_it_is = cellsOf(sites, inside(outline));
   const double factor = std::ldexp(1.0, -300);
   Outline small = outline;
   for (Point& p : small.points) p = {p.x * factor, p.y * factor};
@@ -211,9 +211,9 @@ TEST(OutlineCells, unitsDoNotMatter) {
   for (double& x : small_sites.x) x *= factor;
   for (double& y : small_sites.y) y *= factor;
   const Diagram scaled = cellsOf(small_sites, inside(small, {0, 0, factor, factor}));
-  EXPECT_EQ(scaled.neighbors, plain.neighbors);
-  EXPECT_EQ(scaled.ring_starts, plain.ring_starts);
-  for (std::size_t i = 0; i < sites.size(); ++i) EXPECT_EQ(scaled.area[i], plain.area[i] * factor * factor);
+  EXPECT_EQ(scaled.neighbors, as_it_is.neighbors);
+  EXPECT_EQ(scaled.ring_starts, as_it_is.ring_starts);
+  for (std::size_t i = 0; i < sites.size(); ++i) EXPECT_EQ(scaled.area[i], as_it_is.area[i] * factor * factor);
   Outline far = outline;
   for (Point& p : far.points) p = {p.x * 1000 + 4e5, p.y * 1000 + 5e6};
   Sites far_sites = sites;
@@ -221,7 +221,7 @@ TEST(OutlineCells, unitsDoNotMatter) {
   for (double& y : far_sites.y) y = y * 1000 + 5e6;
   const Diagram moved = cellsOf(far_sites, inside(far, {4e5, 5e6, 4e5 + 1000, 5e6 + 1000}));
   EXPECT_NEAR(areaSum(moved) / outlineArea(far), 1, 1e-9);
-  EXPECT_EQ(moved.neighbors.size(), plain.neighbors.size());
+  EXPECT_EQ(moved.neighbors.size(), as_it_is.neighbors.size());
 }
 
 TEST(OutlineCells, cellsNearTheSizeOfRoundingAreClippedToo) {

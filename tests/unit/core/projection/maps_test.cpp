@@ -4,18 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <set>
 
+#include "unit/core/projection/degree.h"
 #include "unit/fixtures/checked_runs.h"
 #include "unit/fixtures/outlines.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// The area of the ellipsoid between two parallels and two meridians, in closed form; km2.
 double areaOnEllipsoid(const Box& degrees) {

@@ -6,17 +6,15 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <numbers>
 #include <random>
 #include <vector>
 
+#include "unit/core/projection/degree.h"
 #include "unit/fixtures/temporary_directory.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 Projection around(Point center) {
   auto projection = Projection::around(center);

@@ -8,14 +8,13 @@
 #include <random>
 
 #include "core/sites/grid.h"
+#include "support/sites/unit.h"
 
 namespace vorpipe::test {
 
 using namespace core;
 
 namespace {
-
-constexpr Box unit{0, 0, 1, 1};
 
 /// The lowest index at each position.
 std::map<std::pair<double, double>, std::uint32_t> ownersOf(const Sites& sites) {

@@ -14,6 +14,7 @@
 #include "core/tiles/cut_out.h"
 #include "core/tiles/refine.h"
 #include "support/sites/random_sites.h"
+#include "support/sites/unit.h"
 #include "unit/fixtures/brute_force.h"
 #include "unit/fixtures/proposed_cells.h"
 
@@ -23,7 +24,6 @@ using namespace core;
 
 namespace {
 
-constexpr Box unit{0, 0, 1, 1};
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 Sites weightedSites(std::size_t count, double most) {

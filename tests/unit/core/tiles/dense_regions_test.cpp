@@ -8,18 +8,13 @@
 
 #include "core/sites/site_set.h"
 #include "core/tiles/refine.h"
+#include "unit/fixtures/all_of.h"
 
 namespace vorpipe::test {
 
 using namespace core;
 
 namespace {
-
-std::vector<std::uint32_t> allOf(const SiteSet& sites) {
-  std::vector<std::uint32_t> all(sites.size());
-  std::iota(all.begin(), all.end(), 0u);
-  return all;
-}
 
 /// Spread sites, and more in a square of the given side.
 SiteSet withCluster(std::size_t spread, std::size_t dense, double side) {

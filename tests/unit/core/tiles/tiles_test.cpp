@@ -11,6 +11,7 @@
 #include "core/search/neighbor_search.h"
 #include "core/sites/site_set.h"
 #include "core/tiles/cut_out.h"
+#include "unit/fixtures/all_of.h"
 #include "unit/fixtures/changed_cpu.h"
 
 namespace vorpipe::test {
@@ -23,12 +24,6 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 SiteSet preparedSites(Pattern pattern, std::size_t count) {
   return prepare(generate(pattern, count, 1), {0, 0, 1, 1}, 1)->set;
-}
-
-std::vector<std::uint32_t> allOf(const SiteSet& sites) {
-  std::vector<std::uint32_t> all(sites.size());
-  std::iota(all.begin(), all.end(), 0u);
-  return all;
 }
 
 /// The cpu, which refuses more sites or bins than it says it takes.

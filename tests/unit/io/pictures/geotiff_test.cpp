@@ -18,18 +18,18 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-constexpr int width = 700, height = 300;
+constexpr int picture_width = 700, picture_height = 300;
 
 std::vector<std::uint32_t> someIds() {
-  std::vector<std::uint32_t> ids(std::size_t{width} * height);
-  for (std::uint32_t i = 0; i < ids.size(); ++i) ids[i] = i % width / 50 * 7919 + i / width / 30;
+  std::vector<std::uint32_t> ids(std::size_t{picture_width} * picture_height);
+  for (std::uint32_t i = 0; i < ids.size(); ++i) ids[i] = i % picture_width / 50 * 7919 + i / picture_width / 30;
   ids[5] = no_site;
   return ids;
 }
 
 std::string fileOf(const TiffOptions& options) {
   MemorySink sink("a.tif");
-  const auto written = writeTiffIds(sink, width, height, someIds(), options);
+  const auto written = writeTiffIds(sink, picture_width, picture_height, someIds(), options);
   EXPECT_TRUE(written) << written.error().message;
   return sink.take();
 }
@@ -59,7 +59,7 @@ std::vector<std::uint32_t> idsIn(const std::string& file, std::size_t directory)
     const auto count = numberAt<Word>(file, at + 4), values = numberAt<Word>(file, at + 4 + sizeof(Word));
     for (Word i = 0; i < count; ++i) places[tag].push_back(numberAt<Word>(file, values + i * sizeof(Word)));
   }
-  std::vector<std::uint32_t> ids(std::size_t{width} * height);
+  std::vector<std::uint32_t> ids(std::size_t{picture_width} * picture_height);
   std::size_t filled = 0;
   for (std::size_t k = 0; k < places[273].size(); ++k) {
     uLongf room = (ids.size() - filled) * sizeof ids[0];
@@ -69,7 +69,7 @@ std::vector<std::uint32_t> idsIn(const std::string& file, std::size_t directory)
     filled += room / sizeof ids[0];
   }
   EXPECT_EQ(filled, ids.size());
-  for (std::size_t i = 0; i < ids.size(); ++i) ids[i] += i % width == 0 ? 0 : ids[i - 1];
+  for (std::size_t i = 0; i < ids.size(); ++i) ids[i] += i % picture_width == 0 ? 0 : ids[i - 1];
   return ids;
 }
 
@@ -78,7 +78,7 @@ TEST(GeoTiff, HasTheIdsAndTheSameBytesForAnyNumberOfThreads) {
   EXPECT_EQ(numberAt<std::uint16_t>(file, 2), 42);
   EXPECT_EQ((idsIn<std::uint32_t, std::uint16_t>(file, 8)), someIds());
   EXPECT_EQ(file, fileOf(optionsWith(4)));
-  EXPECT_LT(file.size(), std::size_t{width} * height / 2) << "it is not compressed";
+  EXPECT_LT(file.size(), std::size_t{picture_width} * picture_height / 2) << "it is not compressed";
 }
 
 TEST(GeoTiff, IsABigTiffWhereOffsetsAreTooLong) {

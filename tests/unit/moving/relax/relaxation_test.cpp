@@ -7,6 +7,7 @@
 #include "moving/relax/allowed_places.h"
 #include "moving/relax/quasi_newton.h"
 #include "support/devices/backends.h"
+#include "unit/moving/blob.h"
 #include "vorpipe.h"
 #include "vorpipe/stipple.h"
 
@@ -24,7 +25,7 @@ Session sessionOf(const std::string& backend = "cpu", int threads = 0) {
   return std::move(Session::open(options).value());
 }
 
-RelaxOptions unitSquare(RelaxMethod method = RelaxMethod::lbfgs, std::uint64_t iterations = 50) {
+RelaxOptions relaxOptions(RelaxMethod method = RelaxMethod::lbfgs, std::uint64_t iterations = 50) {
   RelaxOptions options{};
   options.domain = {0, 0, 1, 1};
   options.method = method;
@@ -37,18 +38,6 @@ Relaxed relaxed(const Sites& sites, const RelaxOptions& options) {
   auto done = relax(session, sites, options);
   EXPECT_TRUE(done) << (done ? "" : done.error().message);
   return done ? std::move(*done) : Relaxed{};
-}
-
-/// A bright blob on a darker ground.
-Density blob(int side) {
-  Density density{side, side, {}};
-  for (int row = 0; row < side; ++row) {
-    for (int column = 0; column < side; ++column) {
-      const double x = (column + 0.5) / side - 0.4, y = (row + 0.5) / side - 0.6;
-      density.values.push_back(std::exp(-8 * (x * x + y * y)) + 0.05);
-    }
-  }
-  return density;
 }
 
 /// The letter L: its bend is where centroids may lie outside.
@@ -85,9 +74,9 @@ void expectGradient(const Sites& sites, const RelaxOptions& options) {
 
 TEST(Relaxation, TheGradientIsThatOfTheEnergy) {
   Sites sites = generate(Pattern::jitter, 60, 3);
-  RelaxOptions options = unitSquare();
+  RelaxOptions options = relaxOptions();
   expectGradient(sites, options);
-  options.density = blob(23);
+  options.density = blob(23, 0.05);
   expectGradient(sites, options);
   for (std::size_t i = 0; i < sites.size(); ++i) sites.weight.push_back(1e-3 * static_cast<double>(i % 5));
   expectGradient(sites, options);
@@ -109,12 +98,12 @@ void expectFall(const Sites& sites, const RelaxOptions& options) {
 
 TEST(Relaxation, EnergyFallsAtEveryStepOfLloyds) {
   Sites sites = generate(Pattern::random, 500, 1);
-  RelaxOptions options = unitSquare(RelaxMethod::lloyd, 30);
+  RelaxOptions options = relaxOptions(RelaxMethod::lloyd, 30);
   expectFall(sites, options);
   options.periodic = Periodic::x;
   expectFall(sites, options);
   options.periodic = Periodic::none;
-  options.density = blob(40);
+  options.density = blob(40, 0.05);
   expectFall(sites, options);
   options.outline = letter();
   expectFall(sites, options);
@@ -125,11 +114,11 @@ TEST(Relaxation, EnergyFallsAtEveryStepOfLloyds) {
 
 TEST(Relaxation, TheAcceleratedMethodIsAsFarAfter35DiagramsAsLloydsAfter200) {
   const Sites few = generate(Pattern::random, 3000, 1), sites = generate(Pattern::random, 10000, 1);
-  const Relaxed slow = relaxed(few, unitSquare(RelaxMethod::lloyd, 200));
-  const Relaxed fast = relaxed(few, unitSquare(RelaxMethod::lbfgs, 35));
+  const Relaxed slow = relaxed(few, relaxOptions(RelaxMethod::lloyd, 200));
+  const Relaxed fast = relaxed(few, relaxOptions(RelaxMethod::lbfgs, 35));
   EXPECT_LE(fast.trace[35].energy, slow.trace[200].energy);
-  EXPECT_LE(relaxed(sites, unitSquare()).trace[50].hexagonal, 1.013);
-  RelaxOptions periodic = unitSquare();
+  EXPECT_LE(relaxed(sites, relaxOptions()).trace[50].hexagonal, 1.013);
+  RelaxOptions periodic = relaxOptions();
   periodic.periodic = Periodic::xy;
   const Relaxed torus = relaxed(sites, periodic);
   EXPECT_LE(torus.trace[50].hexagonal, 1.0115);
@@ -139,8 +128,8 @@ TEST(Relaxation, TheAcceleratedMethodIsAsFarAfter35DiagramsAsLloydsAfter200) {
 
 TEST(Relaxation, DiagramsThatAreTakenBackSaySo) {
   const Sites sites = generate(Pattern::clusters, 300, 2);
-  RelaxOptions options = unitSquare(RelaxMethod::lbfgs, 80);
-  options.density = blob(40);
+  RelaxOptions options = relaxOptions(RelaxMethod::lbfgs, 80);
+  options.density = blob(40, 0.05);
   const Relaxed done = relaxed(sites, options);
   EXPECT_THAT(done.trace, Contains(Field(&RelaxStep::taken, false)));
   double energy = done.trace.front().energy;
@@ -164,7 +153,7 @@ TEST(Relaxation, TheHexagonalLatticeStays) {
     }
   }
   for (const RelaxMethod method : {RelaxMethod::lloyd, RelaxMethod::lbfgs}) {
-    RelaxOptions options = unitSquare(method, 10);
+    RelaxOptions options = relaxOptions(method, 10);
     options.domain = {0, 0, columns, rows * high};
     options.periodic = Periodic::xy;
     const Relaxed done = relaxed(sites, options);
@@ -185,7 +174,7 @@ TEST_P(RelaxationOn, SitesComeToThePlacesOfTheCpu) {
   SKIP_UNUSABLE(GetParam());
   Session session = sessionOf(GetParam());
   const Sites sites = generate(Pattern::random, 400, 5);
-  const RelaxOptions options = unitSquare(RelaxMethod::lbfgs, 20);
+  const RelaxOptions options = relaxOptions(RelaxMethod::lbfgs, 20);
   const Relaxed judge = relaxed(sites, options);
   const auto done = relax(session, sites, options);
   ASSERT_TRUE(done) << done.error().message;
@@ -201,8 +190,8 @@ INSTANTIATE_TEST_SUITE_P(Backends, RelaxationOn,
 TEST(Relaxation, ThreadsChangeNothing) {
   const Sites sites = generate(Pattern::clusters, 3000, 2);
   Session one = sessionOf("cpu", 1), four = sessionOf("cpu", 4);
-  const auto a = relax(one, sites, unitSquare(RelaxMethod::lbfgs, 10));
-  const auto b = relax(four, sites, unitSquare(RelaxMethod::lbfgs, 10));
+  const auto a = relax(one, sites, relaxOptions(RelaxMethod::lbfgs, 10));
+  const auto b = relax(four, sites, relaxOptions(RelaxMethod::lbfgs, 10));
   EXPECT_EQ(a.value().sites.x, b.value().sites.x);
   EXPECT_EQ(a.value().sites.y, b.value().sites.y);
 
@@ -245,7 +234,7 @@ TEST(Relaxation, SitesThatOwnNothingGetPlaces) {
   // Both come to the same corner, and so are set beside each other.
   sites.x.insert(sites.x.end(), {7, 8});
   sites.y.insert(sites.y.end(), {5, 5.5});
-  RelaxOptions options = unitSquare(RelaxMethod::lloyd, 12);
+  RelaxOptions options = relaxOptions(RelaxMethod::lloyd, 12);
   const Relaxed done = relaxed(sites, options);
   EXPECT_EQ(done.report.ok, sites.size());
   EXPECT_THAT(done.report.notes, Contains(HasSubstr("6 sites at the place of another")));
@@ -292,8 +281,8 @@ TEST(Stipple, EachPieceOfTheMassGetsASite) {
 }
 
 TEST(Stipple, CellsComeToHaveEqualMasses) {
-  const Density density = blob(100);
-  RelaxOptions options = unitSquare(RelaxMethod::lbfgs, 100);
+  const Density density = blob(100, 0.05);
+  RelaxOptions options = relaxOptions(RelaxMethod::lbfgs, 100);
   options.density = density;
   options.equal_masses = true;
   const Relaxed done = relaxed(drawnFrom(density, options.domain, {}, 1000, 1).value(), options);
@@ -311,7 +300,7 @@ TEST(Stipple, CellsComeToHaveEqualMasses) {
 }
 
 TEST(Relaxation, SitesStayInTheOutline) {
-  RelaxOptions options = unitSquare();
+  RelaxOptions options = relaxOptions();
   options.outline = letter();
   const moving::AllowedPlaces allowed(options.domain, options.outline, Periodic::none);
   for (const RelaxMethod method : {RelaxMethod::lloyd, RelaxMethod::lbfgs}) {
@@ -332,7 +321,7 @@ TEST(Relaxation, SitesStayInTheOutline) {
 
 TEST(Relaxation, Ends) {
   const Sites sites = generate(Pattern::random, 40, 1);
-  RelaxOptions options = unitSquare(RelaxMethod::lbfgs, 2000);
+  RelaxOptions options = relaxOptions(RelaxMethod::lbfgs, 2000);
   options.tolerance = 1e-3;
   const Relaxed near = relaxed(sites, options);
   EXPECT_EQ(near.end, RelaxEnd::tolerance);

@@ -7,6 +7,7 @@
 
 #include "moving/transport/start_weights.h"
 #include "unit/fixtures/cpu_session.h"
+#include "unit/moving/blob.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {
@@ -15,7 +16,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-TransportOptions unitSquare(double tolerance = 1e-12) {
+TransportOptions transportOptions(double tolerance = 1e-12) {
   TransportOptions options{};
   options.domain = {0, 0, 1, 1};
   options.tolerance = tolerance;
@@ -68,18 +69,9 @@ Sites lattice(int side, double x_scale, double y_scale) {
   return sites;
 }
 
-Density blob(int side) {
-  Density density{side, side, {}};
-  for (int k = 0; k < side * side; ++k) {
-    const double x = (k % side + 0.5) / side - 0.4, y = (k / side + 0.5) / side - 0.6;
-    density.values.push_back(std::exp(-8 * (x * x + y * y)) + 0.01);
-  }
-  return density;
-}
-
 TEST(Transport, randomSitesGetEqualAreasInFewDiagrams) {
   const Sites sites = generate(Pattern::random, 10000, 1);
-  const Transported done = transported(sites, unitSquare());
+  const Transported done = transported(sites, transportOptions());
   EXPECT_EQ(done.end, TransportEnd::converged);
   EXPECT_LE(done.trace.size(), 12u);
   EXPECT_LE(worstOf(done.cells.mass, equalShares(sites.size())), 1e-12);
@@ -87,7 +79,7 @@ TEST(Transport, randomSitesGetEqualAreasInFewDiagrams) {
 }
 
 TEST(Transport, theCellsOfItsWeightsAreItsCells) {
-  const Transported done = transported(generate(Pattern::random, 3000, 2), unitSquare());
+  const Transported done = transported(generate(Pattern::random, 3000, 2), transportOptions());
   Session session = cpuSession();
   CellsOptions options{};
   options.domain = {0, 0, 1, 1};
@@ -99,7 +91,7 @@ TEST(Transport, theCellsOfItsWeightsAreItsCells) {
 TEST(Transport, aLatticeOfHalfTheSizeHasTheWeightsOfAScaling) {
   constexpr int side = 24;
   const Sites sites = lattice(side, 0.5, 0.5);
-  const Transported done = transported(sites, unitSquare(1e-13));
+  const Transported done = transported(sites, transportOptions(1e-13));
   for (std::size_t i = 1; i < sites.size(); ++i) {
     const auto expected = [&](std::size_t k) { return -(sites.x[k] * sites.x[k] + sites.y[k] * sites.y[k]); };
     EXPECT_NEAR(done.sites.weight[i] - done.sites.weight[0], expected(i) - expected(0), 1e-12);
@@ -110,7 +102,7 @@ TEST(Transport, aLatticeOfHalfTheSizeHasTheWeightsOfAScaling) {
 
 TEST(Transport, affineMapsHaveTheirClosedForm) {
   const Sites sites = lattice(20, 0.5, 0.8);
-  const Transported done = transported(sites, unitSquare(1e-13));
+  const Transported done = transported(sites, transportOptions(1e-13));
   const auto expected = [&](std::size_t k) {
     return sites.x[k] * sites.x[k] * (1 - 1 / 0.5) + sites.y[k] * sites.y[k] * (1 - 1 / 0.8);
   };
@@ -120,7 +112,7 @@ TEST(Transport, affineMapsHaveTheirClosedForm) {
 }
 
 TEST(Transport, aHexagonalLatticeThatRepeatsIsThereAlready) {
-  TransportOptions options = unitSquare();
+  TransportOptions options = transportOptions();
   Sites sites;
   constexpr int columns = 16, rows = 18;
   for (int row = 0; row < rows; ++row) {
@@ -139,7 +131,7 @@ TEST(Transport, aHexagonalLatticeThatRepeatsIsThereAlready) {
 
 TEST(Transport, massesMayBeFarFromEachOther) {
   const Sites sites = generate(Pattern::random, 4000, 3);
-  TransportOptions options = unitSquare(1e-8);
+  TransportOptions options = transportOptions(1e-8);
   options.masses = unequal(sites.size(), 10000);
   const Transported done = transported(sites, options);
   EXPECT_EQ(done.end, TransportEnd::converged);
@@ -151,7 +143,7 @@ TEST(Transport, clustersAndSitesOutsideGetTheirShares) {
     const bool clusters = sites.x == generate(Pattern::clusters, 3000, 4).x;
     for (double& x : sites.x) x = clusters ? x : 0.9 + 0.3 * x;
     for (double& y : sites.y) y = clusters ? y : -0.5 + 0.3 * y;
-    const Transported done = transported(sites, unitSquare(1e-9));
+    const Transported done = transported(sites, transportOptions(1e-9));
     EXPECT_EQ(done.end, TransportEnd::converged);
     EXPECT_LE(worstOf(done.cells.mass, equalShares(sites.size())), 1e-9);
   }
@@ -159,8 +151,8 @@ TEST(Transport, clustersAndSitesOutsideGetTheirShares) {
 
 TEST(Transport, densitiesEndQuadratically) {
   const Sites sites = generate(Pattern::random, 1000, 6);
-  TransportOptions options = unitSquare(1e-10);
-  options.density = blob(64);
+  TransportOptions options = transportOptions(1e-10);
+  options.density = blob(64, 0.01);
   const Transported done = transported(sites, options);
   EXPECT_EQ(done.end, TransportEnd::converged);
   std::vector<double> worst;
@@ -176,7 +168,7 @@ TEST(Transport, densitiesEndQuadratically) {
 /// A chessboard whose black squares have a thousandth of what the white ones have.
 TEST(Transport, densitiesMayBeFarFromEven) {
   const Sites sites = generate(Pattern::random, 1000, 1);
-  TransportOptions options = unitSquare(1e-8);
+  TransportOptions options = transportOptions(1e-8);
   options.density = {5, 5, {}};
   for (int k = 0; k < 25; ++k) options.density.values.push_back(k % 2 == 0 ? 1 : 1e-3);
   const Transported done = transported(sites, options);
@@ -203,7 +195,7 @@ TEST(Transport, sitesMayLieWhereThereIsNoMass) {
     sites.x[i] = 0.6 + 0.4 * sites.x[i];
     sites.y[i] = 0.6 + 0.4 * sites.y[i];
   }
-  TransportOptions letter = unitSquare(1e-8), half = unitSquare(1e-8);
+  TransportOptions letter = transportOptions(1e-8), half = transportOptions(1e-8);
   letter.outline = {{{0, 0}, {1, 0}, {1, 0.2}, {0.2, 0.2}, {0.2, 1}, {0, 1}}, {0, 6}, {0, 1}};
   half.density = {2, 1, {1, 0}};
   for (const TransportOptions& options : {letter, half}) {
@@ -215,7 +207,7 @@ TEST(Transport, sitesMayLieWhereThereIsNoMass) {
 }
 
 TEST(Transport, islandsShareTheirSites) {
-  TransportOptions options = unitSquare(1e-8);
+  TransportOptions options = transportOptions(1e-8);
   options.outline = {
       {{0, 0}, {0.3, 0}, {0.3, 1}, {0, 1}, {0.6, 0.1}, {1, 0.1}, {1, 0.7}, {0.6, 0.7}}, {0, 4, 8}, {0, 1, 2}};
   const Transported done = transported(generate(Pattern::random, 200, 11), options);
@@ -225,22 +217,22 @@ TEST(Transport, islandsShareTheirSites) {
 }
 
 TEST(Transport, weightsThatAreRightAreLeft) {
-  const Transported first = transported(generate(Pattern::random, 2000, 7), unitSquare(1e-9));
-  const Transported second = transported(first.sites, unitSquare(1e-8));
+  const Transported first = transported(generate(Pattern::random, 2000, 7), transportOptions(1e-9));
+  const Transported second = transported(first.sites, transportOptions(1e-8));
   EXPECT_EQ(second.trace.size(), 1u);
 }
 
 TEST(Transport, threadsDoNotMatter) {
   const Sites sites = generate(Pattern::clusters, 2500, 8);
-  const Transported one = transported(sites, unitSquare(1e-8), 1);
-  const Transported three = transported(sites, unitSquare(1e-8), 3);
+  const Transported one = transported(sites, transportOptions(1e-8), 1);
+  const Transported three = transported(sites, transportOptions(1e-8), 3);
   EXPECT_EQ(one.sites.weight, three.sites.weight);
   EXPECT_EQ(one.cells.mass, three.cells.mass);
 }
 
 TEST(Transport, whatTheWatcherStopsIsReturned) {
   Session session = cpuSession();
-  const auto done = transport(session, generate(Pattern::random, 500, 9), unitSquare(),
+  const auto done = transport(session, generate(Pattern::random, 500, 9), transportOptions(),
                               [](const TransportStep& step) { return step.diagram < 2; });
   ASSERT_TRUE(done);
   EXPECT_EQ(done->end, TransportEnd::cancelled);
@@ -249,7 +241,7 @@ TEST(Transport, whatTheWatcherStopsIsReturned) {
 
 TEST(Transport, massesThatCannotBeAreRefused) {
   const Sites sites = generate(Pattern::random, 4, 1);
-  TransportOptions options = unitSquare();
+  TransportOptions options = transportOptions();
   const auto refusedWith = [&](std::vector<double> masses, auto text) {
     options.masses = std::move(masses);
     const Error error = refused(sites, options);
@@ -267,11 +259,11 @@ TEST(Transport, sitesAtOnePlaceAreRefused) {
   Sites sites = generate(Pattern::random, 10, 1);
   sites.x[7] = sites.x[3];
   sites.y[7] = sites.y[3];
-  EXPECT_THAT(refused(sites, unitSquare()).message, HasSubstr("sites 3 and 7"));
+  EXPECT_THAT(refused(sites, transportOptions()).message, HasSubstr("sites 3 and 7"));
 }
 
 TEST(Transport, bothEndsOfAPeriodAreOnePlace) {
-  TransportOptions options = unitSquare();
+  TransportOptions options = transportOptions();
   options.periodic = Periodic::xy;
   EXPECT_THAT(refused({{0, 0.5, 1}, {0.25, 0.5, 0.25}, {}}, options).message, HasSubstr("sites 0 and 2"));
   options.periodic = Periodic::y;
@@ -279,7 +271,7 @@ TEST(Transport, bothEndsOfAPeriodAreOnePlace) {
 }
 
 TEST(Transport, noMoreDiagramsAreMadeThanAreAllowed) {
-  TransportOptions options = unitSquare();
+  TransportOptions options = transportOptions();
   const Sites sites = generate(Pattern::clusters, 300, 1);
   for (const std::uint64_t most : {1u, 2u, 5u, 9u}) {
     options.diagrams = most;
@@ -293,7 +285,7 @@ TEST(Transport, noMoreDiagramsAreMadeThanAreAllowed) {
 /// Weights of the lightest cells are far less than others, whose rounding they must not have.
 TEST(Transport, massesOfAllMagnitudesAreThoseOfTheWeightsThatAreReturned) {
   const Sites sites = generate(Pattern::random, 30, 5);
-  TransportOptions options = unitSquare(1e-7);
+  TransportOptions options = transportOptions(1e-7);
   for (std::size_t i = 0; i < sites.size(); ++i)
     options.masses.push_back(std::pow(10.0, -8.0 * static_cast<double>(i) / 29));
   const double sum = std::accumulate(options.masses.begin(), options.masses.end(), 0.0);
@@ -308,13 +300,13 @@ TEST(Transport, massesOfAllMagnitudesAreThoseOfTheWeightsThatAreReturned) {
 
 TEST(Transport, whatADoubleCannotWeighIsRefused) {
   const Sites sites = generate(Pattern::random, 4, 1);
-  TransportOptions options = unitSquare();
+  TransportOptions options = transportOptions();
   options.domain = {0, 0, 1e80, 1e80};
   EXPECT_THAT(refused(sites, options).message, HasSubstr("1e+80 wide"));
   EXPECT_EQ(refused(sites, options).subject, Subject::domain);
-  options = unitSquare(std::nan(""));
+  options = transportOptions(std::nan(""));
   EXPECT_THAT(refused(sites, options).message, HasSubstr("tolerance: nan"));
-  options = unitSquare();
+  options = transportOptions();
   options.density = {1, 1, {1e100}};
   EXPECT_THAT(refused(sites, options).message, HasSubstr("density: its largest value is 1e+100"));
 }

@@ -141,7 +141,7 @@ void compare(const SiteSet& set, Effort effort) {
   }
 }
 
-void compareBoth(const Sites& sites, const Box& domain = {0, 0, 1, 1}) {
+void compareEfforts(const Sites& sites, const Box& domain = {0, 0, 1, 1}) {
   auto prepared = prepare(sites, domain, 2);
   ASSERT_TRUE(prepared);
   compare<Clipper<float, EDGES_FAST>>(prepared->set, Effort::fast);
@@ -154,11 +154,11 @@ TEST(GridCells, areTheSameSideBySideAsOneByOne) {
   for (const auto pattern : {Pattern::random, Pattern::square, Pattern::hex, Pattern::jitter,
                              Pattern::clusters, Pattern::circle}) {
     SCOPED_TRACE(static_cast<int>(pattern));
-    compareBoth(generate(pattern, 3000, 7));
+    compareEfforts(generate(pattern, 3000, 7));
   }
-  for (const std::uint64_t count : {1U, 2U, 5U, 17U}) compareBoth(generate(Pattern::random, count, 3));
+  for (const std::uint64_t count : {1U, 2U, 5U, 17U}) compareEfforts(generate(Pattern::random, count, 3));
   SCOPED_TRACE("outside");
-  compareBoth(generate(Pattern::random, 3000, 5), {0.4, 0.3, 0.7, 0.5});
+  compareEfforts(generate(Pattern::random, 3000, 5), {0.4, 0.3, 0.7, 0.5});
 }
 
 SiteSet weightedSet(std::size_t count, double most, std::size_t heavy) {

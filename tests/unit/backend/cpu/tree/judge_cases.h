@@ -13,11 +13,13 @@
 #include "backend/cpu/tree/exact_cells.h"
 #include "backend/cpu/tree/tree_cells.h"
 #include "core/delaunay/mesh_cells.h"
+#include "unit/fixtures/all_of.h"
 #include "unit/fixtures/brute_force.h"
 
 namespace vorpipe::cpu {
 
 using namespace core;
+using test::allOf;
 
 inline SiteSet setOf(const std::vector<Point>& points, const Box& domain = {0, 0, 1, 1}) {
   constexpr double far = std::numeric_limits<double>::infinity();
@@ -33,12 +35,6 @@ inline SiteSet setOf(const std::vector<Point>& points, const Box& domain = {0, 0
   }
   set.grid.offsets = {0, static_cast<std::uint32_t>(set.size())};
   return set;
-}
-
-inline std::vector<std::uint32_t> allOf(const SiteSet& set) {
-  std::vector<std::uint32_t> all(set.size());
-  std::iota(all.begin(), all.end(), 0U);
-  return all;
 }
 
 using Finder =
