@@ -78,8 +78,8 @@ class CellsInTilesOf : public Cells {
 TEST_P(CellsInTilesOf, hardSitesHaveTheSameCells) {
   for (const DataSetKind& kind : dataSetKinds()) {
     SCOPED_TRACE(kind.name);
-    const auto set = makeDataSet(kind.name, 1200, 7);
-    expectTheSame(set.sites, set.domain, 500, true);
+    const auto set = makeDataSet(kind.name, 600, 7);
+    expectTheSame(set.sites, set.domain, 250, true);
   }
 }
 

@@ -182,7 +182,7 @@ TEST_P(PeriodicCells, agreeAcrossTheBorderAboutTies) {
 
 TEST_P(PeriodicCells, ofEveryDataSetFillTheDomain) {
   for (const auto& kind : dataSetKinds()) {
-    const auto set = makeDataSet(kind.name, 400, 12);
+    const auto set = makeDataSet(kind.name, 200, 12);
     for (const auto periodic : {Periodic::x, Periodic::xy}) {
       SCOPED_TRACE(testing::Message() << set.name << ", seed 12, periodic " << static_cast<int>(periodic));
       expectRight(set.sites, repeated(periodic, set.domain));

@@ -91,16 +91,16 @@ std::vector<double> magnitudes(const Sites& sites, double extent, Random& random
 }
 
 constexpr std::array<HardWeights, 11> hard_weights{{{"lifted", lifted},
-                                             {"lifted", lifted},
-                                             {"lifted", lifted},
-                                             {"flattened", flattened},
-                                             {"partly-lifted", partlyLifted},
-                                             {"spread", spread},
-                                             {"all-but-equal", allButEqual},
-                                             {"giants", giants},
-                                             {"on-the-edge", onTheEdge},
-                                             {"integers", integers},
-                                             {"magnitudes", magnitudes}}};
+                                                    {"lifted", lifted},
+                                                    {"lifted", lifted},
+                                                    {"flattened", flattened},
+                                                    {"partly-lifted", partlyLifted},
+                                                    {"spread", spread},
+                                                    {"all-but-equal", allButEqual},
+                                                    {"giants", giants},
+                                                    {"on-the-edge", onTheEdge},
+                                                    {"integers", integers},
+                                                    {"magnitudes", magnitudes}}};
 
 }  // namespace
 

@@ -10,7 +10,8 @@
 
 namespace vorpipe::test {
 
-/// The lowest index of a site nearest to (x, y). By pointers: tests are compiled without inlining what a vector's
+/// The lowest index of a site nearest to (x, y). By pointers: tests are compiled without inlining what a
+/// vector's
 /// `[]` calls, and this loop runs for each pixel.
 inline std::uint32_t nearestByBruteForce(const Sites& sites, double x, double y) {
   const double* const site_x = sites.x.data();

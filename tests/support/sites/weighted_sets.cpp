@@ -61,9 +61,7 @@ DataSet onLine(N n, Random& random) {
 DataSet inLayers(N n, Random& random) {
   auto sites = mapped(randomSites(n, random), 3, -1.3, -0.7);
   const double square = 9 / static_cast<double>(n);
-  return {{},
-          weighted(std::move(sites), [&](std::size_t) { return 20 * square * random.uniform(); }),
-          unit};
+  return {{}, weighted(std::move(sites), [&](std::size_t) { return 20 * square * random.uniform(); }), unit};
 }
 
 }  // namespace
@@ -163,9 +161,8 @@ const std::vector<Maker>& weightedMakers() {
        }},
       {{"huge-weights", "coordinates of 1e60"},
        [](N n, Random& r) {
-         return DataSet{{},
-                        mapped(withRandomWeights(randomSites(n, r), 0, 2, r), 1e60, 0, 0),
-                        mapped(unit, 1e60, 0, 0)};
+         return DataSet{
+             {}, mapped(withRandomWeights(randomSites(n, r), 0, 2, r), 1e60, 0, 0), mapped(unit, 1e60, 0, 0)};
        }},
       {{"two-weights", "two sites"},
        [](N, Random& r) { return inUnit(withRandomWeights(randomSites(2, r), 0, 0.5, r)); }},

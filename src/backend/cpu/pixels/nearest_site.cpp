@@ -79,11 +79,14 @@ bool isNearerTo(const SiteSet& s, std::uint32_t b, std::uint32_t a, Point base, 
   return wideLead(s, b, a, base, p).high > 0;
 }
 
-/// What a search has found: the nearest site, and those that may be as near. A result set of nanoflann.
+/// What a search has found: the nearest site, those that may be as near, and how far away the second nearest
+/// is, where that is wanted. A result set of nanoflann.
 template <std::size_t Dimensions>
 class NearestAndTies {
  public:
   using DistanceType = double;
+
+  explicit NearestAndTies(bool wants_second) : wants_second_(wants_second) {}
 
   /// Points that are added next are those of this cloud.
   void from(const Cloud<Dimensions>& cloud) { cloud_ = &cloud; }
@@ -95,10 +98,21 @@ class NearestAndTies {
     if (squared >= worst_) return true;
     Candidate added{squared, cloud_->siteOf(point)};
     if (added < best_) std::swap(added, best_);
-    worst_ = best_.squared * (1 + near_tie);
-    if (added.site != no_site) ties_.push_back(added);
-    if (!ties_.empty()) std::erase_if(ties_, [&](const Candidate& tie) { return tie.squared >= worst_; });
+    second_ = std::min(second_, added.squared);
+    const double tied = best_.squared * (1 + near_tie);
+    worst_ = wants_second_ ? std::max(second_, tied) : tied;
+    if (added.site != no_site && added.squared < tied) ties_.push_back(added);
+    if (!ties_.empty()) std::erase_if(ties_, [&](const Candidate& tie) { return tie.squared >= tied; });
     return true;
+  }
+
+  /// How far another place can be from p and must have the same nearest site: a way changes the distance to
+  /// no site, nor that to its point above the plane, by more than its length.
+  [[nodiscard]] double reach(Point p) const {
+    if (second_ == infinity) return infinity;
+    const double other = std::sqrt(second_);
+    constexpr double rounding = 1e-12;
+    return (other - std::sqrt(best_.squared)) / 2 - rounding * (other + std::abs(p.x) + std::abs(p.y));
   }
 
   /// Of all sites that may be nearest the one that is; of several the first of the input.
@@ -124,8 +138,9 @@ class NearestAndTies {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   const Cloud<Dimensions>* cloud_ = nullptr;
+  bool wants_second_;
   Candidate best_{infinity, no_site};
-  double worst_ = infinity;
+  double worst_ = infinity, second_ = infinity;
   std::vector<Candidate> ties_;
 };
 
@@ -181,10 +196,11 @@ class CloudTree {
     std::erase(parts_, nullptr);
   }
 
-  /// Or no_site where there is none. The place is counted from the base.
-  [[nodiscard]] std::uint32_t nearest(Point p) const {
+  /// Or no_site where there is none. The place is counted from the base. With `reach`, as NearestAndTies
+  /// says.
+  [[nodiscard]] std::uint32_t nearest(Point p, double* reach) const {
     const std::array<double, 3> place{p.x, p.y, 0};
-    NearestAndTies<Dimensions> found;
+    NearestAndTies<Dimensions> found(reach != nullptr);
     // The part whose box is nearest is searched first: most places need no other one.
     std::size_t first = 0;
     double least = std::numeric_limits<double>::infinity();
@@ -197,6 +213,7 @@ class CloudTree {
       if (k != first && parts_[k]->squaredDistance(place) < found.worstDist())
         parts_[k]->search(place, found);
     }
+    if (reach != nullptr) *reach = found.reach(p);
     return found.nearest(sites_, base_, p);
   }
 
@@ -249,16 +266,41 @@ struct NearestSite::Tree {
 NearestSite::NearestSite(const SiteSet& sites, int threads) : tree_(std::make_unique<Tree>(sites, threads)) {}
 NearestSite::~NearestSite() = default;
 
-std::uint32_t NearestSite::at(Point from, Point p) const {
-  const Point base = tree_->base, place{(from.x - base.x) + p.x, (from.y - base.y) + p.y};
-  if (tree_->flat) return tree_->flat->nearest(place);
+Point NearestSite::placeOf(Point from, Point p) const {
+  const Point base = tree_->base;
+  return {(from.x - base.x) + p.x, (from.y - base.y) + p.y};
+}
+
+std::uint32_t NearestSite::find(Point place, double* reach) const {
+  if (tree_->flat) return tree_->flat->nearest(place, reach);
   const auto& sites = tree_->sites;
-  auto best = tree_->lifted->nearest(place);
+  auto best = tree_->lifted->nearest(place, reach);
+  // Heavy sites are no points of the tree, which knows nothing of the way to them.
+  if (reach != nullptr && !sites.heavy.empty()) *reach = 0;
   for (const auto heavy : sites.heavy) {
     if (!sites.hidden.empty() && sites.hidden[heavy] != 0) continue;
-    if (best == no_site || isNearerTo(sites, heavy, best, base, place)) best = heavy;
+    if (best == no_site || isNearerTo(sites, heavy, best, tree_->base, place)) best = heavy;
   }
   return best;
+}
+
+std::uint32_t NearestSite::at(Point from, Point p) const { return find(placeOf(from, p), nullptr); }
+
+std::uint32_t NearestSite::Walk::at(Point from, Point p) {
+  const Point place = nearest_.placeOf(from, p);
+  const double x = place.x - searched_.x, y = place.y - searched_.y;
+  if (x * x + y * y < reach_ * reach_) return site_;
+  reach_ = 0;
+  searched_ = place;
+  if (in_vain_ > 0) {
+    --in_vain_;
+    return nearest_.find(place, nullptr);
+  }
+  double reach = 0;
+  site_ = nearest_.find(place, &reach);
+  reach_ = std::max(reach, 0.0);
+  if (reach_ < step_) in_vain_ = 15;
+  return site_;
 }
 
 }  // namespace vorpipe::cpu

@@ -23,9 +23,32 @@ class NearestSite {
   /// a corner of the domain no place in it is rounded by more than its distance to that.
   [[nodiscard]] std::uint32_t at(Point from, Point p) const;
 
+  class Walk;
+
  private:
   struct Tree;
+  [[nodiscard]] Point placeOf(Point from, Point p) const;
+  /// `reach`, if it is not null, is set to how far around the place the same site must be nearest.
+  [[nodiscard]] std::uint32_t find(Point place, double* reach) const;
+
   std::unique_ptr<Tree> tree_;
+};
+
+/// The same for places that come one after the other, each some `step` from the one before: where the same
+/// site must be nearest, nothing is searched for.
+class NearestSite::Walk {
+ public:
+  Walk(const NearestSite& nearest, double step) : nearest_(nearest), step_(step) {}
+  [[nodiscard]] std::uint32_t at(Point from, Point p);
+
+ private:
+  const NearestSite& nearest_;
+  double step_;
+  Point searched_{};
+  double reach_ = 0;  ///< within it of `searched_`, `site_` is nearest
+  std::uint32_t site_ = no_site;
+  int in_vain_ =
+      0;  ///< places that are found without asking how far, which takes longer and seldom helps here
 };
 
 }  // namespace vorpipe::cpu

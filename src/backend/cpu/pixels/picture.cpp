@@ -7,13 +7,16 @@ namespace {
 
 constexpr std::size_t grain = 1024;
 
+double pixelWidth(const View& view) { return (view.box.xmax - view.box.xmin) / view.width; }
+
 }  // namespace
 
 void nearestSites(const NearestSite& nearest, const View& view, int threads, std::span<std::uint32_t> out) {
   const PixelCenters centers(view);
   parallelFor(out.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    NearestSite::Walk walk(nearest, pixelWidth(view));
     for (std::size_t pixel = begin; pixel < end; ++pixel) {
-      out[pixel] = nearest.at(view.corner, centers.at(pixel));
+      out[pixel] = walk.at(view.corner, centers.at(pixel));
     }
   });
 }
@@ -22,7 +25,8 @@ void nearestSites(const NearestSite& nearest, const View& view, std::span<const 
                   int threads, std::span<std::uint32_t> out) {
   const PixelCenters centers(view);
   parallelFor(pixels.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) out[k] = nearest.at(view.corner, centers.at(pixels[k]));
+    NearestSite::Walk walk(nearest, pixelWidth(view));
+    for (std::size_t k = begin; k < end; ++k) out[k] = walk.at(view.corner, centers.at(pixels[k]));
   });
 }
 

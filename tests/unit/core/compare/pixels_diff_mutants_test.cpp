@@ -124,7 +124,8 @@ TEST_F(DiffMutants, aShiftedColumnIsCaught) {
 TEST_F(DiffMutants, aPictureShiftedByAColumnIsCaught) {
   Ids mutant = truth_;
   for (int row = 0; row < picture_height; ++row) {
-    for (int column = 1; column < picture_width; ++column) mutant[at(row, column)] = truth_[at(row, column - 1)];
+    for (int column = 1; column < picture_width; ++column)
+      mutant[at(row, column)] = truth_[at(row, column - 1)];
   }
   expectCaught(mutant);
 }
@@ -155,7 +156,8 @@ TEST_F(DiffMutants, anUncoveredPixelIsCaught) {
 TEST_F(DiffMutants, aWrongDomainIsCaught) {
   Ids mutant = truth_;
   for (int row = 0; row < picture_height; ++row) {
-    for (int column = 1; column < picture_width; ++column) mutant[at(row, column)] = truth_[at(row, column - 1)];
+    for (int column = 1; column < picture_width; ++column)
+      mutant[at(row, column)] = truth_[at(row, column - 1)];
   }
   const auto diff = diffIds(truth_, mutant, picture_width, picture_height, sites_, Box{0, 0, 1e9, 1e9});
   ASSERT_TRUE(diff);

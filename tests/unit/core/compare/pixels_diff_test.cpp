@@ -34,14 +34,14 @@ TEST(DiffIds, tiesEndAtTheTieDistance) {
   for (const Box& domain :
        {unit, Box{0, 0, 40, 1}, Box{500000, 5200000, 500001, 5200001}, Box{-1e-9, 0, 1e-9, 1e-9}}) {
     for (const double sign : {-1.0, 1.0}) {
-      const auto inside =
-          diffIds(halves(80), halves(81), picture_width, picture_height, beside(sign * 0.99 * tie_distance, domain), domain);
+      const auto inside = diffIds(halves(80), halves(81), picture_width, picture_height,
+                                  beside(sign * 0.99 * tie_distance, domain), domain);
       ASSERT_TRUE(inside);
       EXPECT_EQ(inside->ties, static_cast<std::uint64_t>(picture_height));
       EXPECT_TRUE(inside->agree());
       EXPECT_NEAR(inside->widest_tie, 0.99 * tie_distance, 1e-6);
-      const auto outside =
-          diffIds(halves(80), halves(81), picture_width, picture_height, beside(sign * 1.01 * tie_distance, domain), domain);
+      const auto outside = diffIds(halves(80), halves(81), picture_width, picture_height,
+                                   beside(sign * 1.01 * tie_distance, domain), domain);
       ASSERT_TRUE(outside);
       EXPECT_EQ(outside->wrong, static_cast<std::uint64_t>(picture_height));
       EXPECT_EQ(outside->first.size(), 10u);
@@ -85,8 +85,8 @@ TEST(DiffIds, distancesAreByWeight) {
 }
 
 TEST(DiffIds, aTieNeedsABoundaryBesideIt) {
-  const auto diff =
-      diffIds(Ids(at(picture_height, 0), 0), Ids(at(picture_height, 0), 1), picture_width, picture_height, beside(0, unit), unit);
+  const auto diff = diffIds(Ids(at(picture_height, 0), 0), Ids(at(picture_height, 0), 1), picture_width,
+                            picture_height, beside(0, unit), unit);
   ASSERT_TRUE(diff);
   EXPECT_EQ(diff->ties, 2u) << "only where the column meets the frame";
   EXPECT_EQ(diff->wrong, at(picture_height, 0) - 2);
@@ -101,7 +101,8 @@ TEST(DiffIds, everythingATieIsRefused) {
   for (int row = 0; row < picture_height; ++row) {
     sites.x.push_back(0.5);
     sites.y.push_back(2 * (1 - (row + 0.5) / picture_height) + 1);
-    for (int column = 0; column < picture_width; ++column) b[at(row, column)] = static_cast<std::uint32_t>(row + 1);
+    for (int column = 0; column < picture_width; ++column)
+      b[at(row, column)] = static_cast<std::uint32_t>(row + 1);
   }
   const auto diff = diffIds(a, b, picture_width, picture_height, sites, unit);
   ASSERT_TRUE(diff);

@@ -199,7 +199,7 @@ double missedBy(const PeriodicSites& all, const ImagedSites& some) {
 
 TEST(Band, HoldsTheNearestImageOfEveryPlace) {
   for (const auto pattern : {Pattern::random, Pattern::clusters, Pattern::square, Pattern::circle}) {
-    for (const std::uint64_t n : {1u, 2u, 5u, 300u}) {
+    for (const std::uint64_t n : {1u, 2u, 5u, 100u}) {
       for (const double weights : {0.0, 1e-3, 1.0}) {
         SCOPED_TRACE(testing::Message()
                      << n << " sites, pattern " << static_cast<int>(pattern) << ", weights " << weights);

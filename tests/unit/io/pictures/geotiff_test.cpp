@@ -22,7 +22,8 @@ constexpr int picture_width = 700, picture_height = 300;
 
 std::vector<std::uint32_t> someIds() {
   std::vector<std::uint32_t> ids(std::size_t{picture_width} * picture_height);
-  for (std::uint32_t i = 0; i < ids.size(); ++i) ids[i] = i % picture_width / 50 * 7919 + i / picture_width / 30;
+  for (std::uint32_t i = 0; i < ids.size(); ++i)
+    ids[i] = i % picture_width / 50 * 7919 + i / picture_width / 30;
   ids[5] = no_site;
   return ids;
 }

@@ -154,7 +154,7 @@ TEST(GridCells, areTheSameSideBySideAsOneByOne) {
   for (const auto pattern : {Pattern::random, Pattern::square, Pattern::hex, Pattern::jitter,
                              Pattern::clusters, Pattern::circle}) {
     SCOPED_TRACE(static_cast<int>(pattern));
-    compareEfforts(generate(pattern, 3000, 7));
+    compareEfforts(generate(pattern, 1500, 7));
   }
   for (const std::uint64_t count : {1U, 2U, 5U, 17U}) compareEfforts(generate(Pattern::random, count, 3));
   SCOPED_TRACE("outside");
