@@ -47,8 +47,9 @@ class NearestSite::Walk {
   Point searched_{};
   double reach_ = 0;  ///< within it of `searched_`, `site_` is nearest
   std::uint32_t site_ = no_site;
-  int in_vain_ =
-      0;  ///< places that are found without asking how far, which takes longer and seldom helps here
+  /// Places that are still found without asking how far: the last answer was less than a step, and to ask
+  /// takes longer.
+  int in_vain_ = 0;
 };
 
 }  // namespace vorpipe::cpu

@@ -57,6 +57,22 @@ TEST_P(Nearest, showsTheNearestSite) {
   for (const std::size_t count : {1U, 2U, 7U, 300U}) compare(noise(count), 1e-14 * (1 + GetParam()));
 }
 
+// Pixels in rows, of which most are not searched for.
+TEST_P(Nearest, isTheSamePixelAfterPixel) {
+  constexpr int side = 250;
+  for (const std::size_t count : {1U, 2U, 7U, 300U, 40'000U}) {
+    const SiteSet set = noise(count);
+    const NearestSite nearest(set, 2);
+    NearestSite::Walk walk(nearest, 1.0 / side);
+    int wrong = 0;
+    for (int k = 0; k < side * side; ++k) {
+      const Point p{(k % side + 0.5) / side, (k / side + 0.5) / side};
+      wrong += walk.at({0, 0}, p) != nearest.at({0, 0}, p);
+    }
+    EXPECT_EQ(wrong, 0) << count << " sites";
+  }
+}
+
 // The center of a square: whatever order the set has them in.
 TEST_P(Nearest, showsTheFirstOfSitesThatAreEquallyNear) {
   SiteSet set;
