@@ -2,7 +2,8 @@
 # unrolled loops; compute shaders have none, which OpenGL 4.1 does not know. Everything goes to the build folder;
 # the target update-spv copies it to shaders/spv.
 # Where a compiler is missing, the modules of shaders/spv are embedded as they are. Where they are of the same
-# sources, defines and flags, there is no need to compile them again but for tests, which compare the two.
+# sources, defines and flags, there is no need to compile them again but for tests, which compare the two; and tests
+# do so with those that take no time.
 
 include(${CMAKE_CURRENT_LIST_DIR}/manifest.cmake)
 find_program(GLSLANG NAMES glslangValidator glslang)
@@ -36,19 +37,6 @@ set(shader_modules "")
 set(translated_modules "")
 set(recipe_modules "")
 
-option(VORPIPE_COMPILE_SHADERS "Compile shaders that shaders/spv has of the same sources, too" ${VORPIPE_TESTS})
-set(committed_rows "")
-if(NOT VORPIPE_COMPILE_SHADERS)
-  file(GLOB shader_sources CONFIGURE_DEPENDS ${glsl_dir}/*)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${shader_sources} ${committed_dir}/MANIFEST)
-  file(STRINGS ${committed_dir}/MANIFEST committed_rows)
-  foreach(line IN LISTS recipe_flags)
-    if(NOT line IN_LIST committed_rows)
-      set(committed_rows "")
-    endif()
-  endforeach()
-endif()
-
 if(GLSLANG AND SPIRV_OPT AND SPIRV_VAL AND SPIRV_CROSS)
   set(shaders_dir ${built_dir})
   file(MAKE_DIRECTORY ${built_dir})
@@ -63,6 +51,34 @@ if(GLSLANG AND SPIRV_OPT AND SPIRV_VAL AND SPIRV_CROSS)
 else()
   set(shaders_dir ${committed_dir})
   message(STATUS "glslang, SPIRV-Tools or SPIRV-Cross is missing: using the shaders of shaders/spv")
+endif()
+
+# Unrolled loops are what takes the optimizer long. That shaders/spv has these as they would be made, their sources' and
+# their own hashes in MANIFEST say.
+set(compiled_shaders none)
+if(VORPIPE_TESTS)
+  set(compiled_shaders short)
+endif()
+set(VORPIPE_COMPILED_SHADERS ${compiled_shaders} CACHE STRING
+    "Compile shaders that shaders/spv has of the same sources: none; short, those without loops to unroll; all")
+if(NOT VORPIPE_COMPILED_SHADERS MATCHES "^(none|short|all)$")
+  message(FATAL_ERROR "VORPIPE_COMPILED_SHADERS is none, short or all, not ${VORPIPE_COMPILED_SHADERS}")
+endif()
+set(committed_rows "")
+if(NOT VORPIPE_COMPILED_SHADERS STREQUAL all)
+  file(GLOB shader_sources CONFIGURE_DEPENDS ${glsl_dir}/*)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${shader_sources} ${committed_dir}/MANIFEST)
+  file(STRINGS ${committed_dir}/MANIFEST committed_rows)
+  set(rows_of_all "${recipe_flags}")
+  if(VORPIPE_COMPILED_SHADERS STREQUAL short)
+    string(REGEX MATCHALL "[^\n]+" tool_rows "${recipe_tools}")
+    list(APPEND rows_of_all ${tool_rows})
+  endif()
+  foreach(line IN LISTS rows_of_all)
+    if(NOT line IN_LIST committed_rows)
+      set(committed_rows "")
+    endif()
+  endforeach()
 endif()
 
 # vorpipe_shader(module file define...): the module of that name is made from glsl/file.
@@ -82,7 +98,11 @@ function(vorpipe_shader module file)
   set(out ${built_dir}/${module})
   string(JOIN " " words ${defines})
   vorpipe_manifest_row(${glsl_dir} ${module} ${file} "${words}" committed_row)
-  if(committed_row IN_LIST committed_rows)
+  set(is_short TRUE)
+  if(words MATCHES "MAX_EDGES")
+    set(is_short FALSE)
+  endif()
+  if(committed_row IN_LIST committed_rows AND NOT (is_short AND VORPIPE_COMPILED_SHADERS STREQUAL short))
     set(files ${module}.spv)
     if(NOT stage STREQUAL comp)
       list(APPEND files ${module}.410.glsl)
@@ -160,7 +180,8 @@ function(vorpipe_embed_shaders target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   target_include_directories(${target} SYSTEM PUBLIC ${generated})
 
-  if(NOT shaders_dir STREQUAL committed_dir)
+  # Which names the tools that are here, and so must not copy what others made.
+  if(NOT shaders_dir STREQUAL committed_dir AND NOT VORPIPE_COMPILED_SHADERS STREQUAL none)
     add_custom_target(
       update-spv
       COMMAND

@@ -2,10 +2,19 @@
 # cmake -D recipe=FILE -D from=DIR -D glsl=DIR -D to=DIR -P update.cmake
 #
 # The recipe, written when the build is configured, has a line for each tool with its version, one
-# for each step with its flags, and one for each module with its source and its defines.
+# for each step with its flags, and one for each module with its source and its defines. The MANIFEST
+# has these and one for each file with its hash.
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/manifest.cmake)
 
+# Copies a file, and appends a line with its hash to the manifest.
+macro(update_file file)
+  file(COPY ${from}/${file} DESTINATION ${to})
+  file(SHA256 ${from}/${file} hash)
+  string(APPEND copied "file ${file} ${hash}\n")
+endmacro()
+
+set(copied "")
 set(manifest "# What the files beside this one were made from. Made by the target update-spv.\n")
 file(STRINGS ${recipe} lines)
 file(GLOB old ${to}/*.spv ${to}/*.glsl)
@@ -16,11 +25,11 @@ foreach(line IN LISTS lines)
   if(line MATCHES "^module ([^ ]+) ([^ ]+) ?(.*)$")
     set(module ${CMAKE_MATCH_1})
     vorpipe_manifest_row(${glsl} ${module} ${CMAKE_MATCH_2} "${CMAKE_MATCH_3}" line)
-    file(COPY ${from}/${module}.spv DESTINATION ${to})
+    update_file(${module}.spv)
     if(NOT line MATCHES "^module [^ ]+ [^ ]+\\.comp ")
-      file(COPY ${from}/${module}.410.glsl DESTINATION ${to})
+      update_file(${module}.410.glsl)
     endif()
   endif()
   string(APPEND manifest "${line}\n")
 endforeach()
-file(WRITE ${to}/MANIFEST "${manifest}")
+file(WRITE ${to}/MANIFEST "${manifest}${copied}")

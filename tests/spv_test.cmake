@@ -77,7 +77,15 @@ foreach(module IN LISTS modules)
     endif()
   endif()
 
-  if(same_tools AND EXISTS ${built}/spv/${module}.spv)
+  foreach(file IN LISTS files)
+    file(SHA256 ${shaders}/spv/${file} committed)
+    if(NOT "file ${file} ${committed}" IN_LIST manifest)
+      complain("MANIFEST has another hash of ${file}")
+    endif()
+  endforeach()
+
+  # What was copied from there need not be compared.
+  if(same_tools AND EXISTS ${built}/spv/${module}.raw.spv)
     foreach(file IN LISTS files)
       file(SHA256 ${shaders}/spv/${file} committed)
       file(SHA256 ${built}/spv/${file} now)

@@ -14,7 +14,7 @@
 namespace vorpipe::python {
 namespace {
 
-using Shared = std::shared_ptr<CellsResult>;
+using SharedCells = std::shared_ptr<CellsResult>;
 
 void requireDetail(const CellsResult& result, std::string_view extension, Detail detail) {
   if (detail <= result.options.detail) return;
@@ -26,12 +26,12 @@ void requireDetail(const CellsResult& result, std::string_view extension, Detail
 /// The property of a CellsResult that shows an array of its diagram.
 template <class Number, class Row>
 auto viewed(std::vector<Row> Diagram::*rows) {
-  return [rows](const Shared& result) {
+  return [rows](const SharedCells& result) {
     return viewOf<Number>(result->shown().*rows, std::shared_ptr<const CellsResult>(result));
   };
 }
 
-void save(const CellsResult& result, const std::string& path, bool only_cells) {
+void saveCells(const CellsResult& result, const std::string& path, bool only_cells) {
   const CellsFormat& format = formatOf(result, path, only_cells);
   saveFile(path, [&](ByteSink& sink) { return writeCells(sink, outputOf(result, only_cells), format); });
 }
@@ -84,7 +84,7 @@ CellsOutput outputOf(const CellsResult& result, bool only_cells) {
 }
 
 void defineCells(py::module_& module) {
-  py::class_<CellsResult, Shared>(module, "Cells", "The arrays of a diagram.")
+  py::class_<CellsResult, SharedCells>(module, "Cells", "The arrays of a diagram.")
       .def("__len__", [](const CellsResult& result) { return result.diagram.status.size(); })
       .def_property_readonly(
           "input", [](const CellsResult& result) { return std::const_pointer_cast<Input>(result.input); })
@@ -92,7 +92,7 @@ void defineCells(py::module_& module) {
           "detail", [](const CellsResult& result) { return nameIn(detail_choices, result.options.detail); })
       .def_property_readonly(
           "report",
-          [](const Shared& result) { return std::shared_ptr<Report>(result, &result->diagram.report); })
+          [](const SharedCells& result) { return std::shared_ptr<Report>(result, &result->diagram.report); })
       .def_property_readonly("status", viewed<std::uint8_t>(&Diagram::status))
       .def_property_readonly("owner", viewed<std::uint32_t>(&Diagram::owner))
       .def_property_readonly("areas", viewed<double>(&Diagram::area))
@@ -110,7 +110,7 @@ void defineCells(py::module_& module) {
       .def_property_readonly("mass_centroids", viewed<double>(&Diagram::mass_centroid))
       .def_property_readonly("triangles", viewed<std::uint32_t>(&Diagram::triangles))
       .def("area_sum", [](const CellsResult& result) { return areaSum(result.diagram); })
-      .def("save", &save, py::arg("path"), py::arg("only_cells"))
+      .def("save", &saveCells, py::arg("path"), py::arg("only_cells"))
       .def("save_edges", &saveEdges, py::arg("path"), py::arg("threads"));
   module.def("cells_extensions", &cellsExtensions);
   module.def(

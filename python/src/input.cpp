@@ -48,18 +48,6 @@ Outline outlineOf(const OutlineArrays& arrays) {
   return outline;
 }
 
-Density densityOf(const Numbers& values) {
-  const auto elements = values.unchecked<2>();
-  Density density{static_cast<int>(elements.shape(1)), static_cast<int>(elements.shape(0)), {}};
-  density.values.reserve(static_cast<std::size_t>(values.size()));
-  for (py::ssize_t row = 0; row < elements.shape(0); ++row) {
-    for (py::ssize_t column = 0; column < elements.shape(1); ++column) {
-      density.values.push_back(elements(row, column));
-    }
-  }
-  return density;
-}
-
 /// The points of a table, or of an array.
 void takeSites(const GivenPoints& points, const std::optional<SystemArguments>& system, Input& input) {
   if (const auto* const given = std::get_if<std::shared_ptr<Table>>(&points)) {
@@ -152,6 +140,18 @@ py::array givenPoints(const Input& input) {
 }
 
 }  // namespace
+
+Density densityOf(const Numbers& values) {
+  const auto elements = values.unchecked<2>();
+  Density density{static_cast<int>(elements.shape(1)), static_cast<int>(elements.shape(0)), {}};
+  density.values.reserve(static_cast<std::size_t>(values.size()));
+  for (py::ssize_t row = 0; row < elements.shape(0); ++row) {
+    for (py::ssize_t column = 0; column < elements.shape(1); ++column) {
+      density.values.push_back(elements(row, column));
+    }
+  }
+  return density;
+}
 
 std::shared_ptr<Input> inputOf(const GivenPoints& points, const std::optional<Numbers>& weights,
                                const DomainArguments& domain, const std::string& periodic,

@@ -56,6 +56,9 @@ std::shared_ptr<Input> inputOf(const GivenPoints& points, const std::optional<Nu
                                const DomainArguments& domain, const std::string& periodic,
                                const std::optional<SystemArguments>& system);
 
+/// Values are of shape (height, width), rows from the top.
+Density densityOf(const Numbers& values);
+
 void defineInput(py::module_& module);
 
 }  // namespace vorpipe::python

@@ -24,16 +24,16 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "R is the lowest byte of a pixel, and its first");
 
-using Shared = std::shared_ptr<PictureResult>;
+using SharedPicture = std::shared_ptr<PictureResult>;
 
-std::shared_ptr<const PictureResult> asOwner(const Shared& result) { return result; }
+std::shared_ptr<const PictureResult> asOwner(const SharedPicture& result) { return result; }
 
-py::array rgbaOf(const Shared& result) {
+py::array rgbaOf(const SharedPicture& result) {
   const Image& image = result->rendering.image;
   return viewOf<std::uint8_t>(image.rgba.data(), {image.height, image.width, 4}, asOwner(result));
 }
 
-py::array idsOf(const Shared& result) {
+py::array idsOf(const SharedPicture& result) {
   const Image& image = result->rendering.image;
   return viewOf<std::uint32_t>(image.ids.data(), {image.height, image.width}, asOwner(result));
 }
@@ -55,7 +55,7 @@ std::string pixelExtensions() {
   return fmt::format("{}, and for the ids {}", fmt::join(extensions, ", "), fmt::join(idsExtensions(), ", "));
 }
 
-void save(const PictureResult& result, const std::string& path) {
+void savePicture(const PictureResult& result, const std::string& path) {
   const PictureOutput output{
       result.input->sites, result.options, &result.rendering.image, nullptr, result.input->system, 0};
   if (const auto ids = idsFormatOf(path)) {
@@ -107,25 +107,26 @@ const PictureFormat& shapesFormatOf(const std::string& path) {
 
 void definePicture(py::module_& module) {
   defineKey(module);
-  py::class_<PictureResult, Shared>(module, "Picture", "The arrays of a picture.")
+  py::class_<PictureResult, SharedPicture>(module, "Picture", "The arrays of a picture.")
       .def_property_readonly(
           "input", [](const PictureResult& result) { return std::const_pointer_cast<Input>(result.input); })
-      .def_property_readonly(
-          "report",
-          [](const Shared& result) { return std::shared_ptr<Report>(result, &result->rendering.report); })
+      .def_property_readonly("report",
+                             [](const SharedPicture& result) {
+                               return std::shared_ptr<Report>(result, &result->rendering.report);
+                             })
       .def_property_readonly("rgba", &rgbaOf)
       .def_property_readonly("ids", &idsOf)
       .def_property_readonly("extent", &extentOf)
       .def_property_readonly("key", [](const PictureResult& result) { return result.rendering.key; })
       .def_property_readonly("status",
-                             [](const Shared& result) {
+                             [](const SharedPicture& result) {
                                return viewOf<std::uint8_t>(result->rendering.status, asOwner(result));
                              })
       .def_property_readonly("owner",
-                             [](const Shared& result) {
+                             [](const SharedPicture& result) {
                                return viewOf<std::uint32_t>(result->rendering.owner, asOwner(result));
                              })
-      .def("save", &save, py::arg("path"));
+      .def("save", &savePicture, py::arg("path"));
   module.def("save_shapes", &saveShapes, py::arg("cells"), py::arg("look"), py::arg("path"),
              py::arg("threads"));
   module.def("colormaps", &colormaps);

@@ -9,6 +9,7 @@
 #include "arrays.h"
 #include "choices.h"
 #include "errors.h"
+#include "input.h"
 #include "io/points/points_file.h"
 #include "io/sites/sites_file.h"
 #include "saving.h"
@@ -69,21 +70,11 @@ py::array takenSteps(const RelaxResult& result) {
   return taken;
 }
 
-Density densityFrom(const py::array_t<double>& values) {
-  const auto pixels = values.unchecked<2>();
-  Density density{static_cast<int>(pixels.shape(1)), static_cast<int>(pixels.shape(0)), {}};
-  for (py::ssize_t row = 0; row < pixels.shape(0); ++row) {
-    for (py::ssize_t column = 0; column < pixels.shape(1); ++column)
-      density.values.push_back(pixels(row, column));
-  }
-  return density;
-}
-
-py::array drawnPoints(const py::array_t<double>& values, const std::array<double, 4>& box,
-                      std::uint64_t count, std::uint64_t seed) {
+py::array drawnPoints(const Numbers& values, const std::array<double, 4>& box, std::uint64_t count,
+                      std::uint64_t seed) {
   if (count > max_sites) raiseInput("n", fmt::format("{} points of at most {}", count, max_sites));
   const Sites sites =
-      valueOf(drawnFrom(densityFrom(values), {box[0], box[1], box[2], box[3]}, {}, count, seed));
+      valueOf(drawnFrom(densityOf(values), {box[0], box[1], box[2], box[3]}, {}, count, seed));
   std::vector<Point> rows;
   for (std::size_t i = 0; i < sites.size(); ++i) rows.push_back({sites.x[i], sites.y[i]});
   return arrayOf<double>(std::move(rows));

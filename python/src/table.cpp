@@ -16,7 +16,7 @@
 namespace vorpipe::python {
 namespace {
 
-using Shared = std::shared_ptr<Table>;
+using SharedTable = std::shared_ptr<Table>;
 
 /// A message with Python's words for what the command line calls options.
 std::string inPython(std::string message) {
@@ -31,7 +31,7 @@ std::string inPython(std::string message) {
 }
 
 /// Reads or generates what `spec` names.
-Shared tableFrom(const std::string& spec, std::uint64_t seed, const ReadOptions& options) {
+SharedTable tableFrom(const std::string& spec, std::uint64_t seed, const ReadOptions& options) {
   auto found = [&] {
     const WithoutGil no_gil;
     return loadSites(spec, seed, options);
@@ -47,7 +47,7 @@ Shared tableFrom(const std::string& spec, std::uint64_t seed, const ReadOptions&
                                        std::move(table.notes)});
 }
 
-std::optional<py::array> weightsOf(const Shared& table) {
+std::optional<py::array> weightsOf(const SharedTable& table) {
   if (table->sites.weight.empty()) return std::nullopt;
   return viewOf<double>(table->sites.weight, std::shared_ptr<const Table>(table));
 }
@@ -61,7 +61,7 @@ py::array pointsOf(const Sites& sites) {
 }
 
 void defineTable(py::module_& module) {
-  py::class_<Table, Shared>(module, "Table", "Sites that were read or generated.")
+  py::class_<Table, SharedTable>(module, "Table", "Sites that were read or generated.")
       .def("__len__", [](const Table& table) { return table.sites.size(); })
       .def_property_readonly("name", [](const Table& table) { return textOf(table.name); })
       .def_readonly("generated", &Table::generated)
