@@ -91,7 +91,7 @@ void setError(Kind kind, const std::string& message, std::string_view argument) 
   PyErr_SetObject(exception.ptr(), error.ptr());
 }
 
-[[noreturn]] void raise(Kind kind, const std::string& message, std::string_view argument) {
+[[noreturn]] void throwAs(Kind kind, const std::string& message, std::string_view argument) {
   setError(kind, message, argument);
   throw py::error_already_set();
 }
@@ -113,7 +113,7 @@ py::list textsOf(const std::vector<std::string>& texts) {
 
 void raise(Error error) {
   if (const std::string_view named = takeArgument(error.message); !named.empty()) {
-    raise(kindOf(error.code), error.message, named);
+    throwAs(kindOf(error.code), error.message, named);
   }
   const std::string_view argument = argumentOf(error.subject);
   if (!argument.empty()) {
@@ -122,7 +122,7 @@ void raise(Error error) {
     if (error.message.starts_with(name)) error.message.erase(0, name.size());
     error.message.insert(0, fmt::format("{}: ", argument));
   }
-  raise(kindOf(error.code), error.message, argument);
+  throwAs(kindOf(error.code), error.message, argument);
 }
 
 void raise(const std::exception_ptr& refused) {
@@ -136,7 +136,7 @@ void raise(const std::exception_ptr& refused) {
 }
 
 void raiseInput(std::string_view argument, const std::string& message) {
-  raise(kindOf(ErrorCode::input), fmt::format("{}: {}", argument, message), argument);
+  throwAs(kindOf(ErrorCode::input), fmt::format("{}: {}", argument, message), argument);
 }
 
 void registerErrors() {
