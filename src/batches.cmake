@@ -9,12 +9,15 @@ if(VORPIPE_BATCHES)
   add_compile_options($<$<COMPILE_LANG_AND_ID:CXX,GNU>:--param=ggc-min-heapsize=2097152>)
 endif()
 
-# vorpipe_batches(target [ALONE name...]): its sources in batches of whole folders, as many as it takes to have a dozen
-# sources. ALONE are files with private names that others of the batch have as well, of which the
-# compiler says "redefinition" or "shadows"; before a name that files of other folders have too stands its folder, as in
-# sites/weights.cpp.
+# vorpipe_batches(target [LEAST count] [ALONE name...]): its sources in batches of whole folders, as many as it takes to
+# have `count` sources, or a dozen. ALONE are files with private names that others of the batch have as well, of which
+# the compiler says "redefinition" or "shadows"; before a name that files of other folders have too stands its folder,
+# as in sites/weights.cpp.
 function(vorpipe_batches target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "ALONE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "LEAST" "ALONE")
+  if(NOT DEFINED arg_LEAST)
+    set(arg_LEAST 12)
+  endif()
   if(NOT VORPIPE_BATCHES)
     return()
   endif()
@@ -30,7 +33,7 @@ function(vorpipe_batches target)
       continue()
     endif()
     string(REPLACE "${CMAKE_CURRENT_SOURCE_DIR}/" "" folder "${folder}")
-    if(count EQUAL 0 OR (count GREATER_EQUAL 12 AND NOT folder STREQUAL folder_before))
+    if(count EQUAL 0 OR (count GREATER_EQUAL ${arg_LEAST} AND NOT folder STREQUAL folder_before))
       string(MAKE_C_IDENTIFIER "batch_${folder}" group)
       set(count 0)
     endif()
@@ -40,104 +43,42 @@ function(vorpipe_batches target)
   endforeach()
 endfunction()
 
-# Rooms whose sources are compiled so, but for those that are alone.
+# Sources of rooms that are compiled each alone.
 set(vorpipe_alone
     cells_vtk.cpp
-    delaunay/hilbert_order.cpp
+    check/nearest_site.cpp
     delaunay/mesh_cells.cpp
     delaunay/triangulation.cpp
-    diagram/dual_triangles.cpp
     discs/far_disc.cpp
-    edges.cpp
     fish.cpp
+    forecast/spread.cpp
     legend.cpp
+    locate/locator.cpp
     measured/plot.cpp
-    moving/box_moments.cpp
-    moving/disc_cells.cpp
-    moving/polygon_edges.cpp
-    nearest_site.cpp
-    outline.cpp
     outline/clip_cell.cpp
-    outline/clipped_records.cpp
-    outline/own_parts.cpp
-    outline/validity.cpp
     panel/panel.cpp
-    periodic/band.cpp
     periodic/band_proof.cpp
-    periodic/unwrap.cpp
     picture_files.cpp
     pipelines/cells.cpp
     pipelines/geometry.cpp
     png_file.cpp
     polygon_drawing.cpp
     search/bisectors.cpp
-    search/flann_search.cpp
-    sites/near_sites.cpp
     sites/site_set.cpp
     sites/weights.cpp
     stages.cpp
     stats.cpp
     svg_picture.cpp
     thesis.cpp
-    ties/collapsed_edges.cpp
-    ties/tied_records.cpp
     ties/tied_vertices.cpp
-    ties/wide_vertices.cpp
     uncovered.cpp
     window/vulkan_presenter.cpp
     zsh.cpp)
+# Houses whose rooms are compiled together, but for rooms whose sources are much alike and so are their private names.
+set(vorpipe_batched_houses vorpipe_ vorpipe_bench_ vorpipe_cli_ vorpipe_io_ vorpipe_moved_ vorpipe_opengl_ vorpipe_vulkan_)
+set(vorpipe_lone_rooms vorpipe_cli_commands vorpipe_vulkan_compute vorpipe_vulkan_geometry)
+# Other rooms, each of which is compiled in batches of its own.
 set(vorpipe_batched_rooms
-    vorpipe_bench_lab
-    vorpipe_bench_measured
-    vorpipe_bench_tables
-    vorpipe_cells
-    vorpipe_check
-    vorpipe_cli_manual
-    vorpipe_cli_moving
-    vorpipe_cli_options
-    vorpipe_cli_reports
-    vorpipe_cli_runs
-    vorpipe_cli_terminal
-    vorpipe_colors
-    vorpipe_compare
-    vorpipe_delaunay
-    vorpipe_diagram
-    vorpipe_discs
-    vorpipe_drawing
-    vorpipe_forecast
-    vorpipe_geometry
-    vorpipe_io_arrays
-    vorpipe_io_cells
-    vorpipe_io_columns
-    vorpipe_io_domain
-    vorpipe_io_edges
-    vorpipe_io_files
-    vorpipe_io_fluid
-    vorpipe_io_geopackage
-    vorpipe_io_meshes
-    vorpipe_io_pictures
-    vorpipe_io_points
-    vorpipe_io_text
-    vorpipe_io_weights
-    vorpipe_marks
-    vorpipe_moved_fluid
-    vorpipe_moved_linear
-    vorpipe_moved_relax
-    vorpipe_moved_transport
-    vorpipe_moving
-    vorpipe_opengl_device
-    vorpipe_opengl_memory
-    vorpipe_opengl_pipelines
-    vorpipe_outline
-    vorpipe_periodic
-    vorpipe_picture
-    vorpipe_search
-    vorpipe_session
-    vorpipe_sites
-    vorpipe_ties
-    vorpipe_tiles
-    vorpipe_topology
-    vorpipe_vertices
     vorpipe_view_app
     vorpipe_view_document
     vorpipe_view_events
@@ -145,7 +86,4 @@ set(vorpipe_batched_rooms
     vorpipe_view_panel
     vorpipe_view_recording
     vorpipe_view_window
-    vorpipe_vulkan_device
-    vorpipe_vulkan_geometry
-    vorpipe_vulkan_kernels
-    vorpipe_vulkan_memory)
+    vorpipe_vulkan_geometry)

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Whether each source includes what declares the names that it uses: named_headers_test.py [FOLDER...]
 
-The preset dev compiles the sources of a folder as one, where the include of one serves all; in the preset release each
-stands alone. So, of each name that a header of the folder's sources declares, a type, a function, a constant: a source
-that uses it must reach one of these headers. It reads text, not C++, and takes what a source or its headers declare
+The preset dev compiles sources of folders that lie beside each other as one, where the include of one serves all; in the
+preset release each stands alone. So, of each name that a header of these sources declares, a type, a function, a
+constant: a source that uses it must reach one of these headers. It reads text, not C++, and takes what a source or its headers declare
 anywhere, members and parameters too, for what is meant: it would rather miss an include than ask for one too many.
 Folders are src and tests unless they are named.
 """
@@ -44,7 +44,8 @@ class Source:
     def declares_anywhere(self, name):
         if name[0].isupper():
             return re.search(r'\b(?:class|struct|enum class|using|typename) +' + name + r'\b', self.text)
-        return (re.search(r'\b(?!(?:return|else|case)\b)\w+[>\]]*[&*]* ' + name + r'(?:\(| =)', self.text)
+        return (re.search(r'^using [\w:]+::' + name + ';', self.text, re.M)
+                or re.search(r'\b(?!(?:return|else|case)\b)\w+[>\]]*[&*]* ' + name + r'(?:\(| =)', self.text)
                 or ('_' not in name and re.search(r'[(,] *' + name + r' *[,)]', self.text)))
 
 
@@ -67,6 +68,12 @@ def reached(sources, path):
     return found
 
 
+def house(path):
+    """The folder of the folders that may be compiled as one."""
+    folder = path.rpartition('/')[0]
+    return folder.rpartition('/')[0] or folder
+
+
 def missing(sources):
     """Each a source, a name, and the headers that declare it."""
     declared_in = {}
@@ -76,9 +83,12 @@ def missing(sources):
                 declared_in.setdefault(name, set()).add(path)
     spaces = set().union(*(source.spaces for source in sources.values()))
     reach = {path: reached(sources, path) for path in sources if path.endswith('.cpp')}
+    near_of = {}
+    for path, headers in reach.items():
+        near_of.setdefault(house(path), set()).update(headers)
     for path in reach:
-        source, folder = sources[path], path.rpartition('/')[0]
-        near = set().union(*(reach[other] for other in reach if other.rpartition('/')[0] == folder))
+        source = sources[path]
+        near = near_of[house(path)]
         for name in sorted(source.words & declared_in.keys()):
             headers = declared_in[name] & near
             if headers and not headers & reach[path] and source.uses(name, spaces) and not any(

@@ -85,7 +85,7 @@ vorpipe_code vorpipe_input_add_attribute(vorpipe_input* input, const char* name,
   if (values == nullptr && count > 0) return missing("values");
   return guarded([&] {
     if (count != input->sites->size()) {
-      return fail(VORPIPE_INPUT, fmt::format("{}: {} values for {} sites", vorpipe::quoted(name), count,
+      return fail(VORPIPE_INPUT, fmt::format("{}: {} values for {} sites", vorpipe::inQuotes(name), count,
                                              input->sites->size()));
     }
     auto attribute = attributeOf(name, type, values, count);

@@ -229,7 +229,7 @@ std::vector<std::string> tableNames() {
 std::string wrongTable(const std::string& text) {
   const auto names = tableNames();
   const bool known = std::ranges::find(names, text) != names.end();
-  return known ? "" : fmt::format("{} is not one of {}", vorpipe::quoted(text), fmt::join(names, ", "));
+  return known ? "" : fmt::format("{} is not one of {}", vorpipe::inQuotes(text), fmt::join(names, ", "));
 }
 
 }  // namespace

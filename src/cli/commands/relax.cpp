@@ -49,7 +49,7 @@ std::vector<std::string> methodNames() { return {"lbfgs", "lloyd"}; }
 Parsed<RelaxMethod> parseMethod(std::string_view text) {
   if (text == "lbfgs") return RelaxMethod::lbfgs;
   if (text == "lloyd") return RelaxMethod::lloyd;
-  return tl::unexpected(fmt::format("{} is not {}", quoted(text), anyOf(methodNames())));
+  return tl::unexpected(fmt::format("{} is not {}", inQuotes(text), anyOf(methodNames())));
 }
 
 Parsed<double> parseTolerance(std::string_view text) {

@@ -35,7 +35,7 @@ Result<std::vector<std::string>> argumentsAgain(const RerunCommand& command, con
   const auto has_stats = [](const DeclaredOption& option) { return option.names.back() == "--stats"; };
   if (sub == program.subcommands.end() || std::ranges::none_of(sub->options, has_stats)) {
     return inputError(fmt::format("{}: \"arguments\": {} is no subcommand that has --stats", command.stats,
-                                  quoted(run.arguments.front())));
+                                  inQuotes(run.arguments.front())));
   }
   std::vector<std::string> again;
   for (std::size_t at = 0; at < run.arguments.size(); ++at) {

@@ -50,7 +50,7 @@ std::vector<std::string> windowNames() { return {"vulkan", "opengl"}; }
 Parsed<view::WindowApi> parseWindow(std::string_view text) {
   if (text == "vulkan") return view::WindowApi::vulkan;
   if (text == "opengl") return view::WindowApi::opengl;
-  return tl::unexpected(fmt::format("{} is not {}", quoted(text), anyOf(windowNames())));
+  return tl::unexpected(fmt::format("{} is not {}", inQuotes(text), anyOf(windowNames())));
 }
 
 /// By what is asked for; else by the backend's own, or the first that works.

@@ -29,7 +29,7 @@ template <class Named>
 tl::unexpected<Error> noneOf(std::string_view option, const std::string& text, const Named& known) {
   std::vector<std::string_view> names;
   for (const auto& one : known) names.emplace_back(one.name);
-  return inputError(fmt::format("{}: {} is not one of {}", option, quoted(text), fmt::join(names, ", ")));
+  return inputError(fmt::format("{}: {} is not one of {}", option, inQuotes(text), fmt::join(names, ", ")));
 }
 
 Result<std::string> manPage(const DeclaredProgram& program, const std::string& subcommand) {
@@ -53,7 +53,7 @@ std::optional<Result<std::string>> manualAsked(const CommandLine& line, std::spa
   const bool page = option == "--help-man";
   if (!page && option != "--completions") return std::nullopt;
   if (arguments.size() > 3)
-    return inputError(fmt::format("{}: {} is too much", option, quoted(arguments[3])));
+    return inputError(fmt::format("{}: {} is too much", option, inQuotes(arguments[3])));
   const std::string value = arguments.size() > 2 ? arguments[2] : "";
   return page ? manPage(line.declared(), value) : completions(line.declared(), value);
 }

@@ -48,7 +48,7 @@ std::optional<std::uint64_t> numberIn(std::string_view name, std::string_view be
 std::optional<std::uint64_t> stepIn(std::string_view name) { return numberIn(name, "step-", ".vtp", 6); }
 
 tl::unexpected<Error> strange(const std::string& folder, const std::string& name, std::string_view what) {
-  return inputError(fmt::format("{}: holds {}, which is none of {}", folder, vorpipe::quoted(name), what));
+  return inputError(fmt::format("{}: holds {}, which is none of {}", folder, vorpipe::inQuotes(name), what));
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ Parsed<EdgesTarget> parseEdges(std::string_view text) {
 /// Whether measures alone are wanted.
 Parsed<bool> parseDetail(std::string_view text) {
   if (text == "measures" || text == "all") return text == "measures";
-  return tl::unexpected(fmt::format("{} is no detail; it must be all or measures", quoted(text)));
+  return tl::unexpected(fmt::format("{} is no detail; it must be all or measures", inQuotes(text)));
 }
 
 /// Gives --detail measures its format.
@@ -127,7 +127,7 @@ Result<void> takeFormat(CellsTargets& targets, const std::string& kind) {
       return inputError("-o: standard output takes one file, and is named twice");
     const auto format = cellsFormatOf("-." + (kind.empty() ? "csv" : kind));
     if (!format) {
-      return inputError(fmt::format("--format: {} is no kind of file for cells; known are {}", quoted(kind),
+      return inputError(fmt::format("--format: {} is no kind of file for cells; known are {}", inQuotes(kind),
                                     fmt::join(cellsKinds(), ", ")));
     }
     target.format = *format;

@@ -13,7 +13,7 @@ Parsed<Margin> parseMargin(std::string_view text) {
   const auto number = parseNumber(relative ? text.substr(0, text.size() - 1) : text);
   if (!number || !(*number >= 0)) {
     return tl::unexpected(
-        fmt::format("{} is neither a number of 0 or more nor one with %, as in 10%", quoted(text)));
+        fmt::format("{} is neither a number of 0 or more nor one with %, as in 10%", inQuotes(text)));
   }
   return Margin{relative ? *number / percent : *number, relative};
 }
@@ -23,7 +23,7 @@ Parsed<ProjectChoice> parseProject(std::string_view text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string_view::npos) {
     return tl::unexpected(
-        fmt::format("{} is neither auto nor LON,LAT, degrees of a center, as in 12.5,42", quoted(text)));
+        fmt::format("{} is neither auto nor LON,LAT, degrees of a center, as in 12.5,42", inQuotes(text)));
   }
   const auto longitude = parseNumber(text.substr(0, comma)), latitude = parseNumber(text.substr(comma + 1));
   if (!longitude) return tl::unexpected("LON: " + longitude.error());

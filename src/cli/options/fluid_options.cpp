@@ -25,7 +25,7 @@ Parsed<view::FlowColor> parseFlowColor(std::string_view text) {
   if (text == "none") return view::FlowColor::none;
   if (text == "density") return view::FlowColor::density;
   if (text == "speed") return view::FlowColor::speed;
-  return tl::unexpected(fmt::format("{} is not {}", quoted(text), anyOf(flowColorNames())));
+  return tl::unexpected(fmt::format("{} is not {}", inQuotes(text), anyOf(flowColorNames())));
 }
 
 std::vector<std::string> schemeNames() { return {"springs", "projection"}; }
@@ -33,7 +33,7 @@ std::vector<std::string> schemeNames() { return {"springs", "projection"}; }
 Parsed<FluidScheme> parseScheme(std::string_view text) {
   if (text == "springs") return FluidScheme::springs;
   if (text == "projection") return FluidScheme::projection;
-  return tl::unexpected(fmt::format("{} is not {}", quoted(text), anyOf(schemeNames())));
+  return tl::unexpected(fmt::format("{} is not {}", inQuotes(text), anyOf(schemeNames())));
 }
 
 Parsed<double> parsePositive(std::string_view text) {
@@ -51,7 +51,7 @@ Parsed<double> parseStep(std::string_view text) {
 
 Parsed<Point> parseGravity(std::string_view text) {
   const std::size_t comma = text.find(',');
-  const auto refused = [&] { return tl::unexpected(fmt::format("{} is not GX,GY", quoted(text))); };
+  const auto refused = [&] { return tl::unexpected(fmt::format("{} is not GX,GY", inQuotes(text))); };
   if (comma == std::string_view::npos) return refused();
   const auto x = parseNumber(text.substr(0, comma)), y = parseNumber(text.substr(comma + 1));
   if (!x || !y) return refused();
@@ -63,7 +63,8 @@ Parsed<std::string> parseCase(std::string_view text) {
   if (fluidCaseOf(text)) return std::string(text);
   const std::string path(text);
   if (lowerExtension(path) == ".npz") return path;
-  return tl::unexpected(fmt::format("{} is not {}, or an .npz file", quoted(text), anyOf(fluidCaseNames())));
+  return tl::unexpected(
+      fmt::format("{} is not {}, or an .npz file", inQuotes(text), anyOf(fluidCaseNames())));
 }
 
 /// A file that has a format by its extension.

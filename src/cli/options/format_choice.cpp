@@ -24,7 +24,7 @@ Parsed<FormatChoice> parseFormat(std::string_view text) {
   FormatChoice choice{lower.substr(0, comma), comma < lower.size() ? lower.substr(comma + 1) : lower};
   if (isKind(choice.input) && isKind(choice.output)) return choice;
   return tl::unexpected(
-      fmt::format("{} is no kind of file, as in csv, or two, as in csv,geojson", vorpipe::quoted(text)));
+      fmt::format("{} is no kind of file, as in csv, or two, as in csv,geojson", vorpipe::inQuotes(text)));
 }
 
 }  // namespace vorpipe::cli

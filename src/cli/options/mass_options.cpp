@@ -31,7 +31,7 @@ Parsed<std::optional<double>> parseFill(std::string_view text) {
 
 Parsed<Surface> parseSurface(std::string_view text) {
   if (text == "free") return Surface::free;
-  return tl::unexpected(fmt::format("{} is not free", vorpipe::quoted(text)));
+  return tl::unexpected(fmt::format("{} is not free", vorpipe::inQuotes(text)));
 }
 
 }  // namespace

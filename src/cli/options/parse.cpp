@@ -51,7 +51,7 @@ tl::unexpected<std::string> bad(std::string message) { return tl::unexpected(std
 Parsed<std::string> oneOf(const std::vector<std::string>& names, std::string_view text) {
   if (std::ranges::find(names, text) != names.end()) return std::string(text);
   return bad(
-      fmt::format("{} is not one of {}{}", quoted(text), fmt::join(names, ", "), didYouMean(text, names)));
+      fmt::format("{} is not one of {}{}", inQuotes(text), fmt::join(names, ", "), didYouMean(text, names)));
 }
 
 /// The value that `text` names.
@@ -79,7 +79,7 @@ Parsed<std::uint64_t> parseWhole(std::string_view text, std::uint64_t low, std::
   const char* end = text.data() + text.size();
   const auto [stop, code] = std::from_chars(text.data(), end, value);
   if (code != std::errc() || stop != end || value < low || value > high) {
-    return bad(fmt::format("{} is not a whole number from {} to {}", quoted(text), low, high));
+    return bad(fmt::format("{} is not a whole number from {} to {}", inQuotes(text), low, high));
   }
   return value;
 }
@@ -87,7 +87,7 @@ Parsed<std::uint64_t> parseWhole(std::string_view text, std::uint64_t low, std::
 Parsed<Box> parseBox(std::string_view text) {
   constexpr std::array<std::string_view, 4> names = {"xmin", "ymin", "xmax", "ymax"};
   const auto parts = split(text, ',');
-  if (parts.size() != names.size()) return bad(fmt::format("{} is not XMIN,YMIN,XMAX,YMAX", quoted(text)));
+  if (parts.size() != names.size()) return bad(fmt::format("{} is not XMIN,YMIN,XMAX,YMAX", inQuotes(text)));
   std::array<double, 4> values{};
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto value = parseNumber(parts[i]);
@@ -109,7 +109,7 @@ Parsed<DomainChoice> parseDomain(std::string_view text) {
     return DomainChoice{std::nullopt, std::string(text), /*hull=*/false};
   }
   if (split(text, ',').size() != 4) {
-    return bad(fmt::format("{} is neither XMIN,YMIN,XMAX,YMAX nor hull nor a {} file", quoted(text),
+    return bad(fmt::format("{} is neither XMIN,YMIN,XMAX,YMAX nor hull nor a {} file", inQuotes(text),
                            anyOf(outlines)));
   }
   return parseBox(text).map([](const Box& box) { return DomainChoice{box, {}, /*hull=*/false}; });
@@ -119,7 +119,7 @@ Parsed<Periodic> parsePeriodic(std::string_view text) { return valueIn(periods, 
 
 Parsed<WeightRange> parseWeightRange(std::string_view text) {
   const auto parts = split(text, ',');
-  if (parts.size() != 2) return bad(fmt::format("{} is not LO,HI, as in 0,0.001", quoted(text)));
+  if (parts.size() != 2) return bad(fmt::format("{} is not LO,HI, as in 0,0.001", inQuotes(text)));
   const auto low = parseNumber(parts[0]), high = parseNumber(parts[1]);
   if (!low) return bad("LO: " + low.error());
   if (!high) return bad("HI: " + high.error());
@@ -130,7 +130,7 @@ Parsed<WeightRange> parseWeightRange(std::string_view text) {
 
 Parsed<PictureSize> parseSize(std::string_view text) {
   const auto parts = split(text, 'x');
-  if (parts.size() != 2) return bad(fmt::format("{} is not WxH, as in 800x600", quoted(text)));
+  if (parts.size() != 2) return bad(fmt::format("{} is not WxH, as in 800x600", inQuotes(text)));
   const auto width = parseWhole(parts[0], 1, largest_side);
   if (!width) return bad("width " + width.error());
   const auto height = parseWhole(parts[1], 1, largest_side);
@@ -161,7 +161,7 @@ Parsed<std::uint64_t> parseBytes(std::string_view text) {
   constexpr double most = 0x1p63;
   const double bytes = number && unit != units.end() ? *number * unit->bytes : 0;
   if (bytes >= 1 && bytes < most) return static_cast<std::uint64_t>(bytes);
-  return bad(fmt::format("{} is not a size above 0, as in 8GiB, 500MB or 1000000000", quoted(text)));
+  return bad(fmt::format("{} is not a size above 0, as in 8GiB, 500MB or 1000000000", inQuotes(text)));
 }
 
 Parsed<SearchOptions> parseSearch(std::string_view text) {
@@ -170,7 +170,8 @@ Parsed<SearchOptions> parseSearch(std::string_view text) {
   if (text == "grid") return search;
   search.method = Search::flann;
   if (text == flann) return search;
-  if (!text.starts_with("flann:")) return bad(fmt::format("{} is not grid, flann or flann:K", quoted(text)));
+  if (!text.starts_with("flann:"))
+    return bad(fmt::format("{} is not grid, flann or flann:K", inQuotes(text)));
   const auto neighbors = parseWhole(text.substr(flann.size() + 1), 3, 1024);
   if (!neighbors) return bad("flann: " + neighbors.error());
   search.neighbors = static_cast<int>(*neighbors);
@@ -184,7 +185,7 @@ Parsed<std::string> parseFeature(std::string_view text) { return oneOf(featureNa
 Parsed<std::pair<std::string, std::uint64_t>> parseLimit(std::string_view text) {
   const std::size_t equals = text.find('=');
   if (equals == 0 || equals == std::string_view::npos) {
-    return bad(fmt::format("{} is not NAME=VALUE, as in maxTexelBufferElements=65536", quoted(text)));
+    return bad(fmt::format("{} is not NAME=VALUE, as in maxTexelBufferElements=65536", inQuotes(text)));
   }
   auto name = oneOf(limitNames(), text.substr(0, equals));
   if (!name) return bad(std::move(name.error()));
@@ -200,9 +201,9 @@ Parsed<std::string> parseColormap(std::string_view text) { return oneOf(colormap
 Parsed<std::vector<std::string>> parseBackendList(std::string_view text) {
   std::vector<std::string> names;
   for (const std::string_view name : split(text, ',')) {
-    if (name.empty()) return bad(fmt::format("{} has an empty name", quoted(text)));
+    if (name.empty()) return bad(fmt::format("{} has an empty name", inQuotes(text)));
     if (std::ranges::find(names, name) != names.end()) {
-      return bad(fmt::format("{} is named twice", quoted(name)));
+      return bad(fmt::format("{} is named twice", inQuotes(name)));
     }
     auto known = parseBackend(name);
     if (!known) return bad(std::move(known.error()));
@@ -219,10 +220,10 @@ Parsed<std::vector<std::string>> parseBackends(std::string_view text) {
 
 Parsed<std::string> parseFile(std::string_view text, std::string_view extension) {
   if (text.empty() || text.starts_with('-'))
-    return bad(fmt::format("{} is not the name of a file", quoted(text)));
+    return bad(fmt::format("{} is not the name of a file", inQuotes(text)));
   const std::string found = lowerExtension(std::string(text));
   if (!extension.empty() && !found.empty() && found != extension)
-    return bad(fmt::format("{} does not end in {}", quoted(text), extension));
+    return bad(fmt::format("{} does not end in {}", inQuotes(text), extension));
   return std::string(text);
 }
 

@@ -19,7 +19,7 @@ std::vector<std::string> fitNames() { return {"stretch", "letterbox"}; }
 /// The place of `text` among some names.
 Parsed<std::size_t> placeIn(const std::vector<std::string>& names, std::string_view text) {
   const auto found = std::ranges::find(names, text);
-  if (found == names.end()) return tl::unexpected(fmt::format("{} is not {}", quoted(text), anyOf(names)));
+  if (found == names.end()) return tl::unexpected(fmt::format("{} is not {}", inQuotes(text), anyOf(names)));
   return static_cast<std::size_t>(found - names.begin());
 }
 
@@ -67,7 +67,7 @@ Parsed<SizeChoice> parseSizeChoice(std::string_view text) {
     return tl::unexpected(
         fmt::format("{} is neither WxH, as in 800x600, nor the longer side, a whole number "
                     "from 1 to {}",
-                    quoted(text), largest_side));
+                    inQuotes(text), largest_side));
   }
   return SizeChoice{std::nullopt, static_cast<int>(*side)};
 }

@@ -16,7 +16,7 @@ Parsed<std::vector<std::string>> parseColumns(std::string_view text) {
     columns.emplace_back(rest.substr(0, end));
     if (columns.back().empty() || columns.size() > 3) {
       return tl::unexpected(
-          fmt::format("{} is not X,Y or X,Y,W or one column of WKT", vorpipe::quoted(text)));
+          fmt::format("{} is not X,Y or X,Y,W or one column of WKT", vorpipe::inQuotes(text)));
     }
     if (end == rest.size()) return columns;
     rest.remove_prefix(end + 1);
@@ -25,7 +25,7 @@ Parsed<std::vector<std::string>> parseColumns(std::string_view text) {
 
 Parsed<bool> parseMissing(std::string_view text) {
   if (text == "skip") return true;
-  return tl::unexpected(fmt::format("{} is not skip", vorpipe::quoted(text)));
+  return tl::unexpected(fmt::format("{} is not skip", vorpipe::inQuotes(text)));
 }
 
 }  // namespace

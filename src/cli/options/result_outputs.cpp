@@ -141,7 +141,7 @@ Result<void> takeFormat(ResultTargets& targets, const InputOptions& input) {
     const auto format = pointsFormatOf("-." + (kind.empty() ? "csv" : kind));
     if (!format) {
       return inputError(fmt::format("--format: {} is no kind of file for sites; known are {}",
-                                    vorpipe::quoted(kind), fmt::join(pointsExtensions(), ", ")));
+                                    vorpipe::inQuotes(kind), fmt::join(pointsExtensions(), ", ")));
     }
     target.format = *format;
   }

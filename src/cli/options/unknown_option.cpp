@@ -35,7 +35,7 @@ std::string isNone(std::string_view name, const DeclaredSubcommand& subcommand) 
   for (const DeclaredOption& option : subcommand.options)
     names.insert(names.end(), option.names.begin(), option.names.end());
   // In one line, whatever was typed.
-  const std::string typed = quoted(name);
+  const std::string typed = inQuotes(name);
   const std::string hint = didYouMean(name, names);
   // The program's own options are declared as those of a subcommand of its name.
   const std::string page = subcommand.name == "vorpipe" ? subcommand.name : "vorpipe " + subcommand.name;

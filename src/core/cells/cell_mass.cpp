@@ -11,7 +11,7 @@
 namespace vorpipe::core {
 namespace {
 
-tl::unexpected<Error> refuse(const std::string& what) {
+tl::unexpected<Error> refuseDensity(const std::string& what) {
   return tl::unexpected(refusalOf(Subject::density, what));
 }
 
@@ -19,20 +19,22 @@ tl::unexpected<Error> refuse(const std::string& what) {
 
 Result<void> checkDensity(const Density& density) {
   if (density.width < 1 || density.height < 1) {
-    return refuse(fmt::format("{}x{} pixels; each side must be 1 or more", density.width, density.height));
+    return refuseDensity(
+        fmt::format("{}x{} pixels; each side must be 1 or more", density.width, density.height));
   }
   const auto width = static_cast<std::size_t>(density.width);
   const std::size_t pixels = width * static_cast<std::size_t>(density.height);
   if (density.values.size() != pixels) {
-    return refuse(
+    return refuseDensity(
         fmt::format("{} values for {}x{} pixels", density.values.size(), density.width, density.height));
   }
   const auto wrong =
       std::ranges::find_if_not(density.values, [](double v) { return std::isfinite(v) && v >= 0; });
   if (wrong == density.values.end()) return {};
   const auto pixel = static_cast<std::size_t>(wrong - density.values.begin());
-  return refuse(fmt::format("row {}, column {} (counted from 0) is {}, not a finite number of 0 or more",
-                            pixel / width, pixel % width, *wrong));
+  return refuseDensity(
+      fmt::format("row {}, column {} (counted from 0) is {}, not a finite number of 0 or more", pixel / width,
+                  pixel % width, *wrong));
 }
 
 Result<void> measureMass(const CellsOptions& options, const Sites& sites, int threads, FoundCells& found) {

@@ -7,7 +7,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 4096;
+constexpr std::size_t own_corners_grain = 4096;
 
 /// Weighs cells of the set by their own corners.
 class OwnMasses {
@@ -64,11 +64,12 @@ OwnCorners ownCorners(const FoundCells& found, const CellsOptions& options, cons
 
 void weighCells(const OwnCorners& cells, const DensityPixels& pixels, const MassRecords& records) {
   const auto count = cells.set.size();
-  parallelFor(count, grainFor(count, grain), cells.threads, [&](std::size_t begin, std::size_t end) {
-    OwnMasses masses(cells, pixels, records);
-    CellWalk walk(cells.set, cells.rows);
-    walk(begin, end, [&](std::uint32_t cell, auto, auto corners) { masses.weigh(cell, corners); });
-  });
+  parallelFor(
+      count, grainFor(count, own_corners_grain), cells.threads, [&](std::size_t begin, std::size_t end) {
+        OwnMasses masses(cells, pixels, records);
+        CellWalk walk(cells.set, cells.rows);
+        walk(begin, end, [&](std::uint32_t cell, auto, auto corners) { masses.weigh(cell, corners); });
+      });
 }
 
 }  // namespace vorpipe::core

@@ -9,7 +9,7 @@
 namespace vorpipe::core::checks {
 namespace {
 
-constexpr std::size_t grain = 4096;
+constexpr std::size_t edges_grain = 4096;
 
 /// A vertex as one cell has it, where its edge `edge` begins.
 struct Corner {
@@ -87,11 +87,11 @@ Counts countCell(const Rotation& rotation, std::size_t i) {
 
 Counts countAll(const Rotation& rotation) {
   const CheckedCells& run = rotation.run;
-  std::vector<Counts> parts((run.size() + grain - 1) / grain);
-  parallelFor(run.size(), grain, run.threads, [&](std::size_t begin, std::size_t end) {
+  std::vector<Counts> parts((run.size() + edges_grain - 1) / edges_grain);
+  parallelFor(run.size(), edges_grain, run.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Counts cell = countCell(rotation, i);
-      Counts& part = parts[begin / grain];
+      Counts& part = parts[begin / edges_grain];
       part = {part.vertices + cell.vertices, part.edges + cell.edges, part.faces + cell.faces};
     }
   });
@@ -145,7 +145,7 @@ Twins findTwins(const CheckedCells& run) {
   Twins twins(d.neighbors.size(), no_twin);
   // Of a pair the cell with more edges looks through the list of the other: a cell with 100,000 neighbors
   // is not looked through by each of them. So each place is written for one pair only.
-  parallelFor(run.size(), grain, run.threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(run.size(), edges_grain, run.threads, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
         const auto j = static_cast<std::size_t>(d.neighbors[e]);

@@ -18,7 +18,7 @@ std::uint8_t roundedColor(double place) {
   return static_cast<std::uint8_t>(std::lround(static_cast<double>(last_color) * place));
 }
 
-tl::unexpected<Error> refuse(std::string message) {
+tl::unexpected<Error> refuseColors(std::string message) {
   return tl::unexpected(Error{ErrorCode::input, std::move(message)});
 }
 
@@ -30,18 +30,19 @@ ColorScale scaleOf(const Coloring& coloring) {
 Result<void> checkRange(const ColorRange& range, ColorScale scale) {
   const bool ascends = std::isfinite(range.low) && std::isfinite(range.high) && range.low < range.high;
   if (!ascends) {
-    return refuse(fmt::format("color range {} to {}: the first must be less than the second, and both finite",
-                              range.low, range.high));
+    return refuseColors(
+        fmt::format("color range {} to {}: the first must be less than the second, and both finite",
+                    range.low, range.high));
   }
   if (scale == ColorScale::log && range.low <= 0) {
-    return refuse(
+    return refuseColors(
         fmt::format("color range {} to {}: the logarithm needs one above 0", range.low, range.high));
   }
   return {};
 }
 
 /// Where `at` lies from `low` to `high`; halves, since the difference of large numbers is infinite.
-double partOf(double at, double low, double high) {
+double fractionOf(double at, double low, double high) {
   const double whole = high / 2 - low / 2;
   if (!(whole > 0)) return at < low ? 0 : at > high ? 1 : 0.5;
   return std::clamp((at / 2 - low / 2) / whole, 0.0, 1.0);
@@ -65,11 +66,12 @@ Result<ColorPlaces> ColorPlaces::of(const Coloring& coloring, std::vector<double
   }
   const bool takes_range = coloring.range && key.scale != ColorScale::quantile;
   if (values.empty() && key.scale == ColorScale::log) {
-    return refuse("color scale log: no value is above 0");
+    return refuseColors("color scale log: no value is above 0");
   }
   if (values.empty() && coloring.range && !takes_range) {
-    return refuse(fmt::format("color range {} to {}: no value lies inside, and there is nothing to rank",
-                              coloring.range->low, coloring.range->high));
+    return refuseColors(
+        fmt::format("color range {} to {}: no value lies inside, and there is nothing to rank",
+                    coloring.range->low, coloring.range->high));
   }
   if (takes_range) {
     key.range = *coloring.range;
@@ -115,9 +117,9 @@ double ColorPlaces::operator()(double value) const {
     case ColorScale::quantile:
       return rankOf(value);
     case ColorScale::log:
-      return value > 0 ? partOf(std::log(value), std::log(low), std::log(high)) : 0;
+      return value > 0 ? fractionOf(std::log(value), std::log(low), std::log(high)) : 0;
     default:
-      return partOf(value, low, high);
+      return fractionOf(value, low, high);
   }
 }
 

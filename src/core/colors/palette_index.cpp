@@ -9,7 +9,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 1 << 12;
+constexpr std::size_t palette_index_grain = 1 << 12;
 
 /// How many sites a cell has as neighbors; with an outline, one may have several edges.
 double neighborsOf(const Diagram& cells, std::size_t site) {
@@ -64,7 +64,7 @@ Result<PaletteIndices> paletteIndices(const Sites& sites, const Diagram& cells, 
       ColorPlaces::of({options.color, options.color_scale, options.color_range}, std::move(values), threads);
   if (!places) return tl::unexpected(places.error());
   PaletteIndices indices{std::vector<std::uint8_t>(sites.size()), places->key()};
-  parallelFor(sites.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(sites.size(), palette_index_grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end; ++i) {
       if (hasCell(i)) indices.index[i] = places->colorOf(valueOf(i));
     }

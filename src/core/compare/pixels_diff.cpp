@@ -15,7 +15,7 @@ constexpr std::size_t places_kept = 10;
 using Ids = std::span<const std::uint32_t>;
 
 /// The pixels of a frame in pictures that are `columns` pixels wide.
-struct Grid {
+struct PixelGrid {
   int width, height;
   int columns = width;
   int top = 0, left = 0;
@@ -43,7 +43,8 @@ struct Images {
 /// sites in a periodic domain, which stand in it, the nearest images count; they are as exact as its periods.
 class BisectorDistance {
  public:
-  BisectorDistance(const Sites& sites, const Box& domain, Grid grid, std::array<double, 2> periods = {0, 0})
+  BisectorDistance(const Sites& sites, const Box& domain, PixelGrid grid,
+                   std::array<double, 2> periods = {0, 0})
       : sites_(&sites),
         domain_(domain),
         periods_(periods),
@@ -117,7 +118,7 @@ class BisectorDistance {
 };
 
 /// Whether a cell ends at one of the pixel's four sides; the picture's frame ends every cell.
-bool besideBoundary(Ids ids, Grid grid, int row, int column) {
+bool besideBoundary(Ids ids, PixelGrid grid, int row, int column) {
   if (row == 0 || column == 0 || row == grid.height - 1 || column == grid.width - 1) return true;
   const std::uint32_t id = ids[grid.at(row, column)];
   return ids[grid.at(row - 1, column)] != id || ids[grid.at(row + 1, column)] != id ||
@@ -125,7 +126,7 @@ bool besideBoundary(Ids ids, Grid grid, int row, int column) {
 }
 
 /// Pixel sides at which a cell ends.
-std::uint64_t boundaryLength(Ids ids, Grid grid) {
+std::uint64_t boundaryLength(Ids ids, PixelGrid grid) {
   std::uint64_t length =
       2 * (static_cast<std::uint64_t>(grid.width) + static_cast<std::uint64_t>(grid.height));
   for (int row = 0; row < grid.height; ++row) {
@@ -147,7 +148,7 @@ void addWrong(IdDiff& diff, const IdDifference& place) {
 /// `pictures` is the grid of all pixels, `frame` that of those that show the domain. `distance` answers for a
 /// differing pixel of the frame, as BisectorDistance does.
 template <class Distance>
-IdDiff compare(Ids a, Ids b, Grid pictures, Grid frame, const Distance& distance) {
+IdDiff compare(Ids a, Ids b, PixelGrid pictures, PixelGrid frame, const Distance& distance) {
   assert(a.size() == pictures.size() && b.size() == pictures.size());
   IdDiff diff;
   diff.pixels.assign(pictures.size(), PixelMatch::equal);
@@ -196,7 +197,7 @@ Result<std::array<double, 2>> periodsOf(const Box& domain, Periodic periodic) {
 }  // namespace
 
 IdDiff diffIds(Ids a, Ids b, int width, int height) {
-  const Grid grid{width, height};
+  const PixelGrid grid{width, height};
   return compare(a, b, grid, grid, [](auto...) { return std::numeric_limits<double>::infinity(); });
 }
 
@@ -219,10 +220,10 @@ Result<IdDiff> diffIds(Ids a, Ids b, const Sites& sites, const RenderOptions& op
     return tl::unexpected(refusalOf(Subject::domain, "needs finite xmin < xmax and ymin < ymax"));
   }
   if (auto checked = checkView(options); !checked) return tl::unexpected(checked.error());
-  const Grid pictures{options.width, options.height};
+  const PixelGrid pictures{options.width, options.height};
   const PictureFrame frame = shownFrame(options), shown = domainFrame(options);
-  const Grid grid{shown.width, shown.height, options.width, shown.top, shown.left};
-  const Grid of_view{frame.width, frame.height};
+  const PixelGrid grid{shown.width, shown.height, options.width, shown.top, shown.left};
+  const PixelGrid of_view{frame.width, frame.height};
   // Pixels of the domain, counted where the view begins.
   const auto compareBy = [&](const BisectorDistance& distance) {
     const int down = shown.top - frame.top, right = shown.left - frame.left;
@@ -240,7 +241,7 @@ Result<IdDiff> diffIds(Ids a, Ids b, const Sites& sites, const RenderOptions& op
 }
 
 ImageDiff diffImages(Ids a, Ids b, int width, int height) {
-  const Grid grid{width, height};
+  const PixelGrid grid{width, height};
   assert(a.size() == grid.size() && b.size() == grid.size());
   ImageDiff diff;
   diff.pixels.assign(grid.size(), PixelMatch::equal);

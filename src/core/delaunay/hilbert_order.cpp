@@ -13,7 +13,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 4096;
+constexpr std::size_t hilbert_order_grain = 4096;
 
 /// Every second bit of the result.
 std::uint64_t spread(std::uint64_t bits) {
@@ -84,7 +84,7 @@ Indices orderAlongCurve(const SiteSet& sites, int threads) {
   Indices by_bin(sites.size());
   std::iota(by_bin.begin(), by_bin.end(), 0u);
   const auto& first = sites.grid.offsets;
-  parallelFor(first.size() - 1, grain, threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(first.size() - 1, hilbert_order_grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto bin = begin; bin < end; ++bin) {
       sortBin(sites, std::span(by_bin).subspan(first[bin], first[bin + 1] - first[bin]));
     }

@@ -13,7 +13,7 @@ namespace vorpipe::core {
 namespace {
 
 /// Two triangles for each site are numbered by 32 bits with a sign.
-constexpr std::size_t most_sites = std::size_t{1} << 29;
+constexpr std::size_t most_mesh_sites = std::size_t{1} << 29;
 
 /// Whether coordinates and their differences are in the range of predicates.h: two doubles differ by at least
 /// 2^-53 of the smaller.
@@ -70,7 +70,7 @@ Mesh triangulate(const SiteSet& sites, int threads) {
 
 bool SiteMesh::isPossible() {
   if (!possible_) {
-    possible_ = sites_.size() <= most_sites && isInRange(sites_) && areInRange(sites_.weight);
+    possible_ = sites_.size() <= most_mesh_sites && isInRange(sites_) && areInRange(sites_.weight);
   }
   return *possible_;
 }

@@ -12,7 +12,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 4096;
+constexpr std::size_t diagram_writer_grain = 4096;
 
 /// Writes the edges of cells in the order of the set.
 class EdgeWriter {
@@ -140,14 +140,15 @@ void makeArrays(std::size_t count, std::size_t edges, Detail detail, int threads
 
 /// areaGap of `count` cells.
 template <class AreaOf>
-double gapOf(std::size_t count, const AreaOf& areaOf, const Box& domain, int threads) {
-  std::vector<DoubleDouble> parts((count + grain - 1) / grain);
-  parallelFor(count, grain, threadsForSteps(count, threads), [&](std::size_t begin, std::size_t end) {
-    // One sum would wait for itself.
-    std::array<DoubleDouble, 4> sums{};
-    for (auto i = begin; i < end; ++i) sums[i % 4] = sums[i % 4] + DoubleDouble{areaOf(i), 0};
-    parts[begin / grain] = (sums[0] + sums[1]) + (sums[2] + sums[3]);
-  });
+double gapOf(std::size_t count, const AreaOf& area_of, const Box& domain, int threads) {
+  std::vector<DoubleDouble> parts((count + diagram_writer_grain - 1) / diagram_writer_grain);
+  parallelFor(count, diagram_writer_grain, threadsForSteps(count, threads),
+              [&](std::size_t begin, std::size_t end) {
+                // One sum would wait for itself.
+                std::array<DoubleDouble, 4> sums{};
+                for (auto i = begin; i < end; ++i) sums[i % 4] = sums[i % 4] + DoubleDouble{area_of(i), 0};
+                parts[begin / diagram_writer_grain] = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+              });
   const double domain_area = (domain.xmax - domain.xmin) * (domain.ymax - domain.ymin);
   if (!std::isnormal(domain_area)) return 0;
   DoubleDouble gap{-domain_area, 0};
@@ -170,16 +171,16 @@ void takeRecords(std::span<const CellRecord> records, Detail detail, int threads
   struct Sums {
     std::uint64_t edges = 0, ok = 0, empty = 0;
   };
-  std::vector<Sums> sums((records.size() + grain - 1) / grain);
+  std::vector<Sums> sums((records.size() + diagram_writer_grain - 1) / diagram_writer_grain);
   const int step_threads = threadsForSteps(records.size(), threads);
-  parallelFor(records.size(), grain, step_threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(records.size(), diagram_writer_grain, step_threads, [&](std::size_t begin, std::size_t end) {
     Sums sum;
     for (auto i = begin; i < end; ++i) {
       sum.edges += records[i].edges;
       sum.ok += records[i].status == Status::ok ? 1u : 0u;
       sum.empty += records[i].status == Status::empty ? 1u : 0u;
     }
-    sums[begin / grain] = sum;
+    sums[begin / diagram_writer_grain] = sum;
   });
   auto& report = diagram.report;
   std::uint64_t edges = 0;
@@ -191,8 +192,8 @@ void takeRecords(std::span<const CellRecord> records, Detail detail, int threads
   report.duplicate = records.size() - report.ok - report.empty;
   makeArrays(records.size(), edges, detail, threads, diagram);
   diagram.cell_offsets.back() = edges;
-  parallelFor(records.size(), grain, step_threads, [&](std::size_t begin, std::size_t end) {
-    auto offset = sums[begin / grain].edges;
+  parallelFor(records.size(), diagram_writer_grain, step_threads, [&](std::size_t begin, std::size_t end) {
+    auto offset = sums[begin / diagram_writer_grain].edges;
     for (auto i = begin; i < end; ++i) {
       const auto& record = records[i];
       diagram.status[i] = record.status;
@@ -207,14 +208,15 @@ void takeRecords(std::span<const CellRecord> records, Detail detail, int threads
 void writeEdges(const ProposedCells& proposed, const TiedCells& tied, Detail detail, const Unscale& unscale,
                 Diagram& diagram) {
   const auto count = proposed.sites.size();
-  parallelFor(count, grainFor(count, grain), proposed.threads, [&](std::size_t begin, std::size_t end) {
-    EdgeWriter writer(proposed, tied, unscale, diagram);
-    if (detail == Detail::measures) {
-      writer.neighbors(begin, end);
-    } else {
-      writer.polygons(begin, end);
-    }
-  });
+  parallelFor(count, grainFor(count, diagram_writer_grain), proposed.threads,
+              [&](std::size_t begin, std::size_t end) {
+                EdgeWriter writer(proposed, tied, unscale, diagram);
+                if (detail == Detail::measures) {
+                  writer.neighbors(begin, end);
+                } else {
+                  writer.polygons(begin, end);
+                }
+              });
 }
 
 void dropPolygons(Diagram& diagram) {

@@ -12,7 +12,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 4096;
+constexpr std::size_t dual_triangles_grain = 4096;
 
 using Triple = std::array<std::int32_t, 3>;
 
@@ -169,17 +169,17 @@ void forTriangles(const ProposedCells& agreed, const TiedCells& tied, const std:
 /// Appends what each of `count` numbers makes: make(i, put) calls put(triangle) for each of its triangles.
 template <class Make>
 void append(std::size_t count, int threads, Triangles& triangles, const Make& make) {
-  std::vector<std::size_t> first((count + grain - 1) / grain + 1);
-  parallelFor(count, grain, threads, [&](std::size_t begin, std::size_t end) {
+  std::vector<std::size_t> first((count + dual_triangles_grain - 1) / dual_triangles_grain + 1);
+  parallelFor(count, dual_triangles_grain, threads, [&](std::size_t begin, std::size_t end) {
     std::size_t made = 0;
     for (auto i = begin; i < end; ++i) make(i, [&](const Triangles::value_type&) { ++made; });
-    first[begin / grain + 1] = made;
+    first[begin / dual_triangles_grain + 1] = made;
   });
   first[0] = triangles.size();
   for (std::size_t b = 1; b < first.size(); ++b) first[b] += first[b - 1];
   triangles.resize(first.back());
-  parallelFor(count, grain, threads, [&](std::size_t begin, std::size_t end) {
-    auto to = first[begin / grain];
+  parallelFor(count, dual_triangles_grain, threads, [&](std::size_t begin, std::size_t end) {
+    auto to = first[begin / dual_triangles_grain];
     for (auto i = begin; i < end; ++i) {
       make(i, [&](const Triangles::value_type& triangle) { triangles[to++] = triangle; });
     }

@@ -11,14 +11,14 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = std::size_t{1} << 14;
+constexpr std::size_t batch_drawing_grain = std::size_t{1} << 14;
 
 /// Has the lists of a batch end where a cell would reach so far that floats might lose more of it than is
 /// allowed: it comes out unsecured, unless it is smaller.
 void boundReach(double allowed, int threads, CellBatch<float>& batch) {
   const auto most = static_cast<float>(2 * allowed / reach_rounding);
   for (auto& entry : batch.entries) entry.reach = std::min(entry.reach, most);
-  parallelFor(batch.lines.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(batch.lines.size(), batch_drawing_grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto l = begin; l < end; ++l) batch.lines[l].bound = std::min(batch.lines[l].bound, most);
   });
 }
@@ -58,7 +58,7 @@ Result<void> BatchDrawing::drawBatch(const View& view, const CellBatch<float>& b
   const Point center{0.5 * (box.xmin + box.xmax), 0.5 * (box.ymin + box.ymax)};
   const Point scale{2 / (box.xmax - box.xmin), 2 / (box.ymax - box.ymin)};
   marks_.resize(site.size());
-  parallelFor(site.size(), grain, canvas_.threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(site.size(), batch_drawing_grain, canvas_.threads, [&](std::size_t begin, std::size_t end) {
     for (auto e = begin; e < end; ++e) {
       const auto origin = cellOrigin(canvas_.sites, site[e]);
       marks_[e] = {static_cast<float>(((origin.x - view.corner.x) - center.x) * scale.x),

@@ -20,7 +20,7 @@ constexpr std::size_t most_looks = 6;
 /// Sites of a bin that are looked at for a bound: any of them gives one.
 constexpr std::uint32_t most_of_bin = 16;
 /// What rounding may take of a distance, and what coordinates are rounded by.
-constexpr double slack = 1 + 1e-9, least = 1e-14;
+constexpr double slack = 1 + 1e-9, coordinate_rounding = 1e-14;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Collects sites part by part.
@@ -29,7 +29,7 @@ class NearSites {
   NearSites(const SiteSet& sites, const Box& box)
       : sites_(sites),
         grid_(sites.grid),
-        rounding_(least *
+        rounding_(coordinate_rounding *
                   std::max({std::abs(box.xmin), std::abs(box.xmax), std::abs(box.ymin), std::abs(box.ymax)})),
         heaviest_(sites.weight.empty() ? 0 : grid_.heaviest.back()),
         left_(most_looks * sites.size()),

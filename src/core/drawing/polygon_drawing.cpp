@@ -13,7 +13,7 @@ namespace vorpipe::core {
 namespace {
 
 /// Cells whose triangles are made at a time, and by one thread.
-constexpr std::size_t most_at_once = std::size_t{1} << 16, grain = 4096;
+constexpr std::size_t most_at_once = std::size_t{1} << 16, polygon_drawing_grain = 4096;
 
 }  // namespace
 
@@ -109,9 +109,9 @@ Result<void> PolygonDrawing::draw(const View& view, std::span<const std::uint32_
   if (!info.has_vertices) return {};  // Every pixel is asked for when the picture is read.
   const PixelFrame frame(view, info.subpixel_bits);
   const auto draw_some = [&](std::size_t first, std::size_t count) {
-    std::vector<Triangles> parts((count + grain - 1) / grain);
-    parallelFor(count, grain, canvas_.threads, [&](std::size_t begin, std::size_t end) {
-      TriangleWriter writer(canvas_, view, frame, parts[begin / grain]);
+    std::vector<Triangles> parts((count + polygon_drawing_grain - 1) / polygon_drawing_grain);
+    parallelFor(count, polygon_drawing_grain, canvas_.threads, [&](std::size_t begin, std::size_t end) {
+      TriangleWriter writer(canvas_, view, frame, parts[begin / polygon_drawing_grain]);
       const auto site_at = [&](std::size_t k) { return which[first + k]; };
       forCellsBySize(cells, begin, end, site_at, [&](std::uint32_t site) {
         if (cells.status(site) == CellStatus::certified) writer.add(site, cells.edges(site));

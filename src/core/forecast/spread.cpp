@@ -17,7 +17,7 @@ using namespace core;
 
 namespace {
 
-constexpr std::size_t grain = std::size_t{1} << 16;
+constexpr std::size_t spread_grain = std::size_t{1} << 16;
 /// With fewer sites it hardly matters.
 constexpr std::size_t worth_looking = 10'000;
 /// Where more stand in a bin, it is a crowd, as core/tiles/dense_regions.h has it for nine bins.
@@ -94,7 +94,7 @@ class SpreadProbe {
   void countBins() {
     bins_.resize(std::size_t{grid_.columns} * grid_.rows);
     std::atomic<std::size_t> outside = 0;
-    parallelFor(sites_.size(), grain, threads_, [&](std::size_t begin, std::size_t end) {
+    parallelFor(sites_.size(), spread_grain, threads_, [&](std::size_t begin, std::size_t end) {
       std::size_t out = 0;
       for (auto i = begin; i < end; ++i) {
         const double x = sites_.x[i], y = sites_.y[i];
@@ -183,7 +183,7 @@ class SpreadProbe {
       }
     }
     std::mutex mutex;
-    parallelFor(sites_.size(), grain, threads_, [&](std::size_t begin, std::size_t end) {
+    parallelFor(sites_.size(), spread_grain, threads_, [&](std::size_t begin, std::size_t end) {
       for (auto i = begin; i < end; ++i) {
         const auto bin = binOf(grid_, sites_.x[i], sites_.y[i]);
         if (wanted[bin] == 0) continue;

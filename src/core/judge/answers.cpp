@@ -13,7 +13,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = std::size_t{1} << 15;
+constexpr std::size_t answers_grain = std::size_t{1} << 15;
 constexpr std::size_t pixels_at_once = std::size_t{1} << 16;
 
 /// The fewest edges of a cell.
@@ -77,7 +77,7 @@ Result<void> secure(const Backend& backend, std::size_t count, int threads, Cell
     return tl::unexpected(nonsense(backend, wrong));
   }
   std::atomic<bool> any = false;
-  parallelFor(count, grain, threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(count, answers_grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto e = begin; e < end; ++e) {
       const auto [self, most] = limitsOf(e);
       const auto neighbors =
@@ -141,7 +141,7 @@ void PixelCheck::apply(std::span<const CellStatus> status, const Palette& palett
     const auto greatest = std::max_element(sites_.id.begin(), sites_.id.end());
     shown_.resize(greatest == sites_.id.end() ? 0 : std::size_t{*greatest} + 1);
   }
-  parallelFor(sites_.size(), grain, threads_, [&](std::size_t begin, std::size_t end) {
+  parallelFor(sites_.size(), answers_grain, threads_, [&](std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end; ++i) {
       const bool has_cell = status[i] == CellStatus::certified;
       shown_[sites_.id[i]] = has_cell ? static_cast<std::uint16_t>(palette_index_[i] + 1) : std::uint16_t{0};

@@ -11,7 +11,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 4096;
+constexpr std::size_t hidden_cells_grain = 4096;
 /// More than twice what rounding can make of a sum of products of a square and two differences, as a part
 /// of what its terms add up to; and how small that may be.
 constexpr double relative_error = 4e-15;
@@ -146,7 +146,7 @@ bool leaveNothing(const SiteSet& sites, std::uint32_t cell, std::span<const std:
 void proveEmpty(const SiteSet& sites, std::span<const std::uint32_t> which, int threads,
                 NeighborRows& cells) {
   if (sites.weight.empty()) return;
-  parallelFor(which.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(which.size(), hidden_cells_grain, threads, [&](std::size_t begin, std::size_t end) {
     Remainder remainder(sites);
     for (auto e = begin; e < end; ++e) {
       const auto cell = which[e];

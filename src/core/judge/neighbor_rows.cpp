@@ -9,19 +9,19 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = std::size_t{1} << 15;
+constexpr std::size_t neighbor_rows_grain = std::size_t{1} << 15;
 
 }  // namespace
 
 NeighborRows::NeighborRows(std::size_t cells, int threads) : rows_(cells), threads_(threads) {
-  parallelFor(cells, grain, threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(cells, neighbor_rows_grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end; ++i) drop(i, CellStatus::missing);
   });
 }
 
 void NeighborRows::add(std::span<const std::uint32_t> which, CellNeighbors found) {
   std::mutex mutex;
-  parallelFor(which.size(), grain, threads_, [&](std::size_t begin, std::size_t end) {
+  parallelFor(which.size(), neighbor_rows_grain, threads_, [&](std::size_t begin, std::size_t end) {
     std::vector<std::uint32_t> large;
     for (auto e = begin; e < end; ++e) {
       const auto count = static_cast<std::uint32_t>(found.offsets[e + 1] - found.offsets[e]);
@@ -54,7 +54,7 @@ void NeighborRows::makeReadable(std::span<const std::uint32_t> which, const Cell
 }
 
 void NeighborRows::add(std::span<const std::uint32_t> which, NeighborRows found) {
-  parallelFor(which.size(), grain, threads_, [&](std::size_t begin, std::size_t end) {
+  parallelFor(which.size(), neighbor_rows_grain, threads_, [&](std::size_t begin, std::size_t end) {
     for (auto e = begin; e < end; ++e) rows_[which[e]] = found.rows_[e];
   });
   std::move(found.parts_.begin(), found.parts_.end(), std::back_inserter(parts_));

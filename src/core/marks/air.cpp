@@ -11,7 +11,7 @@ namespace vorpipe {
 namespace {
 
 /// Rows that one thread takes at a time.
-constexpr std::size_t grain = 16;
+constexpr std::size_t air_grain = 16;
 
 /// Where pixels are, and how much of them is not air.
 class PixelsOfDiscs {
@@ -95,7 +95,7 @@ void forAir(const Sites& sites, const RenderOptions& options, Image& image, int 
     if (options.antialias > 1) return pixels.partOf(site, row, column, options.antialias);
     return pixels.has(site, row, column) ? 1 : 0;
   };
-  parallelFor(static_cast<std::size_t>(image.height), grain, threads,
+  parallelFor(static_cast<std::size_t>(image.height), air_grain, threads,
               [&](std::size_t begin, std::size_t end) {
                 for (int row = static_cast<int>(begin); row < static_cast<int>(end); ++row) {
                   for (int column = 0; column < image.width; ++column) {

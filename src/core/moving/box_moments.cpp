@@ -10,7 +10,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 1 << 14;
+constexpr std::size_t box_moments_grain = 1 << 14;
 
 void countStatus(Status status, Report& report) {
   ++(status == Status::ok ? report.ok : status == Status::empty ? report.empty : report.duplicate);
@@ -24,7 +24,7 @@ void takeMoments(const Sites& sites, std::span<const CellRecord> records, int th
   moments.area.resize(count);
   moments.mass.resize(count);
   moments.centroid.resize(count);
-  parallelFor(count, grain, threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(count, box_moments_grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end; ++i) {
       const CellRecord& record = records[i];
       const bool is_cell = record.status == Status::ok;

@@ -13,7 +13,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 4096;
+constexpr std::size_t disc_cells_grain = 4096;
 
 /// Cuts cells, for one thread.
 class CellCutter {
@@ -97,11 +97,12 @@ void cutByDiscs(const FoundBox& found, const Sites& sites, int threads, CellMome
   surface.weight = sites.weight;
   surface.arc.assign(sites.size(), 0);
   const SiteSet& set = found.run->prepared.set;
-  parallelFor(set.size(), grainFor(set.size(), grain), threads, [&](std::size_t begin, std::size_t end) {
-    CellCutter cutter(found, sites, moments, surface);
-    CellWalk walk(set, found.cells->rows);
-    walk(begin, end, [&](std::uint32_t cell, auto row, auto corners) { cutter.cut(cell, row, corners); });
-  });
+  parallelFor(
+      set.size(), grainFor(set.size(), disc_cells_grain), threads, [&](std::size_t begin, std::size_t end) {
+        CellCutter cutter(found, sites, moments, surface);
+        CellWalk walk(set, found.cells->rows);
+        walk(begin, end, [&](std::uint32_t cell, auto row, auto corners) { cutter.cut(cell, row, corners); });
+      });
   report.ok = static_cast<std::uint64_t>(std::ranges::count(moments.status, Status::ok));
   report.empty = static_cast<std::uint64_t>(std::ranges::count(moments.status, Status::empty));
 }

@@ -16,7 +16,7 @@ using namespace core;
 
 namespace {
 
-constexpr std::size_t grain = 4096;
+constexpr std::size_t free_cells_grain = 4096;
 constexpr int least_points = 3;
 
 /// The polygons of some cells, one after the other.
@@ -134,10 +134,10 @@ class PolygonCutter {
 /// Replaces the polygons of a diagram by what discs have of them.
 void cutPolygons(const Sites& sites, const Box& domain, int points_of_turn, int threads, Diagram& diagram) {
   const std::size_t count = diagram.size();
-  std::vector<Polygons> blocks((count + grain - 1) / grain);
+  std::vector<Polygons> blocks((count + free_cells_grain - 1) / free_cells_grain);
   std::vector<std::uint64_t> offsets(count + 1);
-  parallelFor(count, grain, threads, [&](std::size_t begin, std::size_t end) {
-    Polygons& block = blocks[begin / grain];
+  parallelFor(count, free_cells_grain, threads, [&](std::size_t begin, std::size_t end) {
+    Polygons& block = blocks[begin / free_cells_grain];
     PolygonCutter cutter(sites, domain, points_of_turn, diagram);
     for (auto i = begin; i < end; ++i) {
       const std::size_t before = block.vertices.size();

@@ -10,7 +10,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 4096;
+constexpr std::size_t polygon_edges_grain = 4096;
 
 class PolygonEdges {
  public:
@@ -66,9 +66,10 @@ EdgesOfCells edgesOf(const CellPolygons& polygons, const CellsThatMeet& meet, co
   edges.middle.resize(meet.neighbors.size());
   const PolygonEdges writer(polygons, meet, scene, edges);
   const std::size_t cells = meet.offsets.size() - 1;
-  parallelFor(cells, grainFor(cells, grain), scene.threads, [&](std::size_t begin, std::size_t end) {
-    for (auto i = begin; i < end; ++i) writer.cell(i);
-  });
+  parallelFor(cells, grainFor(cells, polygon_edges_grain), scene.threads,
+              [&](std::size_t begin, std::size_t end) {
+                for (auto i = begin; i < end; ++i) writer.cell(i);
+              });
   return edges;
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 /// Cells that share one query for the edges near them: most cells are far from all edges.
 constexpr std::size_t group_size = 32;
-constexpr std::size_t grain = 16 * group_size;
+constexpr std::size_t clip_diagram_grain = 16 * group_size;
 /// Of the domain's shorter side: farther no tie moves a corner, nor a cell without edges from its centroid.
 constexpr double farthest_moved = 2e-4;
 /// Rounding error of an area along an outline of length 1.
@@ -150,11 +150,11 @@ Result<OwnParts> clipToOutline(const ClippedRun& run, const Outline& outline, Di
   ClippedCells clipped(run.sites.size());
   const OutlineIndex index(*rings);
   const std::size_t count = run.set.size();
-  std::vector<std::vector<std::uint32_t>> near_of((count + grain - 1) / grain);
-  parallelFor(count, grain, run.threads, [&](std::size_t begin, std::size_t end) {
+  std::vector<std::vector<std::uint32_t>> near_of((count + clip_diagram_grain - 1) / clip_diagram_grain);
+  parallelFor(count, clip_diagram_grain, run.threads, [&](std::size_t begin, std::size_t end) {
     GroupClipper clipper(cells, index, clipped);
     for (auto first = begin; first < end; first += group_size) {
-      clipper.group(first, std::min(first + group_size, end), near_of[begin / grain]);
+      clipper.group(first, std::min(first + group_size, end), near_of[begin / clip_diagram_grain]);
     }
   });
   std::vector<std::uint32_t> near;

@@ -8,7 +8,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 4096;
+constexpr std::size_t clipped_records_grain = 4096;
 
 /// What replaces the arrays of a diagram that have something for each edge.
 struct EdgeArrays {
@@ -175,7 +175,7 @@ void writeClipped(const ScaledDiagram& cells, const ClippedCells& clipped, Diagr
   arrays.vertices.resize(arrays.cell_offsets.back());
   arrays.neighbors.resize(arrays.cell_offsets.back());
   arrays.edge_lengths.resize(arrays.cell_offsets.back());
-  parallelFor(count, grain, cells.threads(), [&](std::size_t begin, std::size_t end) {
+  parallelFor(count, clipped_records_grain, cells.threads(), [&](std::size_t begin, std::size_t end) {
     ClippedWriter writer(cells, clipped, arrays, diagram);
     for (std::size_t i = begin; i < end; ++i) writer.cell(i, first_ring[i]);
   });

@@ -6,13 +6,10 @@
 
 #include "base/refusal.h"
 #include "core/outline/geos_outline.h"
+#include "core/outline/refused.h"
 
 namespace vorpipe {
 namespace {
-
-tl::unexpected<Error> refuse(const std::string& what) {
-  return tl::unexpected(refusalOf(Subject::outline, what));
-}
 
 /// None where all sites lie on a line, or GEOS refuses.
 GeosGeometry hullIn(const Geos& geos, const Sites& sites) {
@@ -27,10 +24,12 @@ GeosGeometry hullIn(const Geos& geos, const Sites& sites) {
 
 Result<Outline> makeHull(const Sites& sites, double margin) {
   const Geos geos;
-  const auto failed = [&] { return refuse(fmt::format("GEOS could not make the hull: {}", geos.message())); };
+  const auto failed = [&] {
+    return refuseOutline(fmt::format("GEOS could not make the hull: {}", geos.message()));
+  };
   GeosGeometry hull = hullIn(geos, sites);
   if (!hull && !geos.message().empty()) return failed();
-  if (!hull) return refuse("the hull of the sites has no area: they all lie on a line");
+  if (!hull) return refuseOutline("the hull of the sites has no area: they all lie on a line");
   if (margin > 0) {
     constexpr int quadrant_segments = 8;
     constexpr double mitre_limit = 5;
@@ -40,7 +39,7 @@ Result<Outline> makeHull(const Sites& sites, double margin) {
   Outline outline;
   if (!hull || !core::addPolygons(geos, hull.get(), outline)) return failed();
   if (outline.empty()) {
-    return refuse(fmt::format(
+    return refuseOutline(fmt::format(
         "the hull of the sites with a margin of {} has no area in GEOS: scale the sites", margin));
   }
   return outline;
@@ -50,15 +49,15 @@ Result<Outline> makeHull(const Sites& sites, double margin) {
 
 Result<Outline> hullOf(const Sites& sites, double margin) {
   if (!(margin >= 0) || !std::isfinite(margin)) {
-    return refuse(fmt::format("a margin of {} is none: it must be 0 or more", margin));
+    return refuseOutline(fmt::format("a margin of {} is none: it must be 0 or more", margin));
   }
   const auto isFinite = [](double value) { return std::isfinite(value); };
   if (!std::ranges::all_of(sites.x, isFinite) || !std::ranges::all_of(sites.y, isFinite)) {
     return tl::unexpected(refusalOf(Subject::sites, "one has a coordinate that is not finite"));
   }
   if (sites.size() < 3) {
-    return refuse(fmt::format("the hull of {} {} has no area: it takes 3 that do not lie on a line",
-                              sites.size(), sites.size() == 1 ? "site" : "sites"));
+    return refuseOutline(fmt::format("the hull of {} {} has no area: it takes 3 that do not lie on a line",
+                                     sites.size(), sites.size() == 1 ? "site" : "sites"));
   }
   try {
     return makeHull(sites, margin);

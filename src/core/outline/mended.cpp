@@ -7,16 +7,12 @@
 #include <utility>
 #include <vector>
 
-#include "base/refusal.h"
 #include "core/outline/geos_outline.h"
+#include "core/outline/refused.h"
 #include "core/outline/repaired.h"
 
 namespace vorpipe::core {
 namespace {
-
-tl::unexpected<Error> refuse(const std::string& what) {
-  return tl::unexpected(refusalOf(Subject::outline, what));
-}
 
 /// What is around rounding, and no place: thinner than this part of its length, or of its extent beside that
 /// of the outline.
@@ -38,7 +34,7 @@ double areaOf(std::span<const Point> ring) {
   return twice / 2;
 }
 
-double lengthOf(std::span<const Point> ring) {
+double lengthOfRing(std::span<const Point> ring) {
   double length = 0;
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const Point a = ring[k], b = ring[k + 1 < ring.size() ? k + 1 : 0];
@@ -70,7 +66,7 @@ Outline withoutSlivers(const Outline& outline, std::size_t& slivers) {
   const Box box = boxOf(outline.points);
   const double least = thinnest * thinnest * (box.xmax - box.xmin) * (box.ymax - box.ymin);
   const auto isSliver = [&](std::span<const Point> ring) {
-    const double length = lengthOf(ring);
+    const double length = lengthOfRing(ring);
     return std::abs(areaOf(ring)) <= std::max(least, thinnest * length * length);
   };
   for (std::size_t p = 0; p + 1 < outline.polygon_offsets.size(); ++p) {
@@ -108,7 +104,7 @@ class Mending {
 
  private:
   [[nodiscard]] tl::unexpected<Error> failed() const {
-    return refuse(fmt::format("GEOS could not mend it: {}", geos_.message()));
+    return refuseOutline(fmt::format("GEOS could not mend it: {}", geos_.message()));
   }
 
   /// Takes each polygon as it is, if it is valid by itself; else repairs it.
@@ -119,7 +115,7 @@ class Mending {
       if (!fault) return tl::unexpected(fault.error());
       if (*fault) {
         if (!repair_) {
-          return refuse(
+          return refuseOutline(
               fmt::format("{}; rings must not cross themselves or each other, and holes must lie "
                           "inside their polygon",
                           **fault));
@@ -166,7 +162,7 @@ class Mending {
     MendedOutline mended;
     std::size_t slivers = 0;
     mended.outline = withoutSlivers(united, slivers);
-    if (mended.outline.empty()) return refuse("nothing of it has an area");
+    if (mended.outline.empty()) return refuseOutline("nothing of it has an area");
     mended.changes = changes(parts, mended.outline, slivers);
     return mended;
   }

@@ -11,7 +11,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 512;
+constexpr std::size_t own_parts_grain = 512;
 
 /// Measures one cell after the other. For one thread.
 class PartMeasures {
@@ -119,10 +119,10 @@ OwnParts measureOwnParts(const ClippedRun& run, const OutlineIndex& index, const
     std::uint32_t cell;
     ClippedCell rings;
   };
-  std::vector<std::vector<Part>> found((near.size() + grain - 1) / grain);
-  parallelFor(near.size(), grain, run.threads, [&](std::size_t begin, std::size_t end) {
+  std::vector<std::vector<Part>> found((near.size() + own_parts_grain - 1) / own_parts_grain);
+  parallelFor(near.size(), own_parts_grain, run.threads, [&](std::size_t begin, std::size_t end) {
     PartMeasures measures(run, index, clipped, diagram);
-    auto& parts = found[begin / grain];
+    auto& parts = found[begin / own_parts_grain];
     CellWalk walk(run.set, run.rows);
     walk(near.subspan(begin, end - begin), [&](std::uint32_t cell, auto, auto corners) {
       if (auto part = measures.measure(cell, corners)) parts.push_back({cell, std::move(*part)});

@@ -12,7 +12,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr double farthest = 0x1p200;  ///< what predicates stand
+constexpr double farthest_corner = 0x1p200;  ///< what predicates stand
 
 /// Of a ring without equal neighbors that does not cross itself: at its leftmost point it turns the way it
 /// runs.
@@ -68,7 +68,7 @@ Result<Rings> ringsOf(const Outline& outline, int exponent) {
       for (auto p = outline.ring_offsets[r]; p < outline.ring_offsets[r + 1]; ++p) {
         const Point from = outline.points[p];
         const Point point{std::ldexp(from.x, exponent), std::ldexp(from.y, exponent)};
-        if (std::max(std::abs(point.x), std::abs(point.y)) > farthest) {
+        if (std::max(std::abs(point.x), std::abs(point.y)) > farthest_corner) {
           return tl::unexpected(refusalOf(
               Subject::outline, fmt::format("({}, {}) is too far from the domain", from.x, from.y)));
         }

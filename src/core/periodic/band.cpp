@@ -20,7 +20,7 @@ constexpr double nearly_whole = 0.4;
 /// vertices are farther from sites than most places.
 constexpr double cells_to_places = 2.5;
 constexpr std::size_t nearest_asked = 8;
-constexpr std::size_t grain = 256;
+constexpr std::size_t band_grain = 256;
 
 struct Strip {
   std::vector<std::array<double, 2>> point;  ///< across the line, along it
@@ -81,8 +81,8 @@ double reachOnLine(const PeriodicSites& placed, const Strip& strip, std::size_t 
     for (std::size_t k = 0; k < count; ++k) least = std::min(least, squared[k] + strip.lack[found[k]]);
     return std::sqrt(least);
   };
-  std::vector<double> most((samples + grain - 1) / grain);
-  parallelFor(samples, grain, threads, [&](std::size_t begin, std::size_t end) {
+  std::vector<double> most((samples + band_grain - 1) / band_grain);
+  parallelFor(samples, band_grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto k = begin; k < end; ++k) {
       const double place = other.low + (static_cast<double>(k) + 0.5) * step;
       double reach = reachAt(place);
@@ -90,7 +90,7 @@ double reachOnLine(const PeriodicSites& placed, const Strip& strip, std::size_t 
         if (place - reach < other.low) reach = std::min(reach, reachAt(place + other.length));
         if (place + reach > other.high) reach = std::min(reach, reachAt(place - other.length));
       }
-      most[begin / grain] = std::max(most[begin / grain], reach);
+      most[begin / band_grain] = std::max(most[begin / band_grain], reach);
     }
   });
   return *std::ranges::max_element(most) + 0.5 * step;

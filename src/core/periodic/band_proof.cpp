@@ -9,7 +9,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 1 << 14;
+constexpr std::size_t band_proof_grain = 1 << 14;
 /// Bounds of the rounding of a distance, relative to it, and of a coordinate, relative to the period.
 constexpr double distance_rounding = 1e-9, place_rounding = 1e-12;
 
@@ -69,9 +69,10 @@ Band bandThatProves(const PeriodicSites& placed, const ImagedSites& imaged, cons
                     const Band& band, int threads) {
   const Proof proof(placed, imaged, diagram, band);
   if (!proof.isNeeded()) return band;
-  std::vector<Lack> lacks((imaged.count + grain - 1) / grain, Lack{0, 0});
-  parallelFor(imaged.count, grain, threads,
-              [&](std::size_t begin, std::size_t end) { proof.widen(begin, end, lacks[begin / grain]); });
+  std::vector<Lack> lacks((imaged.count + band_proof_grain - 1) / band_proof_grain, Lack{0, 0});
+  parallelFor(imaged.count, band_proof_grain, threads, [&](std::size_t begin, std::size_t end) {
+    proof.widen(begin, end, lacks[begin / band_proof_grain]);
+  });
   Band wider = band;
   for (const std::size_t a : {0u, 1u}) {
     double lack = 0;

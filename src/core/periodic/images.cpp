@@ -14,7 +14,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 1 << 16;
+constexpr std::size_t images_grain = 1 << 16;
 /// Beyond this many periods a double is too coarse to hold a position in the domain.
 constexpr double most_periods = 0x1p50;
 
@@ -155,12 +155,12 @@ Result<PeriodicSites> placeSites(const Sites& sites, const Box& domain, Periodic
   placed.sites.x.resize(sites.size());
   placed.sites.y.resize(sites.size());
   placed.home.resize(sites.size(), {0, 0});
-  const auto parts = (sites.size() + grain - 1) / grain;
+  const auto parts = (sites.size() + images_grain - 1) / images_grain;
   std::vector<std::uint8_t> outside(parts);
   std::vector<std::size_t> too_far(parts, sites.size());
   SiteWrapper wrapper(sites, exponent, placed);
-  parallelFor(sites.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
-    wrapper.put(begin, end, outside[begin / grain], too_far[begin / grain]);
+  parallelFor(sites.size(), images_grain, threads, [&](std::size_t begin, std::size_t end) {
+    wrapper.put(begin, end, outside[begin / images_grain], too_far[begin / images_grain]);
   });
   if (const auto i = *std::ranges::min_element(too_far); i < sites.size()) {
     return tl::unexpected(refusal(

@@ -10,7 +10,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 1 << 14;
+constexpr std::size_t unwrap_grain = 1 << 14;
 
 class CellUnwrapper {
  public:
@@ -118,7 +118,7 @@ void finishRecords(const PeriodicSites& placed, const ImagedSites& imaged, Detai
                    Diagram& diagram) {
   diagram.neighbor_shifts.resize(diagram.neighbors.size());
   CellUnwrapper unwrapper(placed, imaged, diagram);
-  parallelFor(imaged.count, grain, threads,
+  parallelFor(imaged.count, unwrap_grain, threads,
               [&](std::size_t begin, std::size_t end) { unwrapper.cells(begin, end); });
   if (detail == Detail::measures) dropPolygons(diagram);
 }

@@ -17,7 +17,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 1 << 12;
+constexpr std::size_t kept_picture_grain = 1 << 12;
 
 /// Whether all sites lie in the domain and inside the outline. Each position then has a cell of which the
 /// outline leaves something.
@@ -25,7 +25,7 @@ bool areInside(const Sites& sites, const Box& domain, const Rings& rings, int ex
   const OutlineIndex index(rings);
   const PowerOfTwo scale(exponent);
   std::atomic<bool> all = true;
-  parallelFor(sites.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(sites.size(), kept_picture_grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end && all; ++i) {
       const double x = sites.x[i], y = sites.y[i];
       if (!isInside(domain, x, y) || !index.contains({scale(x), scale(y)})) all = false;

@@ -9,13 +9,13 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = std::size_t{1} << 16;
+constexpr std::size_t uncovered_grain = std::size_t{1} << 16;
 /// Pixels that the judge is asked for at once: a device may have covered none.
 constexpr std::size_t most_at_once = std::size_t{1} << 20;
 
 bool areAllCovered(const NearestSites& nearest, std::span<const std::uint32_t> ids) {
   std::atomic<bool> all = true;
-  parallelFor(ids.size(), grain, threadsForSteps(ids.size(), nearest.threads),
+  parallelFor(ids.size(), uncovered_grain, threadsForSteps(ids.size(), nearest.threads),
               [&](std::size_t begin, std::size_t end) {
                 const auto part = ids.subspan(begin, end - begin);
                 if (std::ranges::any_of(part, [&](auto id) { return id >= nearest.ids; })) all = false;

@@ -4,18 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <vector>
 
 #include "base/refusal.h"
+#include "core/projection/degrees.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-constexpr double quarter = 90, turn = 360;           ///< degrees
 constexpr double authalic_radius = 6371.0071809185;  ///< km; of the sphere of the area of WGS 84
 constexpr double parallel_step = 5;                  ///< degrees, of a box's sides
 constexpr double longest_side = 1;                   ///< degrees, of an outline before it is looked at
@@ -34,11 +32,13 @@ void addParallel(double latitude, double from, double to, std::vector<Point>& ri
 /// A side that is shorter the other way round goes there; one of a whole turn is meant.
 bool crossesAntimeridian(Point a, Point b) {
   const double apart = std::abs(a.x - b.x);
-  return apart > turn / 2 && apart < turn;
+  return apart > whole_turn / 2 && apart < whole_turn;
 }
 
 /// Whether a ring ends a turn from where it began, as parallels do: then it is closed.
-bool goesAround(Point last, Point first) { return std::abs(first.x - last.x) == turn && first.y == last.y; }
+bool goesAround(Point last, Point first) {
+  return std::abs(first.x - last.x) == whole_turn && first.y == last.y;
+}
 
 /// Whether the rings are some in degrees: none crosses the antimeridian or goes around a pole.
 bool hasRingsInDegrees(const Outline& outline) {
@@ -61,7 +61,7 @@ class Sides {
   /// Adds the places from a on, without b. Halving gives the same places from either end, so that what had a
   /// side in common still has.
   void add(Point a, Point b) {
-    if (crossesAntimeridian(a, b)) b.x += b.x < a.x ? turn : -turn;
+    if (crossesAntimeridian(a, b)) b.x += b.x < a.x ? whole_turn : -whole_turn;
     add(a, projection_.toPlane(a), b, projection_.toPlane(b));
   }
 
@@ -100,11 +100,11 @@ Result<double> reachOf(std::span<const Point> kilometers) {
   for (const Point point : kilometers) farthest = std::max(farthest, std::hypot(point.x, point.y));
   const double half = std::min(farthest / (2 * authalic_radius), 1.0);
   const double reach = 2 * std::asin(half) / degree;
-  if (reach <= quarter) return reach;
+  if (reach <= quarter_turn) return reach;
   return tl::unexpected(
       refusal(Subject::domain, fmt::format("the domain reaches {:.0f} degrees from the center of the "
                                            "projection; {} are the most",
-                                           reach, quarter)));
+                                           reach, quarter_turn)));
 }
 
 }  // namespace
@@ -114,15 +114,16 @@ Result<Outline> outlineOfDegrees(const Box& degrees) {
     return tl::unexpected(refusalOf(Subject::domain, std::string(what)));
   };
   const auto [xmin, ymin, xmax, ymax] = degrees;
-  if (!(xmin >= -turn) || !(xmax <= turn)) return refuse("its longitudes are not within 360 degrees of 0");
-  if (!(ymin >= -quarter) || !(ymax <= quarter))
+  if (!(xmin >= -whole_turn) || !(xmax <= whole_turn))
+    return refuse("its longitudes are not within 360 degrees of 0");
+  if (!(ymin >= -quarter_turn) || !(ymax <= quarter_turn))
     return refuse("its latitudes are not within 90 degrees of 0");
   if (!(xmin < xmax) || !(ymin < ymax)) return refuse("it is no box");
-  if (xmax - xmin > turn) return refuse("it is more than 360 degrees wide");
+  if (xmax - xmin > whole_turn) return refuse("it is more than 360 degrees wide");
   Outline outline;
   outline.ring_offsets = outline.polygon_offsets = {0};
   std::vector<Point> ring;
-  if (xmax - xmin < turn) {
+  if (xmax - xmin < whole_turn) {
     addParallel(ymin, xmin, xmax, ring);
     ring.push_back({xmax, ymin});
     addParallel(ymax, xmax, xmin, ring);
@@ -130,7 +131,7 @@ Result<Outline> outlineOfDegrees(const Box& degrees) {
     addRing(ring, outline);
   } else {
     // Around a pole: the parallel away from it, and inside it the other, unless that is the pole itself.
-    if (ymin == -quarter && ymax == quarter) return refuse("it is the whole Earth");
+    if (ymin == -quarter_turn && ymax == quarter_turn) return refuse("it is the whole Earth");
     if (ymin < 0 && ymax > 0) {
       return refuse(
           "it goes around the Earth on both sides of the equator, farther than 90 degrees from either pole; "
@@ -138,7 +139,7 @@ Result<Outline> outlineOfDegrees(const Box& degrees) {
     }
     const bool north = ymin + ymax > 0;
     for (const double latitude : {north ? ymin : ymax, north ? ymax : ymin}) {
-      if (std::abs(latitude) == quarter) continue;
+      if (std::abs(latitude) == quarter_turn) continue;
       ring.clear();
       // Of the two sides of the equator, what is meant lies to the left.
       addParallel(latitude, north ? xmin : xmax, north ? xmax : xmin, ring);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,24 +12,25 @@
 
 #include "base/parallel.h"
 #include "base/refusal.h"
+#include "core/projection/degrees.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
-constexpr double quarter = 90, turn = 360;  ///< degrees
-constexpr std::size_t grain = 1 << 12;
+constexpr std::size_t places_grain = 1 << 12;
 
 /// False for NaN.
-bool isPlace(Point degrees) { return std::abs(degrees.x) <= turn && std::abs(degrees.y) <= quarter; }
+bool isPlace(Point degrees) {
+  return std::abs(degrees.x) <= whole_turn && std::abs(degrees.y) <= quarter_turn;
+}
 
 tl::unexpected<Error> noPlace(Subject subject, const std::string& what, Point degrees) {
   return tl::unexpected(refusalOf(
       subject,
       fmt::format("{} at {}, {} is no place on the Earth: a longitude is within {} degrees of 0, a latitude "
                   "within {}",
-                  what, degrees.x, degrees.y, turn, quarter)));
+                  what, degrees.x, degrees.y, whole_turn, quarter_turn)));
 }
 
 /// From the center of the Earth, in units of its radius.
@@ -48,7 +48,7 @@ std::optional<Point> placeToward(const SpacePoint& at) {
   const double across = std::hypot(at[0], at[1]);
   if (across >= least) return Point{std::atan2(at[1], at[0]) / degree, std::atan2(at[2], across) / degree};
   // At a pole any longitude is as good.
-  if (std::abs(at[2]) >= least) return Point{0, std::copysign(quarter, at[2])};
+  if (std::abs(at[2]) >= least) return Point{0, std::copysign(quarter_turn, at[2])};
   return {};
 }
 
@@ -128,7 +128,7 @@ Result<Sites> toPlane(const Projection& projection, const Sites& degrees, int th
   plane.x.resize(degrees.size());
   plane.y.resize(degrees.size());
   plane.weight = degrees.weight;
-  parallelFor(degrees.size(), grain, threadCount(threads), [&](std::size_t begin, std::size_t end) {
+  parallelFor(degrees.size(), places_grain, threadCount(threads), [&](std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end; ++i) {
       const Point at = projection.toPlane({degrees.x[i], degrees.y[i]});
       plane.x[i] = at.x;
@@ -139,13 +139,13 @@ Result<Sites> toPlane(const Projection& projection, const Sites& degrees, int th
 }
 
 Sites turned(const Projection& projection, Sites degrees) {
-  for (double& x : degrees.x) x -= turn * std::round((x - projection.center().x) / turn);
+  for (double& x : degrees.x) x -= whole_turn * std::round((x - projection.center().x) / whole_turn);
   return degrees;
 }
 
 void toDegrees(const Projection& projection, const Sites& degrees, Diagram& diagram, int threads) {
   const auto convert = [&](std::vector<Point>& points, const auto& convertOne) {
-    parallelFor(points.size(), grain, threadCount(threads), [&](std::size_t begin, std::size_t end) {
+    parallelFor(points.size(), places_grain, threadCount(threads), [&](std::size_t begin, std::size_t end) {
       for (auto i = begin; i < end; ++i) points[i] = convertOne(i, points[i]);
     });
   };

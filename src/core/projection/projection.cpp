@@ -3,15 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
+#include "core/projection/degrees.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
-constexpr double quarter = 90, turn = 360;  ///< degrees
 
 // WGS 84.
 constexpr double equator_radius = 6378.137;  ///< km
@@ -34,8 +31,8 @@ struct Latitude {
 Latitude authalic(double latitude) {
   const double above = std::abs(latitude);
   double sine = std::sin(above * degree), lack = 1 - sine;  // 1 - sine, of the geodetic latitude
-  if (above > quarter / 2) {
-    const double rest = (quarter - above) * degree, half = std::sin(rest / 2);
+  if (above > quarter_turn / 2) {
+    const double rest = (quarter_turn - above) * degree, half = std::sin(rest / 2);
     sine = std::cos(rest);
     lack = 2 * half * half;
   }
@@ -59,27 +56,27 @@ double geodetic(double authalic_angle) {
       degree;
   constexpr int steps = 3;
   for (int k = 0; k < steps; ++k) {
-    latitude = std::clamp(latitude, -quarter, quarter);
+    latitude = std::clamp(latitude, -quarter_turn, quarter_turn);
     latitude += (authalic_angle - angleOf(authalic(latitude))) / degree;
   }
-  return std::clamp(latitude, -quarter, quarter);
+  return std::clamp(latitude, -quarter_turn, quarter_turn);
 }
 
 /// The longitude from -180, which it is not, to 180: exact, and the same for every turn.
 double inTurn(double longitude) {
-  const double rest = std::remainder(longitude, turn);
-  return rest == -turn / 2 ? turn / 2 : rest;
+  const double rest = std::remainder(longitude, whole_turn);
+  return rest == -whole_turn / 2 ? whole_turn / 2 : rest;
 }
 
 }  // namespace
 
 Result<Projection> Projection::around(Point degrees) {
-  if (!(std::abs(degrees.x) <= turn) || !(std::abs(degrees.y) <= quarter)) {
+  if (!(std::abs(degrees.x) <= whole_turn) || !(std::abs(degrees.y) <= quarter_turn)) {
     return tl::unexpected(Error{
         ErrorCode::input,
         fmt::format("the center {}, {} is no place on the Earth: a longitude is within {} degrees of 0, "
                     "a latitude within {}",
-                    degrees.x, degrees.y, turn, quarter)});
+                    degrees.x, degrees.y, whole_turn, quarter_turn)});
   }
   Projection made;
   made.center_ = degrees;
@@ -88,7 +85,7 @@ Result<Projection> Projection::around(Point degrees) {
   made.cosine_ = center.cosine;
   if (center.cosine > 0) {
     const double sine = std::sin(degrees.y * degree);
-    const double cosine = std::sin((quarter - std::abs(degrees.y)) * degree);
+    const double cosine = std::sin((quarter_turn - std::abs(degrees.y)) * degree);
     made.stretch_ = equator_radius * cosine /
                     (std::sqrt(1 - ellipticity * sine * sine) * radius * center.cosine);  // (24-20)
   }
@@ -96,7 +93,7 @@ Result<Projection> Projection::around(Point degrees) {
 }
 
 Point Projection::toPlane(Point degrees) const {
-  const double east = std::remainder(inTurn(degrees.x) - inTurn(center_.x), turn) * degree;
+  const double east = std::remainder(inTurn(degrees.x) - inTurn(center_.x), whole_turn) * degree;
   const Latitude to = authalic(degrees.y);
   const double half = std::sin(east / 2), less = 2 * half * half;  // 1 - cos(east)
   double across = to.cosine * std::sin(east);

@@ -9,7 +9,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 4096;
+constexpr std::size_t bisectors_grain = 4096;
 /// Farther than anything that can cut (FAR in cell.glsl); keeps float arithmetic finite.
 constexpr double farthest = 1e30;
 
@@ -67,7 +67,7 @@ void packBatch(const SiteSet& sites, const Candidates& candidates, std::size_t b
   const auto first_line = candidates.offsets[begin];
   out.entries.resize(end - begin);
   out.lines.resize(candidates.offsets[end] - first_line);
-  parallelFor(end - begin, grain, threads, [&](std::size_t from, std::size_t to) {
+  parallelFor(end - begin, bisectors_grain, threads, [&](std::size_t from, std::size_t to) {
     for (std::size_t e = from; e < to; ++e) {
       const auto site = candidates.site[begin + e];
       const auto origin = cellOrigin(sites, site);

@@ -10,7 +10,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = std::size_t{1} << 16;
+constexpr std::size_t device_eligible_grain = std::size_t{1} << 16;
 
 bool fitsFloat(const SiteSet& sites, std::size_t i) {
   constexpr double most_distance = 1e15, most_weight = 1e18;
@@ -23,7 +23,7 @@ bool fitsFloat(const SiteSet& sites, std::size_t i) {
 Triage sortOut(const SiteSet& sites, int threads) {
   std::atomic<std::size_t> outside{0};
   std::atomic<bool> fit{true};
-  parallelFor(sites.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(sites.size(), device_eligible_grain, threads, [&](std::size_t begin, std::size_t end) {
     std::size_t count = 0;
     bool all_fit = true;
     for (auto i = begin; i < end; ++i) {

@@ -11,7 +11,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 2048;
+constexpr std::size_t flann_search_grain = 2048;
 /// FLANN compares squared distances that are rounded; a neighbor may come this much too late.
 constexpr double rounding_slack = 1e-14;
 
@@ -70,7 +70,7 @@ Candidates FlannSearch::neighbors(std::span<const std::uint32_t> which, std::siz
   candidates.reach.assign(which.size(), std::numeric_limits<double>::infinity());
   if (k == 0) return candidates;
 
-  parallelFor(which.size(), grain, tree_->threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(which.size(), flann_search_grain, tree_->threads, [&](std::size_t begin, std::size_t end) {
     const auto count = end - begin;
     std::vector<double> queries(2 * count);
     for (std::size_t e = 0; e < count; ++e) {

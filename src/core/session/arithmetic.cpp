@@ -13,12 +13,12 @@ namespace {
 
 constexpr std::size_t rows_of_a_kind = 16384;
 /// Operands lie between 2^-40 and 2^40, so that no result is too large or too small.
-constexpr std::uint32_t least_exponent = 127 - 40, exponents = 80;
+constexpr std::uint32_t least_float_exponent = 127 - 40, exponents = 80;
 
 /// Random mantissa, exponent and sign.
 float anyNumber(std::mt19937_64& random) {
   const std::uint64_t bits = random();
-  const auto exponent = least_exponent + static_cast<std::uint32_t>((bits >> 32) % exponents);
+  const auto exponent = least_float_exponent + static_cast<std::uint32_t>((bits >> 32) % exponents);
   return std::bit_cast<float>(static_cast<std::uint32_t>(bits & 0x807FFFFFu) | exponent << 23);
 }
 

@@ -14,7 +14,7 @@ constexpr float lean = 0.5F;
 /// By how many pixels the edge moves to the right from one shape to the next.
 constexpr float shift = lean / side;
 /// Views of shapes that are drawn, through which the edge moves by 1/4 pixel.
-constexpr int rounds = 2;
+constexpr int grid_rounds = 2;
 
 /// The shapes from number `first` on, side by side, about 2 pixels wide and as high as the view. The left
 /// side of each is a leaning edge that passes the pixel centers of the shape's second column near the middle
@@ -24,7 +24,7 @@ CellBatch<float> shapesFrom(int first) {
   const float slope = lean / side;
   const float length = std::sqrt(1.0F + slope * slope);
   for (int k = 0; k < shapes; k++) {
-    const float at = -0.5F + shift * (static_cast<float>(first + k) - 0.5F * shapes * rounds);
+    const float at = -0.5F + shift * (static_cast<float>(first + k) - 0.5F * shapes * grid_rounds);
     batch.entries.push_back({static_cast<std::uint32_t>(k), 1, -1.75F, -0.5F * side, 1.25F, 0.5F * side,
                              /*reach=*/1e30F, /*shift=*/0});
     batch.lines.push_back({-1.0F / length, slope / length, -at / length, 0});
@@ -66,7 +66,7 @@ Result<void> drawShapes(Backend& backend, int first, std::vector<int>& heights) 
 Result<std::optional<int>> measureSubpixelBits(Backend& backend) {
   if (backend.info().max_view < side) return std::nullopt;
   std::vector<int> heights;
-  for (int round = 0; round < rounds; round++) {
+  for (int round = 0; round < grid_rounds; round++) {
     if (auto drawn = drawShapes(backend, round * shapes, heights); !drawn)
       return tl::unexpected(drawn.error());
   }

@@ -15,10 +15,6 @@ namespace {
 
 using Random = std::mt19937_64;  // the standard defines its numbers; it does not define distributions
 
-struct Point {
-  double x, y;
-};
-
 /// In [0, 1), a multiple of 2^-53.
 double uniform(Random& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 

@@ -6,7 +6,7 @@ namespace vorpipe::core {
 namespace {
 
 /// Keeps bin numbers within the integers of every device.
-constexpr double most_bins = 1 << 28;
+constexpr double most_grid_bins = 1 << 28;
 /// Keeps what a device computes of the size far from underflow.
 constexpr double least_size = 0x1p-100;
 
@@ -15,7 +15,7 @@ constexpr double least_size = 0x1p-100;
 /// The size s solves (width / s + 1) (height / s + 1) = bins, so that the grid has no more than that
 /// many, however flat it is.
 Grid layGrid(const Box& box, std::size_t count) {
-  const double bins = std::clamp(static_cast<double>(count) / sites_per_bin, 1.0, most_bins);
+  const double bins = std::clamp(static_cast<double>(count) / sites_per_bin, 1.0, most_grid_bins);
   const double width = box.xmax - box.xmin;
   const double height = box.ymax - box.ymin;
   Grid grid{box.xmin, box.ymin, std::max({width, height, least_size}), 1, 1, {}};

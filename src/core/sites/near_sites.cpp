@@ -10,7 +10,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = std::size_t{1} << 16;
+constexpr std::size_t near_sites_grain = std::size_t{1} << 16;
 /// From here on two different doubles are farther apart than the least distance.
 constexpr double told_apart = least_distance * 0x1p54;
 
@@ -21,7 +21,7 @@ bool isSmall(double value) { return std::abs(value) < told_apart; }
 /// Whether any coordinate is small and not 0. Two sites that are near each other have one.
 bool anySmall(const SiteSet& set, int threads) {
   std::atomic<bool> any = false;
-  parallelFor(set.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(set.size(), near_sites_grain, threads, [&](std::size_t begin, std::size_t end) {
     bool here = false;
     for (auto i = begin; i < end; ++i) {
       here = here || (isSmall(set.x[i]) && set.x[i] != 0) || (isSmall(set.y[i]) && set.y[i] != 0);

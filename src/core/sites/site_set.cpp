@@ -19,7 +19,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 1 << 16;
+constexpr std::size_t site_set_grain = 1 << 16;
 /// A neighbor is an index of 32 bits with a sign.
 constexpr std::size_t most_sites = std::numeric_limits<std::int32_t>::max();
 constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -29,11 +29,11 @@ tl::unexpected<Error> refuse(Subject subject, std::string message) {
 }
 
 Extent extentOf(const Sites& sites, const PowerOfTwo& scale, const Box& near, int threads) {
-  std::vector<Extent> extents((sites.size() + grain - 1) / grain);
-  parallelFor(sites.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+  std::vector<Extent> extents((sites.size() + site_set_grain - 1) / site_set_grain);
+  parallelFor(sites.size(), site_set_grain, threads, [&](std::size_t begin, std::size_t end) {
     Extent extent;
     for (auto i = begin; i < end; ++i) extent.add(scale(sites.x[i]), scale(sites.y[i]), near);
-    extents[begin / grain] = extent;
+    extents[begin / site_set_grain] = extent;
   });
   Extent all;
   for (const auto& extent : extents) all.add(extent);
@@ -72,7 +72,7 @@ Result<void> checkNumber(const Sites& sites) {
 }
 
 void dropTiny(std::vector<double>& coordinates, int threads) {
-  parallelFor(coordinates.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(coordinates.size(), site_set_grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end; ++i) {
       coordinates[i] = usableCoordinate(coordinates[i]);
     }

@@ -8,8 +8,8 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = std::size_t{1} << 14;
-constexpr double nothing = -std::numeric_limits<double>::infinity();
+constexpr std::size_t weight_pyramid_grain = std::size_t{1} << 14;
+constexpr double no_weight = -std::numeric_limits<double>::infinity();
 
 std::uint32_t halfOf(std::uint32_t count) { return (count + 1) / 2; }
 
@@ -38,12 +38,12 @@ class BlockQuery {
  private:
   [[nodiscard]] double of(std::size_t level, std::uint32_t column, std::uint32_t row) const {
     const auto& l = levels_[level];
-    if (column >= l.columns || row >= l.rows) return nothing;
+    if (column >= l.columns || row >= l.rows) return no_weight;
     const BinBlock bins{column << level, row << level, (column << level) + (1u << level) - 1,
                         (row << level) + (1u << level) - 1};
     if (bins.west > block_.east || bins.east < block_.west || bins.south > block_.north ||
         bins.north < block_.south) {
-      return nothing;
+      return no_weight;
     }
     const bool within = bins.west >= block_.west && bins.east <= block_.east && bins.south >= block_.south &&
                         bins.north <= block_.north;
@@ -74,8 +74,8 @@ void noteHeaviest(SiteSet& sites, int threads) {
   // All others are lighter than the heavy ones.
   const double heavy = sites.heavy.empty() ? infinite : sites.weight[sites.heavy.back()];
   const auto bins = std::size_t{grid.columns} * grid.rows;
-  grid.heaviest.assign(bins, nothing);
-  parallelFor(bins, grain, threads, [&](std::size_t begin, std::size_t end) {
+  grid.heaviest.assign(bins, no_weight);
+  parallelFor(bins, weight_pyramid_grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto bin = begin; bin < end; ++bin) {
       for (auto site = grid.offsets[bin]; site < grid.offsets[bin + 1]; ++site) {
         const double weight = sites.weight[site];
@@ -94,7 +94,7 @@ void buildPyramid(Grid& grid) {
     const auto at = [&](std::uint32_t column, std::uint32_t row) {
       return column < below.columns && row < below.rows
                  ? grid.heaviest[below.first + std::size_t{row} * below.columns + column]
-                 : nothing;
+                 : no_weight;
     };
     for (std::uint32_t row = 0; row < rows; ++row) {
       for (std::uint32_t column = 0; column < columns; ++column) {

@@ -18,7 +18,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 1 << 16;
+constexpr std::size_t weights_grain = 1 << 16;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double heaviest_usable = 0x1p600;  ///< in squares of domains
 /// Weights nearer to 0 are 0, as coordinates are: exact decisions multiply them by two differences of those.
@@ -38,11 +38,11 @@ struct Range {
 };
 
 Range rangeOf(const std::vector<double>& weights, int threads) {
-  std::vector<Range> ranges((weights.size() + grain - 1) / grain);
-  parallelFor(weights.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+  std::vector<Range> ranges((weights.size() + weights_grain - 1) / weights_grain);
+  parallelFor(weights.size(), weights_grain, threads, [&](std::size_t begin, std::size_t end) {
     Range range;
     for (auto i = begin; i < end; ++i) range.add({weights[i], weights[i], isUsable(weights[i])});
-    ranges[begin / grain] = range;
+    ranges[begin / weights_grain] = range;
   });
   Range all;
   for (const auto& range : ranges) all.add(range);
@@ -60,19 +60,19 @@ Error unusableWeight(const Sites& sites, const std::vector<double>& scaled) {
 
 void subtractIfExact(double least, int threads, std::vector<double>& weights) {
   std::atomic<bool> exact = true;
-  parallelFor(weights.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(weights.size(), weights_grain, threads, [&](std::size_t begin, std::size_t end) {
     bool all = true;
     for (auto i = begin; i < end; ++i) all = all && DoubleDouble::sum(weights[i], -least).low == 0;
     if (!all) exact = false;
   });
   if (!exact) return;
-  parallelFor(weights.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(weights.size(), weights_grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end; ++i) weights[i] -= least;
   });
 }
 
 void dropTinyWeights(int threads, std::vector<double>& weights) {
-  parallelFor(weights.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(weights.size(), weights_grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end; ++i) {
       if (std::abs(weights[i]) < least_weight) weights[i] = 0;
     }
@@ -104,7 +104,7 @@ bool hasWeights(const Sites& sites) {
 
 Result<std::vector<double>> scaledWeights(const Sites& sites, int exponent, int threads) {
   std::vector<double> weights(sites.weight.size());
-  parallelFor(weights.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(weights.size(), weights_grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end; ++i) weights[i] = std::ldexp(sites.weight[i], 2 * exponent);
   });
   const auto range = rangeOf(weights, threads);
@@ -118,7 +118,7 @@ Result<std::vector<double>> scaledWeights(const Sites& sites, int exponent, int 
 void giveWeights(const std::vector<double>& by_input, int threads, SiteSet& set) {
   if (by_input.empty()) return;
   set.weight.resize(set.size());
-  parallelFor(set.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(set.size(), weights_grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end; ++i) set.weight[i] = by_input[set.id[i]];
   });
   const auto range = rangeOf(set.weight, threads);

@@ -8,7 +8,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 1024;
+constexpr std::size_t collapsed_edges_grain = 1024;
 
 /// Finds the cells that ties enclose: from such a cell no path across edges reaches a wall.
 class EnclosedCells {
@@ -120,14 +120,15 @@ class EnclosedCells {
 }  // namespace
 
 void dropCollapsed(const ProposedCells& proposed, DisjointSets& corners, TiedCells& tied) {
-  parallelFor(tied.cell.size(), grain, proposed.threads, [&](std::size_t begin, std::size_t end) {
-    for (auto k = begin; k < end; ++k) {
-      for (auto c = tied.offsets[k]; c < tied.offsets[k + 1]; ++c) {
-        const auto next = c + 1 < tied.offsets[k + 1] ? c + 1 : tied.offsets[k];
-        if (tied.vertex[c] == tied.vertex[next]) tied.tie[c] = 1;
-      }
-    }
-  });
+  parallelFor(tied.cell.size(), collapsed_edges_grain, proposed.threads,
+              [&](std::size_t begin, std::size_t end) {
+                for (auto k = begin; k < end; ++k) {
+                  for (auto c = tied.offsets[k]; c < tied.offsets[k + 1]; ++c) {
+                    const auto next = c + 1 < tied.offsets[k + 1] ? c + 1 : tied.offsets[k];
+                    if (tied.vertex[c] == tied.vertex[next]) tied.tie[c] = 1;
+                  }
+                }
+              });
   if (proposed.sites.weight.empty()) return;
   if (EnclosedCells(proposed, corners, tied).run() && tied.enclosed.empty()) {
     makeVertices(proposed, corners, tied);

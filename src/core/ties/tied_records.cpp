@@ -7,7 +7,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 1024;
+constexpr std::size_t tied_records_grain = 1024;
 
 /// The centroid of a cell, relative to its origin, clamped to the domain: ties may reach slightly beyond a
 /// wall, and a cell that only touches the domain far beyond it.
@@ -36,27 +36,28 @@ void recordUnedged(const ProposedCells& proposed, std::uint32_t cell, const Reco
 }  // namespace
 
 void recordTiedCells(const ProposedCells& proposed, const TiedCells& tied, const Records& records) {
-  parallelFor(tied.cell.size(), grain, proposed.threads, [&](std::size_t begin, std::size_t end) {
-    std::vector<std::uint32_t> edges;
-    std::vector<AnchoredPoint> corners;
-    for (auto k = begin; k < end; ++k) {
-      const auto cell = tied.cell[k];
-      if (proposed.cells.status(cell) == CellStatus::empty) {
-        records.empty(cell);
-        continue;
-      }
-      keptEdges(proposed, tied, k, edges);
-      if (edges.empty()) {
-        recordUnedged(proposed, cell, records);
-        continue;
-      }
-      placeCorners(proposed.sites, cell, proposed.cells.edges(cell), corners);
-      const auto origin = measuringOrigin(proposed.sites, cell, corners.front());
-      const auto m = measureCell(origin, corners);
-      records.cell(cell, edges.size(), m.area, origin, centroidInDomain(proposed.sites, origin, m.centroid),
-                   spreadOf(m));
-    }
-  });
+  parallelFor(tied.cell.size(), tied_records_grain, proposed.threads,
+              [&](std::size_t begin, std::size_t end) {
+                std::vector<std::uint32_t> edges;
+                std::vector<AnchoredPoint> corners;
+                for (auto k = begin; k < end; ++k) {
+                  const auto cell = tied.cell[k];
+                  if (proposed.cells.status(cell) == CellStatus::empty) {
+                    records.empty(cell);
+                    continue;
+                  }
+                  keptEdges(proposed, tied, k, edges);
+                  if (edges.empty()) {
+                    recordUnedged(proposed, cell, records);
+                    continue;
+                  }
+                  placeCorners(proposed.sites, cell, proposed.cells.edges(cell), corners);
+                  const auto origin = measuringOrigin(proposed.sites, cell, corners.front());
+                  const auto m = measureCell(origin, corners);
+                  records.cell(cell, edges.size(), m.area, origin,
+                               centroidInDomain(proposed.sites, origin, m.centroid), spreadOf(m));
+                }
+              });
 }
 
 }  // namespace vorpipe::core

@@ -10,7 +10,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 1024;
+constexpr std::size_t tied_vertices_grain = 1024;
 constexpr std::uint8_t wall_at_x = 3, wall_at_y = 12, wall_placed = 16;
 
 std::size_t before(std::span<const std::int32_t> row, std::size_t e) {
@@ -33,9 +33,10 @@ class VertexBuilder {
  private:
   template <class Work>
   void forEntries(const Work& work) {
-    parallelFor(tied_.cell.size(), grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
-      for (auto k = begin; k < end; ++k) work(k);
-    });
+    parallelFor(tied_.cell.size(), tied_vertices_grain, proposed_.threads,
+                [&](std::size_t begin, std::size_t end) {
+                  for (auto k = begin; k < end; ++k) work(k);
+                });
   }
 
   [[nodiscard]] std::span<const std::int32_t> rowOf(std::size_t k) const {
@@ -49,19 +50,22 @@ class VertexBuilder {
 
   /// Numbers the sets in the order of their roots.
   void number() {
-    std::vector<std::uint32_t> roots((tied_.cell.size() + grain - 1) / grain + 1);
-    parallelFor(tied_.cell.size(), grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
-      std::uint32_t count = 0;
-      for (auto c = tied_.offsets[begin]; c < tied_.offsets[end]; ++c) count += isRoot(c) ? 1u : 0u;
-      roots[begin / grain + 1] = count;
-    });
+    std::vector<std::uint32_t> roots((tied_.cell.size() + tied_vertices_grain - 1) / tied_vertices_grain + 1);
+    parallelFor(tied_.cell.size(), tied_vertices_grain, proposed_.threads,
+                [&](std::size_t begin, std::size_t end) {
+                  std::uint32_t count = 0;
+                  for (auto c = tied_.offsets[begin]; c < tied_.offsets[end]; ++c)
+                    count += isRoot(c) ? 1u : 0u;
+                  roots[begin / tied_vertices_grain + 1] = count;
+                });
     for (std::size_t b = 1; b < roots.size(); ++b) roots[b] += roots[b - 1];
-    parallelFor(tied_.cell.size(), grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
-      auto next = roots[begin / grain];
-      for (auto c = tied_.offsets[begin]; c < tied_.offsets[end]; ++c) {
-        if (isRoot(c)) tied_.vertex[c] = next++;
-      }
-    });
+    parallelFor(tied_.cell.size(), tied_vertices_grain, proposed_.threads,
+                [&](std::size_t begin, std::size_t end) {
+                  auto next = roots[begin / tied_vertices_grain];
+                  for (auto c = tied_.offsets[begin]; c < tied_.offsets[end]; ++c) {
+                    if (isRoot(c)) tied_.vertex[c] = next++;
+                  }
+                });
     forEntries([&](std::size_t k) {
       for (auto c = tied_.offsets[k]; c < tied_.offsets[k + 1]; ++c) {
         const auto root = sets_.root(static_cast<std::uint32_t>(c));
@@ -97,7 +101,7 @@ class VertexBuilder {
 
   /// Puts each vertex at its root, for now; lists the cells at walls.
   void placeRoots() {
-    at_wall_.resize((tied_.cell.size() + grain - 1) / grain);
+    at_wall_.resize((tied_.cell.size() + tied_vertices_grain - 1) / tied_vertices_grain);
     forEntries([&](std::size_t k) {
       const auto row = rowOf(k);
       bool wall = false;
@@ -106,7 +110,7 @@ class VertexBuilder {
         wall = wall || row[e] < 0;
         if (isRoot(c)) tied_.position[tied_.vertex[c]] = cornerOf(k, row, e);
       }
-      if (wall) at_wall_[k / grain].push_back(static_cast<std::uint32_t>(k));
+      if (wall) at_wall_[k / tied_vertices_grain].push_back(static_cast<std::uint32_t>(k));
     });
   }
 
@@ -114,15 +118,16 @@ class VertexBuilder {
   /// the one farthest from it, and the one farthest from the line through both. Where the three are nearly
   /// collinear, the vertex stays at its root.
   void placeInside() {
-    parallelFor(tied_.position.size(), grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
-      for (auto v = begin; v < end; ++v) {
-        const auto cells =
-            std::span(tied_.around)
-                .subspan(tied_.around_offsets[v], tied_.around_offsets[v + 1] - tied_.around_offsets[v]);
-        std::sort(cells.begin(), cells.end());
-        placeBetween(cells, tied_.position[v]);
-      }
-    });
+    parallelFor(tied_.position.size(), tied_vertices_grain, proposed_.threads,
+                [&](std::size_t begin, std::size_t end) {
+                  for (auto v = begin; v < end; ++v) {
+                    const auto cells = std::span(tied_.around)
+                                           .subspan(tied_.around_offsets[v],
+                                                    tied_.around_offsets[v + 1] - tied_.around_offsets[v]);
+                    std::sort(cells.begin(), cells.end());
+                    placeBetween(cells, tied_.position[v]);
+                  }
+                });
   }
 
   /// Whether three sites are so nearly collinear that their power center is far less precise than that of

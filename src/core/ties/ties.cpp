@@ -19,7 +19,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 1024;
+constexpr std::size_t ties_grain = 1024;
 /// Relative to a cell's size: a longer tie may hide that the cell is wrong in double. Its sites are then far
 /// away, and the differences of their weights so large that cancellation spoils its corners.
 constexpr double much_of_a_cell = 1e-4;
@@ -43,7 +43,7 @@ class TieResolver {
   }
 
   void run() {
-    parallelFor(tied_.cell.size(), grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
+    parallelFor(tied_.cell.size(), ties_grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
       std::vector<AnchoredPoint> corners;
       for (auto k = begin; k < end; ++k) join(k, corners);
     });
@@ -70,7 +70,7 @@ class TieResolver {
 
   template <class Work>
   void forEntries(const Work& work) {
-    parallelFor(tied_.cell.size(), grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
+    parallelFor(tied_.cell.size(), ties_grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
       for (auto k = begin; k < end; ++k) work(k);
     });
   }

@@ -11,7 +11,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 1024;
+constexpr std::size_t wide_vertices_grain = 1024;
 /// A vertex with fewer ties is not wide. A tie counts twice, even where one of its two cells lacks it: which
 /// cells have an edge of nearly no length depends on the backend.
 constexpr std::uint32_t fewest_ties = 6, fewest_with_images = 4;
@@ -56,9 +56,10 @@ class VertexWidths {
  private:
   template <class Work>
   void forEntries(const Work& work) {
-    parallelFor(tied_.cell.size(), grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
-      for (auto k = begin; k < end; ++k) work(k);
-    });
+    parallelFor(tied_.cell.size(), wide_vertices_grain, proposed_.threads,
+                [&](std::size_t begin, std::size_t end) {
+                  for (auto k = begin; k < end; ++k) work(k);
+                });
   }
 
   [[nodiscard]] bool isOfThisCellAlone(std::uint32_t cell, std::int32_t neighbor) const {

@@ -24,7 +24,7 @@ namespace {
 /// Of the sites of a tile, those that are found apart wait until they are this part of it.
 constexpr std::uint64_t open_at_once = 8;
 
-constexpr std::size_t grain = std::size_t{1} << 13;
+constexpr std::size_t cells_in_tiles_grain = std::size_t{1} << 13;
 
 /// What there is of some cells together.
 struct Sums {
@@ -143,9 +143,9 @@ class TiledRun {
   Result<void> take(const PartSites& part, const PartCells& found, std::span<const std::uint32_t> which) {
     numbers_.resize(which.size());
     measures_.resize(which.size());
-    std::vector<Sums> sums((which.size() + grain - 1) / grain);
-    parallelFor(which.size(), grain, threads_, [&](std::size_t begin, std::size_t end) {
-      Sums& sum = sums[begin / grain];
+    std::vector<Sums> sums((which.size() + cells_in_tiles_grain - 1) / cells_in_tiles_grain);
+    parallelFor(which.size(), cells_in_tiles_grain, threads_, [&](std::size_t begin, std::size_t end) {
+      Sums& sum = sums[begin / cells_in_tiles_grain];
       for (auto k = begin; k < end; ++k) {
         numbers_[k] = part.number[which[k]];
         measures_[k] = measuresOf(part, found, which[k]);

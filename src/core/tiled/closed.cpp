@@ -11,7 +11,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 4096;
+constexpr std::size_t closed_grain = 4096;
 /// Sites that are as near to a corner as its own, but for this part of their distance, may be a tie.
 constexpr double beyond = 1e-4;
 
@@ -54,20 +54,21 @@ void eachCellsDiscs(const PartCells& cells, const std::vector<std::uint8_t>& wan
                     const std::function<void(std::uint32_t i, std::span<const std::int32_t> row,
                                              std::span<const CornerDisc> discs)>& take) {
   const SiteSet& set = cells.run->prepared.set;
-  parallelFor(set.size(), grainFor(set.size(), grain), threads, [&](std::size_t begin, std::size_t end) {
-    std::vector<CornerDisc> discs;
-    CellWalk walk(set, cells.agreed.rows);
-    walk(begin, end, [&](std::uint32_t cell, auto row, auto corners) {
-      const auto i = set.id[cell];
-      if (wanted[i] == 0) return;
-      discs.clear();
-      for (const auto& corner : corners) {
-        const Point seen = relativeTo({set.x[cell], set.y[cell]}, corner);
-        discs.push_back({positionOf(corner), std::hypot(seen.x, seen.y)});
-      }
-      take(i, row, discs);
-    });
-  });
+  parallelFor(set.size(), grainFor(set.size(), closed_grain), threads,
+              [&](std::size_t begin, std::size_t end) {
+                std::vector<CornerDisc> discs;
+                CellWalk walk(set, cells.agreed.rows);
+                walk(begin, end, [&](std::uint32_t cell, auto row, auto corners) {
+                  const auto i = set.id[cell];
+                  if (wanted[i] == 0) return;
+                  discs.clear();
+                  for (const auto& corner : corners) {
+                    const Point seen = relativeTo({set.x[cell], set.y[cell]}, corner);
+                    discs.push_back({positionOf(corner), std::hypot(seen.x, seen.y)});
+                  }
+                  take(i, row, discs);
+                });
+              });
 }
 
 std::vector<std::uint32_t> openCells(const PartSites& part, const PartCells& cells, const KnownBox& known,

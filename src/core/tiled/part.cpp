@@ -9,7 +9,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = std::size_t{1} << 14;
+constexpr std::size_t part_grain = std::size_t{1} << 14;
 
 /// Ascending, by bits from the lowest on: several times as fast as to compare.
 void sortNumbers(std::vector<std::uint32_t>& numbers) {
@@ -64,7 +64,7 @@ PartSites sitesOf(const SiteCells& cells, const TileBlock& tile, int threads) {
   part.sites.x.resize(count);
   part.sites.y.resize(count);
   part.own.resize(count);
-  parallelFor(count, grain, threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(count, part_grain, threads, [&](std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end; ++i) {
       part.own[i] = static_cast<std::uint8_t>(flagged[i] % 2);
       flagged[i] /= 2;

@@ -11,7 +11,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = std::size_t{1} << 16;
+constexpr std::size_t site_cells_grain = std::size_t{1} << 16;
 constexpr std::uint64_t most_sites = std::numeric_limits<std::int32_t>::max();
 /// Parts that are sorted side by side: each has a number for every cell of the lattice.
 constexpr int most_parts = 8;
@@ -47,14 +47,14 @@ Result<SiteCells> SiteCells::over(const SitesInPlace& sites, const Box& domain, 
 /// Lays the grid that prepare() would lay.
 Result<void> SiteCells::findGrid(int threads) {
   const Box near = surroundings(domain_);
-  std::vector<Extent> extents((sites_.count + grain - 1) / grain);
-  parallelFor(sites_.count, grain, threads, [&](std::size_t begin, std::size_t end) {
+  std::vector<Extent> extents((sites_.count + site_cells_grain - 1) / site_cells_grain);
+  parallelFor(sites_.count, site_cells_grain, threads, [&](std::size_t begin, std::size_t end) {
     Extent extent;
     for (auto i = begin; i < end; ++i) {
       const Point p = place(i);
       extent.add(p.x, p.y, near);
     }
-    extents[begin / grain] = extent;
+    extents[begin / site_cells_grain] = extent;
   });
   Extent all;
   for (const auto& extent : extents) all.add(extent);

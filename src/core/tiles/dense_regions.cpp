@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t rows_at_once = 16;
 /// Break-even for a finer grid, in sites in 3 x 3 bins, where 18 are normal ...
-constexpr std::uint64_t crowd = 128;
+constexpr std::uint64_t crowded_bins = 128;
 /// ... but not for fewer cells than this ...
 constexpr std::size_t least_region = 256;
 /// ... unless there are more than this: then the judge, which uses a tree, is faster.
@@ -69,7 +69,7 @@ class CrowdSorter {
       for (auto row = static_cast<std::uint32_t>(begin); row < end; ++row) {
         for (std::uint32_t column = 0; column < grid_.columns; ++column) {
           const auto around = sitesIn(grid_, withMargin(grid_, {column, row, column, row}, 1));
-          if (around <= crowd) continue;
+          if (around <= crowded_bins) continue;
           const auto bin = binAt(column, row);
           if (grid_.offsets[bin] == grid_.offsets[bin + 1]) continue;
           density_[bin] = around > hopeless_crowd ? Density::hopeless : Density::crowded;

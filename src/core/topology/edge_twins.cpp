@@ -11,7 +11,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t grain = 4096;
+constexpr std::size_t edge_twins_grain = 4096;
 
 using Shift = std::array<std::int32_t, 2>;
 
@@ -73,7 +73,7 @@ std::uint64_t nextEntry(const Diagram& diagram, const Cell& cell, std::uint64_t 
 Result<std::vector<std::uint32_t>> findTwins(const Diagram& diagram, std::span<const std::uint32_t> vertex_of,
                                              int threads) {
   std::vector<std::uint32_t> twins(diagram.neighbors.size(), no_twin);
-  parallelFor(diagram.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+  parallelFor(diagram.size(), edge_twins_grain, threads, [&](std::size_t begin, std::size_t end) {
     TwinFinder finder(diagram, vertex_of, twins);
     for (auto i = begin; i < end; ++i) finder.find(diagram.cell(i));
   });

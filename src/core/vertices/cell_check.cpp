@@ -11,7 +11,7 @@
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t most_at_once = 4096;
+constexpr std::size_t most_checked_at_once = 4096;
 
 class CellCheck {
  public:
@@ -179,7 +179,7 @@ class CellCheck {
 template <class CellAt>
 void checkSome(const ProposedCells& proposed, std::size_t count, const CellAt& cellAt, const Records& records,
                std::span<std::uint8_t> suspect) {
-  parallelFor(count, grainFor(count, most_at_once), proposed.threads,
+  parallelFor(count, grainFor(count, most_checked_at_once), proposed.threads,
               [&](std::size_t begin, std::size_t end) {
                 for (auto k = begin; k < end; ++k) prefetchBeyond(proposed, cellAt(k));
                 CellCheck cell_check(proposed, records, suspect);

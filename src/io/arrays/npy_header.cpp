@@ -17,7 +17,6 @@
 namespace vorpipe {
 namespace {
 
-constexpr std::string_view magic = "\x93NUMPY";
 constexpr std::size_t longest_header = std::size_t{1} << 20;
 /// As NumPy has them.
 constexpr std::size_t most_axes = 32;
@@ -179,7 +178,7 @@ Result<std::pair<std::string, std::size_t>> readDictionary(InputFile& file) {
   if (!preamble) {
     return tl::unexpected(preamble.error());
   }
-  if (!preamble->starts_with(magic)) {
+  if (!preamble->starts_with(npy_magic)) {
     return inputError(file.name() + ": is not a .npy file: it does not begin with \\x93NUMPY");
   }
   const auto version = static_cast<unsigned char>((*preamble)[6]);
@@ -220,7 +219,7 @@ Result<NpyHeader> readNpyHeader(InputFile& file) {
   NpyHeader header;
   std::string_view type;
   if (!parseDictionary(text, header, type)) {
-    return inputError(fmt::format("{}: its .npy header is not understood: {}", file.name(), quoted(text)));
+    return inputError(fmt::format("{}: its .npy header is not understood: {}", file.name(), inQuotes(text)));
   }
   if (header.shape.size() > most_axes) {
     return inputError(fmt::format("{}: its .npy header claims {} axes; {} are the most", file.name(),
@@ -228,7 +227,7 @@ Result<NpyHeader> readNpyHeader(InputFile& file) {
   }
   if (!parseType(type, header)) {
     return inputError(
-        fmt::format("{}: holds elements of dtype {}; numbers are needed", file.name(), quoted(type)));
+        fmt::format("{}: holds elements of dtype {}; numbers are needed", file.name(), inQuotes(type)));
   }
   header.description = fmt::format("{} ({}{})", typeName(header, type), fmt::join(header.shape, ", "),
                                    header.shape.size() == 1 ? "," : "");

@@ -4,11 +4,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/files/input_file.h"
 
 namespace vorpipe {
+
+/// What a .npy file begins with.
+inline constexpr std::string_view npy_magic = "\x93NUMPY";
 
 struct NpyHeader {
   char kind = 0;         ///< f: floating point, i: signed, u: unsigned

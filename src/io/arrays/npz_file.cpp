@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "io/arrays/npy_header.h"
 #include "io/files/error.h"
 #include "io/files/input_file.h"
 #include "io/text/quoted.h"
@@ -90,14 +91,14 @@ Result<void> NpzFile::index() {
     const std::size_t local = numberAt(bytes, at + 42, 4);
     const std::string_view name = bytes.substr(at + 46, name_size);
     if (method != 0) {
-      return inputError(fmt::format("{}: {} is compressed; numpy.savez does not", name_, quoted(name)));
+      return inputError(fmt::format("{}: {} is compressed; numpy.savez does not", name_, inQuotes(name)));
     }
     if (local + 30 > bytes.size() || bytes.substr(local, 4) != local_mark) return broken();
     const std::size_t begin = local + 30 + numberAt(bytes, local + 26, 2) + numberAt(bytes, local + 28, 2);
     if (begin > bytes.size() || size > bytes.size() - begin) return broken();
     const std::string_view array = bytes.substr(begin, size);
     if (checksumOf(array) != numberAt(bytes, at + 16, 4)) {
-      return inputError(fmt::format("{}: {} is damaged: its checksum is another", name_, quoted(name)));
+      return inputError(fmt::format("{}: {} is damaged: its checksum is another", name_, inQuotes(name)));
     }
     if (auto added = add(name, array); !added) return added;
     at += 46 + name_size + numberAt(bytes, at + 30, 2) + numberAt(bytes, at + 32, 2);
@@ -106,15 +107,15 @@ Result<void> NpzFile::index() {
 }
 
 Result<void> NpzFile::add(std::string_view name, std::string_view array) {
-  constexpr std::string_view magic = "\x93NUMPY", extension = ".npy";
+  constexpr std::string_view extension = ".npy";
   if (name.ends_with(extension)) name.remove_suffix(extension.size());
   const auto broken = [&] {
-    return inputError(fmt::format("{}: {} is no array that is understood", name_, quoted(name)));
+    return inputError(fmt::format("{}: {} is no array that is understood", name_, inQuotes(name)));
   };
-  if (!array.starts_with(magic) || array.size() < 12) return broken();
-  const std::size_t length_size = array[magic.size()] == 1 ? 2 : 4;
-  const std::size_t begin = magic.size() + 2 + length_size;
-  const std::size_t length = numberAt(array, magic.size() + 2, length_size);
+  if (!array.starts_with(npy_magic) || array.size() < 12) return broken();
+  const std::size_t length_size = array[npy_magic.size()] == 1 ? 2 : 4;
+  const std::size_t begin = npy_magic.size() + 2 + length_size;
+  const std::size_t length = numberAt(array, npy_magic.size() + 2, length_size);
   if (length > array.size() - begin) return broken();
   const std::string_view header = array.substr(begin, length);
   NpzEntry entry;

@@ -56,8 +56,8 @@ std::string renamingNote(std::span<const Attribute> attributes) {
   std::string renamed;
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (names[k] == attributes[k].name()) continue;
-    renamed += fmt::format("{}{} is {}", renamed.empty() ? "" : ", ", quoted(attributes[k].name()),
-                           quoted(names[k]));
+    renamed += fmt::format("{}{} is {}", renamed.empty() ? "" : ", ", inQuotes(attributes[k].name()),
+                           inQuotes(names[k]));
   }
   if (renamed.empty()) return renamed;
   return "attributes whose names other fields have get new ones: " + renamed;

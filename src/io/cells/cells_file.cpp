@@ -33,16 +33,16 @@ CELLS_FORMATS(DECLARED)
 namespace {
 
 #define LISTED(name) &name##_cells,
-constexpr std::array formats{CELLS_FORMATS(LISTED)};
+constexpr std::array cells_formats{CELLS_FORMATS(LISTED)};
 #undef LISTED
-constexpr std::span<const CellsFormat* const> all_formats(formats);
+constexpr std::span<const CellsFormat* const> all_cells_formats(cells_formats);
 
 }  // namespace
 
-std::vector<std::string_view> cellsExtensions() { return extensionsOf(all_formats); }
+std::vector<std::string_view> cellsExtensions() { return extensionsOf(all_cells_formats); }
 
 Result<const CellsFormat*> cellsFormatOf(const std::string& path) {
-  return formatFor(path, "cells", all_formats);
+  return formatFor(path, "cells", all_cells_formats);
 }
 
 Result<void> writeCells(ByteSink& sink, const CellsOutput& output, const CellsFormat& format) {

@@ -26,7 +26,7 @@ Result<std::vector<std::size_t>> numberedColumns(std::span<const std::string> co
     const auto number = columnNumber(column);
     if (!number) {
       return inputError(fmt::format("{}: its columns have no names, as {}; they have numbers from 1", name,
-                                    quoted(column)));
+                                    inQuotes(column)));
     }
     if (*number < 1 || *number > count) {
       return inputError(fmt::format("{}: has no column {}; it has {}", name, column, count));

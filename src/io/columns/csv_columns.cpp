@@ -22,15 +22,15 @@ struct Synonym {
   CoordinateKind kind;
 };
 
-constexpr auto plane = CoordinateKind::plane, degrees = CoordinateKind::degrees;
+constexpr auto plane = CoordinateKind::plane, geographic = CoordinateKind::degrees;
 constexpr std::array<Synonym, 6> x_names = {{{"x", CoordinateKind::unknown},
-                                             {"lon", degrees},
-                                             {"lng", degrees},
-                                             {"long", degrees},
-                                             {"longitude", degrees},
+                                             {"lon", geographic},
+                                             {"lng", geographic},
+                                             {"long", geographic},
+                                             {"longitude", geographic},
                                              {"easting", plane}}};
 constexpr std::array<Synonym, 4> y_names = {
-    {{"y", CoordinateKind::unknown}, {"lat", degrees}, {"latitude", degrees}, {"northing", plane}}};
+    {{"y", CoordinateKind::unknown}, {"lat", geographic}, {"latitude", geographic}, {"northing", plane}}};
 constexpr std::array<std::string_view, 4> geometry_names = {"wkt", "geometry", "geom", "the_geom"};
 
 tl::unexpected<ColumnProblem> problem(std::size_t column, std::string what) {
@@ -50,11 +50,11 @@ tl::expected<Column, ColumnProblem> onlyColumn(std::span<const std::string> name
   for (std::size_t k = 0; k < names.size(); ++k) {
     if (!is(names[k])) continue;
     if (found && names[*found] == names[k]) {
-      return problem(k, fmt::format("the header names column {} twice", quoted(names[k])));
+      return problem(k, fmt::format("the header names column {} twice", inQuotes(names[k])));
     }
     if (found) {
       return problem(k, fmt::format("the header names both {} and {}; --columns says which",
-                                    quoted(names[*found]), quoted(names[k])));
+                                    inQuotes(names[*found]), inQuotes(names[k])));
     }
     found = k;
   }
@@ -66,7 +66,7 @@ tl::expected<Column, ColumnProblem> exactly(std::span<const std::string> names, 
 }
 
 std::string headerText(std::span<const std::string> names) {
-  return quoted(fmt::format("{}", fmt::join(names, ",")));
+  return inQuotes(fmt::format("{}", fmt::join(names, ",")));
 }
 
 /// A column by number or name, exact before any case.
@@ -83,7 +83,7 @@ tl::expected<std::size_t, ColumnProblem> chosenColumn(std::span<const std::strin
     if (!found) return tl::unexpected(found.error());
   }
   if (*found) return **found;
-  return problem(0, fmt::format("the header {} names no column {}", headerText(names), quoted(text)));
+  return problem(0, fmt::format("the header {} names no column {}", headerText(names), inQuotes(text)));
 }
 
 CoordinateKind kindOf(const Synonym* x, const Synonym* y) {
@@ -100,7 +100,7 @@ Found chosenColumns(std::span<const std::string> names, std::span<const std::str
     const auto column = chosenColumn(names, text);
     if (!column) return tl::unexpected(column.error());
     if (std::ranges::find(found, *column) != found.end()) {
-      return problem(*column, fmt::format("column {} is chosen twice", quoted(names[*column])));
+      return problem(*column, fmt::format("column {} is chosen twice", inQuotes(names[*column])));
     }
     found.push_back(*column);
   }
@@ -119,7 +119,7 @@ Found chosenColumns(std::span<const std::string> names, std::span<const std::str
   columns.weight_kind = weightNamed(names[found[2]], true).value_or(WeightKind::weight);
   if (columns.weight_kind == WeightKind::radius) {
     columns.note =
-        fmt::format("column {} is taken as {}", quoted(names[found[2]]), meaningOf(columns.weight_kind));
+        fmt::format("column {} is taken as {}", inQuotes(names[found[2]]), meaningOf(columns.weight_kind));
   }
   return columns;
 }
@@ -166,7 +166,7 @@ tl::expected<void, ColumnProblem> findPlaces(std::span<const std::string> names,
 std::string noteOf(std::span<const std::string> names, const CsvColumns& columns) {
   std::vector<std::string> called, meaning;
   const auto add = [&](std::size_t column, std::string_view is) {
-    called.push_back(quoted(names[column]));
+    called.push_back(inQuotes(names[column]));
     meaning.emplace_back(is);
   };
   if (columns.x && lowerCase(names[*columns.x]) != "x") add(*columns.x, "x");

@@ -17,9 +17,9 @@ std::optional<WeightKind> weightNamed(std::string_view name, bool letters) {
 
 tl::expected<double, std::string> weightOf(WeightKind kind, double number, std::string_view text) {
   if (kind == WeightKind::weight) return number;
-  if (number < 0) return tl::unexpected(quoted(text) + " is negative, and a radius");
+  if (number < 0) return tl::unexpected(inQuotes(text) + " is negative, and a radius");
   if (std::isfinite(number * number)) return number * number;
-  return tl::unexpected("the square of " + quoted(text) + " is out of the range of a double");
+  return tl::unexpected("the square of " + inQuotes(text) + " is out of the range of a double");
 }
 
 }  // namespace vorpipe

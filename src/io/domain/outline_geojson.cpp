@@ -5,6 +5,7 @@
 
 #include "io/domain/outline_reader.h"
 #include "io/files/error.h"
+#include "io/text/geojson_nesting.h"
 #include "io/text/json_parser.h"
 #include "io/text/quoted.h"
 
@@ -12,9 +13,6 @@ namespace vorpipe {
 namespace {
 
 using nlohmann::json;
-
-/// Collections in collections.
-constexpr int deepest = 32;
 
 /// What is wrong, and the path to it.
 using Problem = std::optional<std::string>;
@@ -28,7 +26,8 @@ class GeoJson {
     const auto type = value.find("type");
     if (type == value.end() || !type->is_string()) return wrong(path, "has no \"type\" that is a string");
     const auto& name = type->get_ref<const std::string&>();
-    if (depth > deepest) return wrong(path, fmt::format("stands in more than {} collections", deepest));
+    if (depth > most_nested_collections)
+      return wrong(path, fmt::format("stands in more than {} collections", most_nested_collections));
     if (name == "Polygon")
       return member(value, path, "coordinates", [&](auto&&... at) { return polygon(at...); });
     if (name == "MultiPolygon") {
@@ -45,7 +44,7 @@ class GeoJson {
     }
     if (name == "FeatureCollection") return each(value, path, "features", inner);
     if (name == "GeometryCollection") return each(value, path, "geometries", inner);
-    return wrong(path, fmt::format("is a {}; a Polygon or MultiPolygon is needed", vorpipe::quoted(name)));
+    return wrong(path, fmt::format("is a {}; a Polygon or MultiPolygon is needed", vorpipe::inQuotes(name)));
   }
 
  private:

@@ -28,9 +28,9 @@ EDGES_FORMATS(DECLARED)
 namespace {
 
 #define LISTED(name) &name##_edges,
-constexpr std::array formats{EDGES_FORMATS(LISTED)};
+constexpr std::array edges_formats{EDGES_FORMATS(LISTED)};
 #undef LISTED
-constexpr std::span<const EdgesFormat* const> all_formats(formats);
+constexpr std::span<const EdgesFormat* const> all_edges_formats(edges_formats);
 
 /// Where in Diagram::vertices an edge of a cell ends.
 std::uint64_t endEntry(const Cell& cell, std::uint64_t entry) {
@@ -51,10 +51,10 @@ EdgeLine edgeLine(const EdgesOutput& output, std::size_t edge) {
           diagram.edge_lengths[entry]};
 }
 
-std::vector<std::string_view> edgesExtensions() { return extensionsOf(all_formats); }
+std::vector<std::string_view> edgesExtensions() { return extensionsOf(all_edges_formats); }
 
 Result<const EdgesFormat*> edgesFormatOf(const std::string& path) {
-  return formatFor(path, "edges", all_formats);
+  return formatFor(path, "edges", all_edges_formats);
 }
 
 Result<void> writeEdges(ByteSink& sink, const EdgesOutput& output, const EdgesFormat& format) {

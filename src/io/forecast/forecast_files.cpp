@@ -12,7 +12,7 @@
 namespace vorpipe {
 namespace {
 
-constexpr std::uint64_t number = sizeof(double), index = sizeof(std::int32_t);
+constexpr std::uint64_t number_size = sizeof(double), index_size = sizeof(std::int32_t);
 /// Arrays that are shorter do not count.
 constexpr std::uint64_t shortest = std::uint64_t{1} << 16;
 
@@ -40,14 +40,14 @@ void planMesh(MemoryPlan& plan, const Workload& work) {
   const std::string_view what = "the mesh to write";
   const auto corners = cornersOf(work);
   const auto since = plan.next();
-  const auto table = plan.take(what, std::bit_ceil(2 * corners + 1) * index);
-  plan.take(what, corners * index);
+  const auto table = plan.take(what, std::bit_ceil(2 * corners + 1) * index_size);
+  plan.take(what, corners * index_size);
   // Each vertex is a corner of three cells, but at walls and where its places in them differ.
   const auto points = std::max(corners / 2, work.sites);
   planGrowing(plan, what, points, {sizeof(Point)});
   plan.drop(table);
-  plan.take(what, corners * index);
-  planGrowing(plan, what, work.sites, {number, index});
+  plan.take(what, corners * index_size);
+  planGrowing(plan, what, work.sites, {number_size, index_size});
   plan.dropSince(since);
 }
 
@@ -59,19 +59,19 @@ void planTopology(MemoryPlan& plan, const Workload& work) {
   const std::string_view what = "the topology";
   const auto corners = cornersOf(work), edges = edgesOf(work);
   const auto vertices = std::max(corners / 2, work.sites);
-  const auto table = plan.take(what, std::bit_ceil(2 * corners + 1) * index);
-  plan.take(what, corners * index);
+  const auto table = plan.take(what, std::bit_ceil(2 * corners + 1) * index_size);
+  plan.take(what, corners * index_size);
   planGrowing(plan, what, vertices, {sizeof(Point)});
   plan.drop(table);
-  plan.take(what, corners * index);
+  plan.take(what, corners * index_size);
   if (work.periodic) {
-    const std::vector<MemoryPlan::Array> copies{plan.take(what, vertices * number),
-                                                plan.take(what, vertices * index)};
+    const std::vector<MemoryPlan::Array> copies{plan.take(what, vertices * number_size),
+                                                plan.take(what, vertices * index_size)};
     plan.drop(copies);
   }
-  plan.take(what, edges * number);
-  plan.take(what, edges * 2 * index);
-  plan.take(what, edges * 2 * number);
+  plan.take(what, edges * number_size);
+  plan.take(what, edges * 2 * index_size);
+  plan.take(what, edges * 2 * number_size);
 }
 
 }  // namespace
@@ -79,12 +79,12 @@ void planTopology(MemoryPlan& plan, const Workload& work) {
 void planSites(MemoryPlan& plan, const std::string& spec, std::uint64_t sites, bool weighted) {
   const std::string_view what = "sites";
   if (generatedCount(spec)) {
-    plan.take(what, sites * number);
-    plan.take(what, sites * number);
+    plan.take(what, sites * number_size);
+    plan.take(what, sites * number_size);
     return;
   }
-  std::vector<std::uint64_t> columns(2, number);
-  if (weighted) columns.insert(columns.begin(), number);
+  std::vector<std::uint64_t> columns(2, number_size);
+  if (weighted) columns.insert(columns.begin(), number_size);
   planGrowing(plan, what, sites, columns);
 }
 
@@ -95,16 +95,16 @@ void planAttributes(MemoryPlan& plan, std::uint64_t bytes) {
 void planWeights(MemoryPlan& plan, const std::string& path, std::uint64_t sites) {
   const std::string_view what = "weights";
   if (path.empty() || lowerExtension(path) == ".npy") {
-    plan.take(what, sites * number);
+    plan.take(what, sites * number_size);
   } else {
-    planGrowing(plan, what, sites, {number});
+    planGrowing(plan, what, sites, {number_size});
   }
 }
 
 void planDensity(MemoryPlan& plan, std::uint64_t pixels) {
   constexpr std::uint64_t png_pixel = 8;
   const auto file = plan.take("the density", pixels * png_pixel);
-  plan.take("the density", pixels * number);
+  plan.take("the density", pixels * number_size);
   plan.drop(file);
 }
 
@@ -134,7 +134,7 @@ void planShapes(MemoryPlan& plan, const Workload& work, const RenderOptions& opt
   const std::string_view what = "the shapes to write";
   const auto since = plan.next();
   const auto indices = plan.take(what, work.sites);
-  if (options.color != ColorBy::site) plan.drop(plan.take(what, work.sites * number));
+  if (options.color != ColorBy::site) plan.drop(plan.take(what, work.sites * number_size));
   plan.take(what, work.sites * sizeof(std::uint32_t));
   plan.drop(indices);
   if (options.show_sites) planGrowing(plan, what, work.sites, {sizeof(Point)});

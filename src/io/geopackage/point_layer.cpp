@@ -17,7 +17,7 @@
 namespace vorpipe {
 namespace {
 
-constexpr std::string_view magic("SQLite format 3\0", 16);
+constexpr std::string_view sqlite_magic("SQLite format 3\0", 16);
 
 std::string textOf(sqlite3_stmt* row, int column) {
   const auto* const text = reinterpret_cast<const char*>(sqlite3_column_text(row, column));
@@ -108,7 +108,7 @@ Result<void> PointLayer::openDatabase() {
   std::array<char, sqlite_header_size> header{};
   const auto got = file->read(header);
   if (!got) return tl::unexpected(got.error());
-  if (!std::string_view(header.data(), *got).starts_with(magic)) {
+  if (!std::string_view(header.data(), *got).starts_with(sqlite_magic)) {
     return inputError(fmt::format("{}: is no GeoPackage: it does not begin with \"SQLite format 3\"", path_));
   }
   const std::string place = placeOf(path_, header);
@@ -162,7 +162,7 @@ Result<void> PointLayer::chooseLayer(const std::string& name) {
   if (!name.empty()) {
     choose([&](const Listed& layer) { return layer.name == name; });
     if (chosen.empty()) {
-      return inputError(fmt::format("{}: has no layer {}; it has {}", path_, quoted(name), listed(layers)));
+      return inputError(fmt::format("{}: has no layer {}; it has {}", path_, inQuotes(name), listed(layers)));
     }
   } else {
     choose(hasPoints);
@@ -201,7 +201,7 @@ Result<void> PointLayer::findColumns() {
   }
   if (has_geometry) return {};
   return inputError(
-      fmt::format("{}: its layer {} has no column {}", path_, quoted(name_), quoted(geometry_column_)));
+      fmt::format("{}: its layer {} has no column {}", path_, inQuotes(name_), inQuotes(geometry_column_)));
 }
 
 Result<void> PointLayer::findSystem() {

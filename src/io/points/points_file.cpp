@@ -31,16 +31,16 @@ POINTS_FORMATS(DECLARED)
 namespace {
 
 #define LISTED(name) &name##_points,
-constexpr std::array formats{POINTS_FORMATS(LISTED)};
+constexpr std::array points_formats{POINTS_FORMATS(LISTED)};
 #undef LISTED
-constexpr std::span<const PointsFormat* const> all_formats(formats);
+constexpr std::span<const PointsFormat* const> all_points_formats(points_formats);
 
 }  // namespace
 
-std::vector<std::string_view> pointsExtensions() { return extensionsOf(all_formats); }
+std::vector<std::string_view> pointsExtensions() { return extensionsOf(all_points_formats); }
 
 Result<const PointsFormat*> pointsFormatOf(const std::string& path) {
-  return formatFor(path, "sites", all_formats);
+  return formatFor(path, "sites", all_points_formats);
 }
 
 Result<void> writePoints(ByteSink& sink, const PointsOutput& output, const PointsFormat& format) {

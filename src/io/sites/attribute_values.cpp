@@ -49,12 +49,12 @@ bool readsAs(AttributeType type, std::string_view value) {
 
 Result<void> checkAttribute(const Attribute& attribute) {
   if (!isUtf8(attribute.name()))
-    return inputError(fmt::format("{}: is not UTF-8", vorpipe::quoted(attribute.name())));
+    return inputError(fmt::format("{}: is not UTF-8", vorpipe::inQuotes(attribute.name())));
   for (std::size_t site = 0; site < attribute.size(); ++site) {
     const auto value = attribute.at(site);
     if (!value || readsAs(attribute.type(), *value)) continue;
-    return inputError(fmt::format("{}: {} of site {} is not {}", vorpipe::quoted(attribute.name()),
-                                  vorpipe::quoted(*value), site, nameOf(attribute.type())));
+    return inputError(fmt::format("{}: {} of site {} is not {}", vorpipe::inQuotes(attribute.name()),
+                                  vorpipe::inQuotes(*value), site, nameOf(attribute.type())));
   }
   return {};
 }

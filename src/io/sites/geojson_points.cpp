@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "io/sites/wkt_points.h"
+#include "io/text/geojson_nesting.h"
 #include "io/text/quoted.h"
 
 namespace vorpipe {
@@ -17,8 +18,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Collections in collections.
-constexpr int deepest = 32;
 /// Different properties of all features, each of which is a column.
 constexpr std::size_t most_properties = 2000;
 
@@ -34,7 +33,7 @@ std::string inside(const std::string& path, std::string_view member) {
 std::string named(const std::string& type) {
   constexpr std::array<std::string_view, 4> known = {"LineString", "MultiLineString", "Polygon",
                                                      "MultiPolygon"};
-  return std::ranges::find(known, type) == known.end() ? vorpipe::quoted(type) : type;
+  return std::ranges::find(known, type) == known.end() ? vorpipe::inQuotes(type) : type;
 }
 
 const std::string* typeOf(const Json& object) {
@@ -93,7 +92,8 @@ GeoJsonProblem GeoJsonPoints::endRow(const std::string& path) {
 GeoJsonProblem GeoJsonPoints::takeGeometry(const Json& geometry, const std::string& path, int depth) {
   const std::string* const type = typeOf(geometry);
   if (type == nullptr) return wrong(path, "its geometry has no \"type\" that is a string");
-  if (depth > deepest) return wrong(path, fmt::format("stands in more than {} collections", deepest));
+  if (depth > most_nested_collections)
+    return wrong(path, fmt::format("stands in more than {} collections", most_nested_collections));
   const bool several = *type == "MultiPoint", collection = *type == "GeometryCollection";
   if (!several && !collection && *type != "Point") {
     return wrong(path, fmt::format("a {} where a Point is needed", named(*type)));
@@ -147,8 +147,8 @@ GeoJsonProblem GeoJsonPoints::takeProperties(const Json& feature, const std::str
 GeoJsonProblem GeoJsonPoints::takeWeight(const std::string& name, WeightKind kind, const Json& value,
                                          const std::string& path) {
   if (!weight_name_.empty()) {
-    return wrong(path, fmt::format("has both {} and {}; keep one", vorpipe::quoted(weight_name_),
-                                   vorpipe::quoted(name)));
+    return wrong(path, fmt::format("has both {} and {}; keep one", vorpipe::inQuotes(weight_name_),
+                                   vorpipe::inQuotes(name)));
   }
   weight_name_ = name;
   if (value.is_null()) return {};
@@ -159,7 +159,7 @@ GeoJsonProblem GeoJsonPoints::takeWeight(const std::string& name, WeightKind kin
   weight_ = *weight;
   const bool exact = name == "weight" || name == "radius";
   if (!exact && !std::exchange(weight_noted_, true)) {
-    table_.note(fmt::format("the property {} is taken as {}", vorpipe::quoted(name), meaningOf(kind)));
+    table_.note(fmt::format("the property {} is taken as {}", vorpipe::inQuotes(name), meaningOf(kind)));
   }
   return {};
 }
@@ -191,7 +191,7 @@ tl::expected<CoordinateSystem, std::string> systemOfCrs(const Json& crs) {
   const auto [stop, error] = std::from_chars(last.data(), last.data() + last.size(), code);
   const bool known = text.find("EPSG") != std::string::npos && stop == last.data() + last.size();
   if (!known || error != std::errc()) {
-    return tl::unexpected(fmt::format("crs: {} is no system of EPSG and not CRS84", vorpipe::quoted(text)));
+    return tl::unexpected(fmt::format("crs: {} is no system of EPSG and not CRS84", vorpipe::inQuotes(text)));
   }
   return systemOfCode(code);
 }

@@ -52,7 +52,7 @@ Result<SiteSource> generateSites(Pattern pattern, std::string_view spec, std::st
   const auto n = countOf(count);
   if (!n) {
     return inputError(fmt::format("{}: {} is not a number of sites; it must be a whole number from 1 to {}",
-                                  spec, quoted(count), max_sites));
+                                  spec, inQuotes(count), max_sites));
   }
   try {
     return SiteSource{SiteTable{generate(pattern, *n, seed)}, seed};

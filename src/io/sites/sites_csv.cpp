@@ -82,10 +82,10 @@ class CsvSites {
     if (!number) return wrong(column, number.error());
     if (number->mark != DecimalMark::none && number->mark != mark_) {
       if (mark_ != DecimalMark::none) {
-        return wrong(column,
-                     fmt::format("{} has a decimal {}, and line {} a decimal {}", quoted(csv_.field(column)),
-                                 number->mark == DecimalMark::comma ? "comma" : "point", mark_line_,
-                                 mark_ == DecimalMark::comma ? "comma" : "point"));
+        return wrong(
+            column, fmt::format("{} has a decimal {}, and line {} a decimal {}", inQuotes(csv_.field(column)),
+                                number->mark == DecimalMark::comma ? "comma" : "point", mark_line_,
+                                mark_ == DecimalMark::comma ? "comma" : "point"));
       }
       mark_ = number->mark;
       mark_line_ = csv_.line();

@@ -58,7 +58,7 @@ class GeoPackageSites {
     }
     if (weight_ && columns[*weight_].name != "weight" && columns[*weight_].name != "radius") {
       table_.note(
-          fmt::format("the column {} is taken as {}", quoted(columns[*weight_].name), meaningOf(kind_)));
+          fmt::format("the column {} is taken as {}", inQuotes(columns[*weight_].name), meaningOf(kind_)));
     }
     return {};
   }

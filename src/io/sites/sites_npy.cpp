@@ -20,7 +20,6 @@ namespace vorpipe {
 namespace {
 
 constexpr std::uint64_t most_columns = 1 << 20;
-constexpr std::array<std::string_view, 3> names = {"x", "y", "weight"};
 
 /// `columns` are those of x, y and perhaps weight.
 template <class Real>
@@ -28,19 +27,19 @@ Result<void> readElements(InputFile& file, const NpyHeader& header, const std::v
                           Sites& sites) {
   const std::array<std::vector<double>*, 3> into = {&sites.x, &sites.y, &sites.weight};
   const std::uint64_t row_count = header.shape[0], column_count = header.shape[1];
-  // By column of the file: which of the names it is; their number where it is none.
-  std::vector<std::size_t> use(column_count, names.size());
+  // By column of the file: which of the site_numbers it is; their number where it is none.
+  std::vector<std::size_t> use(column_count, site_numbers.size());
   for (std::size_t k = 0; k < columns.size(); ++k) use[columns[k]] = k;
   // Row and column by counting: a division for each element costs more than reading it.
   std::uint64_t row = 0, column = 0;
   const auto take = [&](std::uint64_t, Real value) -> Result<void> {
     const std::size_t used = use[column];
-    if (used < names.size() && !std::isfinite(value)) {
+    if (used < site_numbers.size() && !std::isfinite(value)) {
       return inputError(
           fmt::format("{}: element [{}, {}] (counted from 0; column {}) is {}, not a finite number",
-                      file.name(), row, column, names[used], value));
+                      file.name(), row, column, site_numbers[used], value));
     }
-    if (used < names.size()) into[used]->push_back(static_cast<double>(value));
+    if (used < site_numbers.size()) into[used]->push_back(static_cast<double>(value));
     std::uint64_t& inner = header.fortran_order ? row : column;
     std::uint64_t& outer = header.fortran_order ? column : row;
     if (++inner == (header.fortran_order ? row_count : column_count)) {
@@ -88,7 +87,7 @@ Result<SiteTable> readNpySites(InputFile file, const ReadOptions& options) {
   if (!read) {
     return tl::unexpected(read.error());
   }
-  if (options.columns.empty() && columns->size() == names.size()) {
+  if (options.columns.empty() && columns->size() == site_numbers.size()) {
     table.notes.push_back(fmt::format("{}: {}", file.name(), third_is_weight));
   }
   return table;

@@ -2,11 +2,17 @@
 /// file, line and column (input); reading failed or memory ran out (device).
 #pragma once
 
+#include <array>
+#include <string_view>
+
 #include "io/files/input_file.h"
 #include "io/sites/site_table.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
+
+/// What a row of numbers alone has of a site, in their order.
+inline constexpr std::array<std::string_view, 3> site_numbers = {"x", "y", "weight"};
 
 /// A table with a header that names its columns, or of numbers alone. The first line tells what separates
 /// fields.

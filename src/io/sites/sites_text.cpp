@@ -18,8 +18,6 @@
 namespace vorpipe {
 namespace {
 
-constexpr std::array<std::string_view, 3> names = {"x", "y", "weight"};
-
 /// Fields are separated by blanks or by one comma with blanks around it: "1, ,2" has an empty field. Where a
 /// line has both, as "1,5 2,5" has, nothing tells which commas are decimal: the column where that shows is
 /// returned, counted from 1.
@@ -70,12 +68,12 @@ class TextSites {
   Result<void> readFirst() {
     count_ = fields_.size();
     if (options_.columns.empty()) {
-      if (count_ < 2 || count_ > names.size()) {
+      if (count_ < 2 || count_ > site_numbers.size()) {
         return lines_.errorAt(
             1, fmt::format("the row has {} field{}; x y or x y weight is needed, or --columns", count_,
                            count_ == 1 ? "" : "s"));
       }
-      if (count_ == names.size()) table_.note(third_is_weight);
+      if (count_ == site_numbers.size()) table_.note(third_is_weight);
       for (std::size_t k = 0; k < count_; ++k) columns_.push_back(k);
       return {};
     }
@@ -98,21 +96,21 @@ class TextSites {
       return lines_.errorAt(
           1, fmt::format("the row has {} fields, the rows before it {}", fields_.size(), count_));
     }
-    std::array<double, names.size()> value{};
+    std::array<double, site_numbers.size()> value{};
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const std::string_view field = fields_[columns_[i]];
       const auto number = parseNumber(field);
       if (!number) {
         if (field.empty() && !table_.addMissing(number.error())) return {};
         const auto column = static_cast<std::size_t>(field.data() - line.data()) + 1;
-        return lines_.errorAt(column, fmt::format("{} (column {})", number.error(), names[i]));
+        return lines_.errorAt(column, fmt::format("{} (column {})", number.error(), site_numbers[i]));
       }
       value[i] = *number;
     }
     for (const auto& [from, to] : attributes_) {
       if (!fields_[from].empty()) table_.attributes().set(to, AttributeType::text, fields_[from]);
     }
-    const auto weight = columns_.size() == names.size() ? std::optional(value[2]) : std::nullopt;
+    const auto weight = columns_.size() == site_numbers.size() ? std::optional(value[2]) : std::nullopt;
     if (const auto problem = table_.addRow(std::array{Point{value[0], value[1]}}, weight)) {
       return lines_.errorAt(1, *problem);
     }

@@ -58,16 +58,16 @@ tl::expected<double, std::string> numberIn(std::string_view number, std::string_
   const char* const last = number.data() + number.size();
   const auto [stop, error] = std::from_chars(number.data(), last, value);
   if (stop != last || error == std::errc::invalid_argument) {
-    return tl::unexpected(quoted(text) + " is not a number");
+    return tl::unexpected(inQuotes(text) + " is not a number");
   }
   if (error == std::errc::result_out_of_range) {
     if (!isTiny(number)) {
-      return tl::unexpected(quoted(text) + " is out of the range of a double");
+      return tl::unexpected(inQuotes(text) + " is out of the range of a double");
     }
     return number[0] == '-' ? -0.0 : 0.0;
   }
   if (!std::isfinite(value)) {
-    return tl::unexpected(quoted(text) + " is not a finite number");
+    return tl::unexpected(inQuotes(text) + " is not a finite number");
   }
   return value;
 }
@@ -85,8 +85,8 @@ tl::expected<Decimal, std::string> parseDecimal(std::string_view text) {
     });
   }
   if (point)
-    return tl::unexpected(quoted(text) + " has a comma and a point: only one can be before a fraction");
-  if (commas > 1) return tl::unexpected(quoted(text) + " has several commas");
+    return tl::unexpected(inQuotes(text) + " has a comma and a point: only one can be before a fraction");
+  if (commas > 1) return tl::unexpected(inQuotes(text) + " has several commas");
   std::string with_point(text);
   std::ranges::replace(with_point, ',', '.');
   return numberIn(with_point, text).map([](double value) { return Decimal{value, DecimalMark::comma}; });

@@ -48,6 +48,6 @@ std::string printable(std::string_view text) {
   return escaped(text.substr(0, cut)) + "...";
 }
 
-std::string quoted(std::string_view text) { return fmt::format("\"{}\"", printable(text)); }
+std::string inQuotes(std::string_view text) { return fmt::format("\"{}\"", printable(text)); }
 
 }  // namespace vorpipe

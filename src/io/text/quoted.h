@@ -15,6 +15,6 @@ std::string escaped(std::string_view text);
 std::string printable(std::string_view text);
 
 /// The same in double quotes.
-std::string quoted(std::string_view text);
+std::string inQuotes(std::string_view text);
 
 }  // namespace vorpipe

@@ -18,7 +18,7 @@
 namespace vorpipe {
 namespace {
 
-constexpr std::array<std::string_view, 3> dimensions = {"Z", "M", "ZM"};
+constexpr std::array<std::string_view, 3> dimension_words = {"Z", "M", "ZM"};
 
 bool sameWord(std::string_view text, std::string_view upper) {
   return std::ranges::equal(text, upper,
@@ -92,7 +92,8 @@ bool WktTokens::takeType(std::string_view name) {
   if (!sameWord(token_.substr(0, name.size()), name)) return false;
   const std::string_view rest = token_.substr(name.size());
   const auto isDimension = [](std::string_view text) {
-    return std::ranges::any_of(dimensions, [text](std::string_view word) { return sameWord(text, word); });
+    return std::ranges::any_of(dimension_words,
+                               [text](std::string_view word) { return sameWord(text, word); });
   };
   if (!rest.empty() && !isDimension(rest)) return false;
   next();
@@ -107,7 +108,7 @@ WktProblem WktTokens::takeSystem(std::optional<std::int64_t>& code) {
   std::int64_t number = 0;
   const auto [stop, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
   if (stop != digits.data() + digits.size() || error != std::errc()) {
-    return wrong(fmt::format("{} is no number of a coordinate system", quoted(digits)));
+    return wrong(fmt::format("{} is no number of a coordinate system", inQuotes(digits)));
   }
   code = number;
   next();
@@ -133,7 +134,7 @@ std::string WktTokens::wrong(std::string_view what) const { return wrongAt(place
 
 std::string WktTokens::expected(std::string_view what) const {
   return wrong(atEnd() ? fmt::format("the text ends, where {} is needed", what)
-                       : fmt::format("{}, where {} is needed", vorpipe::quoted(token_), what));
+                       : fmt::format("{}, where {} is needed", vorpipe::inQuotes(token_), what));
 }
 
 }  // namespace vorpipe

@@ -17,7 +17,7 @@ namespace {
 
 tl::expected<double, std::string> massOf(double number, std::string_view text) {
   if (number > 0) return number;
-  return tl::unexpected(quoted(text) +
+  return tl::unexpected(inQuotes(text) +
                         (number < 0 ? " is negative, and a mass" : " is no mass: it must be more than 0"));
 }
 
@@ -41,17 +41,17 @@ Result<std::vector<double>> massesIn(std::span<const Attribute> attributes, std:
     std::vector<std::string> known;
     for (const Attribute& attribute : attributes) known.push_back(attribute.name());
     return inputError(fmt::format(
-        "there is no attribute {}; {}", quoted(name),
+        "there is no attribute {}; {}", inQuotes(name),
         known.empty() ? "the sites have none" : fmt::format("known are {}", fmt::join(known, ", "))));
   }
   if (std::ranges::count_if(attributes, has_name) > 1) {
-    return inputError(fmt::format("there are several attributes {}", quoted(name)));
+    return inputError(fmt::format("there are several attributes {}", inQuotes(name)));
   }
   std::vector<double> masses;
   masses.reserve(found->size());
   for (std::size_t site = 0; site < found->size(); ++site) {
     const auto wrong = [&](std::string_view what) {
-      return inputError(fmt::format("{}: site {} (counted from 0): {}", quoted(name), site, what));
+      return inputError(fmt::format("{}: site {} (counted from 0): {}", inQuotes(name), site, what));
     };
     const auto text = found->at(site);
     if (!text) return wrong("there is no value");

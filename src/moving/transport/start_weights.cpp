@@ -9,21 +9,21 @@
 namespace vorpipe::moving {
 namespace {
 
-struct Range {
+struct Interval {
   double low, high;
   [[nodiscard]] double middle() const { return low + (high - low) / 2; }
   [[nodiscard]] double length() const { return high - low; }
 };
 
-Range rangeOf(const std::vector<double>& values) {
+Interval intervalOf(const std::vector<double>& values) {
   const auto [low, high] = std::ranges::minmax_element(values);
   return {*low, *high};
 }
 
 /// Adds what one axis adds to the weights: with z the coordinate from the middle of `to`, and s(z - m) the
 /// place it is to have there, the weight is z^2 less twice the integral of that place.
-void addAxis(const std::vector<double>& coordinates, Range to, std::vector<double>& weights) {
-  const Range from = rangeOf(coordinates);
+void addAxis(const std::vector<double>& coordinates, Interval to, std::vector<double>& weights) {
+  const Interval from = intervalOf(coordinates);
   // Places at the wall would leave those sites a line of no area, were it not for their neighbors.
   constexpr double inside = 0.999;
   const double scale = from.length() > 0 ? inside * to.length() / from.length() : 1;
@@ -43,14 +43,14 @@ std::vector<double> spreadWeights(const Sites& sites, const Box& into) {
 }
 
 bool fillDomain(const Sites& sites, const Box& domain) {
-  const auto fill = [](Range sites_range, Range whole) {
+  const auto fill = [](Interval sites_range, Interval whole) {
     constexpr double most_beside = 0.2;
     const double slack = most_beside * whole.length();
     return sites_range.low >= whole.low && sites_range.high <= whole.high &&
            sites_range.low <= whole.low + slack && sites_range.high >= whole.high - slack;
   };
-  return fill(rangeOf(sites.x), {domain.xmin, domain.xmax}) &&
-         fill(rangeOf(sites.y), {domain.ymin, domain.ymax});
+  return fill(intervalOf(sites.x), {domain.xmin, domain.xmax}) &&
+         fill(intervalOf(sites.y), {domain.ymin, domain.ymax});
 }
 
 void centerWeights(std::vector<double>& weights, int threads) {

@@ -84,7 +84,7 @@ Read<Button> buttonOf(Rest& rest) {
   if (!word) return tl::unexpected(word.error());
   const auto* const found = std::ranges::find(buttons, word->text);
   if (found == buttons.end()) {
-    return wrong(word->column, fmt::format("{} is not left, right or middle", quoted(word->text)));
+    return wrong(word->column, fmt::format("{} is not left, right or middle", inQuotes(word->text)));
   }
   return static_cast<Button>(found - buttons.begin());
 }
@@ -119,7 +119,7 @@ Read<Event> keyOf(Rest& rest) {
   if (std::ranges::find(keyNames(), name->text) == keyNames().end()) {
     return wrong(name->column,
                  fmt::format("{} is not a key: a to z, 0 to 9, f1 to f12, escape, tab, space ...",
-                             quoted(name->text)));
+                             inQuotes(name->text)));
   }
   return Key{name->text, rest.modifiers()};
 }
@@ -156,7 +156,7 @@ Read<Event> screenshotOf(Rest& rest) {
   const auto path = rest.word("a .png file");
   if (!path) return tl::unexpected(path.error());
   if (!path->text.ends_with(".png")) {
-    return wrong(path->column, fmt::format("{} does not end in .png", quoted(path->text)));
+    return wrong(path->column, fmt::format("{} does not end in .png", inQuotes(path->text)));
   }
   const bool panel = !rest.empty() && rest.front().text == "panel";
   if (panel) rest.drop();
@@ -192,12 +192,12 @@ Read<Event> eventOf(std::span<const Word> words) {
   if (verb == verbs.end()) {
     return wrong(first.column, fmt::format("{} is no event: move, press, release, scroll, key, text, resize, "
                                            "minimize, restore, drop, wait, screenshot or close",
-                                           quoted(first.text)));
+                                           inQuotes(first.text)));
   }
   Rest rest(words);
   auto event = verb->read(rest);
   if (event && !rest.empty()) {
-    return wrong(rest.front().column, fmt::format("{} is too much here", quoted(rest.front().text)));
+    return wrong(rest.front().column, fmt::format("{} is too much here", inQuotes(rest.front().text)));
   }
   return event;
 }

@@ -9,7 +9,7 @@ namespace {
 
 TEST(Quoted, KeepsWhatPeopleWrite) {
   for (const char* text : {"", "Straße", "東京", "ελληνικά", "𝄞", "a \"b\" \\", "~"})
-    EXPECT_EQ(quoted(text), '"' + std::string(text) + '"');
+    EXPECT_EQ(inQuotes(text), '"' + std::string(text) + '"');
 }
 
 // A hostile file must not color, move or name what a terminal shows.

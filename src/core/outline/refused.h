@@ -1,0 +1,17 @@
+/// Outlines that are not taken.
+#pragma once
+
+#include <string>
+#include <tl/expected.hpp>
+
+#include "base/refusal.h"
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+/// Error (input) about the outline: `what` is wrong with it.
+inline tl::unexpected<Error> refuseOutline(const std::string& what) {
+  return tl::unexpected(refusalOf(Subject::outline, what));
+}
+
+}  // namespace vorpipe
