@@ -67,7 +67,6 @@ set(vorpipe_alone
     sites/site_set.cpp
     sites/weights.cpp
     stages.cpp
-    stats.cpp
     svg_picture.cpp
     thesis.cpp
     ties/tied_vertices.cpp
@@ -75,15 +74,8 @@ set(vorpipe_alone
     window/vulkan_presenter.cpp
     zsh.cpp)
 # Houses whose rooms are compiled together, but for rooms whose sources are much alike and so are their private names.
-set(vorpipe_batched_houses vorpipe_ vorpipe_bench_ vorpipe_cli_ vorpipe_io_ vorpipe_moved_ vorpipe_opengl_ vorpipe_vulkan_)
-set(vorpipe_lone_rooms vorpipe_cli_commands vorpipe_vulkan_compute vorpipe_vulkan_geometry)
+set(vorpipe_batched_houses vorpipe_ vorpipe_bench_ vorpipe_cli_ vorpipe_io_ vorpipe_moved_ vorpipe_opengl_ vorpipe_view_
+                           vorpipe_vulkan_)
+set(vorpipe_lone_rooms vorpipe_vulkan_compute vorpipe_vulkan_geometry)
 # Other rooms, each of which is compiled in batches of its own.
-set(vorpipe_batched_rooms
-    vorpipe_view_app
-    vorpipe_view_document
-    vorpipe_view_events
-    vorpipe_view_frames
-    vorpipe_view_panel
-    vorpipe_view_recording
-    vorpipe_view_window
-    vorpipe_vulkan_geometry)
+set(vorpipe_batched_rooms vorpipe_vulkan_geometry)

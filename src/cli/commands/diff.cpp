@@ -32,7 +32,7 @@ struct DiffCommand {
 };
 
 /// What a comparison came to: nothing to say on standard error where the two agree.
-struct Outcome {
+struct DiffOutcome {
   std::string agreement, difference;
   Picture picture;
 };
@@ -60,10 +60,10 @@ Result<IdDiff> idDiff(const DiffCommand& command, const Image& a, const Image& b
   return diff ? diff : asOption(std::move(diff.error()), command.input);
 }
 
-Result<Outcome> compareIds(const DiffCommand& command, const Image& a, const Image& b) {
+Result<DiffOutcome> compareIds(const DiffCommand& command, const Image& a, const Image& b) {
   const auto diff = idDiff(command, a, b);
   if (!diff) return tl::unexpected(diff.error());
-  Outcome outcome;
+  DiffOutcome outcome;
   outcome.agreement = fmt::format("{} pixels equal, {} ties, {} wrong", diff->equal, diff->ties, diff->wrong);
   if (!diff->agree()) outcome.difference = disagreementText(*diff);
   if (!command.png.empty()) {
@@ -77,9 +77,9 @@ Result<Outcome> compareIds(const DiffCommand& command, const Image& a, const Ima
   return outcome;
 }
 
-Outcome compareColors(const DiffCommand& command, const Image& a, const Image& b) {
+DiffOutcome compareColors(const DiffCommand& command, const Image& a, const Image& b) {
   const ImageDiff diff = diffImages(a.rgba, b.rgba, a.width, a.height);
-  Outcome outcome;
+  DiffOutcome outcome;
   outcome.agreement = fmt::format("{} pixels equal", a.rgba.size() - diff.different);
   if (diff.different > 0) {
     outcome.difference = fmt::format(
@@ -124,7 +124,7 @@ Result<ExitCode> diff(const DiffCommand& command) {
                            command.b, b->width, b->height));
     return exit_different;
   }
-  const Result<Outcome> outcome = ids ? compareIds(command, *a, *b) : compareColors(command, *a, *b);
+  const Result<DiffOutcome> outcome = ids ? compareIds(command, *a, *b) : compareColors(command, *a, *b);
   if (!outcome) return tl::unexpected(outcome.error());
   if (!command.png.empty()) {
     if (const auto written = writePicture(command.png, outcome->picture); !written) {

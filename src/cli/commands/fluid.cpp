@@ -39,12 +39,12 @@ struct FluidCommand {
 /// Why a run ended, in a word.
 enum class RunEnd : std::uint8_t { time, steps, seconds, areas, interrupted };
 
-std::string_view wordOf(RunEnd end) {
+std::string_view endWordOf(RunEnd end) {
   constexpr std::array<std::string_view, 5> words{"time", "steps", "seconds", "areas", "interrupted"};
   return words[static_cast<std::size_t>(end)];
 }
 
-struct Outcome {
+struct FluidOutcome {
   FluidState state;
   FluidStep first, last;
   double worst = 0, drift = 0;  ///< the largest of all steps
@@ -53,7 +53,7 @@ struct Outcome {
   Report report;
 };
 
-void note(const FluidStep& step, Outcome& outcome) {
+void note(const FluidStep& step, FluidOutcome& outcome) {
   outcome.trace += traceRow(step, true);
   outcome.timeless += traceRow(step, false);
   outcome.worst = std::max(outcome.worst, step.worst);
@@ -64,7 +64,8 @@ void note(const FluidStep& step, Outcome& outcome) {
 }
 
 /// Whether the options end the run before its next step.
-std::optional<RunEnd> endedBy(const FluidChoices& choices, const Outcome& outcome, const Stopwatch& watch) {
+std::optional<RunEnd> endedBy(const FluidChoices& choices, const FluidOutcome& outcome,
+                              const Stopwatch& watch) {
   if (choices.steps && outcome.last.step - outcome.first.step >= *choices.steps) return RunEnd::steps;
   if (choices.seconds && watch.seconds() >= *choices.seconds) return RunEnd::seconds;
   return std::nullopt;
@@ -76,14 +77,15 @@ RunEnd endOf(FluidEnd end) {
 }
 
 /// Makes the steps, and writes what is written on the way.
-Result<Outcome> flow(const FluidCommand& command, Session& session, FluidSetup setup, FluidRecord& record) {
+Result<FluidOutcome> flow(const FluidCommand& command, Session& session, FluidSetup setup,
+                          FluidRecord& record) {
   const Stopwatch watch;
   ProgressBar bar(command.talk.quiet);
   const FluidOptions options = setup.options;
   const double start = setup.state.time;
   auto fluid = Fluid::begin(session, std::move(setup.state), options);
   if (!fluid) return asFluidOption(std::move(fluid.error()), command.choices);
-  Outcome outcome;
+  FluidOutcome outcome;
   outcome.first = outcome.last = fluid->last();
   outcome.trace = outcome.timeless = traceHead();
   note(outcome.last, outcome);
@@ -140,7 +142,7 @@ Result<void> checkCommand(const FluidCommand& command, const FluidSetup& setup) 
 }
 
 Result<void> writeFiles(const FluidCommand& command, const FluidOptions& options, Session& session,
-                        const Outcome& outcome, std::vector<OutputFile>& files, RunLog& log,
+                        const FluidOutcome& outcome, std::vector<OutputFile>& files, RunLog& log,
                         std::uint64_t forecast, const Stopwatch& total) {
   const Stopwatch watch;
   Diagram cells;
@@ -178,7 +180,7 @@ Result<void> writeFiles(const FluidCommand& command, const FluidOptions& options
     input.periodic = options.periodic;
     Stats stats{"fluid", input, outcome.report, log, watch.milliseconds(), total.milliseconds(), forecast};
     stats.fluid = FluidFigures{std::string(nameOf(options.scheme)),
-                               std::string(wordOf(outcome.end)),
+                               std::string(endWordOf(outcome.end)),
                                outcome.first,
                                outcome.last,
                                outcome.worst,
@@ -188,16 +190,16 @@ Result<void> writeFiles(const FluidCommand& command, const FluidOptions& options
   return writeOutputs(files, writers, log, json);
 }
 
-std::string summaryOf(const Outcome& outcome, const FluidOptions& options) {
+std::string fluidSummary(const FluidOutcome& outcome, const FluidOptions& options) {
   const FluidStep &first = outcome.first, &last = outcome.last;
   return fmt::format(
       "{} cells by {}, time {:.6g} after {} steps ({}), energy {:.6g} to {:.6g}, areas within {:.1e}",
       outcome.state.sites.size(), nameOf(options.scheme), last.time, last.step - first.step,
-      wordOf(outcome.end), first.energy(), last.energy(), outcome.worst);
+      endWordOf(outcome.end), first.energy(), last.energy(), outcome.worst);
 }
 
 /// What an end that is not the wanted one asks for.
-ExitCode exitFor(const Outcome& outcome) {
+ExitCode exitFor(const FluidOutcome& outcome) {
   if (outcome.end == RunEnd::interrupted) {
     printError(fmt::format("interrupted: the files have the fluid after step {}", outcome.last.step));
     return static_cast<ExitCode>(signalExitCode());
@@ -246,7 +248,7 @@ Result<ExitCode> fluid(FluidCommand& command, const Invocation& how) {
     return tl::unexpected(written.error());
   }
   printSummary(command.talk, command.targets.paths(),
-               fmt::format("{}, {}\n", summaryOf(*outcome, options),
+               fmt::format("{}, {}\n", fluidSummary(*outcome, options),
                            runText(outcome->report, total.milliseconds(), false)));
   if (command.talk.verbose && !log.choice.empty()) printNote(log.choice);
   return exitFor(*outcome);

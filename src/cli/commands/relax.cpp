@@ -52,7 +52,7 @@ Parsed<RelaxMethod> parseMethod(std::string_view text) {
   return tl::unexpected(fmt::format("{} is not {}", inQuotes(text), anyOf(methodNames())));
 }
 
-Parsed<double> parseTolerance(std::string_view text) {
+Parsed<double> parseMoveTolerance(std::string_view text) {
   const auto number = parseNumber(text);
   if (!number) return tl::unexpected(number.error());
   if (*number >= 0) return *number;
@@ -64,7 +64,7 @@ std::vector<std::string> outputPaths(const RelaxCommand& command) {
   return command.targets.pathsWith({command.targets.trace, command.stats});
 }
 
-std::string_view wordOf(RelaxEnd end) {
+std::string_view endWordOf(RelaxEnd end) {
   constexpr std::array<std::string_view, 4> words{"iterations", "tolerance", "stagnated", "cancelled"};
   return words[static_cast<std::size_t>(end)];
 }
@@ -151,13 +151,13 @@ RelaxOptions relaxOptions(const RelaxCommand& command, const Input& input, const
   return options;
 }
 
-std::string summaryOf(const Relaxed& relaxed) {
+std::string relaxSummary(const Relaxed& relaxed) {
   const RelaxStep &first = relaxed.trace.front(), &last = lastTaken(relaxed.trace);
   std::string text = fmt::format("energy {:.6g} to {:.6g}", first.energy, last.energy);
   if (std::isfinite(last.hexagonal)) {
     text += fmt::format(" ({:.4f} to {:.4f} of the hexagonal lattice's)", first.hexagonal, last.hexagonal);
   }
-  return text + fmt::format(" after {} diagrams ({})", relaxed.trace.back().diagram, wordOf(relaxed.end));
+  return text + fmt::format(" after {} diagrams ({})", relaxed.trace.back().diagram, endWordOf(relaxed.end));
 }
 
 Result<void> writeFiles(RelaxRun& run, Session& session, const Relaxed& relaxed, std::uint64_t forecast,
@@ -180,7 +180,7 @@ Result<void> writeFiles(RelaxRun& run, Session& session, const Relaxed& relaxed,
       stats.mass_sum = std::accumulate(parts->cells->mass.begin(), parts->cells->mass.end(), 0.0);
     }
     stats.relaxation = RelaxFigures{run.command.method == RelaxMethod::lloyd ? "lloyd" : "lbfgs",
-                                    std::string(wordOf(relaxed.end)), relaxed.trace.size(),
+                                    std::string(endWordOf(relaxed.end)), relaxed.trace.size(),
                                     relaxed.trace.front(), lastTaken(relaxed.trace)};
     return statsJson(stats);
   };
@@ -239,7 +239,7 @@ Result<ExitCode> relax(RelaxCommand& command, const Invocation& how) {
   }
   printSummary(command.talk, paths,
                fmt::format("{}, {}, {}\n", outcomeText(paths, relaxed->sites, relaxed->report),
-                           summaryOf(*relaxed), runText(relaxed->report, total.milliseconds(), false)));
+                           relaxSummary(*relaxed), runText(relaxed->report, total.milliseconds(), false)));
   if (command.talk.verbose && !log.choice.empty()) printNote(log.choice);
   if (!interrupted) return exit_done;
   printError(
@@ -260,7 +260,7 @@ void addMethodOptions(Options& options, RelaxCommand& command) {
   addParsed(options, "--tolerance", command.tolerance, "T",
             "ends when no site would move farther than this part of the spacing, the square root of the mean "
             "area [0: never]",
-            parseTolerance);
+            parseMoveTolerance);
   addAnyFile(
       options, "--density", command.density, {".png", ".npy"},
       "a density over the domain, .png (dark is dense) or .npy, pixels with row 0 at the top: sites gather "

@@ -11,32 +11,31 @@
 namespace vorpipe::cli {
 namespace {
 
-using nlohmann::json;
-
 /// What is wrong; empty: nothing.
 using Problem = std::string;
 
-std::string textAt(const json& object, const char* key) {
+std::string textAt(const nlohmann::json& object, const char* key) {
   const auto found = object.find(key);
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-Problem readArguments(const json& object, RecordedRun& run) {
+Problem readArguments(const nlohmann::json& object, RecordedRun& run) {
   const auto found = object.find("arguments");
   if (found == object.end()) {
     return "has no \"arguments\": an older version wrote it, or it is not from --stats";
   }
-  const bool texts =
-      found->is_array() && std::ranges::all_of(*found, [](const json& value) { return value.is_string(); });
+  const bool texts = found->is_array() && std::ranges::all_of(*found, [](const nlohmann::json& value) {
+                       return value.is_string();
+                     });
   if (!texts || found->empty()) return "\"arguments\" is no list of texts";
   run.arguments = found->get<std::vector<std::string>>();
   return {};
 }
 
-Problem readFiles(const json& object, const char* key, std::vector<WrittenFile>& files) {
+Problem readFiles(const nlohmann::json& object, const char* key, std::vector<WrittenFile>& files) {
   const auto found = object.find(key);
   if (found == object.end() || !found->is_array()) return fmt::format("has no list \"{}\"", key);
-  for (const json& entry : *found) {
+  for (const nlohmann::json& entry : *found) {
     const auto bytes = entry.is_object() ? entry.find("bytes") : entry.end();
     const bool whole = entry.is_object() && bytes != entry.end() && bytes->is_number_unsigned() &&
                        !textAt(entry, "path").empty() && !textAt(entry, "xxh128").empty();
@@ -53,7 +52,7 @@ Problem readFiles(const json& object, const char* key, std::vector<WrittenFile>&
 }  // namespace
 
 Result<RecordedRun> recordedRun(const std::string& name, std::string_view text) {
-  const json object = json::parse(text, nullptr, /*allow_exceptions=*/false);
+  const nlohmann::json object = nlohmann::json::parse(text, nullptr, /*allow_exceptions=*/false);
   if (object.is_discarded()) return inputError(name + ": is no JSON");
   if (!object.is_object()) return inputError(name + ": is no JSON object, as --stats writes");
   RecordedRun run;

@@ -20,7 +20,7 @@ std::vector<const SelftestDevice*> testedOf(const SelftestReport& report) {
   return tested;
 }
 
-std::string nameOf(const SelftestDevice& device) {
+std::string deviceNameOf(const SelftestDevice& device) {
   if (device.index < 0) return device.info.backend;
   return fmt::format("{} {}: {}; {}", device.info.backend, device.index, device.info.name,
                      device.info.driver);
@@ -151,10 +151,11 @@ std::string selftestHeading(const SelftestReport& report) {
   int number = 0;
   for (const SelftestDevice& device : report.devices) {
     if (!device.info.usable) {
-      text += fmt::format("  -  {}; not tested: {}\n", nameOf(device), device.info.reason);
+      text += fmt::format("  -  {}; not tested: {}\n", deviceNameOf(device), device.info.reason);
       continue;
     }
-    text += fmt::format(" [{}] {}{}\n", ++number, nameOf(device), device.validated ? "; validated" : "");
+    text +=
+        fmt::format(" [{}] {}{}\n", ++number, deviceNameOf(device), device.validated ? "; validated" : "");
   }
   const auto without = std::ranges::find_if(
       report.devices, [](const SelftestDevice& device) { return !device.not_validated.empty(); });

@@ -77,16 +77,16 @@ class Rest {
   std::size_t next_ = 1;
 };
 
-constexpr std::array<std::string_view, 3> buttons = {"left", "right", "middle"};
+constexpr std::array<std::string_view, 3> button_words = {"left", "right", "middle"};
 
 Read<Button> buttonOf(Rest& rest) {
   const auto word = rest.word("a button");
   if (!word) return tl::unexpected(word.error());
-  const auto* const found = std::ranges::find(buttons, word->text);
-  if (found == buttons.end()) {
+  const auto* const found = std::ranges::find(button_words, word->text);
+  if (found == button_words.end()) {
     return wrong(word->column, fmt::format("{} is not left, right or middle", inQuotes(word->text)));
   }
-  return static_cast<Button>(found - buttons.begin());
+  return static_cast<Button>(found - button_words.begin());
 }
 
 Read<Event> moveOf(Rest& rest) {

@@ -22,7 +22,7 @@ std::uint64_t countDifferent(const Image& a, const Image& b) {
 }
 
 bool hasFreeSurface(const FixedFluid& fluid) {
-  return fluid && fluid->setup.options.surface == Surface::free;
+  return fluid && fluid->setup.options.surface == vorpipe::Surface::free;
 }
 
 bool isColoredByFlow(const Frame& frame) {

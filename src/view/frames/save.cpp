@@ -41,7 +41,7 @@ Result<void> Painter::save(const Save& save) {
       return tl::unexpected(Error{ErrorCode::device, save.path + ": nothing computes yet"});
     CellsOptions options = cellsOptions(save.picture);
     options.detail = Detail::polygons;
-    const bool is_free = save.fluid && save.fluid->setup.options.surface == Surface::free;
+    const bool is_free = save.fluid && save.fluid->setup.options.surface == vorpipe::Surface::free;
     auto found = is_free ? freeCells(main_.session(), *save.sites, options)
                          : main_.session().cells(*save.sites, options);
     if (!found) return tl::unexpected(std::move(found.error()));

@@ -11,9 +11,9 @@ namespace vorpipe::view {
 namespace {
 
 // In the order of their enumerations.
-const std::array<std::string, 4> color_names{"site", "area", "neighbors", "weight"};
+const std::array<std::string, 4> color_choices{"site", "area", "neighbors", "weight"};
 const std::array<std::string, 3> flow_names{"off", "density", "speed"};
-const std::array<std::string, 4> scale_names{"auto", "linear", "log", "quantile"};
+const std::array<std::string, 4> scale_choices{"auto", "linear", "log", "quantile"};
 
 void drawMaps(Widgets& widgets, RenderOptions& picture) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -59,7 +59,7 @@ void drawColor(PanelFrame& frame) {
   if (!widgets.group("Color")) return;
   FlowColor& flow = frame.answer.settings.flow_color;
   const bool by_flow = frame.input.fluid && flow != FlowColor::none;
-  const int color = widgets.choice("Color", color_names, by_flow ? -1 : static_cast<int>(picture.color));
+  const int color = widgets.choice("Color", color_choices, by_flow ? -1 : static_cast<int>(picture.color));
   if (color >= 0) {
     colorBy(static_cast<ColorBy>(color), picture);
     flow = FlowColor::none;
@@ -72,7 +72,7 @@ void drawColor(PanelFrame& frame) {
   }
   const bool by_site = picture.color == ColorBy::site && !by_flow;
   widgets.row("Scale");
-  const int scale = widgets.choice("Scale", scale_names, static_cast<int>(picture.color_scale), !by_site);
+  const int scale = widgets.choice("Scale", scale_choices, static_cast<int>(picture.color_scale), !by_site);
   if (scale >= 0) picture.color_scale = static_cast<ColorScale>(scale);
   widgets.row("Colors");
   drawMaps(widgets, picture);

@@ -82,7 +82,7 @@ void drawNumbers(PanelFrame& frame) {
 void drawOptions(PanelFrame& frame) {
   Widgets& widgets = frame.widgets;
   FluidOptions options = frame.input.fluid->options;
-  const bool is_full = options.surface == Surface::none;
+  const bool is_full = options.surface == vorpipe::Surface::none;
   widgets.row("Scheme");
   const int scheme = widgets.choice("Scheme", scheme_names, static_cast<int>(options.scheme), is_full);
   if (!is_full) widgets.tooltip("Projection is for domains that are full");

@@ -135,7 +135,7 @@ Result<void> Film::writeAll(const std::vector<std::uint32_t>& pixels) {
   const char* next = reinterpret_cast<const char*>(pixels.data());
   std::size_t left = pixels.size() * sizeof(std::uint32_t);
   while (left > 0) {
-    const ssize_t written = write(pipe_, next, left);
+    const ssize_t written = ::write(pipe_, next, left);
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) return systemError(ErrorCode::device, path_, "ffmpeg takes no more frames", errno);
     next += written;

@@ -27,7 +27,7 @@ constexpr std::array<VkDescriptorSetLayoutBinding, 1> bindings = {{
 }};
 
 constexpr VkVertexInputBindingDescription vertices{0, sizeof(PanelVertex), VK_VERTEX_INPUT_RATE_VERTEX};
-constexpr std::array<VkVertexInputAttributeDescription, 3> attributes = {{
+constexpr std::array<VkVertexInputAttributeDescription, 3> vertex_attributes = {{
     {0, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(PanelVertex, x)},
     {1, 0, VK_FORMAT_R32G32_SFLOAT, offsetof(PanelVertex, u)},
     {2, 0, VK_FORMAT_A8B8G8R8_UNORM_PACK32, offsetof(PanelVertex, rgba)},
@@ -110,7 +110,7 @@ Result<VulkanCanvas> VulkanCanvas::create(const vulkan::Device& device) {
   // Both sets of bindings have the same layout.
   auto pipeline = vulkan::createTrianglePipeline(
       device, created.panel_bindings_.layout(), created.pass_.get(),
-      {shaders::panel_vert(), shaders::panel_frag(), vertices, attributes, over});
+      {shaders::panel_vert(), shaders::panel_frag(), vertices, vertex_attributes, over});
   if (!pipeline) return tl::unexpected(std::move(pipeline).error());
   created.pipeline_ = std::move(*pipeline);
   return created;
