@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "picture_of.h"
 #include "support/devices/backends.h"
 #include "support/oracles/oracle.h"
 #include "support/shared.h"
@@ -16,14 +17,6 @@
 
 namespace vorpipe::test {
 namespace {
-
-RenderOptions picture(Box domain, int width = 96, int height = 96) {
-  RenderOptions wanted{};
-  wanted.domain = domain;
-  wanted.width = width;
-  wanted.height = height;
-  return wanted;
-}
 
 class Conformance : public testing::TestWithParam<const char*> {
  protected:
@@ -60,7 +53,7 @@ class Conformance : public testing::TestWithParam<const char*> {
   }
 
   Rendering expectRight(const Sites& sites, Box domain, int width = 96, int height = 96) {
-    auto rendering = render(sites, picture(domain, width, height));
+    auto rendering = render(sites, pictureOf(domain, width, height));
     expectNearestEverywhere(rendering.image, sites, domain);
     const auto& report = rendering.report;
     EXPECT_EQ(report.ok + report.empty + report.duplicate, sites.size());
@@ -228,7 +221,7 @@ TEST_P(Conformance, wedgesThatMeetInAPointStayWithinTheirBisectors) {
 
 TEST_P(Conformance, fewNeighborsAreDoubledUntilCertified) {
   const auto sites = generate(Pattern::random, 2000, 2);
-  auto wanted = picture(unit);
+  auto wanted = pictureOf(unit);
   wanted.search = {Search::flann, 15};
   const auto rendering = render(sites, wanted);
   EXPECT_EQ(rendering.report.ok, 2000u);
@@ -242,8 +235,8 @@ TEST_P(Conformance, theSameInputGivesTheSameBytesForAnyThreadCount) {
   one.threads = 1;
   auto two = options();
   two.threads = 2;
-  const auto first = render(sites, picture(unit, 200, 200), one);
-  const auto second = render(sites, picture(unit, 200, 200), two);
+  const auto first = render(sites, pictureOf(unit, 200, 200), one);
+  const auto second = render(sites, pictureOf(unit, 200, 200), two);
   EXPECT_EQ(first.image.ids, second.image.ids);
   EXPECT_EQ(first.image.rgba, second.image.rgba);
 }
@@ -252,8 +245,8 @@ TEST_P(Conformance, aSmallTexelLimitGivesTheSameBytes) {
   const auto sites = generate(Pattern::random, 20000, 4);
   auto masked = options();
   masked.mask.limits = {{"maxTexelBufferElements", 65536}, {"maxStorageBufferRange", 1 << 20}};
-  const auto free = render(sites, picture(unit, 300, 300));
-  const auto small = render(sites, picture(unit, 300, 300), masked);
+  const auto free = render(sites, pictureOf(unit, 300, 300));
+  const auto small = render(sites, pictureOf(unit, 300, 300), masked);
   EXPECT_EQ(free.image.ids, small.image.ids);
   EXPECT_EQ(free.image.rgba, small.image.rgba);
 }
@@ -263,7 +256,7 @@ TEST_P(Conformance, aPictureLargerThanOneViewIsDrawnInParts) {
   auto masked = options();
   masked.mask.limits = {
       {"maxImageDimension2D", 64}, {"maxFramebufferWidth", 64}, {"maxFramebufferHeight", 64}};
-  const auto rendering = render(sites, picture(unit, 150, 100), masked);
+  const auto rendering = render(sites, pictureOf(unit, 150, 100), masked);
   expectNearestEverywhere(rendering.image, sites, unit);
   EXPECT_EQ(rendering.report.ok, 50u);
 }
@@ -277,12 +270,12 @@ TEST_P(Conformance, badInputIsRefused) {
     const auto result = session->render(bad, wanted);
     return !result && result.error().code == ErrorCode::input && !result.error().message.empty();
   };
-  EXPECT_TRUE(refused({}, picture(unit)));
-  EXPECT_TRUE(refused({{0.5, nan}, {0.5, 0.5}, {}}, picture(unit)));
-  EXPECT_TRUE(refused(sites, picture({1, 0, 0, 1})));
-  EXPECT_TRUE(refused(sites, picture({0, 0, 1, INFINITY})));
-  EXPECT_TRUE(refused(sites, picture(unit, 0, 10)));
-  EXPECT_TRUE(refused(sites, picture(unit, 10, 40000)));
+  EXPECT_TRUE(refused({}, pictureOf(unit)));
+  EXPECT_TRUE(refused({{0.5, nan}, {0.5, 0.5}, {}}, pictureOf(unit)));
+  EXPECT_TRUE(refused(sites, pictureOf({1, 0, 0, 1})));
+  EXPECT_TRUE(refused(sites, pictureOf({0, 0, 1, INFINITY})));
+  EXPECT_TRUE(refused(sites, pictureOf(unit, 0, 10)));
+  EXPECT_TRUE(refused(sites, pictureOf(unit, 10, 40000)));
 }
 
 TEST_P(Conformance, dataSetsDrawTheNearestEverywhere) {
@@ -300,7 +293,7 @@ TEST_P(Conformance, sitesThatExceedTheDeviceAreDrawnInTiles) {
   for (const char* name : {"random", "clusters", "crowded"}) {
     SCOPED_TRACE(name);
     const auto set = makeDataSet(name, 20000, 4);
-    const auto rendering = render(set.sites, picture(set.domain), masked);
+    const auto rendering = render(set.sites, pictureOf(set.domain), masked);
     expectNearestEverywhere(rendering.image, set.sites, set.domain);
     EXPECT_EQ(rendering.report.ok, set.sites.size());
   }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "picture_of.h"
 #include "support/devices/backends.h"
 #include "support/oracles/oracle.h"
 #include "support/shared.h"
@@ -15,14 +16,6 @@
 
 namespace vorpipe::test {
 namespace {
-
-RenderOptions picture(const Box& domain, int width, int height) {
-  RenderOptions options{};
-  options.domain = domain;
-  options.width = width;
-  options.height = height;
-  return options;
-}
 
 class HardPictures : public testing::TestWithParam<const char*> {
  protected:
@@ -97,18 +90,18 @@ TEST_P(HardPictures, OfSitesThatAreAllButOne) {
       for (const int size : {97, 400}) {
         SCOPED_TRACE(testing::Message() << "1e-" << power << ", " << weighted << ", " << size);
         const Box domain = random.below(2) == 0 ? unit : Box{-3, 7, 1, 10};
-        expectRight(crowds(domain, std::pow(10, -power), weighted), picture(domain, size, size));
+        expectRight(crowds(domain, std::pow(10, -power), weighted), pictureOf(domain, size, size));
       }
     }
   }
-  expectRight(crowds(unit, 1e-11, false), picture(unit, 1000, 1000));
+  expectRight(crowds(unit, 1e-11, false), pictureOf(unit, 1000, 1000));
 }
 
 // Pairs among many: few cells are left to the judge, and none of the others.
 TEST_P(HardPictures, OfPairsAmongManySites) {
   auto sites = scattered(unit, 40000);
   for (std::size_t i = 0; i < 100; ++i) add(sites, {sites.x[i] + 1e-11, sites.y[i]});
-  const auto paired = expectRight(sites, picture(unit, 300, 300)).report;
+  const auto paired = expectRight(sites, pictureOf(unit, 300, 300)).report;
   EXPECT_LT(paired.in_double, 300u);
 }
 
@@ -116,7 +109,7 @@ TEST_P(HardPictures, OfPairsAmongManySites) {
 // them.
 TEST_P(HardPictures, OfCellsThatReachFar) {
   for (const auto method : {Search::grid, Search::flann}) {
-    auto options = picture(unit, 3000, 3000);
+    auto options = pictureOf(unit, 3000, 3000);
     options.search.method = method;
     const auto far = expectRight(scattered(unit, 5), options).report;
     EXPECT_TRUE(isCpu() || far.in_double == 5) << far.in_double;
@@ -130,7 +123,7 @@ TEST_P(HardPictures, OfWeightsThatTwoFloatsDoNotHold) {
   for (std::size_t i = 0; i < sites.size(); ++i) sites.weight.push_back(1e10 + 1e-3 * random.uniform());
   add(sites, {0.5, 0.5});
   sites.weight.push_back(0);
-  expectRight(sites, picture(unit, 1000, 1000));
+  expectRight(sites, pictureOf(unit, 1000, 1000));
 }
 
 TEST_P(HardPictures, OnCoarseVertexGrids) {
@@ -138,7 +131,7 @@ TEST_P(HardPictures, OnCoarseVertexGrids) {
     for (const std::size_t count : {2u, 30u, 900u, 20000u}) {
       SCOPED_TRACE(testing::Message() << bits << " bits, " << count << " sites");
       const auto sites = scattered(unit, count);
-      const auto rendering = expectRight(sites, picture(unit, 200, 160), bits);
+      const auto rendering = expectRight(sites, pictureOf(unit, 200, 160), bits);
       EXPECT_EQ(rendering.report.ok, count);
       const bool leaves_some = !isCpu() && bits == 4 && count >= 30;
       EXPECT_TRUE(!leaves_some || rendering.report.pixels > 0);
@@ -146,12 +139,12 @@ TEST_P(HardPictures, OnCoarseVertexGrids) {
     }
   }
   for (const int power : {7, 11}) {
-    expectRight(crowds(unit, std::pow(10, -power), true), picture(unit, 200, 200), 4);
+    expectRight(crowds(unit, std::pow(10, -power), true), pictureOf(unit, 200, 200), 4);
   }
 }
 
 TEST_P(HardPictures, OnCoarseVertexGridsOfAnyShape) {
-  auto options = picture(unit, 180, 240);
+  auto options = pictureOf(unit, 180, 240);
   const auto sites = generate(Pattern::clusters, 700, 5);
   for (const auto periodic : {Periodic::none, Periodic::xy}) {
     options.periodic = periodic;
@@ -168,14 +161,14 @@ TEST_P(HardPictures, OnCoarseVertexGridsOfAnyShape) {
   // One cell with very many edges.
   auto circle = generate(Pattern::circle, 600, 1);
   add(circle, {0.5, 0.5});
-  expectRight(circle, picture(unit, 200, 200), 4);
+  expectRight(circle, pictureOf(unit, 200, 200), 4);
 }
 
 TEST_P(HardPictures, OfFewSitesInManyPixels) {
   const Box wide{0, 0, 9000, 12};
   for (const std::size_t count : {2u, 9u}) {
     for (const auto method : {Search::grid, Search::flann}) {
-      auto options = picture(wide, 9000, 12);
+      auto options = pictureOf(wide, 9000, 12);
       options.search = {method, 3};
       const auto sites = scattered(wide, count);
       expectNearestEverywhere(expectRight(sites, options).image, sites, wide);
@@ -200,7 +193,7 @@ TEST_P(HardPictures, FarFromTheOrigin) {
     for (const int size : {64, 501}) {
       for (const auto periodic : {Periodic::none, Periodic::x}) {
         SCOPED_TRACE(testing::Message() << offset.x << ", " << offset.y << ", " << size);
-        auto here = picture(domain, size, size), elsewhere = picture(there, size, size);
+        auto here = pictureOf(domain, size, size), elsewhere = pictureOf(there, size, size);
         here.periodic = elsewhere.periodic = periodic;
         auto rendering = expectRight(far, elsewhere);
         const auto diff = diffIds(rendering.image.ids, draw(GetParam(), near, here).image.ids, size, size,
@@ -221,7 +214,7 @@ TEST_P(HardPictures, FarFromTheOriginInSeveralViews) {
     add(sites, {there.xmin + 0x1p-13 * static_cast<double>(random.below(4097)),
                 there.ymin + 0x1p-13 * static_cast<double>(random.below(9))});
   }
-  expectRight(sites, picture(there, 9000, 18));
+  expectRight(sites, pictureOf(there, 9000, 18));
 }
 
 INSTANTIATE_TEST_SUITE_P(Backends, HardPictures, testing::ValuesIn(backend_names),

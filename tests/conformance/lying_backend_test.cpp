@@ -17,7 +17,7 @@ using namespace core;
 
 namespace {
 
-constexpr std::size_t count = 4000;
+constexpr std::size_t site_count = 4000;
 
 struct Case {
   const char* name;
@@ -28,9 +28,9 @@ struct Case {
 
 std::vector<Case> cases() {
   const Mask tiles{{}, {{"maxTexelBufferElements", 1500}}};
-  const auto random = generate(Pattern::random, count, 11);
+  const auto random = generate(Pattern::random, site_count, 11);
   auto weighted = random;
-  for (std::size_t i = 0; i < count; ++i) weighted.weight.push_back(1e-4 * static_cast<double>(i % 7));
+  for (std::size_t i = 0; i < site_count; ++i) weighted.weight.push_back(1e-4 * static_cast<double>(i % 7));
   auto periodic = within(unit);
   periodic.periodic = Periodic::xy;
   const SearchOptions lists{Search::flann, 12};
@@ -39,7 +39,7 @@ std::vector<Case> cases() {
           {"lists", random, within(unit, lists), {}},
           {"weights", weighted, within(unit), {}},
           {"weights in tiles", weighted, within(unit), tiles},
-          {"clusters", generate(Pattern::clusters, count, 3), within(unit), {}},
+          {"clusters", generate(Pattern::clusters, site_count, 3), within(unit), {}},
           {"a periodic domain", random, periodic, tiles}};
 }
 
