@@ -76,6 +76,4 @@ set(vorpipe_alone
 # Houses whose rooms are compiled together, but for rooms whose sources are much alike and so are their private names.
 set(vorpipe_batched_houses vorpipe_ vorpipe_bench_ vorpipe_cli_ vorpipe_io_ vorpipe_moved_ vorpipe_opengl_ vorpipe_view_
                            vorpipe_vulkan_)
-set(vorpipe_lone_rooms vorpipe_vulkan_compute vorpipe_vulkan_geometry)
-# Other rooms, each of which is compiled in batches of its own.
-set(vorpipe_batched_rooms vorpipe_vulkan_geometry)
+set(vorpipe_lone_rooms vorpipe_vulkan_compute)

@@ -43,8 +43,5 @@ function(vorpipe_room room)
     PUBLIC ${vorpipe_house_libraries} ${arg_USES}
     PRIVATE ${arg_LIBRARIES} dep::fmt)
   vorpipe_precompiled(${target})
-  if(${target} IN_LIST vorpipe_batched_rooms)
-    vorpipe_batches(${target} ALONE ${vorpipe_alone})
-  endif()
   set_property(GLOBAL APPEND PROPERTY vorpipe_rooms ${target})
 endfunction()

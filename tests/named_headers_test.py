@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Whether each source includes what declares the names that it uses: named_headers_test.py [FOLDER...]
 
-The preset dev compiles sources of folders that lie beside each other as one, where the include of one serves all; in the
-preset release each stands alone. So, of each name that a header of these sources declares, a type, a function, a
-constant: a source that uses it must reach one of these headers. It reads text, not C++, and takes what a source or its headers declare
-anywhere, members and parameters too, for what is meant: it would rather miss an include than ask for one too many.
-Folders are src and tests unless they are named.
+The preset dev compiles sources of folders that lie beside each other as one, where the include of one serves all; in
+the preset release each stands alone. So, of each name that a header of these sources declares, a type, a function, a
+constant: a source that uses it must reach one of these headers. It reads text, not C++, and takes what a source or its
+headers declare anywhere, members and parameters too, for what is meant: it would rather miss an include than ask for
+one too many. Folders are src and tests unless they are named.
 """
 import pathlib
 import re

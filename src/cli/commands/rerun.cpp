@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "cli/commands/command.h"
-#include "cli/manual/completions.h"
 #include "cli/options/options.h"
 #include "cli/reports/recorded_run.h"
 #include "cli/runs/run_end.h"
@@ -16,6 +15,7 @@
 #include "io/files/error.h"
 #include "io/files/input_file.h"
 #include "io/text/quoted.h"
+#include "io/text/shell_line.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -50,41 +50,6 @@ Result<std::vector<std::string>> argumentsAgain(const RerunCommand& command, con
   const auto given = [&](std::string_view flag) { return std::ranges::find(again, flag) != again.end(); };
   if (command.talk.quiet && !given("--quiet") && !given("--verbose")) again.emplace_back("--quiet");
   return again;
-}
-
-/// Whether a terminal takes a part of it for a command: controls of ASCII, and those that UTF-8 begins with
-/// C2.
-bool hasControls(std::string_view text) {
-  constexpr unsigned char blank = 0x20, rub_out = 0x7F, leads = 0xC2, last = 0xA0;
-  for (std::size_t k = 0; k < text.size(); ++k) {
-    const auto byte = static_cast<unsigned char>(text[k]);
-    const auto next = static_cast<unsigned char>(k + 1 < text.size() ? text[k + 1] : last);
-    if (byte < blank || byte == rub_out || (byte == leads && next < last)) return true;
-  }
-  return false;
-}
-
-/// In $'...', which bash, zsh and ksh know, where no byte is but those of plain text.
-std::string escaped(std::string_view text) {
-  std::string quoted = "$'";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool plain = byte >= 0x20 && byte < 0x7F && c != '\'' && c != '\\';
-    quoted += plain ? std::string(1, c) : fmt::format("\\{:03o}", byte);
-  }
-  return quoted + "'";
-}
-
-/// As it can be typed.
-std::string pasted(const std::vector<std::string>& arguments) {
-  constexpr std::string_view plain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_@%+=:,./-";
-  std::string line = "vorpipe";
-  for (const std::string& argument : arguments) {
-    const bool bare = !argument.empty() && argument.find_first_not_of(plain) == std::string::npos;
-    line += " " + (bare ? argument : hasControls(argument) ? escaped(argument) : shellQuoted(argument));
-  }
-  return line;
 }
 
 /// Standard input can be read once, and is needed twice: here, and by the run. So it becomes a file.
@@ -192,7 +157,7 @@ Result<ExitCode> rerun(const RerunCommand& command, CommandLine& line) {
   if (!arguments) return tl::unexpected(arguments.error());
   if (const auto known = checkNames(command, *arguments); !known) return tl::unexpected(known.error());
   if (command.dry_run) {
-    fmt::print("{}\n", pasted(*arguments));
+    fmt::print("vorpipe {}\n", shellLine(*arguments));
     return exit_done;
   }
   if (const auto same = checkInputs(command, *then); !same) return tl::unexpected(same.error());

@@ -2,6 +2,7 @@
 
 #include "cli/manual/brief.h"
 #include "cli/manual/completions.h"
+#include "io/text/shell_line.h"
 
 namespace vorpipe::cli {
 namespace {

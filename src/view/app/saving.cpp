@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "io/text/shell_line.h"
 #include "view/app/viewer.h"
 #include "view/document/command.h"
 
@@ -56,7 +57,7 @@ void Viewer::copyCommand() {
       return;
     }
   }
-  command_ = shellText(commandFor(document_, picture(), settings_.backend, files));
+  command_ = shellLine(commandFor(document_, picture(), settings_.backend, files));
   if (is_file || is_written) return tellCommand();
   command_revision_ = document_.revision();
   command_waits_ = true;
@@ -68,7 +69,7 @@ void Viewer::copyCommand() {
 void Viewer::copyFluidCommand() {
   const bool is_written = !command_sites_.empty() && command_revision_ == document_.revision();
   if (!is_written) command_sites_ = freeName("vorpipe-fluid", ".npz");
-  command_ = shellText(commandForFluid(command_sites_, picture(), settings_.flow_color, settings_.backend));
+  command_ = shellLine(commandForFluid(command_sites_, picture(), settings_.flow_color, settings_.backend));
   if (is_written) return tellCommand();
   command_revision_ = document_.revision();
   command_waits_ = true;

@@ -108,21 +108,6 @@ void addPicture(Arguments& to, const RenderOptions& picture, const BackendOption
   addBackend(to, backend);
 }
 
-std::string quotedForShell(const std::string& text) {
-  constexpr std::string_view plain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=.,:/%@";
-  if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
-  std::string quoted = "'";
-  for (const char letter : text) {
-    if (letter == '\'') {
-      quoted += "'\\''";
-    } else {
-      quoted += letter;
-    }
-  }
-  return quoted + '\'';
-}
-
 }  // namespace
 
 std::vector<std::string> commandFor(const Document& document, const RenderOptions& picture,
@@ -146,15 +131,6 @@ std::vector<std::string> commandForFluid(const std::string& checkpoint, const Re
   arguments.add("--flow-color", nameIn(flow_color_names, color));
   arguments.add("--frames", "frames");
   return arguments.take();
-}
-
-std::string shellText(const std::vector<std::string>& arguments) {
-  std::string text;
-  for (const std::string& argument : arguments) {
-    if (!text.empty()) text += ' ';
-    text += quotedForShell(argument);
-  }
-  return text;
 }
 
 }  // namespace vorpipe::view

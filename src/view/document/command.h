@@ -26,9 +26,6 @@ std::vector<std::string> commandFor(const Document& document, const RenderOption
 std::vector<std::string> commandForFluid(const std::string& checkpoint, const RenderOptions& picture,
                                          FlowColor color, const BackendOptions& backend);
 
-/// A command line as a shell reads it.
-std::string shellText(const std::vector<std::string>& arguments);
-
 /// Writes sites as CSV, numbers with as many digits as tell them apart. Errors: those of OutputFile.
 Result<void> writeSites(const std::string& path, const Sites& sites);
 

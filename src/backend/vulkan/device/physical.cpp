@@ -20,8 +20,6 @@ namespace {
 
 // Of cell.geom, which has the most: a position, a mark and a status.
 constexpr std::uint64_t components_per_vertex = 8;
-// Of polygons.comp.
-constexpr std::uint64_t vertex_bytes = 16;
 
 // Of a picture: colors, ids, and one of them on its way to the host.
 constexpr std::uint64_t pixel_bytes = 4;

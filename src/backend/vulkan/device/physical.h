@@ -3,6 +3,7 @@
 
 #include <volk.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -13,6 +14,9 @@
 #include "vorpipe.h"
 
 namespace vorpipe::vulkan {
+
+/// Of a vertex as polygons.comp writes it: position, id, palette_index.
+inline constexpr std::size_t vertex_bytes = 4 * sizeof(std::uint32_t);
 
 /// A device before it is opened. `info` says whether it can be used and why not.
 struct Physical {

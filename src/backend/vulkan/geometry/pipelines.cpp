@@ -8,6 +8,7 @@
 
 #include "backend/vulkan/device/error.h"
 #include "backend/vulkan/device/structure.h"
+#include "backend/vulkan/kernels/shader_module.h"
 #include "backend/vulkan/memory/target.h"
 #include "shaders.h"
 
@@ -53,14 +54,6 @@ std::size_t indexOf(Entries entries, Effort effort) {
 
 Code vertexCode(Entries entries) {
   return entries == Entries::lists ? shaders::cell_vert() : shaders::site_vert();
-}
-
-Result<Handle<VkShaderModule>> createModule(const Device& device, Code code) {
-  auto info = structure<VkShaderModuleCreateInfo>(VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO);
-  info.codeSize = code.size_bytes();
-  info.pCode = code.data();
-  return create(device.handle(), device.api().vkCreateShaderModule, device.api().vkDestroyShaderModule, info,
-                "vkCreateShaderModule");
 }
 
 Result<Handle<VkRenderPass>> createEmptyPass(const Device& device) {
@@ -186,7 +179,7 @@ Result<Handle<VkPipeline>> Pipelines::build(const Device& device, VkPipelineLayo
                                     std::pair(stages.geometry, VK_SHADER_STAGE_GEOMETRY_BIT),
                                     std::pair(stages.fragment, VK_SHADER_STAGE_FRAGMENT_BIT)}) {
     if (code.empty()) continue;
-    Result<Handle<VkShaderModule>> module = createModule(device, code);
+    Result<Handle<VkShaderModule>> module = shaderModule(device, code);
     if (!module) return tl::unexpected(std::move(module).error());
     auto stage_info =
         structure<VkPipelineShaderStageCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO);

@@ -5,6 +5,7 @@
 
 #include "backend/vulkan/device/error.h"
 #include "backend/vulkan/device/structure.h"
+#include "backend/vulkan/kernels/shader_module.h"
 
 namespace vorpipe::vulkan {
 namespace {
@@ -12,12 +13,7 @@ namespace {
 Result<Handle<VkPipeline>> build(const Device& device, VkPipelineCache cache, VkPipelineLayout layout,
                                  ComputeKernels::Code code, bool flag) {
   const VolkDeviceTable& api = device.api();
-  auto module_info = structure<VkShaderModuleCreateInfo>(VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO);
-  module_info.codeSize = code.size_bytes();
-  module_info.pCode = code.data();
-  Result<Handle<VkShaderModule>> module =
-      create(device.handle(), api.vkCreateShaderModule, api.vkDestroyShaderModule, module_info,
-             "vkCreateShaderModule");
+  Result<Handle<VkShaderModule>> module = shaderModule(device, code);
   if (!module) return tl::unexpected(std::move(module).error());
   auto info = structure<VkComputePipelineCreateInfo>(VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO);
   info.stage =

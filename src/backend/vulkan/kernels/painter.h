@@ -10,14 +10,12 @@
 #include "backend/backend.h"
 #include "backend/vulkan/device/device.h"
 #include "backend/vulkan/device/handle.h"
+#include "backend/vulkan/device/physical.h"
 #include "backend/vulkan/memory/bindings.h"
 #include "backend/vulkan/memory/buffer.h"
 #include "backend/vulkan/memory/target.h"
 
 namespace vorpipe::vulkan {
-
-/// Of a vertex as polygons.comp writes it: position, id, palette_index.
-inline constexpr std::size_t vertex_bytes = 4 * sizeof(std::uint32_t);
 
 /// What the compute pipeline made: vertices of vertex_bytes, indices as uint32, one
 /// VkDrawIndexedIndirectCommand.

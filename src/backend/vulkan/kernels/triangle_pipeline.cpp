@@ -5,20 +5,13 @@
 
 #include "backend/vulkan/device/error.h"
 #include "backend/vulkan/device/structure.h"
+#include "backend/vulkan/kernels/shader_module.h"
 
 namespace vorpipe::vulkan {
 namespace {
 
 constexpr std::array<VkDynamicState, 2> dynamic_states = {VK_DYNAMIC_STATE_VIEWPORT,
                                                           VK_DYNAMIC_STATE_SCISSOR};
-
-Result<Handle<VkShaderModule>> createModule(const Device& device, std::span<const std::uint32_t> code) {
-  auto info = structure<VkShaderModuleCreateInfo>(VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO);
-  info.codeSize = code.size_bytes();
-  info.pCode = code.data();
-  return create(device.handle(), device.api().vkCreateShaderModule, device.api().vkDestroyShaderModule, info,
-                "vkCreateShaderModule");
-}
 
 VkPipelineShaderStageCreateInfo stageOf(VkShaderStageFlagBits stage, VkShaderModule module) {
   auto info = structure<VkPipelineShaderStageCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO);
@@ -32,9 +25,9 @@ VkPipelineShaderStageCreateInfo stageOf(VkShaderStageFlagBits stage, VkShaderMod
 
 Result<Handle<VkPipeline>> createTrianglePipeline(const Device& device, VkPipelineLayout layout,
                                                   VkRenderPass pass, const TriangleParts& parts) {
-  const Result<Handle<VkShaderModule>> vertex = createModule(device, parts.vertex);
+  const Result<Handle<VkShaderModule>> vertex = shaderModule(device, parts.vertex);
   if (!vertex) return tl::unexpected(vertex.error());
-  const Result<Handle<VkShaderModule>> fragment = createModule(device, parts.fragment);
+  const Result<Handle<VkShaderModule>> fragment = shaderModule(device, parts.fragment);
   if (!fragment) return tl::unexpected(fragment.error());
   const std::array stages = {stageOf(VK_SHADER_STAGE_VERTEX_BIT, vertex->get()),
                              stageOf(VK_SHADER_STAGE_FRAGMENT_BIT, fragment->get())};

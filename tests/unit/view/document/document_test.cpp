@@ -9,6 +9,7 @@
 
 #include "io/domain/outline_file.h"
 #include "io/sites/sites_file.h"
+#include "io/text/shell_line.h"
 #include "unit/fixtures/temporary_directory.h"
 #include "view/document/camera.h"
 #include "view/document/command.h"
@@ -279,7 +280,7 @@ TEST_F(Command, NamesWhatWasOpened) {
   picture.width = 800;
   picture.height = 600;
   picture.view = Box{-0.5, 0, 1.5, 1.5};
-  const auto text = shellText(commandFor(document, picture, {}, {"it's.csv", "", "a b.png"}));
+  const auto text = shellLine(commandFor(document, picture, {}, {"it's.csv", "", "a b.png"}));
   EXPECT_EQ(
       text,
       "vorpipe render --sites three.csv --view=-0.5,0,1.5,1.5 --size 800x600 --fit stretch -o 'a b.png'");
@@ -294,7 +295,7 @@ TEST_F(Command, NamesFilesOfWhatWasEdited) {
   picture.edges = picture.legend = true;
   BackendOptions backend;
   backend.name = "cpu";
-  const auto text = shellText(commandFor(document, picture, backend, {"it's.csv", "", "a.png"}));
+  const auto text = shellLine(commandFor(document, picture, backend, {"it's.csv", "", "a.png"}));
   EXPECT_EQ(
       text,
       "vorpipe render --sites 'it'\\''s.csv' --domain 0,0,1,1 --size 100x100 --fit stretch --color weight "

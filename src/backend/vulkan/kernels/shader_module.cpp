@@ -1,0 +1,16 @@
+#include "backend/vulkan/kernels/shader_module.h"
+
+#include "backend/vulkan/device/error.h"
+#include "backend/vulkan/device/structure.h"
+
+namespace vorpipe::vulkan {
+
+Result<Handle<VkShaderModule>> shaderModule(const Device& device, std::span<const std::uint32_t> code) {
+  auto info = structure<VkShaderModuleCreateInfo>(VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO);
+  info.codeSize = code.size_bytes();
+  info.pCode = code.data();
+  return create(device.handle(), device.api().vkCreateShaderModule, device.api().vkDestroyShaderModule, info,
+                "vkCreateShaderModule");
+}
+
+}  // namespace vorpipe::vulkan
