@@ -95,18 +95,18 @@ TEST(VulkanMask, OnlyLowersLimits) {
 }
 
 TEST(VulkanMask, LowersTheBitsThatCellsAreWidenedBy) {
-  using Make = Result<std::unique_ptr<Backend>> (*)(const BackendOptions&, Drivers);
+  using Make = Result<std::unique_ptr<Backend>> (*)(const BackendOptions&);
   for (const Make make : {Make{makeVulkanGeometryBackend}, Make{makeVulkanComputeBackend}}) {
     BackendOptions options;
     options.mask.limits = {{"subPixelPrecisionBits", 4}};
-    const Result<std::unique_ptr<Backend>> backend = make(options, Drivers::any);
+    const Result<std::unique_ptr<Backend>> backend = make(options);
     ASSERT_TRUE(backend.has_value()) << backend.error().message;
     EXPECT_EQ((*backend)->info().subpixel_bits, 4);
     const auto& limits = (*backend)->info().device.limits;
     EXPECT_NE(std::ranges::find(limits, std::pair<std::string, std::uint64_t>("subPixelPrecisionBits", 4)),
               limits.end());
     options.mask.limits = {{"subPixelPrecisionBits", 3}};
-    const Result<std::unique_ptr<Backend>> refused = make(options, Drivers::any);
+    const Result<std::unique_ptr<Backend>> refused = make(options);
     ASSERT_FALSE(refused.has_value());
     EXPECT_NE(refused.error().message.find("subPixelPrecisionBits is 3, needed is 4"), std::string::npos)
         << refused.error().message;

@@ -20,18 +20,16 @@ Result<OpenedBackend> opened(Made made, std::string choice = {}) {
 
 bool isHardware(const Made& made) { return made && (*made)->info().device.type != "cpu"; }
 
-// Compute comes first: it is the faster of the two on lavapipe, where geometry shaders
-// run on one thread. Where only the other one can run, that.
 Result<OpenedBackend> openVulkan(const BackendOptions& options, Drivers drivers) {
-  auto compute = makeVulkanComputeBackend(options, drivers);
-  if (compute) {
-    return opened(std::move(compute),
+  auto made = makeVulkanBackend(options, drivers);
+  if (!made) return tl::unexpected(made.error());
+  if (!made->without_compute) {
+    return opened(std::move(made->backend),
                   "vulkan took vulkan-compute: it needs no geometry shader and runs on all threads");
   }
-  auto geometry = makeVulkanGeometryBackend(options, drivers);
-  if (!geometry) return tl::unexpected(compute.error());
-  return opened(std::move(geometry), fmt::format("vulkan took vulkan-geometry: vulkan-compute failed ({})",
-                                                 compute.error().message));
+  return opened(
+      std::move(made->backend),
+      fmt::format("vulkan took vulkan-geometry: vulkan-compute failed ({})", made->without_compute->message));
 }
 
 // What takes over from a backend that fails at work: the others, in the order of the choice. Those that could

@@ -1,6 +1,7 @@
 #include "backend/vulkan/vulkan_backend.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "backend/vulkan/compute/compute.h"
@@ -18,24 +19,41 @@ using vulkan::Pipeline;
 
 constexpr int most_devices = 8;
 
-Result<std::unique_ptr<Backend>> openDevice(const BackendOptions& options, Pipeline pipeline,
-                                            Drivers drivers) {
-  Result<vulkan::Instance> instance = vulkan::Instance::open(options.validation);
-  if (!instance) return tl::unexpected(std::move(instance).error());
-  const Result<std::vector<vulkan::Physical>> devices = vulkan::enumerate(*instance, options.mask, pipeline);
+Result<vulkan::Physical> chooseDevice(const vulkan::Instance& instance, const BackendOptions& options,
+                                      Pipeline pipeline, Drivers drivers) {
+  const Result<std::vector<vulkan::Physical>> devices = vulkan::enumerate(instance, options.mask, pipeline);
   if (!devices) return tl::unexpected(devices.error());
-  const Result<vulkan::Physical> device = vulkan::choose(*devices, options.device);
-  if (!device) return tl::unexpected(device.error());
-  if (drivers == Drivers::hardware && device->info.type == "cpu") {
+  Result<vulkan::Physical> device = vulkan::choose(*devices, options.device);
+  if (device && drivers == Drivers::hardware && device->info.type == "cpu") {
     return vulkan::deviceError(device->info.name + " is a software driver");
   }
-  if (pipeline == Pipeline::compute) {
-    // Without a GPU the device is the host, which has the sites in their bins already.
-    const bool is_host = device->info.type == "cpu";
-    return vulkan::ComputeBackend::open(std::move(*instance), *device,
-                                        is_host ? vulkan::SiteSorter::host : vulkan::SiteSorter::device);
-  }
-  return vulkan::GeometryBackend::open(std::move(*instance), *device);
+  return device;
+}
+
+Result<std::unique_ptr<Backend>> openDevice(vulkan::Instance instance, const vulkan::Physical& device,
+                                            Pipeline pipeline) {
+  if (pipeline == Pipeline::geometry) return vulkan::GeometryBackend::open(std::move(instance), device);
+  // Without a GPU the device is the host, which has the sites in their bins already.
+  const bool is_host = device.info.type == "cpu";
+  return vulkan::ComputeBackend::open(std::move(instance), device,
+                                      is_host ? vulkan::SiteSorter::host : vulkan::SiteSorter::device);
+}
+
+Result<std::unique_ptr<Backend>> openPipeline(const BackendOptions& options, Pipeline pipeline,
+                                              Drivers drivers = Drivers::any) {
+  Result<vulkan::Instance> instance = vulkan::Instance::open(options.validation);
+  if (!instance) return tl::unexpected(std::move(instance).error());
+  const Result<vulkan::Physical> device = chooseDevice(*instance, options, pipeline, drivers);
+  if (!device) return tl::unexpected(device.error());
+  return openDevice(std::move(*instance), *device, pipeline);
+}
+
+/// A software driver runs geometry shaders on one thread: several devices then share the cells.
+std::unique_ptr<Backend> onAllThreads(std::unique_ptr<Backend> first, const BackendOptions& options) {
+  if (first->info().device.type != "cpu") return first;
+  const int devices = std::min(threadCount(options.threads), most_devices);
+  return vulkan::makeDevicePool(
+      std::move(first), [options] { return openPipeline(options, Pipeline::geometry); }, devices);
 }
 
 void listDevices(const Mask& mask, Pipeline pipeline, std::vector<DeviceInfo>& list) {
@@ -54,17 +72,35 @@ void listDevices(const Mask& mask, Pipeline pipeline, std::vector<DeviceInfo>& l
 
 }  // namespace
 
-Result<std::unique_ptr<Backend>> makeVulkanGeometryBackend(const BackendOptions& options, Drivers drivers) {
-  auto first = openDevice(options, Pipeline::geometry, drivers);
-  if (!first || (*first)->info().device.type != "cpu") return first;
-  const int devices = std::min(threadCount(options.threads), most_devices);
-  return vulkan::makeDevicePool(
-      std::move(*first), [options] { return openDevice(options, Pipeline::geometry, Drivers::any); },
-      devices);
+Result<std::unique_ptr<Backend>> makeVulkanGeometryBackend(const BackendOptions& options) {
+  auto first = openPipeline(options, Pipeline::geometry);
+  if (!first) return first;
+  return onAllThreads(std::move(*first), options);
 }
 
-Result<std::unique_ptr<Backend>> makeVulkanComputeBackend(const BackendOptions& options, Drivers drivers) {
-  return openDevice(options, Pipeline::compute, drivers);
+Result<std::unique_ptr<Backend>> makeVulkanComputeBackend(const BackendOptions& options) {
+  return openPipeline(options, Pipeline::compute);
+}
+
+Result<OpenedPipeline> makeVulkanBackend(const BackendOptions& options, Drivers drivers) {
+  Result<vulkan::Instance> instance = vulkan::Instance::open(options.validation);
+  if (!instance) return tl::unexpected(std::move(instance).error());
+  std::optional<Error> without_compute;
+  Result<std::unique_ptr<Backend>> geometry = nullptr;
+  if (const auto device = chooseDevice(*instance, options, Pipeline::compute, drivers)) {
+    auto compute = openDevice(std::move(*instance), *device, Pipeline::compute);
+    if (compute) return OpenedPipeline{std::move(*compute), {}};
+    without_compute = compute.error();
+    geometry = openPipeline(options, Pipeline::geometry, drivers);
+  } else {
+    without_compute = device.error();
+    // The same instance: to make one is most of the time that a driver without a GPU takes to find.
+    const auto other = chooseDevice(*instance, options, Pipeline::geometry, drivers);
+    if (!other) return tl::unexpected(*without_compute);
+    geometry = openDevice(std::move(*instance), *other, Pipeline::geometry);
+  }
+  if (!geometry) return tl::unexpected(*without_compute);
+  return OpenedPipeline{onAllThreads(std::move(*geometry), options), without_compute};
 }
 
 std::vector<DeviceInfo> listVulkanDevices(const Mask& mask) {
