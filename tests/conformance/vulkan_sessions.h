@@ -52,26 +52,29 @@ inline void expectRight(const Result<Rendering>& rendering, const Sites& sites) 
 
 class VulkanSessions : public testing::Test {
  protected:
-  // Enough for two devices.
   const Sites sites_ = generate(Pattern::random, 300, 5);
   const Diagram reference_ = *open("cpu")->cells(sites_, wantedCells());
 };
 
-/// Has every submission of a run, and every wait for one, lose its device; the run is `work` in a session of
-/// the backend `name`. Returns how many there are.
-template <class Work>
-int loseEverySubmission(std::string_view name, bool all_devices, const Work& work) {
-  constexpr int most = 500;
-  // Who masks a device means one: else auto would take cpu where there is no GPU.
+/// A session whose device is meant: else auto would take cpu where there is no GPU.
+inline Result<Session> openMeant(std::string_view name) {
   Mask meant;
   meant.limits = {{"maxTexelBufferElements", 1U << 16}};
-  for (int nth = 1; nth < most; nth++) {
+  return open(name, meant);
+}
+
+/// Has every submission of a run after the first `already`, and every wait for one, lose its device; the run
+/// is `work` in a session of the backend `name`. Returns how many there are.
+template <class Work>
+int loseEverySubmission(std::string_view name, bool all_devices, const Work& work, int already = 0) {
+  constexpr int most = 500;
+  for (int nth = already + 1; nth < most; nth++) {
     SCOPED_TRACE(testing::Message() << name << ", lost at submission or wait " << nth);
     FaultyDriver driver;
     driver.losing_call = nth;
     driver.loses_all = all_devices;
     {
-      auto session = open(name, meant);
+      auto session = openMeant(name);
       if (!session) {
         ADD_FAILURE() << session.error().message;
         return 0;
@@ -79,7 +82,7 @@ int loseEverySubmission(std::string_view name, bool all_devices, const Work& wor
       work(*session, [&] { return driver.submissions >= nth; });
     }
     EXPECT_EQ(driver.alive, 0);
-    if (driver.submissions < nth || testing::Test::HasFailure()) return nth - 1;
+    if (driver.submissions < nth || testing::Test::HasFailure()) return nth - 1 - already;
   }
   ADD_FAILURE() << "no end of submissions";
   return 0;
