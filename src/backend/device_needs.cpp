@@ -41,7 +41,7 @@ constexpr DeviceNeeds of_cpu =
         .rasterizing = 0,
         .largest_view = 8192,
         .devices = 1,
-        .device_cells = 0,
+        .further_device = 0,
         .reserves_rows = false};
 
 /// What all devices have in common.
@@ -85,7 +85,7 @@ DeviceNeeds ofGeometry(int threads) {
   needs.drawn = sizeof(std::uint64_t);
   needs.pool_pixel = 2 * word;
   needs.devices = static_cast<std::uint64_t>(std::min(threadCount(threads), most_devices));
-  needs.device_cells = std::uint64_t{1} << 15;
+  needs.further_device = 5 * million;
   return needs;
 }
 
@@ -100,7 +100,7 @@ DeviceNeeds ofOpenGl() {
   needs.polygon = status;
   needs.pixel = target_pixel;
   needs.resizing_pixel = target_pixel;
-  needs.rasterizing = 40 * million;
+  needs.rasterizing = 48 * million;
   return needs;
 }
 

@@ -10,6 +10,9 @@ namespace vorpipe {
 /// What OpenGL's shaders say in one draw is caught in a buffer of this size.
 inline constexpr std::size_t feedback_bytes = std::size_t{32} * 1024 * 1024;
 
+/// Where several devices of a driver share the cells, fewer are not worth another device.
+inline constexpr std::size_t cells_per_device = std::size_t{1} << 14;
+
 /// What stays of drivers that are closed again, as measured with Mesa 22.3.6, LLVM 15 and libvulkan 1.3.
 inline constexpr std::uint64_t looked_through_bytes = 57'000'000;
 
@@ -30,9 +33,9 @@ struct DeviceNeeds {
   std::uint64_t resizing_pixel;           ///< of a view, where views of several sizes follow each other
   std::uint64_t rasterizing;              ///< what a software device takes besides, once it draws
   int largest_view;
-  std::uint64_t devices;       ///< devices at the same time, where each gets enough cells
-  std::uint64_t device_cells;  ///< what is enough
-  bool reserves_rows;          ///< room for as many neighbors as a row may have; else rows grow by doubling
+  std::uint64_t devices;         ///< devices at the same time, where each gets cells_per_device
+  std::uint64_t further_device;  ///< for each of them but the first
+  bool reserves_rows;            ///< room for as many neighbors as a row may have; else rows grow by doubling
 };
 
 /// Of one of the registry's names. Unknown ones need what "cpu" does.

@@ -59,6 +59,10 @@ std::uint64_t plannedStep(std::uint64_t sites) {
   return std::max(std::min(sites, usual), (sites + most_steps - 1) / most_steps);
 }
 
+std::uint64_t plannedDevices(const DeviceNeeds& needs, std::uint64_t sites) {
+  return std::clamp<std::uint64_t>(sites / cells_per_device, 1, needs.devices);
+}
+
 PlannedSet planPrepare(MemoryPlan& plan, std::uint64_t sites, bool weighted) {
   const std::string_view what = "sites in their bins";
   const auto by_input = plan.take(what, weighted ? sites * number : 0);
@@ -86,8 +90,8 @@ void planUpload(MemoryPlan& plan, const Workload& work, std::uint64_t sites, boo
   plan.drop(compiling);
   if (!work.device_on_host) return;
   const std::string_view what = "sites on the device";
-  const auto devices =
-      std::clamp<std::uint64_t>(needs.device_cells == 0 ? 1 : sites / needs.device_cells, 1, needs.devices);
+  const auto devices = plannedDevices(needs, sites);
+  plan.take("the driver", (devices - 1) * needs.further_device);
   for (std::uint64_t device = 0; device < devices; ++device) {
     plan.take(what, binsOf(sites) * needs.bin);
     const auto passing = plan.take(what, sites * needs.passing_site);

@@ -43,6 +43,9 @@ MemoryPlan::Array planReserve(MemoryPlan& plan);
 /// runs are planned for the longest steps.
 std::uint64_t plannedStep(std::uint64_t sites);
 
+/// How many devices share the cells.
+std::uint64_t plannedDevices(const DeviceNeeds& needs, std::uint64_t sites);
+
 /// A part of a number, rounded up.
 std::uint64_t partOf(std::uint64_t number, double part);
 

@@ -18,8 +18,7 @@ Arrays planViews(MemoryPlan& plan, const Workload& work, std::uint64_t width, st
   const auto view = std::min(width, largest) * std::min(height, largest);
   const bool several = width > largest || height > largest;
   if (work.device_on_host) {
-    const auto devices = std::clamp<std::uint64_t>(
-        needs.device_cells == 0 ? 1 : work.sites / needs.device_cells, 1, needs.devices);
+    const auto devices = plannedDevices(needs, work.sites);
     for (std::uint64_t k = 0; k < devices; ++k) plan.take("the picture on the device", view * needs.pixel);
     if (several) plan.take("the picture on the device", view * needs.resizing_pixel);
   }
@@ -48,6 +47,8 @@ Arrays planSearchAndDrawing(MemoryPlan& plan, const Workload& work, std::uint64_
   const auto even = plan.take("the search", sites * word);
   const auto rest = plan.take("the search", sites * word);
   planDrawing(plan, work, sites);
+  // The rows of cells that are left to the judge: of many sites some always are.
+  kept.push_back(plan.take("neighbors of cells", sites * (number + 2 * word)));
   append(kept, {even, rest});
   append(kept, planJudge(plan, work, sites));
   return kept;

@@ -7,14 +7,13 @@
 #include <utility>
 
 #include "backend/cell_answers.h"
+#include "backend/device_needs.h"
 #include "backend/vulkan/device/error.h"
 #include "base/parallel.h"
 
 namespace vorpipe::vulkan {
 namespace {
 
-/// Fewer entries than this are not worth another device.
-constexpr std::size_t entries_per_device = std::size_t{1} << 14;
 /// A device that is done with as many takes the next.
 constexpr std::size_t entries_at_once = std::size_t{1} << 16;
 constexpr std::size_t pixels_at_once = std::size_t{1} << 16;
@@ -173,12 +172,12 @@ class DevicePool final : public Backend {
   }
 
   [[nodiscard]] std::size_t devicesFor(std::size_t count) const {
-    return std::clamp<std::size_t>(count / entries_per_device, 1, most_devices_);
+    return std::clamp<std::size_t>(count / cells_per_device, 1, most_devices_);
   }
 
   [[nodiscard]] std::size_t partsOf(std::size_t count) const {
     const auto devices = devicesFor(count);
-    const auto size = std::clamp(count / (2 * devices), entries_per_device, entries_at_once);
+    const auto size = std::clamp(count / (2 * devices), cells_per_device, entries_at_once);
     return devices == 1 ? 1 : (count + size - 1) / size;
   }
 
