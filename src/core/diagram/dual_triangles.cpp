@@ -204,7 +204,10 @@ Triangles dualTriangles(const ProposedCells& agreed, const TiedCells& tied, Site
         !forFan(agreed.sites, around, tied.position[vertex], put))
       proper = false;
   });
-  if (!proper) return allTriangles(mesh);
+  if (!proper) {
+    triangles = {};
+    return allTriangles(mesh);
+  }
   addOuterTriangles(agreed, tied, mesh, triangles);
   return triangles;
 }

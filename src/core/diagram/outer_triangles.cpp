@@ -147,6 +147,7 @@ void addOuterTriangles(const ProposedCells& agreed, const TiedCells& tied, SiteM
   // Euler's relation for a triangulation with that many sites on its hull.
   if (triangles.size() + 2 + hull == 2 * cornersOf(agreed, triangles)) return;
   // Cells joined by ties may lack an edge between the known triangles and the rest.
+  triangles = {};
   triangles = allTriangles(mesh);
 }
 

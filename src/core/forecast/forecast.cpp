@@ -22,26 +22,6 @@ std::uint64_t binsOf(std::uint64_t sites) {
   return static_cast<std::uint64_t>(static_cast<double>(sites) / sites_per_bin) + 1;
 }
 
-/// delaunay() and what SiteMesh does around it; see there.
-std::vector<MemoryPlan::Array> planMesh(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
-  const std::string_view what = "the triangulation of all sites";
-  const auto by_bin = plan.take(what, sites * word);
-  const auto order = plan.take(what, sites * word);
-  plan.drop(by_bin);
-  const auto points = plan.take(what, sites * point);
-  const auto weights = plan.take(what, work.weighted ? sites * number : 0);
-  const auto inserted = plan.take(what, sites * word);
-  const auto triangles = plan.take(what, 2 * sites * sizeof(MeshTriangle));
-  const auto region = plan.take(what, 2 * sites);
-  const auto cavity = plan.take(what, 2 * sites);
-  const auto incident = plan.take(what, sites * word);
-  const auto left = plan.take(what, sites * word + sites * word / 2);
-  plan.drop({left, cavity, region, inserted, weights, points});
-  const auto at = plan.take(what, sites * word);
-  plan.drop({incident, order});
-  return {triangles, at};
-}
-
 }  // namespace
 
 std::uint64_t partOf(std::uint64_t number_, double part) {
@@ -103,6 +83,25 @@ void planUpload(MemoryPlan& plan, const Workload& work, std::uint64_t sites, boo
     }
     if (drawn) plan.take(what, sites * needs.mark);
   }
+}
+
+std::vector<MemoryPlan::Array> planMesh(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
+  const std::string_view what = "the triangulation of all sites";
+  const auto by_bin = plan.take(what, sites * word);
+  const auto order = plan.take(what, sites * word);
+  plan.drop(by_bin);
+  const auto points = plan.take(what, sites * point);
+  const auto weights = plan.take(what, work.weighted ? sites * number : 0);
+  const auto inserted = plan.take(what, sites * word);
+  const auto triangles = plan.take(what, 2 * sites * sizeof(MeshTriangle));
+  const auto region = plan.take(what, 2 * sites);
+  const auto cavity = plan.take(what, 2 * sites);
+  const auto incident = plan.take(what, sites * word);
+  const auto left = plan.take(what, sites * word + sites * word / 2);
+  plan.drop({left, cavity, region, inserted, weights, points});
+  const auto at = plan.take(what, sites * word);
+  plan.drop({incident, order});
+  return {triangles, at};
 }
 
 std::vector<MemoryPlan::Array> planJudge(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {

@@ -1,5 +1,6 @@
 /// What Session::render takes, array by array: each line stands for one of picture.cpp and of what it calls.
 #include <algorithm>
+#include <bit>
 
 #include "backend/backend.h"
 #include "core/forecast/forecast.h"
@@ -51,6 +52,12 @@ Arrays planSearchAndDrawing(MemoryPlan& plan, const Workload& work, std::uint64_
   kept.push_back(plan.take("neighbors of cells", sites * (number + 2 * word)));
   append(kept, {even, rest});
   append(kept, planJudge(plan, work, sites));
+  if (work.spread.along_curves) {
+    // All cells are left to the judge.
+    constexpr std::uint64_t row = 6 * word, few = 6'000'000;
+    kept.push_back(plan.take("neighbors of cells", sites * row + few));
+    plan.drop(plan.take("the search", 2 * sites * (number + 2 * word)));
+  }
   return kept;
 }
 
@@ -107,11 +114,12 @@ bool cellsAreKnown(const Workload& work, ColorBy color) {
 Arrays planMarks(MemoryPlan& plan, const Workload& work, const RenderOptions& options) {
   const std::string_view what = "lines and labels";
   const auto edges = partOf(work.sites, work.spread.edges / 2);
-  const std::uint64_t line = sizeof(Line);
+  const std::uint64_t line = sizeof(Line), capacity = std::bit_ceil(edges);
   Arrays kept;
   const auto lines = [&] {
-    plan.drop(plan.take(what, edges * line / 2));
-    kept.push_back(plan.take(what, 2 * edges * line, edges * line));
+    const auto shorter = plan.take(what, capacity / 2 * line);
+    kept.push_back(plan.take(what, capacity * line, edges * line));
+    plan.drop(shorter);
   };
   if (options.edges && options.antialias > 1) lines();
   if (options.dual) lines();
@@ -164,6 +172,8 @@ Arrays planPicture(MemoryPlan& plan, const Workload& work, const RenderOptions& 
   const auto width = static_cast<std::uint64_t>(options.width);
   const auto height = static_cast<std::uint64_t>(options.height);
   for (int k = 0; k < 2; ++k) image.push_back(plan.take("the picture", width * height * word));
+  // Of searches in many rounds, on all threads.
+  if (work.spread.uneven || work.weighted) plan.take("the search", 5'000'000);
   append(working, known ? planPolygons(plan, work, sites) : planSearchAndDrawing(plan, work, sites));
   const Arrays views = planViews(plan, work, width, height);
   planNearest(plan, work, sites);
