@@ -21,20 +21,20 @@ using ::testing::SizeIs;
 
 namespace {
 
-constexpr Point center{0.5, 0.5};
+constexpr Point of_circle{0.5, 0.5};
 
 double powerOf(const CheckedSites& run, std::size_t i, Point p) {
   const Point to = p - run.site(i);
   return dot(to, to) - run.weightDifference(i, 0);
 }
 
-/// Sites on a circle, as exactly as double has them, around the center.
+/// Sites on a circle, as exactly as double has them, around that place.
 Sites circleOf(std::size_t count) {
   Sites sites;
   for (std::size_t k = 0; k < count; ++k) {
     const double angle = 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(count);
-    sites.x.push_back(center.x + std::cos(angle) / 4);
-    sites.y.push_back(center.y + std::sin(angle) / 4);
+    sites.x.push_back(of_circle.x + std::cos(angle) / 4);
+    sites.y.push_back(of_circle.y + std::sin(angle) / 4);
   }
   return sites;
 }
@@ -67,7 +67,7 @@ TEST(CheckNearestSite, IsTheOneOfLeastPower) {
 TEST(CheckNearestSite, KnowsAllThatAreAsNear) {
   const Sites sites = circleOf(300);
   const CheckedSites run(sites, unit, Periodic::none, 1);
-  EXPECT_THAT(NearestSite(run, {}).allAt({center.x * run.scale, center.y * run.scale}), SizeIs(300));
+  EXPECT_THAT(NearestSite(run, {}).allAt({of_circle.x * run.scale, of_circle.y * run.scale}), SizeIs(300));
 }
 
 TEST(CheckNearestSite, TakesAPlaceThatIsNoNumber) {
@@ -111,10 +111,10 @@ TEST(CheckNearestSite, CountsWhatLongSearchesVisit) {
   const NearestSite nearest(run, {});
   static_cast<void>(nearest.at(run.site(17)));
   EXPECT_EQ(nearest.visited(), 0u);
-  static_cast<void>(nearest.at({center.x * run.scale, center.y * run.scale}));
+  static_cast<void>(nearest.at({of_circle.x * run.scale, of_circle.y * run.scale}));
   const auto once = nearest.visited();
   EXPECT_GT(once, sites.size() / 16);
-  static_cast<void>(nearest.allAt({center.x * run.scale, center.y * run.scale}));
+  static_cast<void>(nearest.allAt({of_circle.x * run.scale, of_circle.y * run.scale}));
   EXPECT_EQ(nearest.visited(), 2 * once);
 }
 

@@ -9,13 +9,13 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-constexpr int width = 160, height = 120;
+constexpr int pixels_across = 160, pixels_down = 120;
 
 RenderOptions pictureOptions() {
   RenderOptions options{};
   options.domain = {0, 0, 1, 1};
-  options.width = width;
-  options.height = height;
+  options.width = pixels_across;
+  options.height = pixels_down;
   return options;
 }
 
@@ -29,7 +29,7 @@ class CheckPicture : public ::testing::Test {
     return promisesOf(check(sites, pictureOptions(), picture, 2));
   }
   [[nodiscard]] std::uint32_t& id(int row, int column) {
-    return picture.image.ids[static_cast<std::size_t>(row * width + column)];
+    return picture.image.ids[static_cast<std::size_t>(row * pixels_across + column)];
   }
 
   Sites sites = mixedSites();

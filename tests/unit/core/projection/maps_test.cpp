@@ -49,7 +49,7 @@ Diagram cellsOnEarth(const Sites& sites, const Box& box) {
   return cellsOnEarth(sites, box, projectionAmid(outlineOfDegrees(box).value()).value());
 }
 
-std::set<std::int64_t> neighborsOf(const Diagram& diagram, std::size_t site) {
+std::set<std::int64_t> neighborSet(const Diagram& diagram, std::size_t site) {
   const auto neighbors = diagram.cell(site).neighbors();
   std::set<std::int64_t> sites;
   std::ranges::copy_if(neighbors, std::inserter(sites, sites.end()),
@@ -154,7 +154,7 @@ TEST(Maps, theAntimeridianAndThePolesAreNoBorders) {
     EXPECT_NEAR(a.area[i], b.area[i], 1e-6 * a.area[i]);
     EXPECT_NEAR(b.centroid[i].x, a.centroid[i].x + 170, 1e-8);
     EXPECT_NEAR(b.centroid[i].y, a.centroid[i].y, 1e-8);
-    differ += neighborsOf(a, i) == neighborsOf(b, i) ? 0U : 1U;
+    differ += neighborSet(a, i) == neighborSet(b, i) ? 0U : 1U;
   }
   EXPECT_EQ(differ, 0u);
   const Sites same = turned(Projection::around({180, 51}).value(), moved);
@@ -172,8 +172,8 @@ TEST(Maps, degreesTakenForAPlaneGiveOneSiteInSixOtherNeighbors) {
   const Diagram flat = cellsOf(sites, CellsOptions{box, {}, Periodic::none, {}, {}, Detail::measures, {}});
   std::size_t pairs = 0, lost = 0;
   for (std::size_t i = 0; i < sites.size(); ++i) {
-    const auto there = neighborsOf(projected, i);
-    for (const auto neighbor : neighborsOf(flat, i)) {
+    const auto there = neighborSet(projected, i);
+    for (const auto neighbor : neighborSet(flat, i)) {
       ++pairs;
       lost += there.contains(neighbor) ? 0U : 1U;
     }

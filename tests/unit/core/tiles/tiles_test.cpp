@@ -20,7 +20,7 @@ using namespace core;
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 SiteSet preparedSites(Pattern pattern, std::size_t count) {
   return prepare(generate(pattern, count, 1), {0, 0, 1, 1}, 1)->set;
@@ -115,7 +115,7 @@ TEST(Tiles, KnowTheirSites) {
   std::vector<std::uint32_t> whole;
   const BinBlock block{3, 0, 12, 9};
   const auto tile = cutOut(sites, block, whole);
-  EXPECT_EQ(tile.coverage.ymin, -infinite);
+  EXPECT_EQ(tile.coverage.ymin, -unbounded);
   EXPECT_DOUBLE_EQ(tile.coverage.xmin, sites.grid.xmin + 3 * sites.grid.size);
   EXPECT_DOUBLE_EQ(tile.coverage.xmax, sites.grid.xmin + 13 * sites.grid.size);
   EXPECT_DOUBLE_EQ(tile.coverage.ymax, sites.grid.ymin + 10 * sites.grid.size);
