@@ -66,6 +66,13 @@ measures 85 "cpu, a picture with lines" render --backend cpu --sites random:$n -
 measures 80 "cpu, a picture, checked" render --backend cpu --sites random:$n --check -o out/picture.png
 measures 80 "cpu, a large picture" render --backend cpu --sites random:1500000 -o out/picture.png
 measures 55 "compare" compare --backends cpu,vulkan-compute --sites random:$n --size 500x500
+# After steps: as large as a picture is in its domain.
+measures 70 "cpu, sites that moved, a picture" relax --backend cpu --sites random:20000 --iterations 2 --picture out/picture.png
+if [ -n "${VORPIPE_EXPECTED_BACKENDS-}" ]; then
+  measures 60 "opengl, sites that moved, a picture" relax --backend opengl --sites random:20000 --iterations 2 --picture out/picture.png
+  measures 60 "vulkan-geometry, weights that are sought" transport --backend vulkan-geometry --sites random:10000 -o out/moved.csv
+fi
+measures 70 "cpu, frames" fluid --backend cpu --case shear --particles 3000 --steps 2 --frames out/frames --size 1500
 
 # Hard ones: what a look at the sites tells of them is rather too much.
 for pattern in square clusters circle; do

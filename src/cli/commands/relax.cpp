@@ -69,9 +69,11 @@ std::string_view endWordOf(RelaxEnd end) {
   return words[static_cast<std::size_t>(end)];
 }
 
-/// What a run takes: sites and steps beside the cells of a diagram, then what files take.
-PlanRun planOf(const RelaxCommand& command, std::uint64_t density_pixels) {
-  return [&command, density_pixels](MemoryPlan& plan, Workload work) {
+/// What a run takes: sites and steps beside the cells of a diagram, then what files take;
+/// `domain` as far as it is known.
+PlanRun planOf(const RelaxCommand& command, std::uint64_t density_pixels,
+               const std::optional<Box>& domain = {}) {
+  return [&command, density_pixels, domain](MemoryPlan& plan, Workload work) {
     constexpr std::uint64_t number = sizeof(double), steps_of_newton = 14, others = 12;
     work.density_pixels = density_pixels;
     if (density_pixels > 0) planDensity(plan, density_pixels);
@@ -81,7 +83,7 @@ PlanRun planOf(const RelaxCommand& command, std::uint64_t density_pixels) {
     plan.take("sites that move", (others + (newton ? steps_of_newton : 0)) * 2 * number * work.sites);
     plan.drop(planCells(plan, work, Detail::polygons));
     plan.dropSince(since);
-    planFiles(plan, work, command.targets, command.picture);
+    planFiles(plan, work, command.targets, command.picture, domain);
   };
 }
 
@@ -225,8 +227,9 @@ Result<ExitCode> relax(RelaxCommand& command, const Invocation& how) {
   auto session = Session::open(command.backend);
   if (!session) return tl::unexpected(std::move(session.error()));
   log.choice = session->choice();
-  const auto forecast = forecastRun(reading, *input, ImagesFor::cells, session->device(), command.backend,
-                                    planOf(command, density->values.size()), command.memory_limit);
+  const auto forecast =
+      forecastRun(reading, *input, ImagesFor::cells, session->device(), command.backend,
+                  planOf(command, density->values.size(), input->domain), command.memory_limit);
   if (!forecast) return tl::unexpected(forecast.error());
   RelaxRun run{command, job, log, std::move(*files)};
   const auto relaxed = relaxIn(run, *session, std::move(options));

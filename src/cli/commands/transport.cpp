@@ -53,12 +53,15 @@ std::vector<std::string> outputPaths(const TransportCommand& command) {
   return command.targets.pathsWith({command.weights, command.targets.trace, command.stats});
 }
 
-/// What a run takes: cells, the matrix and the levels of its solver, then what files take.
-PlanRun planOf(const TransportCommand& command, std::uint64_t density_pixels) {
-  return [&command, density_pixels](MemoryPlan& plan, Workload work) {
+/// What a run takes: cells, the matrix and the levels of its solver, then what files take;
+/// `domain` as far as it is known.
+PlanRun planOf(const TransportCommand& command, std::uint64_t density_pixels,
+               const std::optional<Box>& domain = {}) {
+  return [&command, density_pixels, domain](MemoryPlan& plan, Workload work) {
     // As measured: weights and what is missing, the matrix and the levels of its solver; polygons of cells in
-    // periods and outlines.
-    constexpr std::uint64_t of_any = 6'000'000, in_box = 900, of_surface = 680, of_polygons = 1360;
+    // periods and outlines; what drivers keep from one diagram to the next.
+    constexpr std::uint64_t of_any = 6'000'000, of_device = 8'000'000, in_box = 900, of_surface = 680,
+                            of_polygons = 1360;
     const bool has_air = command.masses.around() == Surface::free;
     const auto of_newton = work.periodic || work.outlined ? of_polygons : has_air ? of_surface : in_box;
     work.density_pixels = density_pixels;
@@ -68,9 +71,10 @@ PlanRun planOf(const TransportCommand& command, std::uint64_t density_pixels) {
     planSession(plan, work);
     const auto since = plan.next();
     plan.take("weights that are sought", of_any + of_newton * work.sites);
+    if (work.backend != "cpu") plan.take("the driver", of_device);
     plan.drop(planCells(plan, work, Detail::polygons));
     plan.dropSince(since);
-    planFiles(plan, work, command.targets, command.picture);
+    planFiles(plan, work, command.targets, command.picture, domain);
   };
 }
 
@@ -181,8 +185,8 @@ Result<ExitCode> transportCells(TransportCommand& command, const Invocation& how
   if (!density) return tl::unexpected(density.error());
   InputOptions reading = command.input;
   reading.reading.attributes = command.targets.carryAttributes() || !command.masses.attribute.empty();
-  const PlanRun plan = planOf(command, density->values.size());
-  const auto input = inputUnder(*density, reading, plan, command.memory_limit);
+  const auto input =
+      inputUnder(*density, reading, planOf(command, density->values.size()), command.memory_limit);
   if (!input) return tl::unexpected(input.error());
   auto masses = loadMasses(command.masses, *input);
   if (!masses) return tl::unexpected(std::move(masses.error()));
@@ -198,8 +202,9 @@ Result<ExitCode> transportCells(TransportCommand& command, const Invocation& how
   auto session = Session::open(command.backend);
   if (!session) return tl::unexpected(std::move(session.error()));
   log.choice = session->choice();
-  const auto forecast = forecastRun(reading, *input, ImagesFor::cells, session->device(), command.backend,
-                                    plan, command.memory_limit);
+  const auto forecast =
+      forecastRun(reading, *input, ImagesFor::cells, session->device(), command.backend,
+                  planOf(command, density->values.size(), input->domain), command.memory_limit);
   if (!forecast) return tl::unexpected(forecast.error());
   TransportRun run{command, job, log, std::move(*files)};
   const auto found = transportIn(run, *session, std::move(options));

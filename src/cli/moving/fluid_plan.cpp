@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 
 #include "cli/runs/drawing.h"
 #include "cli/runs/forecast.h"
+#include "cli/runs/picture.h"
 #include "io/files/error.h"
 #include "io/forecast/forecast_files.h"
 
@@ -30,7 +32,8 @@ std::string_view optionOf(const FluidChoices& choices) {
   return fluidCaseOf(choices.begin) ? "--particles" : "--case";
 }
 
-std::uint64_t peakOf(const FluidPlan& asked, Workload work, std::uint64_t of_fluid) {
+std::uint64_t peakOf(const FluidPlan& asked, Workload work, std::uint64_t of_fluid,
+                     const std::optional<Box>& domain) {
   work.weighted = true;
   MemoryPlan plan;
   planSession(plan, work);
@@ -39,11 +42,11 @@ std::uint64_t peakOf(const FluidPlan& asked, Workload work, std::uint64_t of_flu
   const FluidTargets& targets = asked.targets;
   if (!targets.series.empty()) plan.drop(planCells(plan, work, Detail::polygons));
   if (!targets.frames.empty()) {
-    const PictureSize size = sizeBefore(asked.picture.size);
+    const PictureSize size = sizeOf(asked.picture, domain);
     RenderOptions render = asked.picture.render;
     render.width = size.width;
     render.height = size.height;
-    planDrawing(plan, work, render, {.pixels = true, .cells = false}, /*checks=*/false);
+    planDrawingAfterSteps(plan, work, render, {.pixels = true, .cells = false});
   }
   if (!targets.cells.empty()) planCells(plan, work, Detail::everything);
   for (const CellsTarget& target : targets.cells) planCellsFile(plan, work, *target.format);
@@ -63,7 +66,7 @@ Result<void> forecastCase(const FluidPlan& plan) {
   Workload work;
   work.sites = plan.choices.particles;
   const auto scheme = plan.choices.scheme.value_or(FluidScheme::springs);
-  return allowed(plan, peakOf(plan, work, bytesOf(scheme, Surface::none, Periodic::none)))
+  return allowed(plan, peakOf(plan, work, bytesOf(scheme, Surface::none, Periodic::none), {}))
       .map([](std::uint64_t) {});
 }
 
@@ -76,7 +79,8 @@ Result<std::uint64_t> forecastFluid(const FluidPlan& plan, const FluidSetup& set
   cells.search = options.search;
   const auto work = workloadOf(setup.state.sites, cells, ImagesFor::cells, device, threads);
   if (!work) return tl::unexpected(work.error());
-  return allowed(plan, peakOf(plan, *work, bytesOf(options.scheme, options.surface, options.periodic)));
+  return allowed(
+      plan, peakOf(plan, *work, bytesOf(options.scheme, options.surface, options.periodic), options.domain));
 }
 
 }  // namespace vorpipe::cli

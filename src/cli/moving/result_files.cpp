@@ -45,12 +45,12 @@ CellsOptions cellsOptions(const ResultJob& job) {
 }  // namespace
 
 void planFiles(MemoryPlan& plan, const Workload& work, const ResultTargets& targets,
-               const PictureOptions& picture) {
-  const PictureSize size = sizeBefore(picture.size);
+               const PictureOptions& picture, const std::optional<Box>& domain) {
+  const PictureSize size = sizeOf(picture, domain);
   RenderOptions render = picture.render;
   render.width = size.width;
   render.height = size.height;
-  if (!targets.pictures.empty()) planDrawing(plan, work, render, needsOf(targets.pictures), false);
+  if (!targets.pictures.empty()) planDrawingAfterSteps(plan, work, render, needsOf(targets.pictures));
   if (!targets.cells.empty()) planCells(plan, work, targets.detail());
   for (const CellsTarget& target : targets.cells) planCellsFile(plan, work, *target.format);
 }

@@ -35,9 +35,9 @@ struct ResultParts {
   RenderOptions render{};
 };
 
-/// Plans what the files of sites take, beside what the run itself does.
+/// Plans what the files of sites take, beside what the run itself does; `domain` as far as it is known.
 void planFiles(MemoryPlan& plan, const Workload& work, const ResultTargets& targets,
-               const PictureOptions& picture);
+               const PictureOptions& picture, const std::optional<Box>& domain);
 
 /// Refuses, before a backend is opened, what computing cells or drawing pictures would.
 Result<void> checkBefore(const ResultJob& job);

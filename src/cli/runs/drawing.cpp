@@ -65,4 +65,11 @@ void planDrawing(MemoryPlan& plan, const Workload& work, const RenderOptions& op
   if (needs.cells) planShapes(plan, work, options);
 }
 
+void planDrawingAfterSteps(MemoryPlan& plan, const Workload& work, const RenderOptions& options,
+                           const DrawingNeeds& needs) {
+  constexpr std::uint64_t gaps = 8'000'000;
+  plan.take("gaps that steps left", gaps);
+  planDrawing(plan, work, options, needs, /*checks=*/false);
+}
+
 }  // namespace vorpipe::cli

@@ -40,4 +40,8 @@ Result<std::vector<std::string>> checkDrawing(const Sites& sites, const RenderOp
 void planDrawing(MemoryPlan& plan, const Workload& work, const RenderOptions& options,
                  const DrawingNeeds& needs, bool checks);
 
+/// The same after a run of steps, without checks.
+void planDrawingAfterSteps(MemoryPlan& plan, const Workload& work, const RenderOptions& options,
+                           const DrawingNeeds& needs);
+
 }  // namespace vorpipe::cli

@@ -47,16 +47,22 @@ Result<void> checkPicture(const RenderOptions& picture, const InputOptions& site
 
 }  // namespace
 
+PictureSize sizeOf(const PictureOptions& picture, const std::optional<Box>& domain) {
+  if (!domain) return sizeBefore(picture.size);
+  RenderOptions options = picture.render;
+  options.domain = *domain;
+  const int longer_side = picture.size.longer_side;
+  const Box& shown = shownBox(options);
+  return picture.size.sides.value_or(longer_side > 0 ? sizeFor(shown, longer_side) : defaultSize(shown));
+}
+
 Result<RenderOptions> pictureOf(const PictureOptions& picture, const InputOptions& sites,
                                 const Input& input) {
   RenderOptions options = picture.render;
   options.domain = input.domain;
   options.outline = input.outline;
   options.periodic = input.periodic;
-  const int longer_side = picture.size.longer_side;
-  const Box& shown = shownBox(options);
-  const PictureSize size =
-      picture.size.sides.value_or(longer_side > 0 ? sizeFor(shown, longer_side) : defaultSize(shown));
+  const PictureSize size = sizeOf(picture, input.domain);
   options.width = size.width;
   options.height = size.height;
   options.fit = picture.fit.value_or(usualFit(input));

@@ -1,6 +1,7 @@
 /// Pictures of an input, as the options ask for them.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "cli/options/picture_options.h"
@@ -8,6 +9,9 @@
 #include "vorpipe.h"
 
 namespace vorpipe::cli {
+
+/// How large a picture will be; while the domain is not known, no larger than it will.
+PictureSize sizeOf(const PictureOptions& picture, const std::optional<Box>& domain);
 
 /// What is drawn of an input. Errors (input): options that contradict each other, or the input; they name the
 /// option.
