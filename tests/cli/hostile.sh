@@ -195,7 +195,7 @@ echo old >out/cells.npz
 import os, subprocess, sys
 import numpy
 numpy.save("in/cut_off.npy", numpy.random.default_rng(1).random((2_000_000, 2)))
-run = subprocess.Popen([sys.argv[1], "cells", "--quiet", "--backend", "cpu", "--sites", "in/cut_off.npy",
+run = subprocess.Popen([sys.argv[1], "cells", "--quiet", "--backend", "cpu", "--threads", "8", "--sites", "in/cut_off.npy",
                         "--detail", "measures", "-o", "out/cells.npz"])
 while run.poll() is None:
     with open(f"/proc/{run.pid}/maps") as maps:

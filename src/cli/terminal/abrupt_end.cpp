@@ -6,6 +6,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <new>
 #include <string_view>
 
@@ -65,15 +66,23 @@ void endOnLostPages(int code) {
   static int exit_code;
   exit_code = code;
   struct sigaction action {};
-  action.sa_sigaction = [](int, siginfo_t* info, void*) {
+  action.sa_sigaction = [](int signal, siginfo_t* info, void*) {
+    static std::atomic_flag ending;
     // Anything else is a fault of the program, which ends it as soon as this returns.
-    if (info->si_code != BUS_ADRERR) return;
+    if (info->si_code != BUS_ADRERR) {
+      struct sigaction usual {};
+      usual.sa_handler = SIG_DFL;
+      sigaction(signal, &usual, nullptr);
+      return;
+    }
+    // All threads read the file: whoever comes later waits for the end that the first one makes.
+    while (ending.test_and_set()) pause();
     removeUnfinished();
     const bool written = writeLine(
         "vorpipe: --sites: a part of the file is gone: it was cut off meanwhile, or its disk fails\n");
     _exit(written ? exit_code : killed_by_signal + SIGBUS);
   };
-  action.sa_flags = static_cast<int>(SA_SIGINFO | SA_RESETHAND);
+  action.sa_flags = SA_SIGINFO;
   sigaction(SIGBUS, &action, nullptr);
 }
 
