@@ -94,7 +94,7 @@ Result<OpenedPipeline> makeVulkanBackend(const BackendOptions& options, Drivers 
     geometry = openPipeline(options, Pipeline::geometry, drivers);
   } else {
     without_compute = device.error();
-    // The same instance: to make one is most of the time that a driver without a GPU takes to find.
+    // The same instance: a new one would have the loader look through all drivers again.
     const auto other = chooseDevice(*instance, options, Pipeline::geometry, drivers);
     if (!other) return tl::unexpected(*without_compute);
     geometry = openDevice(std::move(*instance), *other, Pipeline::geometry);

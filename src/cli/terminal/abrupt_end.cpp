@@ -75,7 +75,8 @@ void endOnLostPages(int code) {
       sigaction(signal, &usual, nullptr);
       return;
     }
-    // All threads read the file: whoever comes later waits for the end that the first one makes.
+    // Several threads may read missing pages at once. The first one writes the line and ends the process; the
+    // others sleep until then.
     while (ending.test_and_set()) pause();
     removeUnfinished();
     const bool written = writeLine(

@@ -54,8 +54,8 @@ Arrays planSearchAndDrawing(MemoryPlan& plan, const Workload& work, std::uint64_
   append(kept, planJudge(plan, work, sites));
   if (work.spread.along_curves) {
     // All cells are left to the judge.
-    constexpr std::uint64_t row = 6 * word, few = 6'000'000;
-    kept.push_back(plan.take("neighbors of cells", sites * row + few));
+    constexpr std::uint64_t row = 6 * word, of_search = 6'000'000;  // the latter as measured
+    kept.push_back(plan.take("neighbors of cells", sites * row + of_search));
     plan.drop(plan.take("the search", 2 * sites * (number + 2 * word)));
   }
   return kept;
@@ -172,7 +172,7 @@ Arrays planPicture(MemoryPlan& plan, const Workload& work, const RenderOptions& 
   const auto width = static_cast<std::uint64_t>(options.width);
   const auto height = static_cast<std::uint64_t>(options.height);
   for (int k = 0; k < 2; ++k) image.push_back(plan.take("the picture", width * height * word));
-  // Of searches in many rounds, on all threads.
+  // What searches leave in the heap, as measured up to two million sites.
   if (work.spread.uneven || work.weighted) plan.take("the search", 5'000'000);
   append(working, known ? planPolygons(plan, work, sites) : planSearchAndDrawing(plan, work, sites));
   const Arrays views = planViews(plan, work, width, height);
