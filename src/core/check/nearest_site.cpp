@@ -64,6 +64,7 @@ class NearestAndEqual {
     }
     return true;
   }
+  void sort() {}  // newer nanoflann asks for it at the end of each search; few callers need an order
 
   [[nodiscard]] std::uint64_t visited() const { return visited_; }
 

@@ -23,9 +23,22 @@ class Cloud {
  public:
   Cloud(const SiteSet& sites, Point base, std::vector<std::uint32_t> site, double heaviest)
       : sites_(sites), base_(base), site_(std::move(site)) {
-    if (Dimensions == 2) return;
-    for (const auto i : site_) height_.push_back(std::sqrt(heaviest - sites.weight[i]));
+    if (Dimensions == 3)
+      for (const auto i : site_) height_.push_back(std::sqrt(heaviest - sites.weight[i]));
+    for (std::size_t axis = 0; axis < Dimensions; ++axis) {
+      for (std::uint32_t point = 0; point < site_.size(); ++point) {
+        const double at = kdtree_get_pt(point, axis);
+        box_[axis] = {std::min(box_[axis].low, at), std::max(box_[axis].high, at)};
+      }
+    }
   }
+
+  /// The least and the largest coordinate of all points.
+  struct Span {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
+  };
+  [[nodiscard]] const Span& along(std::size_t axis) const { return box_[axis]; }
 
   [[nodiscard]] std::uint32_t siteOf(std::uint32_t point) const { return site_[point]; }
 
@@ -35,8 +48,12 @@ class Cloud {
     return axis == 0 ? sites_.x[site_[point]] - base_.x : sites_.y[site_[point]] - base_.y;
   }
   template <class Bounds>
-  bool kdtree_get_bbox(Bounds&) const {
-    return false;
+  bool kdtree_get_bbox(Bounds& bounds) const {
+    for (std::size_t axis = 0; axis < Dimensions; ++axis) {
+      bounds[axis].low = box_[axis].low;
+      bounds[axis].high = box_[axis].high;
+    }
+    return true;
   }
 
  private:
@@ -44,6 +61,7 @@ class Cloud {
   Point base_;
   std::vector<std::uint32_t> site_;  // by point
   std::vector<double> height_;       // by point
+  std::array<Span, Dimensions> box_;
 };
 
 /// Squared distances that differ by less than this part of themselves may be in either order.
@@ -105,6 +123,7 @@ class NearestAndTies {
     if (!ties_.empty()) std::erase_if(ties_, [&](const Candidate& tie) { return tie.squared >= tied; });
     return true;
   }
+  void sort() {}  // newer nanoflann asks for it at the end; `nearest` has an order of its own
 
   /// How far another place can be from p and must have the same nearest site: a way changes the distance to
   /// no site, nor that to its point above the plane, by more than its length.
@@ -155,7 +174,7 @@ class PartTree {
   [[nodiscard]] double squaredDistance(const std::array<double, 3>& place) const {
     double squared = 0;
     for (std::size_t axis = 0; axis < Dimensions; ++axis) {
-      const auto& along = index_.root_bbox[axis];
+      const auto& along = cloud_.along(axis);
       const double away = std::max({along.low - place[axis], place[axis] - along.high, 0.0});
       squared += away * away;
     }
@@ -164,7 +183,7 @@ class PartTree {
 
   void search(const std::array<double, 3>& place, NearestAndTies<Dimensions>& found) const {
     found.from(cloud_);
-    index_.findNeighbors(found, place.data(), nanoflann::SearchParams());
+    index_.findNeighbors(found, place.data(), {});
   }
 
  private:
