@@ -4,7 +4,9 @@
 #include <boost/geometry/geometries/box.hpp>
 #include <boost/geometry/geometries/point.hpp>
 #include <boost/geometry/index/rtree.hpp>
+#include <boost/geometry/strategies/strategies.hpp>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace vorpipe::core {
