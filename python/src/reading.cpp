@@ -41,7 +41,8 @@ SharedTopology topologyOfCells(const CellsResult& cells, int threads) {
 
 /// The bytes of a file with that extension.
 py::bytes bytesOf(const CellsResult& cells, const std::string& extension, bool only_cells) {
-  const CellsFormat& format = formatOf(cells, "cells" + extension, only_cells);
+  const std::string name = "cells" + extension;
+  const CellsFormat& format = formatOf(cells, name, only_cells);
   MemorySink sink(extension);
   auto written = [&] {
     const WithoutGil no_gil;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -25,11 +26,11 @@ struct Judged {
   ExactCells exact;
 };
 
-const Judged& judged(const std::string& name, std::uint64_t n) {
+const Judged& judged(std::string_view name, std::uint64_t n) {
   static std::map<std::pair<std::string, std::uint64_t>, Judged> known;
-  const auto [place, fresh] = known.try_emplace({name, n});
+  const auto [place, fresh] = known.try_emplace({std::string(name), n});
   if (fresh) {
-    place->second.set = makeDataSet(name, n, seed);
+    place->second.set = makeDataSet(place->first.first, n, seed);
     place->second.exact = exactCells(place->second.set.sites, place->second.set.domain);
   }
   return place->second;
