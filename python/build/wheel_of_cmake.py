@@ -9,6 +9,7 @@ import os
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 import sysconfig
@@ -127,9 +128,10 @@ def run(*command):
 
 def sources():
     """Every file of the tree that belongs to it: what git knows, else all but what is built."""
-    known = subprocess.run(['git', 'ls-files', '-z'], cwd=ROOT, capture_output=True, text=True)
-    if known.returncode == 0 and known.stdout:
-        return sorted(name for name in known.stdout.split('\0') if name and os.path.isfile(ROOT / name))
+    if shutil.which('git'):
+        known = subprocess.run(['git', 'ls-files', '-z'], cwd=ROOT, capture_output=True, text=True)
+        if known.returncode == 0 and known.stdout:
+            return sorted(name for name in known.stdout.split('\0') if name and os.path.isfile(ROOT / name))
     files = (file.relative_to(ROOT) for file in ROOT.rglob('*') if file.is_file())
     return sorted(str(file) for file in files
                   if file.parts[0] not in ('build', '.git', 'PKG-INFO') and '__pycache__' not in file.parts)

@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, List, Mapping, Optional, Sequence, Tuple, Union, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -15,6 +15,11 @@ Bools = npt.NDArray[np.bool_]
 Mask = Tuple[List[str], List[Tuple[str, int]]]
 Outline = Tuple[Floats, npt.NDArray[np.uint64], npt.NDArray[np.uint64], bytes]
 PathLike = Union[str, 'os.PathLike[str]']
+
+
+def listed(array: npt.NDArray[Any]) -> List[Any]:
+    """Of an array with axes. NumPy's own types have allowed for one without since 2.2."""
+    return cast(List[Any], array.tolist())
 
 
 def numbers(argument: str, value: Any) -> Floats:
@@ -64,7 +69,7 @@ def box_of(value: Any, argument: str = 'domain') -> Optional[Tuple[float, float,
     array = numbers(argument, value)
     if array.shape != (4,):
         raise refuse(argument, f'shape {array.shape}, must be 4 numbers: xmin, ymin, xmax, ymax')
-    xmin, ymin, xmax, ymax = array.tolist()
+    xmin, ymin, xmax, ymax = listed(array)
     return xmin, ymin, xmax, ymax
 
 

@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _vorpipe
+from ._arguments import listed
 from ._scalars import refuse
 
 Attributes = Mapping[str, npt.NDArray[Any]]
@@ -74,7 +75,7 @@ def _add(columns: _vorpipe.Attributes, name: str, given: Any, count: int) -> Non
         missing = np.isnat(values)
         columns.add_texts(name, 'text', [None if gone else str(value) for gone, value in zip(missing, values)])
     else:
-        _add_objects(columns, name, values.tolist())
+        _add_objects(columns, name, listed(values))
 
 
 def _add_objects(columns: _vorpipe.Attributes, name: str, values: List[Any]) -> None:

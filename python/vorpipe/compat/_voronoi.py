@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .. import _vorpipe
-from .._arguments import Floats
+from .._arguments import Floats, listed
 from ._points import Indices, PlaneSet
 
 
@@ -68,22 +68,22 @@ class Voronoi(PlaneSet):
     @cached_property
     def ridge_vertices(self) -> List[List[int]]:
         """By ridge, which separates the two points of `ridge_points`: its two vertices."""
-        vertices: List[List[int]] = self._ridges.tolist()
+        vertices: List[List[int]] = listed(self._ridges)
         return vertices
 
     @cached_property
     def ridge_dict(self) -> Dict[Tuple[int, int], List[int]]:
         """The vertices of the ridge between two points."""
-        return {(p, q): ends for (p, q), ends in zip(self.ridge_points.tolist(), self.ridge_vertices)}
+        return {(p, q): ends for (p, q), ends in zip(listed(self.ridge_points), self.ridge_vertices)}
 
     @cached_property
     def regions(self) -> List[List[int]]:
         """By region: its vertices, counter-clockwise; those of points on the hull have -1 among them."""
         offsets, fans, are_closed = _vorpipe.triangle_fans(self._triangles, self._adjacent, self.npoints)
-        around: List[int] = self._center_of[fans].tolist()
-        bounds: List[int] = offsets.tolist()
+        around: List[int] = listed(self._center_of[fans])
+        bounds: List[int] = listed(offsets)
         regions: List[List[int]] = [[]] * self._begins_with_empty
-        for point in np.flatnonzero(self._owner == np.arange(self.npoints)).tolist():
+        for point in listed(np.flatnonzero(self._owner == np.arange(self.npoints))):
             ring = around[bounds[point] : bounds[point + 1]]
             regions.append(_around(ring if are_closed[point] else [-1, *ring]))
         return regions
@@ -100,7 +100,7 @@ def _around(ring: List[int]) -> List[int]:
 
 def _exact_center(corners: Floats) -> Tuple[float, float]:
     """Of a triangle too flat for anything else. Where it is beyond all doubles, it is infinite."""
-    (ax, ay), (bx, by), (cx, cy) = [(Fraction(x), Fraction(y)) for x, y in corners.tolist()]
+    (ax, ay), (bx, by), (cx, cy) = [(Fraction(x), Fraction(y)) for x, y in listed(corners)]
     bx, by, cx, cy = bx - ax, by - ay, cx - ax, cy - ay
     doubled = 2 * (bx * cy - by * cx)
     bb, cc = bx * bx + by * by, cx * cx + cy * cy
