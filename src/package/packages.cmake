@@ -54,7 +54,7 @@ if(GZIP)
     list(GET pair 0 component)
     list(GET pair 1 name)
     install(FILES ${CMAKE_CURRENT_BINARY_DIR}/package/copyright ${CMAKE_CURRENT_BINARY_DIR}/package/changelog.gz
-            DESTINATION ${CMAKE_INSTALL_DOCDIR}/../${name} COMPONENT ${component})
+            DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/${name} COMPONENT ${component})
   endforeach()
 endif()
 
