@@ -77,6 +77,7 @@ NOT_RUN = {
     'tests/bench/run.sh': BUILDS,
     'cmake --preset tsan && cmake --build --preset tsan && ctest --preset tsan': BUILDS,
     'tests/coverage.sh': BUILDS,
+    'tests/debian.sh': BUILDS,
     'cmake -B build/clang -G Ninja -D CMAKE_CXX_COMPILER=clang++ -D CMAKE_BUILD_TYPE=RelWithDebInfo -D VORPIPE_TESTS=OFF':
         BUILDS,
     'cmake --build build/clang --target vorpipe': BUILDS,

@@ -1,0 +1,117 @@
+#!/usr/bin/env bash
+# Tries ./run, ./test and the packages in new roots of Debian's releases, as those who have just cloned the tree do.
+# Usage, as root: tests/debian.sh [--ccache] [RELEASE...]; without names bookworm (12) and trixie (13).
+# debootstrap makes the roots in build/debian, from where apt has its packages here; logs lie beside them. What is cloned
+# is HEAD. --ccache shares this machine's compiler cache with the roots.
+root=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+cd "$root" || exit
+
+fail() {
+  printf 'debian.sh: %s\n' "$*" >&2
+  exit 3
+}
+
+cache=
+if [[ ${1-} == --ccache ]]; then
+  cache=$(ccache --get-config cache_dir) || fail 'there is no ccache'
+  shift
+fi
+if [[ $# == 0 ]]; then set -- bookworm trixie; fi
+[[ $(id -u) == 0 ]] || fail 'roots are made by root'
+for tool in debootstrap unshare git; do
+  command -v "$tool" >/dev/null || fail "$tool is missing"
+done
+
+# From where apt has packages with that label here.
+mirrorOf() {
+  apt-get indextargets --format '$(LABEL) $(REPO_URI)' 'Created-By: Packages' | sed -n "s/^$1 //p" | head -1
+}
+mirror=$(mirrorOf Debian)
+security=$(mirrorOf Debian-Security)
+[[ -n $mirror ]] || fail 'apt has no packages of Debian here'
+work=$root/build/debian
+mkdir -p "$work"
+
+# makeRoot RELEASE FOLDER: as small as debootstrap makes them, without git.
+makeRoot() {
+  local release=$1 to=$2 with=()
+  rm -rf --one-file-system "$to"
+  [[ $mirror != https:* ]] || with=(--include=ca-certificates)
+  debootstrap --variant=minbase "${with[@]}" "$release" "$to" "$mirror" || return
+  {
+    printf "deb $mirror %s main\n" "$release" "$release-updates"
+    [[ -z $security ]] || printf 'deb %s %s-security main\n' "$security" "$release"
+  } >"$to/etc/apt/sources.list"
+  apt-config dump | grep -E '^Acquire::(Check-|https?::|Retries)' >"$to/etc/apt/apt.conf.d/99host"
+  cp /etc/resolv.conf /etc/hosts "$to/etc/"
+  inRoot "$to" apt-get -q update
+}
+
+# inRoot FOLDER COMMAND...: runs it there, with an environment of its own. What it mounts and starts ends with it.
+inRoot() {
+  local to=$1 kept=()
+  shift
+  local name
+  for name in http_proxy https_proxy no_proxy; do
+    if [[ -n ${!name-} ]]; then kept+=("$name=${!name}"); fi
+  done
+  [[ -z $cache ]] || kept+=(CCACHE_DIR=/ccache CCACHE_BASEDIR=/vorpipe)
+  CACHE=$cache unshare --mount --pid --fork --kill-child sh -ec '
+    mount -t proc proc "$0/proc"
+    mount --rbind /sys "$0/sys"
+    mount --rbind /dev "$0/dev"
+    if [ -n "$CACHE" ]; then
+      mkdir -p "$0/ccache"
+      mount --bind "$CACHE" "$0/ccache"
+    fi
+    exec chroot "$0" env -i "$@"' "$to" HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin "${kept[@]}" "$@"
+}
+
+# step RELEASE NAME COMMAND...: a line that says whether it went well, how long it took, and what the tests say at their end.
+failures=0
+step() {
+  local release=$1 name=$2 log=$work/$1.$2.log begin=$SECONDS result=ok code
+  shift 2
+  "$@" >"$log" 2>&1
+  code=$?
+  [[ $code == 0 ]] || result="FAILED with $code, see ${log#"$root/"}"
+  printf '%-10s %-8s %5d s  %s\n' "$release" "$name" $((SECONDS - begin)) "$result"
+  sed -n '/^test: /,$p' "$log"
+  [[ $code == 0 ]] || failures=$((failures + 1))
+  return $code
+}
+
+# What ./run writes beside its picture is a fault: nothing that a release lacks or the build says belongs to users.
+firstRun() {
+  inRoot "$1" sh -ec 'mkdir -p /tmp/first && cd /tmp/first && /vorpipe/run 2>&1 | tee said && test -s voronoi.png && test ! -s said'
+}
+
+# runOf PROGRAM: checks cells, in a root where nothing was built.
+runOf() {
+  inRoot "$new" sh -ec '"$0" --version && "$0" cells --sites clusters:2000 --check -o /tmp/cells.npz && "$0" selftest --quick --backend cpu' "$1"
+}
+
+tryArchive() {
+  tar -C "$new/opt" -xJf "$built"/vorpipe-*.tar.xz && runOf "$(cd "$new" && printf '/%s' opt/vorpipe-*/bin/vorpipe)"
+}
+
+tryDeb() {
+  cp "$built"/*.deb "$new/tmp/" &&
+    inRoot "$new" sh -ec 'DEBIAN_FRONTEND=noninteractive apt-get -q install -y --no-install-recommends /tmp/*.deb' &&
+    runOf /usr/bin/vorpipe
+}
+
+for release in "$@"; do
+  to=$work/$release new=$work/$release.new built=$work/$release/vorpipe/build/packages
+  step "$release" root makeRoot "$release" "$to" || continue
+  rm -rf --one-file-system "$new"
+  cp -a "$to" "$new"
+  [[ -z $cache ]] || step "$release" ccache inRoot "$to" apt-get -q install -y --no-install-recommends ccache
+  step "$release" clone git clone --depth 1 "file://$root" "$to/vorpipe" || continue
+  step "$release" run firstRun "$to"
+  step "$release" test inRoot "$to" /vorpipe/test
+  step "$release" packages inRoot "$to" /vorpipe/src/package/make || continue
+  step "$release" archive tryArchive
+  step "$release" deb tryDeb
+done
+exit $((failures > 0))
