@@ -11,7 +11,6 @@
 layout(points) in;
 layout(triangle_strip, max_vertices = MAX_EDGES) out;
 
-in gl_PerVertex { vec4 gl_Position; } gl_in[];
 out gl_PerVertex { vec4 gl_Position; };
 layout(location = 0) flat out uvec2 cell_mark;    // id, palette index
 layout(location = 1) flat out uvec2 cell_status;  // entry, status

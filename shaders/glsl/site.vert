@@ -8,5 +8,4 @@ layout(location = 1) flat out uint entry_site;
 void main() {
     entry_index = uint(gl_VertexIndex);
     entry_site = in_site;
-    gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
 }

@@ -20,6 +20,5 @@ void main()
     entry_origin = in_origin;
     entry_mark = in_mark;
     entry_index = uint(gl_VertexID);
-    gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
 }
 

@@ -8,6 +8,5 @@ void main()
 {
     entry_index = uint(gl_VertexID);
     entry_site = in_site;
-    gl_Position = vec4(0.0, 0.0, 0.0, 1.0);
 }
 
