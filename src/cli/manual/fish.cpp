@@ -23,7 +23,7 @@ function __vorpipe_files
     set -l typed (commandline -ct | string replace -r -- '^--[a-z-]+=' '')
     set -l paths (complete -C "'' $typed" | string split -f1 \t)
     set -l endings (string join '|' -- '/' (string escape --style=regex -- $argv))
-    set -l fitting (string match -rie -- "($endings)\$" $paths)
+    set -l fitting (string match -rie -- "(?:$endings)\$" $paths)
     set -q fitting[1]; or set fitting $paths
     string join \n -- $fitting
 end
