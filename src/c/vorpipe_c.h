@@ -57,7 +57,7 @@ enum {
 VORPIPE_API const char* vorpipe_last_error(void);
 VORPIPE_API vorpipe_subject vorpipe_last_subject(void);
 
-/* As `vorpipe --version` prints it: "0.1.0". */
+/* As `vorpipe --version` prints it: "0.2.0". */
 VORPIPE_API const char* vorpipe_version(void);
 
 /* ---- Names ---- */
