@@ -43,6 +43,7 @@ for subcommand in $subcommands; do
   [ "$(sed -n 's/^\.SS //p' "man/vorpipe-$subcommand.1")" = "$groups" ] || fail "the page has others"
   [ -z "$(grep -oE '^  (-[a-z],)?-[a-z-]+' files/help | sort | uniq -d)" ] || fail "an option stands twice"
   grep -qE '^Examples?:$' files/help || fail "there is no example"
+  cat -s files/help | cmp -s - files/help || fail "two empty lines"
   # The page's examples are run below.
   sed -n '/^Example/,$ s/^    //p' files/help >files/examples
   [ "$(wc -l <files/examples)" -eq "$(sed -n '/^\.EX$/,/^\.EE$/p' "man/vorpipe-$subcommand.1" | grep -vc '^\.E')" ] ||

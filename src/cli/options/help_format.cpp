@@ -22,7 +22,8 @@ class HelpFormat final : public CLI::Formatter {
           [&](const CLI::Option* option) { return option->nonpositional() && option->get_group() == group; });
       if (!options.empty()) text += make_group(group, false, options);
     }
-    return text + make_footer(app);
+    // Its make_footer puts an empty line before it or not, as CLI11's version has it.
+    return text + app->get_footer() + '\n';
   }
 };
 
