@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Tries ./run, ./test and the packages in new roots of Debian's releases, as those who have just cloned the tree do.
-# Usage, as root: tests/debian.sh [--ccache] [RELEASE...]; without names bookworm (12) and trixie (13).
+# Usage, as root: tests/debian.sh [--keep] [--ccache] [RELEASE...]; without names bookworm (12) and trixie (13).
 # debootstrap makes the roots in build/debian, from where apt has its packages here; logs lie beside them. What is cloned
-# is HEAD. --ccache shares this machine's compiler cache with the roots.
+# is HEAD. --keep goes on in roots that are there, to look after a mend; --ccache shares this machine's compiler cache.
 root=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root" || exit
 
@@ -11,11 +11,15 @@ fail() {
   exit 3
 }
 
-cache=
-if [[ ${1-} == --ccache ]]; then
-  cache=$(ccache --get-config cache_dir) || fail 'there is no ccache'
+cache='' keep=''
+while [[ ${1-} == --* ]]; do
+  case $1 in
+    --ccache) cache=$(ccache --get-config cache_dir) || fail 'there is no ccache' ;;
+    --keep) keep=1 ;;
+    *) fail "$1: known are --keep and --ccache" ;;
+  esac
   shift
-fi
+done
 if [[ $# == 0 ]]; then set -- bookworm trixie; fi
 [[ $(id -u) == 0 ]] || fail 'roots are made by root'
 for tool in debootstrap unshare git; do
@@ -32,10 +36,11 @@ security=$(mirrorOf Debian-Security)
 work=$root/build/debian
 mkdir -p "$work"
 
-# makeRoot RELEASE FOLDER: as small as debootstrap makes them, without git.
-makeRoot() {
-  local release=$1 to=$2 with=()
-  rm -rf --one-file-system "$to"
+# makeRoots RELEASE: as small as debootstrap makes them, without git; one to build in, and one for what was built.
+makeRoots() {
+  local release=$1 to=$work/$1 with=()
+  if [[ -n $keep && -d $to && -d $to.new ]]; then return; fi
+  rm -rf --one-file-system "$to" "$to.new"
   [[ $mirror != https:* ]] || with=(--include=ca-certificates)
   debootstrap --variant=minbase "${with[@]}" "$release" "$to" "$mirror" || return
   {
@@ -44,7 +49,17 @@ makeRoot() {
   } >"$to/etc/apt/sources.list"
   apt-config dump | grep -E '^Acquire::(Check-|https?::|Retries)' >"$to/etc/apt/apt.conf.d/99host"
   cp /etc/resolv.conf /etc/hosts "$to/etc/"
-  inRoot "$to" apt-get -q update
+  inRoot "$to" apt-get -q update || return
+  if [[ -n $cache ]]; then inRoot "$to" apt-get -q install -y --no-install-recommends ccache || return; fi
+  cp -a "$to" "$to.new"
+}
+
+cloneTree() {
+  if [[ ! -d $1/vorpipe ]]; then
+    git clone --depth 1 "file://$root" "$1/vorpipe"
+  else
+    git -C "$1/vorpipe" fetch --depth 1 "file://$root" HEAD && git -C "$1/vorpipe" reset --hard FETCH_HEAD
+  fi
 }
 
 # inRoot FOLDER COMMAND...: runs it there, with an environment of its own. What it mounts and starts ends with it.
@@ -103,11 +118,8 @@ tryDeb() {
 
 for release in "$@"; do
   to=$work/$release new=$work/$release.new built=$work/$release/vorpipe/build/packages
-  step "$release" root makeRoot "$release" "$to" || continue
-  rm -rf --one-file-system "$new"
-  cp -a "$to" "$new"
-  [[ -z $cache ]] || step "$release" ccache inRoot "$to" apt-get -q install -y --no-install-recommends ccache
-  step "$release" clone git clone --depth 1 "file://$root" "$to/vorpipe" || continue
+  step "$release" roots makeRoots "$release" || continue
+  step "$release" clone cloneTree "$to" || continue
   step "$release" run firstRun "$to"
   step "$release" test inRoot "$to" /vorpipe/test
   step "$release" packages inRoot "$to" /vorpipe/src/package/make || continue
