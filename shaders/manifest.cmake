@@ -1,5 +1,21 @@
 # What shaders/spv/MANIFEST says of each module, and how to find out whether it still holds.
 
+# The files of a module, by its line of the recipe: SPIR-V; the same with its loops, if it has some to unroll; text for
+# OpenGL 4.1, which does not know compute shaders.
+function(vorpipe_module_files line result)
+  string(REGEX MATCH "^module ([^ ]+) ([^ ]+)" row "${line}")
+  set(module ${CMAKE_MATCH_1})
+  set(source ${CMAKE_MATCH_2})
+  set(files ${module}.spv)
+  if(line MATCHES "-DMAX_EDGES=")
+    list(APPEND files ${module}.rolled.spv)
+  endif()
+  if(NOT source MATCHES "\\.comp$")
+    list(APPEND files ${module}.410.glsl)
+  endif()
+  set(${result} ${files} PARENT_SCOPE)
+endfunction()
+
 # The text of a shader with every #include replaced by the file's own text.
 function(vorpipe_flatten file result)
   get_filename_component(dir ${file} DIRECTORY)

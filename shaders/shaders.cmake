@@ -1,6 +1,6 @@
-# How a shader module is made: GLSL -> SPIR-V -> optimized -> checked, and GLSL 4.10 from the same SPIR-V but for
-# unrolled loops; compute shaders have none, which OpenGL 4.1 does not know. Everything goes to the build folder;
-# the target update-spv copies it to shaders/spv.
+# How a shader module is made: GLSL -> SPIR-V -> optimized -> checked. One that has loops to unroll is made a second time
+# with its loops, rolled; from that, or from the only one, comes GLSL 4.10, but for compute shaders, which OpenGL 4.1
+# does not know. Everything goes to the build folder; the target update-spv copies it to shaders/spv.
 # Where a compiler is missing, the modules of shaders/spv are embedded as they are. Where they are of the same
 # sources, defines and flags, there is no need to compile them again but for tests, which compare the two; and tests
 # do so with those that take no time.
@@ -18,13 +18,14 @@ set(optimize_flags -O)
 # OpenGL 4.1 has no storage buffers: every specialization constant (they are all flags) is false
 # there, and what it guards is folded away.
 set(fold_flags --set-spec-const-default-value "0:false" --freeze-spec-const --fold-spec-const-op-composite -O)
-# As text a loop is shorter than what it unrolls to, and OpenGL drivers keep the programs that they have made of it.
+# Without a hint for drivers: some obey one that asks to unroll, and take minutes for what that makes (decision D121).
+# As text, too, a loop is shorter than what it unrolls to, and OpenGL drivers keep the programs that they have made of it.
 set(rolled_flags -DROLLED)
 set(cross_flags --version 410 --no-es --no-420pack-extension)
 
 string(JOIN " " glslang_line flags glslang ${glslang_flags})
 string(JOIN " " optimize_line flags spirv_opt ${optimize_flags})
-string(JOIN " " rolled_line flags glslang for OpenGL ${rolled_flags})
+string(JOIN " " rolled_line flags glslang rolled ${rolled_flags})
 string(JOIN " " fold_line flags spirv_opt for OpenGL ${fold_flags})
 string(JOIN " " cross_line flags spirv_cross ${cross_flags})
 set(recipe_flags "${glslang_line}" "${optimize_line}" "${rolled_line}" "${fold_line}" "${cross_line}")
@@ -34,7 +35,7 @@ set(committed_dir ${CMAKE_CURRENT_LIST_DIR}/spv)
 set(built_dir ${CMAKE_CURRENT_BINARY_DIR}/spv)
 set(shader_recipe ${CMAKE_CURRENT_BINARY_DIR}/recipe.txt)
 set(shader_modules "")
-set(translated_modules "")
+set(shader_files "")
 set(recipe_modules "")
 
 if(GLSLANG AND SPIRV_OPT AND SPIRV_VAL AND SPIRV_CROSS)
@@ -81,17 +82,34 @@ if(NOT VORPIPE_COMPILED_SHADERS STREQUAL all)
   endforeach()
 endif()
 
+# vorpipe_compile_spirv(name out source flag...): out.spv, optimized and checked.
+function(vorpipe_compile_spirv name out source)
+  add_custom_command(
+    OUTPUT ${out}.raw.spv
+    COMMAND ${GLSLANG} --quiet ${glslang_flags} ${ARGN} --depfile ${out}.d -o ${out}.raw.spv ${source}
+    DEPENDS ${source}
+    DEPFILE ${out}.d
+    COMMENT "Compiling shader ${name}"
+    VERBATIM)
+  add_custom_command(
+    OUTPUT ${out}.spv
+    COMMAND ${SPIRV_OPT} ${optimize_flags} ${out}.raw.spv -o ${out}.unchecked.spv
+    COMMAND ${SPIRV_VAL} --target-env ${vulkan} ${out}.unchecked.spv
+    COMMAND ${CMAKE_COMMAND} -E rename ${out}.unchecked.spv ${out}.spv
+    DEPENDS ${out}.raw.spv
+    COMMENT "Optimizing shader ${name}"
+    VERBATIM)
+endfunction()
+
 # vorpipe_shader(module file define...): the module of that name is made from glsl/file.
 function(vorpipe_shader module file)
   set(shader_modules ${shader_modules} ${module} PARENT_SCOPE)
   set(source ${glsl_dir}/${file})
-  string(REGEX REPLACE ".*\\." "" stage ${file})
-  if(NOT stage STREQUAL comp)
-    set(translated_modules ${translated_modules} ${module} PARENT_SCOPE)
-  endif()
   list(TRANSFORM ARGN PREPEND -D OUTPUT_VARIABLE defines)
   string(JOIN " " row module ${module} ${file} ${defines})
   set(recipe_modules "${recipe_modules}${row}\n" PARENT_SCOPE)
+  vorpipe_module_files("${row}" files)
+  set(shader_files ${shader_files} ${files} PARENT_SCOPE)
   if(shaders_dir STREQUAL committed_dir)
     return()
   endif()
@@ -99,10 +117,6 @@ function(vorpipe_shader module file)
   string(JOIN " " words ${defines})
   vorpipe_manifest_row(${glsl_dir} ${module} ${file} "${words}" committed_row)
   if(committed_row IN_LIST committed_rows AND (words MATCHES MAX_EDGES OR VORPIPE_COMPILED_SHADERS STREQUAL none))
-    set(files ${module}.spv)
-    if(NOT stage STREQUAL comp)
-      list(APPEND files ${module}.410.glsl)
-    endif()
     foreach(copied IN LISTS files)
       add_custom_command(
         OUTPUT ${built_dir}/${copied}
@@ -113,33 +127,23 @@ function(vorpipe_shader module file)
     endforeach()
     return()
   endif()
-  add_custom_command(
-    OUTPUT ${out}.raw.spv
-    COMMAND ${GLSLANG} --quiet ${glslang_flags} ${defines} --depfile ${out}.d -o ${out}.raw.spv ${source}
-    DEPENDS ${source}
-    DEPFILE ${out}.d
-    COMMENT "Compiling shader ${module}"
-    VERBATIM)
-  add_custom_command(
-    OUTPUT ${out}.spv
-    COMMAND ${SPIRV_OPT} ${optimize_flags} ${out}.raw.spv -o ${out}.unchecked.spv
-    COMMAND ${SPIRV_VAL} --target-env ${vulkan} ${out}.unchecked.spv
-    COMMAND ${CMAKE_COMMAND} -E rename ${out}.unchecked.spv ${out}.spv
-    DEPENDS ${out}.raw.spv
-    COMMENT "Optimizing shader ${module}"
-    VERBATIM)
-  if(stage STREQUAL comp)
+  set(looped ${out}.spv)
+  vorpipe_compile_spirv(${module} ${out} ${source} ${defines})
+  if(${module}.rolled.spv IN_LIST files)
+    set(looped ${out}.rolled.spv)
+    vorpipe_compile_spirv("${module}, rolled" ${out}.rolled ${source} ${rolled_flags} ${defines})
+  endif()
+  if(NOT ${module}.410.glsl IN_LIST files)
     return()
   endif()
+  string(REGEX REPLACE ".*\\." "" stage ${file})
   add_custom_command(
     OUTPUT ${out}.410.glsl
-    COMMAND ${GLSLANG} --quiet ${glslang_flags} ${rolled_flags} ${defines} -o ${out}.rolled.spv ${source}
-    COMMAND ${SPIRV_OPT} ${optimize_flags} ${out}.rolled.spv -o ${out}.rolled.spv
-    COMMAND ${SPIRV_OPT} ${fold_flags} ${out}.rolled.spv -o ${out}.folded.spv
+    COMMAND ${SPIRV_OPT} ${fold_flags} ${looped} -o ${out}.folded.spv
     COMMAND ${SPIRV_CROSS} ${out}.folded.spv ${cross_flags} --output ${out}.unchecked.glsl
     COMMAND ${GLSLANG} --quiet -S ${stage} ${out}.unchecked.glsl
     COMMAND ${CMAKE_COMMAND} -E rename ${out}.unchecked.glsl ${out}.410.glsl
-    DEPENDS ${out}.spv
+    DEPENDS ${looped}
     COMMENT "Translating shader ${module} for OpenGL 4.1"
     VERBATIM)
 endfunction()
@@ -151,13 +155,7 @@ function(vorpipe_embed_shaders target)
 "@recipe_tools@@flag_lines@
 @recipe_modules@")
 
-  set(files "")
-  foreach(module IN LISTS shader_modules)
-    list(APPEND files ${shaders_dir}/${module}.spv)
-  endforeach()
-  foreach(module IN LISTS translated_modules)
-    list(APPEND files ${shaders_dir}/${module}.410.glsl)
-  endforeach()
+  list(TRANSFORM shader_files PREPEND ${shaders_dir}/ OUTPUT_VARIABLE files)
   set(embed ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/embed.cmake)
   set(check "")
   if(shaders_dir STREQUAL committed_dir)

@@ -18,6 +18,7 @@ struct Capabilities {
   bool geometry_shader = false;
   bool vertex_pipeline_stores_and_atomics = false;
   bool shader_float64 = false;
+  bool unrolled_shaders = false;  ///< is faster with shaders whose loops the build has unrolled
   std::uint64_t max_texel_buffer_elements = 0;
   std::uint64_t max_storage_buffer_range = 0;
   std::uint64_t max_geometry_output_vertices = 0;
@@ -40,10 +41,11 @@ struct NamedLimit {
   std::uint64_t Capabilities::*member;
 };
 
-inline constexpr std::array<NamedFeature, 3> known_features = {{
+inline constexpr std::array<NamedFeature, 4> known_features = {{
     {"geometryShader", &Capabilities::geometry_shader},
     {"vertexPipelineStoresAndAtomics", &Capabilities::vertex_pipeline_stores_and_atomics},
     {"shaderFloat64", &Capabilities::shader_float64},
+    {"unrolledShaders", &Capabilities::unrolled_shaders},
 }};
 
 inline constexpr std::array<NamedLimit, 10> known_limits = {{

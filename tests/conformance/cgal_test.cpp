@@ -45,7 +45,7 @@ struct Masked {
 const std::vector<Masked>& masks() {
   static const std::vector<Masked> all{
       {"noGeometryShader", {{"geometryShader"}, {}}},
-      {"noDoubles", {{"shaderFloat64"}, {}}},
+      {"rolledShaders", {{"shaderFloat64", "unrolledShaders"}, {}}},
       {"smallDevice",
        {{"geometryShader", "shaderFloat64"},
         {{"maxTexelBufferElements", 65536}, {"maxStorageBufferRange", 134217728}}}},

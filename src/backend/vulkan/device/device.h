@@ -37,6 +37,8 @@ class Device {
   [[nodiscard]] const VolkDeviceTable& api() const { return *api_; }
   [[nodiscard]] VkQueue queue() const { return queue_; }
   [[nodiscard]] const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
+  /// Whether it gets shaders with unrolled loops.
+  [[nodiscard]] bool unrolled() const { return unrolled_; }
   /// In bytes; what is more need not be asked for.
   [[nodiscard]] std::uint64_t largestAllocation() const { return largest_allocation_; }
 
@@ -55,6 +57,7 @@ class Device {
   std::unique_ptr<VolkDeviceTable> api_ = std::make_unique<VolkDeviceTable>();
   VkPhysicalDeviceMemoryProperties memory_{};
   std::uint64_t largest_allocation_ = 0;
+  bool unrolled_ = false;
   VkQueue queue_ = VK_NULL_HANDLE;
   Handle<VkCommandPool> pool_;
   Handle<VkFence> done_;

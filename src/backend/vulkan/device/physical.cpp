@@ -176,17 +176,26 @@ std::string whyNot(const Capabilities& capabilities, Pipeline pipeline) {
                    ": use --backend vulkan-compute, --backend opengl or --backend cpu, or another --device";
 }
 
-std::string driverOf(VkPhysicalDevice device, const VkPhysicalDeviceProperties& properties, bool has_name) {
+using Driver = VkPhysicalDeviceDriverProperties;
+
+// Empty where the device does not say.
+Driver driverOf(VkPhysicalDevice device, bool says) {
+  auto driver = structure<Driver>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES);
+  if (!says) return driver;
+  auto all = structure<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2);
+  all.pNext = &driver;
+  vkGetPhysicalDeviceProperties2(device, &all);
+  return driver;
+}
+
+std::string driverText(const Driver& driver, const VkPhysicalDeviceProperties& properties) {
   const std::uint32_t api = properties.apiVersion;
   const std::string version = "Vulkan " + std::to_string(VK_API_VERSION_MAJOR(api)) + "." +
                               std::to_string(VK_API_VERSION_MINOR(api)) + "." +
                               std::to_string(VK_API_VERSION_PATCH(api));
-  if (!has_name) return version + ", driver " + std::to_string(properties.driverVersion);
-  auto driver =
-      structure<VkPhysicalDeviceDriverProperties>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES);
-  auto all = structure<VkPhysicalDeviceProperties2>(VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2);
-  all.pNext = &driver;
-  vkGetPhysicalDeviceProperties2(device, &all);
+  if (driver.driverID == VkDriverId{}) {
+    return version + ", driver " + std::to_string(properties.driverVersion);
+  }
   return std::string(driver.driverName) + " " + driver.driverInfo + ", " + version;
 }
 
@@ -199,16 +208,19 @@ Result<Physical> describe(VkPhysicalDevice handle, const Mask& mask, Pipeline pi
   device.handle = handle;
   device.capabilities = capabilitiesOf(handle, properties.limits);
   const bool current = properties.apiVersion >= VK_API_VERSION_1_1;
+  const Driver driver =
+      driverOf(handle, current && contains(*extensions, VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME));
+  // Others may take forever for shaders that are unrolled: decision D121.
+  device.capabilities.unrolled_shaders = driver.driverID == VK_DRIVER_ID_MESA_LLVMPIPE;
   if (current) {
     askForMemory(handle, contains(*extensions, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME), device.capabilities);
   }
   VORPIPE_TRY(applyMask(device.capabilities, mask));
   device.portability_subset = contains(*extensions, "VK_KHR_portability_subset");
   device.swapchain = contains(*extensions, VK_KHR_SWAPCHAIN_EXTENSION_NAME);
-  const bool has_driver_name = current && contains(*extensions, VK_KHR_DRIVER_PROPERTIES_EXTENSION_NAME);
   device.info.backend = nameOf(pipeline);
   device.info.name = properties.deviceName;
-  device.info.driver = driverOf(handle, properties, has_driver_name);
+  device.info.driver = driverText(driver, properties);
   device.info.type = typeName(properties.deviceType);
   device.info.features = listFeatures(device.capabilities);
   device.info.limits = listLimits(device.capabilities);

@@ -2,6 +2,7 @@
 
 #include <cassert>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,11 +15,12 @@
 
 namespace vorpipe::vulkan {
 
-using Code = std::span<const std::uint32_t>;
+using Code = shaders::Spirv;
 
 /// What tells one pipeline from another.
 struct Pipelines::Stages {
-  Code vertex, geometry, fragment;  ///< no fragment stage: nothing is rasterized
+  Code vertex, geometry;
+  std::optional<Code> fragment;  ///< none: nothing is rasterized
   VkRenderPass pass;
   std::uint32_t attachments;
   Entries entries;
@@ -166,20 +168,20 @@ Result<VkPipeline> Pipelines::edges(const Device& device, VkPipelineLayout layou
   if (entries == Entries::weighted_sites) {
     geometry = fast ? shaders::edges_grid_fast_weighted() : shaders::edges_grid_roomy_weighted();
   }
-  return made(device, layout, {vertexCode(entries), geometry, Code{}, emptyPass(), 0, entries, 0},
+  return made(device, layout, {vertexCode(entries), geometry, {}, emptyPass(), 0, entries, 0},
               edges_[indexOf(entries, effort)]);
 }
 
 Result<Handle<VkPipeline>> Pipelines::build(const Device& device, VkPipelineLayout layout,
                                             const Stages& stages) const {
-  const bool rasterized = !stages.fragment.empty();
+  const bool rasterized = stages.fragment.has_value();
   std::vector<Handle<VkShaderModule>> modules;
   std::vector<VkPipelineShaderStageCreateInfo> stage_infos;
-  for (const auto& [code, stage] : {std::pair(stages.vertex, VK_SHADER_STAGE_VERTEX_BIT),
-                                    std::pair(stages.geometry, VK_SHADER_STAGE_GEOMETRY_BIT),
+  for (const auto& [code, stage] : {std::pair(std::optional(stages.vertex), VK_SHADER_STAGE_VERTEX_BIT),
+                                    std::pair(std::optional(stages.geometry), VK_SHADER_STAGE_GEOMETRY_BIT),
                                     std::pair(stages.fragment, VK_SHADER_STAGE_FRAGMENT_BIT)}) {
-    if (code.empty()) continue;
-    Result<Handle<VkShaderModule>> module = shaderModule(device, code);
+    if (!code) continue;
+    Result<Handle<VkShaderModule>> module = shaderModule(device, *code);
     if (!module) return tl::unexpected(std::move(module).error());
     auto stage_info =
         structure<VkPipelineShaderStageCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO);
@@ -203,9 +205,9 @@ Result<Handle<VkPipeline>> Pipelines::build(const Device& device, VkPipelineLayo
   info.layout = layout;
   info.renderPass = stages.pass;
   VkPipeline pipeline = VK_NULL_HANDLE;
-  VORPIPE_TRY(check(
-      device.api().vkCreateGraphicsPipelines(device.handle(), cache_.get(), 1, &info, nullptr, &pipeline),
-      "vkCreateGraphicsPipelines"));
+  const VkResult made =
+      device.api().vkCreateGraphicsPipelines(device.handle(), cache_.get(), 1, &info, nullptr, &pipeline);
+  VORPIPE_TRY(check(made, "vkCreateGraphicsPipelines"));
   return Handle<VkPipeline>(device.handle(), pipeline, device.api().vkDestroyPipeline);
 }
 

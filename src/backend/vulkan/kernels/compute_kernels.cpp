@@ -11,7 +11,7 @@ namespace vorpipe::vulkan {
 namespace {
 
 Result<Handle<VkPipeline>> build(const Device& device, VkPipelineCache cache, VkPipelineLayout layout,
-                                 ComputeKernels::Code code, bool flag) {
+                                 const ComputeKernels::Code& code, bool flag) {
   const VolkDeviceTable& api = device.api();
   Result<Handle<VkShaderModule>> module = shaderModule(device, code);
   if (!module) return tl::unexpected(std::move(module).error());
@@ -27,8 +27,8 @@ Result<Handle<VkPipeline>> build(const Device& device, VkPipelineCache cache, Vk
   const VkSpecializationInfo constants{1, &entry, sizeof(value), &value};
   info.stage.pSpecializationInfo = &constants;
   VkPipeline pipeline = VK_NULL_HANDLE;
-  VORPIPE_TRY(check(api.vkCreateComputePipelines(device.handle(), cache, 1, &info, nullptr, &pipeline),
-                    "vkCreateComputePipelines"));
+  const VkResult made = api.vkCreateComputePipelines(device.handle(), cache, 1, &info, nullptr, &pipeline);
+  VORPIPE_TRY(check(made, "vkCreateComputePipelines"));
   return Handle<VkPipeline>(device.handle(), pipeline, api.vkDestroyPipeline);
 }
 
@@ -57,7 +57,7 @@ Result<ComputeKernels> ComputeKernels::create(const Device& device) {
 
 Result<VkPipeline> ComputeKernels::kernel(const Device& device, VkPipelineLayout layout, Code code,
                                           bool flag) {
-  Handle<VkPipeline>& pipeline = made_[{code.data(), flag}];
+  Handle<VkPipeline>& pipeline = made_[{code.name, flag}];
   if (!pipeline) {
     Result<Handle<VkPipeline>> built = build(device, cache_.get(), layout, code, flag);
     if (!built) return tl::unexpected(std::move(built).error());

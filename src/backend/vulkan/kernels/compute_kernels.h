@@ -5,12 +5,13 @@
 
 #include <cstdint>
 #include <map>
-#include <span>
+#include <string_view>
 #include <utility>
 
 #include "backend/vulkan/device/device.h"
 #include "backend/vulkan/device/handle.h"
 #include "backend/vulkan/memory/bindings.h"
+#include "shaders.h"
 
 namespace vorpipe::vulkan {
 
@@ -24,7 +25,7 @@ inline constexpr std::size_t most_groups = 65535;
 
 class ComputeKernels {
  public:
-  using Code = std::span<const std::uint32_t>;
+  using Code = shaders::Spirv;
 
   static Result<ComputeKernels> create(const Device& device);
 
@@ -36,7 +37,7 @@ class ComputeKernels {
   ComputeKernels() = default;
 
   Handle<VkPipelineCache> cache_;
-  std::map<std::pair<const std::uint32_t*, bool>, Handle<VkPipeline>> made_;
+  std::map<std::pair<std::string_view, bool>, Handle<VkPipeline>> made_;  ///< by name and flag
 };
 
 /// Records one invocation of a kernel for each of `invocations`, which fit into one dimension.

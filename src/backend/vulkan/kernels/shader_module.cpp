@@ -5,7 +5,8 @@
 
 namespace vorpipe::vulkan {
 
-Result<Handle<VkShaderModule>> shaderModule(const Device& device, std::span<const std::uint32_t> code) {
+Result<Handle<VkShaderModule>> shaderModule(const Device& device, const shaders::Spirv& spirv) {
+  const auto code = device.unrolled() ? spirv.unrolled : spirv.rolled;
   auto info = structure<VkShaderModuleCreateInfo>(VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO);
   info.codeSize = code.size_bytes();
   info.pCode = code.data();

@@ -3,15 +3,13 @@
 
 #include <volk.h>
 
-#include <cstdint>
-#include <span>
-
 #include "backend/vulkan/device/device.h"
 #include "backend/vulkan/device/handle.h"
+#include "shaders.h"
 
 namespace vorpipe::vulkan {
 
-/// Of SPIR-V. Error (device): what Vulkan says.
-Result<Handle<VkShaderModule>> shaderModule(const Device& device, std::span<const std::uint32_t> code);
+/// Of SPIR-V, with its loops or without, as the device gets it. Error (device): what Vulkan says.
+Result<Handle<VkShaderModule>> shaderModule(const Device& device, const shaders::Spirv& spirv);
 
 }  // namespace vorpipe::vulkan

@@ -73,9 +73,9 @@ Result<Handle<VkPipeline>> createTrianglePipeline(const Device& device, VkPipeli
   info.layout = layout;
   info.renderPass = pass;
   VkPipeline pipeline = VK_NULL_HANDLE;
-  VORPIPE_TRY(check(
-      device.api().vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline),
-      "vkCreateGraphicsPipelines"));
+  const VkResult made =
+      device.api().vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline);
+  VORPIPE_TRY(check(made, "vkCreateGraphicsPipelines"));
   return Handle<VkPipeline>(device.handle(), pipeline, device.api().vkDestroyPipeline);
 }
 

@@ -3,17 +3,17 @@
 
 #include <volk.h>
 
-#include <cstdint>
 #include <span>
 
 #include "backend/vulkan/device/device.h"
 #include "backend/vulkan/device/handle.h"
+#include "shaders.h"
 
 namespace vorpipe::vulkan {
 
 /// In which they differ.
 struct TriangleParts {
-  std::span<const std::uint32_t> vertex, fragment;  ///< code
+  shaders::Spirv vertex, fragment;
   VkVertexInputBindingDescription vertices;
   std::span<const VkVertexInputAttributeDescription> attributes;
   std::span<const VkPipelineColorBlendAttachmentState> writes;  ///< for each attachment of the pass
