@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 
@@ -9,6 +10,7 @@
 #include "cli/kept_memory.h"
 #include "cli/manual/examples.h"
 #include "cli/manual/manual.h"
+#include "cli/options/options.h"
 #include "cli/terminal/abrupt_end.h"
 #include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
@@ -37,8 +39,17 @@ int afterOutput(int code) {
   return exit_device;
 }
 
+/// Where LP_NATIVE_VECTOR_WIDTH sets the lanes of Mesa's software drivers, keeps these from their cache of
+/// machine code, unless the user decides about that: they look things up there whatever the lanes, and code
+/// for eight lanes writes past the end of vertices for four (decision D122).
+void keepLanesApart() {
+  constexpr int keep = 0;
+  if (std::getenv("LP_NATIVE_VECTOR_WIDTH") != nullptr) setenv("MESA_SHADER_CACHE_DISABLE", "true", keep);
+}
+
 int runSubcommand(const Run& run, const Invocation& how) {
-  const auto done = run(how);
+  const auto validation = validationAskedByEnvironment();
+  const auto done = validation ? run(how) : tl::unexpected(validation.error());
   ignoreSignals();
   if (!done) {
     printError(done.error().code == ErrorCode::cancelled ? "interrupted" : done.error().message);
@@ -73,6 +84,7 @@ int parseAndRun(int count, char** arguments) {
 int main(int count, char** arguments) {
   using namespace vorpipe::cli;
   vorpipe::keepFreedMemory();
+  keepLanesApart();
   try {
     openStandardStreams();
     endOnSignals();

@@ -185,6 +185,19 @@ none fails 3 "compare without a Vulkan driver" "vulkan" compare --backends cpu,v
 none succeeds "cpu without a Vulkan driver" render --backend cpu --sites random:9 --size 9x9 -o out/l.png
 none succeeds "devices without a Vulkan driver" devices
 expect "cannot be used"
+VORPIPE_VALIDATION=maybe fails 2 "validation, perhaps" 'VORPIPE_VALIDATION: "maybe" is neither yes nor no' \
+  render --backend cpu --sites random:9 -o out/old.png
+if [ -n "${VORPIPE_EXPECTED_BACKENDS:-}" ]; then
+  # Where there are no layers, who asks for them is told so.
+  for word in yes True on; do
+    VK_LAYER_PATH=/nonexistent VORPIPE_VALIDATION=$word fails 3 "validation: $word" VK_LAYER_KHRONOS_validation \
+      render --backend vulkan-compute --sites random:9 -o out/old.png
+  done
+  VK_LAYER_PATH=/nonexistent VORPIPE_VALIDATION=off succeeds "validation: off" \
+    render --backend vulkan-compute --sites random:9 --size 9x9 -o out/l.png
+else
+  skipped "validation by a word" "the software drivers are not installed"
+fi
 broken_egl() { __EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent.json __EGL_VENDOR_LIBRARY_DIRS=/nonexistent "$@"; }
 broken_egl fails 3 "no EGL" "opengl" render --backend opengl --sites random:9 -o out/old.png
 broken_egl succeeds "cpu without EGL" render --backend cpu --sites random:9 --size 9x9 -o out/l.png

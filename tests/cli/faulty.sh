@@ -94,4 +94,16 @@ export LP_NUM_THREADS=3
 faulty THREADS_FILE="$work/threads" -- cells threads --backend vulkan-compute --threads 1
 [ "$(cat threads)" = 3 ] || fail "the driver has $(cat threads) threads, not the user's"
 
+# -- Lanes of the driver --------------------------------------------------------------------------------
+# Machine code for eight lanes, taken from the cache of Mesa's drivers, would write past the end of vertices for four.
+name="lanes of four" cases=$((cases + 1))
+cached() { find "$work/cache" -type f 2>/dev/null | wc -l; }
+export MESA_SHADER_CACHE_DIR=$work/cache LP_NATIVE_VECTOR_WIDTH=128
+cells lanes --backend vulkan-geometry
+[ "$(cached)" = 0 ] || fail "they use the cache of other lanes"
+unset LP_NATIVE_VECTOR_WIDTH
+cells cached --backend vulkan-geometry
+cmp -s out/cached.csv out/lanes.csv || fail "other bytes"
+[ "$(cached)" != 0 ] || skipped "lanes of four" "the driver has no cache"
+
 finish

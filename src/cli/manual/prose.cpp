@@ -248,7 +248,8 @@ constexpr std::array<Row, 5> exit_statuses = {
      {"130, 143", "Interrupted: 128 and the signal's number."}}};
 
 constexpr std::array<Row, 5> variables = {
-    {{"VORPIPE_VALIDATION", "Where it is 1, Vulkan's validation layers are on, as by `--validate`."},
+    {{"VORPIPE_VALIDATION",
+      "Where it is 1, yes, true or on, Vulkan's validation layers are on, as by `--validate`."},
      {"VK_DRIVER_FILES", "The Vulkan drivers to use, as for every program: the files that describe them."},
      {"LIBGL_ALWAYS_SOFTWARE", "Where it is true, OpenGL is that of Mesa's software drivers."},
      {"GALLIUM_DRIVER", "Which of these, such as llvmpipe."},

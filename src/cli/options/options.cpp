@@ -3,22 +3,20 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 
 #include "cli/options/domain_options.h"
 #include "cli/options/reading_options.h"
 #include "io/sites/site_source.h"
 #include "io/sites/sites_file.h"
+#include "io/text/lower_case.h"
 
 namespace vorpipe::cli {
 namespace {
 
 constexpr int most_threads = 1024;
-
-bool validationAskedByEnvironment() {
-  const char* value = std::getenv("VORPIPE_VALIDATION");
-  return value != nullptr && std::string_view(value) == "1";
-}
 
 const std::vector<std::string> weights_extensions = {".txt", ".csv", ".npy"};
 
@@ -132,11 +130,12 @@ void addRunOptions(Options& options, BackendOptions& backend, std::optional<std:
             "[what this machine, and the groups and limits that it runs in, have left]",
             parseBytes);
   addMaskOptions(options, backend.mask);
-  backend.validation = validationAskedByEnvironment();
+  // A word that is neither ends the run before it begins.
+  backend.validation = validationAskedByEnvironment().value_or(false);
   options.addFlag(
       "--validate", backend.validation,
       "turns on Vulkan's validation layers, where Vulkan computes; a message of theirs fails the run "
-      "[on where VORPIPE_VALIDATION is 1]");
+      "[on where VORPIPE_VALIDATION is 1, yes, true or on]");
 }
 
 void addSearchOptions(Options& options, SearchOptions& search) {
@@ -156,6 +155,16 @@ void addTalkOptions(Options& options, TalkOptions& talk) {
   options.group("Run");
   const Option quiet = options.addFlag("--quiet", talk.quiet, "prints nothing but errors");
   options.addFlag("--verbose", talk.verbose, "also says why a backend was taken").excludes(quiet);
+}
+
+Result<bool> validationAskedByEnvironment() {
+  const char* value = std::getenv("VORPIPE_VALIDATION");
+  const std::string word = value == nullptr ? "" : lowerCase(value);
+  const auto is = [&](std::string_view other) { return word == other; };
+  if (std::ranges::any_of(std::array{"1", "yes", "true", "on"}, is)) return true;
+  if (std::ranges::any_of(std::array{"", "0", "no", "false", "off"}, is)) return false;
+  return tl::unexpected(
+      Error{ErrorCode::input, fmt::format("VORPIPE_VALIDATION: \"{}\" is neither yes nor no", value)});
 }
 
 }  // namespace vorpipe::cli

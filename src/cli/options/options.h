@@ -90,4 +90,7 @@ void addStats(Options& options, std::string& path);
 /// --quiet, --verbose
 void addTalkOptions(Options& options, TalkOptions& talk);
 
+/// Whether VORPIPE_VALIDATION turns validation layers on. Error (input): it is neither a yes nor a no.
+Result<bool> validationAskedByEnvironment();
+
 }  // namespace vorpipe::cli
