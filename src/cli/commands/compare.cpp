@@ -63,6 +63,8 @@ Result<BackendRun> runBackend(const CompareCommand& command, const std::string& 
                               RenderOptions picture) {
   BackendOptions backend = command.backend;
   backend.name = name;
+  // A name belongs to backends that have devices to choose from.
+  if (name == "cpu") backend.device.clear();
   auto session = Session::open(backend);
   if (!session) return tl::unexpected(std::move(session.error()));
   ProgressBar bar(command.talk.quiet);
