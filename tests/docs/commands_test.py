@@ -48,6 +48,8 @@ NOT_RUN = {
     './run selftest --json report.json': SELFTEST,
     './run selftest --backend vulkan-compute --device 0 --seed 7': SELFTEST,
     './run selftest --quick --limit maxTexelBufferElements=4096': SELFTEST,
+    'VK_DRIVER_FILES=build/swiftshader/vk_swiftshader_icd.json ./run selftest --quick --backend vulkan-compute':
+        'it takes long on software drivers; the test cli_swiftshader runs it',
     'python3 tests/scale/check_cells.py build/dev/src/cli/vorpipe --sites 1e8 --kind clusters --limit 8GiB':
         'it takes minutes; the tests scale_random and scale_clusters run less of it',
     'docs/gallery.sh': 'the test docs_gallery runs it',
