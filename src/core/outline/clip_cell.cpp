@@ -76,23 +76,6 @@ bool isSliver(const Ring& ring) {
   return extent.area <= rounding * extent.across && along >= share * extent.perimeter;
 }
 
-bool contains(std::span<const Point> ring, Point p) {
-  bool inside = false;
-  Point a = ring.back();
-  for (const Point b : ring) {
-    inside = inside != crossesRay(a, b, p);
-    a = b;
-  }
-  return inside;
-}
-
-/// Whether a ring lies in another, which it touches in one point at most.
-bool contains(std::span<const Point> outer, std::span<const Point> ring) {
-  int inside = 0;
-  for (std::size_t k = 0; k < 3; ++k) inside += contains(outer, ring[k]) ? 1 : 0;
-  return inside >= 2;
-}
-
 void append(std::span<const Point> points, std::span<const std::int64_t> neighbors, bool hole,
             ClippedCell& cell) {
   cell.hole.push_back(hole);
@@ -161,7 +144,7 @@ struct OutlineClip::State {
       return part_of[static_cast<std::size_t>(found - whole.begin())];
     }
     for (std::size_t part = 0; part < parts; ++part) {
-      if (parts == 1 || contains(outer[part].points, pointsOf(hole))) return part;
+      if (parts == 1 || liesIn(outer[part].points, pointsOf(hole))) return part;
     }
     return outer.size();
   }

@@ -9,7 +9,7 @@
 #include "base/parallel.h"
 #include "base/refusal.h"
 #include "core/diagram/diagram_writer.h"
-#include "core/outline/clip_cell.h"
+#include "core/outline/group_clipper.h"
 #include "core/outline/own_parts.h"
 
 namespace vorpipe::core {
@@ -17,103 +17,9 @@ namespace {
 
 /// Cells that share one query for the edges near them: most cells are far from all edges.
 constexpr std::size_t group_size = 32;
-constexpr std::size_t clip_diagram_grain = 16 * group_size;
-/// Of the domain's shorter side: farther no tie moves a corner, nor a cell without edges from its centroid.
-constexpr double farthest_moved = 2e-4;
+constexpr std::size_t clip_diagram_grain = 16 * group_size, again_grain = 256;
 /// Rounding error of an area along an outline of length 1.
 constexpr double line_rounding = 1e-14;
-
-/// Clips cells, group by group.
-class GroupClipper {
- public:
-  GroupClipper(const ScaledDiagram& cells, const OutlineIndex& index, ClippedCells& out)
-      : cells_(cells),
-        index_(index),
-        clip_(index),
-        out_(out),
-        margin_(farthest_moved * shorterSide(cells.domain())) {}
-
-  /// Clips the cells `first` to `last` - 1 of the set, and adds those to `near` whose own corners may be on
-  /// another side of the outline.
-  void group(std::size_t first, std::size_t last, std::vector<std::uint32_t>& near) {
-    collect(first, last);
-    if (members_.empty()) return;
-    findEdges(points_);
-    if (near_.empty()) {
-      const Fate fate = fateOf(points_[0]);
-      for (const auto& member : members_) out_.fate[member.site] = fate;
-      return;
-    }
-    for (const auto& member : members_) {
-      const auto vertices = std::span(points_).subspan(member.first, member.count);
-      findEdges(vertices);
-      out_.fate[member.site] = near_.empty() ? fateOf(vertices[0]) : clipOne(member);
-      if (!near_.empty()) near.push_back(member.cell);
-    }
-  }
-
- private:
-  struct Member {
-    std::uint32_t cell, site;
-    std::size_t first, count;  ///< of points_ and neighbors_
-  };
-
-  void collect(std::size_t first_cell, std::size_t last_cell) {
-    members_.clear();
-    points_.clear();
-    neighbors_.clear();
-    for (auto cell = first_cell; cell < last_cell; ++cell) {
-      const auto site = cells_.siteOf(cell);
-      if (!cells_.hasCell(site)) continue;
-      const std::size_t first = points_.size();
-      cells_.appendCell(site, points_, neighbors_);
-      // A cell all of whose edges are ties has none.
-      if (points_.size() == first) {
-        points_.push_back(cells_.centroid(site));
-        neighbors_.push_back(wall_outline);
-      }
-      members_.push_back({static_cast<std::uint32_t>(cell), site, first, points_.size() - first});
-    }
-  }
-
-  /// Edges that any of these places, each moved by as much as ties may move it, may lie at.
-  void findEdges(std::span<const Point> places) {
-    const Box box = boxOf(places);
-    index_.edgesIn({box.xmin - margin_, box.ymin - margin_, box.xmax + margin_, box.ymax + margin_}, near_);
-  }
-
-  [[nodiscard]] Fate fateOf(Point p) const { return index_.contains(p) ? Fate::inside : Fate::outside; }
-
-  Fate clipOne(const Member& member) {
-    const auto vertices = std::span(points_).subspan(member.first, member.count);
-    const auto neighbors = std::span(neighbors_).subspan(member.first, member.count);
-    if (member.count == 1) return fateOf(vertices[0]);
-    switch (clip_.clip(vertices, neighbors, near_, clipped_)) {
-      case OutlineClip::Outcome::inside:
-        return Fate::inside;
-      case OutlineClip::Outcome::outside:
-        return Fate::outside;
-      case OutlineClip::Outcome::cut:
-        out_.parts[member.site] = std::make_unique<ClippedCell>(clipped_);
-        out_.parts[member.site]->sortEdges();
-        return Fate::cut;
-      case OutlineClip::Outcome::crossed:
-        break;
-    }
-    return fateOf(vertices[0]);
-  }
-
-  const ScaledDiagram& cells_;
-  const OutlineIndex& index_;
-  OutlineClip clip_;
-  ClippedCells& out_;
-  double margin_;
-  std::vector<Member> members_;
-  std::vector<Point> points_;
-  std::vector<std::int64_t> neighbors_;
-  std::vector<std::uint32_t> near_;
-  ClippedCell clipped_;
-};
 
 /// Counts the cells that are left.
 void countCells(Diagram& diagram) {
@@ -141,28 +47,111 @@ Result<void> checkAreas(const ScaledDiagram& cells, const Rings& rings, const Di
                                               sum / area)));
 }
 
+/// Rings and their index.
+struct IndexedRings {
+  explicit IndexedRings(Rings from) : rings(std::move(from)), index(rings) {}
+  Rings rings;
+  OutlineIndex index;
+};
+
+/// The rings of an outline, with the places where they touch as points of all that touch there.
+Result<std::unique_ptr<IndexedRings>> indexedRings(const Outline& outline, const ClippedRun& run) {
+  auto rings = ringsOf(outline, run.exponent);
+  if (!rings) return tl::unexpected(rings.error());
+  auto indexed = std::make_unique<IndexedRings>(std::move(*rings));
+  auto touching = touchingCorners(indexed->index, run.threads);
+  if (touching.empty()) return indexed;
+  return std::make_unique<IndexedRings>(withNodes(indexed->rings, std::move(touching)));
+}
+
+/// What is known after every cell was clipped for itself.
+struct FirstPass {
+  std::vector<std::uint32_t> near;  ///< cells of the set, ascending
+  Contacts contacts;
+};
+
+FirstPass clipAll(const ClippedRun& run, const ScaledDiagram& cells, const OutlineIndex& index,
+                  ClippedCells& clipped) {
+  const std::size_t count = run.set.size();
+  std::vector<FirstPass> parts((count + clip_diagram_grain - 1) / clip_diagram_grain);
+  parallelFor(count, clip_diagram_grain, run.threads, [&](std::size_t begin, std::size_t end) {
+    GroupClipper clipper(run, cells, index, clipped);
+    auto& [near, contacts] = parts[begin / clip_diagram_grain];
+    for (auto first = begin; first < end; first += group_size) {
+      clipper.group(first, std::min(first + group_size, end), near, contacts);
+    }
+  });
+  FirstPass all;
+  const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+  for (const auto& [near, contacts] : parts) {
+    append(all.near, near);
+    append(all.contacts.moved, contacts.moved);
+    append(all.contacts.nodes, contacts.nodes);
+    append(all.contacts.cells, contacts.cells);
+  }
+  return all;
+}
+
+/// Moves vertices of one cell, and measures its edges anew.
+void moveVertices(const ScaledDiagram& cells, std::uint32_t site, std::span<const MovedVertex> moved,
+                  Diagram& diagram) {
+  bool changed = false;
+  for (auto e = cells.begin(site); e < cells.end(site); ++e) {
+    const Point from = cells.vertex(e), to = movedPlace(moved, from);
+    if (to == from) continue;
+    diagram.vertices[e] = cells.unscaled(to);
+    changed = true;
+  }
+  if (!changed) return;
+  double perimeter = 0;
+  for (auto e = cells.begin(site); e < cells.end(site); ++e) {
+    const Point a = cells.vertex(e), b = cells.vertex(cells.next(site, e));
+    const double length = lengthOf({b.x - a.x, b.y - a.y});
+    perimeter += length;
+    diagram.edge_lengths[e] = cells.unscaled(length);
+  }
+  diagram.perimeter[site] = cells.unscaled(perimeter);
+}
+
+/// Has cells and outline meet in the same points, to the bit, where they meet exactly, and clips cells again
+/// for which that changes anything.
+void clipAtContacts(const ClippedRun& run, const ScaledDiagram& cells, const OutlineIndex& index,
+                    FirstPass& first, ClippedCells& clipped, Diagram& diagram) {
+  auto& [near, contacts] = first;
+  const bool on_edges = !contacts.moved.empty() || !contacts.nodes.empty();
+  const auto& which = on_edges ? near : contacts.cells;
+  if (which.empty()) return;
+  const auto moved = agreed(std::move(contacts.moved));
+  if (!moved.empty()) {
+    parallelFor(near.size(), again_grain, run.threads, [&](std::size_t begin, std::size_t end) {
+      for (auto k = begin; k < end; ++k) moveVertices(cells, cells.siteOf(near[k]), moved, diagram);
+    });
+  }
+  for (auto& node : contacts.nodes) node.at = movedPlace(moved, node.at);
+  std::unique_ptr<IndexedRings> refined;
+  if (!contacts.nodes.empty()) {
+    refined = std::make_unique<IndexedRings>(withNodes(index.rings(), std::move(contacts.nodes)));
+  }
+  parallelFor(which.size(), again_grain, run.threads, [&](std::size_t begin, std::size_t end) {
+    GroupClipper clipper(run, cells, refined ? refined->index : index, clipped);
+    for (auto k = begin; k < end; ++k) clipper.again(which[k]);
+  });
+}
+
 }  // namespace
 
 Result<OwnParts> clipToOutline(const ClippedRun& run, const Outline& outline, Diagram& diagram) {
-  const auto rings = ringsOf(outline, run.exponent);
-  if (!rings) return tl::unexpected(rings.error());
+  const auto indexed = indexedRings(outline, run);
+  if (!indexed) return tl::unexpected(indexed.error());
+  const auto& [rings, index] = **indexed;
   const ScaledDiagram cells(run, diagram);
   ClippedCells clipped(run.sites.size());
-  const OutlineIndex index(*rings);
-  const std::size_t count = run.set.size();
-  std::vector<std::vector<std::uint32_t>> near_of((count + clip_diagram_grain - 1) / clip_diagram_grain);
-  parallelFor(count, clip_diagram_grain, run.threads, [&](std::size_t begin, std::size_t end) {
-    GroupClipper clipper(cells, index, clipped);
-    for (auto first = begin; first < end; first += group_size) {
-      clipper.group(first, std::min(first + group_size, end), near_of[begin / clip_diagram_grain]);
-    }
-  });
-  std::vector<std::uint32_t> near;
-  for (const auto& some : near_of) near.insert(near.end(), some.begin(), some.end());
+  FirstPass first = clipAll(run, cells, index, clipped);
+  clipAtContacts(run, cells, index, first, clipped, diagram);
   writeClipped(cells, clipped, diagram);
-  OwnParts parts = measureOwnParts(run, index, clipped, near, diagram);
+  OwnParts parts = measureOwnParts(run, index, clipped, first.near, diagram);
   countCells(diagram);
-  if (auto right = checkAreas(cells, *rings, diagram); !right) return tl::unexpected(right.error());
+  if (auto right = checkAreas(cells, rings, diagram); !right) return tl::unexpected(right.error());
   return parts;
 }
 

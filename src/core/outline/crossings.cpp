@@ -23,10 +23,6 @@ DoubleDouble twiceArea(Point a, Point b, Point c) {
          DoubleDouble::sum(b.y, -a.y) * DoubleDouble::sum(c.x, -a.x);
 }
 
-double alongWay(Point from, Point to, Point p) {
-  return (p.x - from.x) * (to.x - from.x) + (p.y - from.y) * (to.y - from.y);
-}
-
 /// Where two segments meet, to the bit the same for either direction of each. It lies in both segments'
 /// boxes, so that on a segment along an axis it is exact.
 Point meeting(Point a, Point b, Point p, Point q) {

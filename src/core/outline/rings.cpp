@@ -14,15 +14,6 @@ namespace {
 
 constexpr double farthest_corner = 0x1p200;  ///< what predicates stand
 
-/// Of a ring without equal neighbors that does not cross itself: at its leftmost point it turns the way it
-/// runs.
-bool isCounterClockwise(std::span<const Point> ring) {
-  const auto leftmost = static_cast<std::size_t>(std::ranges::min_element(ring, isLess) - ring.begin());
-  const Point before = ring[leftmost > 0 ? leftmost - 1 : ring.size() - 1];
-  const Point after = ring[leftmost + 1 < ring.size() ? leftmost + 1 : 0];
-  return orientation(before, ring[leftmost], after) > 0;
-}
-
 /// The part of the way from p to q that has a < coordinate < b, as numbers of [0, 1] along it.
 struct StageRange {
   double begin = 0, end = 1;
@@ -85,6 +76,28 @@ Result<Rings> ringsOf(const Outline& outline, int exponent) {
     }
   }
   return rings;
+}
+
+bool isCounterClockwise(std::span<const Point> ring) {
+  // At its leftmost point it turns the way it runs.
+  const auto leftmost = static_cast<std::size_t>(std::ranges::min_element(ring, isLess) - ring.begin());
+  const Point before = ring[leftmost > 0 ? leftmost - 1 : ring.size() - 1];
+  const Point after = ring[leftmost + 1 < ring.size() ? leftmost + 1 : 0];
+  return orientation(before, ring[leftmost], after) > 0;
+}
+
+bool liesIn(std::span<const Point> outer, std::span<const Point> ring) {
+  int inside = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    bool within = false;
+    Point a = outer.back();
+    for (const Point b : outer) {
+      within = within != crossesRay(a, b, ring[k]);
+      a = b;
+    }
+    inside += within ? 1 : 0;
+  }
+  return inside >= 2;
 }
 
 double areaInside(const Rings& rings, const Box& box) {

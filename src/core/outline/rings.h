@@ -12,6 +12,16 @@ namespace vorpipe::core {
 /// Lexicographic order: by x, then by y.
 inline bool isLess(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
 
+/// How far p is along the way from a to b, times the length of that.
+inline double alongWay(Point a, Point b, Point p) {
+  return (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y);
+}
+
+/// Whether a point on or beside the line through a and b lies between them, and is neither.
+inline bool isBetween(Point a, Point b, Point p) {
+  return p != a && p != b && alongWay(a, b, p) > 0 && alongWay(b, a, p) > 0;
+}
+
 /// Closed rings, outer ones counter-clockwise and holes clockwise, so that the inside lies to the left of
 /// every edge; no two neighboring points are equal. Edge e runs from point e to point next(e).
 struct Rings {
@@ -37,6 +47,12 @@ Result<void> checkOutline(const Outline& outline, Periodic periodic);
 /// The rings of a valid outline, scaled by 2^exponent. Error (input): they are too far from the domain, which
 /// that scales to about 1.
 Result<Rings> ringsOf(const Outline& outline, int exponent);
+
+/// Of a ring without equal neighbors that does not cross itself.
+bool isCounterClockwise(std::span<const Point> ring);
+
+/// Whether a ring of at least 3 points lies in another, which it touches in one point at most.
+bool liesIn(std::span<const Point> outer, std::span<const Point> ring);
 
 /// The area of the intersection of the rings' inside and the box.
 double areaInside(const Rings& rings, const Box& box);

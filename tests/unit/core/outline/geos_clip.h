@@ -4,11 +4,43 @@
 #include <geos_c.h>
 
 #include <span>
+#include <string>
 #include <vector>
 
+#include "unit/fixtures/outlines.h"
 #include "vorpipe.h"
 
 namespace vorpipe::test {
+
+/// Why the polygons of a cell are not valid; empty where they are.
+inline std::string whyInvalid(const Diagram& diagram, std::size_t cell) {
+  GEOSContextHandle_t geos = GEOS_init_r();
+  const auto bounds = ringBounds(diagram, cell);
+  std::vector<GEOSGeometry*> polygons, rings;
+  const auto closePolygon = [&] {
+    if (rings.empty()) return;
+    polygons.push_back(
+        GEOSGeom_createPolygon_r(geos, rings[0], rings.data() + 1, static_cast<unsigned>(rings.size() - 1)));
+    rings.clear();
+  };
+  for (std::size_t r = 0; r + 1 < bounds.size(); ++r) {
+    const auto ring = std::span(diagram.vertices).subspan(bounds[r], bounds[r + 1] - bounds[r]);
+    if (ringArea(ring) > 0) closePolygon();
+    std::vector<Point> closed(ring.begin(), ring.end());
+    closed.push_back(closed[0]);
+    rings.push_back(GEOSGeom_createLinearRing_r(
+        geos, GEOSCoordSeq_copyFromBuffer_r(geos, &closed[0].x, static_cast<unsigned>(closed.size()), 0, 0)));
+  }
+  closePolygon();
+  GEOSGeometry* all = GEOSGeom_createCollection_r(geos, GEOS_MULTIPOLYGON, polygons.data(),
+                                                  static_cast<unsigned>(polygons.size()));
+  char* reason = GEOSisValidReason_r(geos, all);
+  const std::string why = reason;
+  GEOSFree_r(geos, reason);
+  GEOSGeom_destroy_r(geos, all);
+  GEOS_finish_r(geos);
+  return why == "Valid Geometry" ? "" : why;
+}
 
 /// Another way to the same areas: GEOS, cell by cell.
 class GeosClip {

@@ -1,0 +1,17 @@
+/// From the rings of a clipped cell, which may run along each other, to simple ones (decision D123).
+#pragma once
+
+#include "core/outline/clip_cell.h"
+
+namespace vorpipe::core {
+
+/// Whether a point occurs twice in the rings: they touch, or run back along themselves.
+bool touchesItself(const ClippedCell& cell);
+
+/// Rewrites the rings of a cell, whose inside lies to their left but where they enclose nothing. What runs to
+/// and fro between two points is taken away. What is one of the edges `near` of `outline` belongs to it.
+/// Rings then touch themselves nowhere, and each other in single points; parts that meet in points have rings
+/// of their own. No ring may be left.
+void cleanRings(const Rings& outline, std::span<const std::uint32_t> near, ClippedCell& cell);
+
+}  // namespace vorpipe::core

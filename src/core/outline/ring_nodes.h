@@ -1,0 +1,20 @@
+/// More points in the edges of an outline's rings.
+#pragma once
+
+#include "core/outline/edge_tree.h"
+
+namespace vorpipe::core {
+
+/// A place that is to become a point of an edge.
+struct EdgeNode {
+  std::uint32_t edge;
+  Point at;
+};
+
+/// Where rings touch themselves or each other: corners that lie in the middle of other edges.
+std::vector<EdgeNode> touchingCorners(const OutlineIndex& index, int threads);
+
+/// The rings with these points in their edges, each once; one at an end of its edge is there already.
+Rings withNodes(const Rings& rings, std::vector<EdgeNode> nodes);
+
+}  // namespace vorpipe::core
