@@ -1,5 +1,7 @@
 #include "core/outline/group_clipper.h"
 
+#include <algorithm>
+
 #include "backend/tie.h"
 #include "core/outline/clean_rings.h"
 
@@ -48,7 +50,9 @@ void GroupClipper::again(std::uint32_t cell) {
   const bool has_corners = finder_.insertCorners(sides, near_, vertices_, labels_);
   auto& fate = out_.fate[members_[0].site];
   fate = clip(vertices_, labels_);
-  if (fate == Fate::inside && has_corners) {
+  if (fate == Fate::inside && vertices_.size() < 3 && runsAlongOutline(vertices_)) {
+    fate = Fate::outside;
+  } else if (fate == Fate::inside && has_corners) {
     clipped_ = {vertices_, labels_, {0}, {false}, {}};
     fate = keepPart(members_[0].site);
   } else if (fate == Fate::cut) {
@@ -79,6 +83,14 @@ void GroupClipper::collect(std::size_t first_cell, std::size_t last_cell) {
 void GroupClipper::findEdges(std::span<const Point> places) {
   const Box box = boxOf(places);
   index_.edgesIn({box.xmin - margin_, box.ymin - margin_, box.xmax + margin_, box.ymax + margin_}, near_);
+}
+
+/// Whether a cell that rounding has left no width lies in an edge of the outline.
+bool GroupClipper::runsAlongOutline(std::span<const Point> cell) const {
+  return std::ranges::any_of(near_, [&](std::uint32_t e) {
+    const Point p = index_.rings().points[e], q = index_.rings().points[index_.rings().next(e)];
+    return (p == cell.front() && q == cell.back()) || (q == cell.front() && p == cell.back());
+  });
 }
 
 CellSides GroupClipper::sidesOf(const Member& member) const {

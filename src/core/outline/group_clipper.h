@@ -28,6 +28,7 @@ class GroupClipper {
 
   void collect(std::size_t first_cell, std::size_t last_cell);
   void findEdges(std::span<const Point> places);
+  [[nodiscard]] bool runsAlongOutline(std::span<const Point> cell) const;
   [[nodiscard]] CellSides sidesOf(const Member& member) const;
   [[nodiscard]] Fate fateOf(Point p) const { return index_.contains(p) ? Fate::inside : Fate::outside; }
   Fate clip(std::span<const Point> vertices, std::span<const std::int64_t> neighbors);

@@ -75,11 +75,14 @@ class GeosClip {
     GEOSGeometry* left = GEOSIntersection_r(geos_, polygon, outline_);
     Left result;
     GEOSArea_r(geos_, left, &result.area);
-    GEOSLength_r(geos_, left, &result.length);
     for (int k = 0; k < GEOSGetNumGeometries_r(geos_, left); ++k) {
       // Where the cell touches the outline, points and lines may be left besides.
       const GEOSGeometry* part = GEOSGetGeometryN_r(geos_, left, k);
-      result.parts += GEOSGeomTypeId_r(geos_, part) == GEOS_POLYGON && GEOSisEmpty_r(geos_, part) == 0;
+      if (GEOSGeomTypeId_r(geos_, part) != GEOS_POLYGON || GEOSisEmpty_r(geos_, part) != 0) continue;
+      double length = 0;
+      GEOSLength_r(geos_, part, &length);
+      result.length += length;
+      ++result.parts;
     }
     GEOSGeom_destroy_r(geos_, left);
     GEOSGeom_destroy_r(geos_, polygon);
