@@ -7,6 +7,7 @@
 
 #include "core/check/images.h"
 #include "core/check/nearest_site.h"
+#include "core/check/places.h"
 #include "core/check/run.h"
 
 namespace vorpipe::core::checks {
@@ -56,9 +57,12 @@ void checkTriangles(const CheckedCells& run, Broken& broken);
 /// that the vertices give.
 void checkPolygons(const CheckedCells& run, Broken& broken);
 
-/// Pseudo-random places: in cells there is no nearer site; places of the domain lie in the cell of their
-/// nearest site. Of 10,000 cells and up to 20,000 places, or as many as some seconds are for where most sites
-/// are about as far.
+/// No site is nearer to the centroid of a cell, and to its vertices, than its own: of 10,000 cells, or as
+/// many as some seconds are for where most sites are about as far.
+void checkNearestInCells(const CheckedCells& run, const NearestSite& nearest, Random& random, Broken& broken);
+
+/// That, and places of the domain lie in the cell of their nearest site: up to 20,000, or as many as some
+/// seconds are for.
 void checkNearest(const CheckedCells& run, const NearestSite& nearest, Broken& broken);
 
 }  // namespace vorpipe::core::checks

@@ -3,41 +3,13 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/check/cell_rings.h"
 #include "core/check/outline.h"
 #include "core/check/places.h"
 #include "core/check/sorted_edges.h"
 
 namespace vorpipe::core::checks {
 namespace {
-
-/// The rings of one cell.
-class CellRings {
- public:
-  CellRings(const CheckedCells& run, std::size_t i) : run_(run), end_(run.end(i)) {
-    const auto& starts = run.diagram.ring_starts;
-    for (auto s = std::ranges::lower_bound(starts, run.begin(i)); s != starts.end() && *s < end_; ++s) {
-      starts_.push_back(*s);
-    }
-  }
-  [[nodiscard]] std::size_t size() const { return starts_.size(); }
-  [[nodiscard]] std::size_t begin(std::size_t r) const { return starts_[r]; }
-  [[nodiscard]] std::size_t end(std::size_t r) const { return r + 1 < size() ? starts_[r + 1] : end_; }
-
-  /// Calls take(edge, from, to) for each edge.
-  template <class Take>
-  void eachEdge(const Take& take) const {
-    for (std::size_t r = 0; r < size(); ++r) {
-      for (std::size_t e = begin(r); e < end(r); ++e) {
-        take(e, run_.vertex(e), run_.vertex(e + 1 < end(r) ? e + 1 : begin(r)));
-      }
-    }
-  }
-
- private:
-  const CheckedCells& run_;
-  std::size_t end_;
-  std::vector<std::size_t> starts_;
-};
 
 /// By how much the area of a cell before ties join its corners, which is what is written, may differ from
 /// what its rings enclose: each edge in truth lies in its line, which its ends may be off, and around each
@@ -113,7 +85,7 @@ bool isOnWall(const CheckedCells& run, std::int64_t wall, Point p) {
                              : y == box.ymax;
 }
 
-std::string wrongEdges(const CheckedCells& run, const CheckedOutline& outline, std::size_t i, double reach) {
+std::string wrongEdges(const CheckedCells& run, std::size_t i, double reach) {
   std::string wrong;
   CellRings(run, i).eachEdge([&](std::size_t e, Point a, Point b) {
     const std::int64_t neighbor = run.diagram.neighbors[e];
@@ -122,10 +94,10 @@ std::string wrongEdges(const CheckedCells& run, const CheckedOutline& outline, s
     const auto beyond = [&](Point p) {
       return std::abs(beyondBisector(run.way(i, j), run.site(i), run.weightDifference(i, j), p));
     };
-    const Point middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
-    const bool right = neighbor == wall_outline ? outline.at(middle, slack) == CheckedOutline::Side::edge
-                       : neighbor < 0           ? isOnWall(run, neighbor, a) && isOnWall(run, neighbor, b)
-                                                : beyond(a) <= slack && beyond(b) <= slack;
+    // checkBorder() has those of the outline.
+    const bool right =
+        neighbor == wall_outline || (neighbor < 0 ? isOnWall(run, neighbor, a) && isOnWall(run, neighbor, b)
+                                                  : beyond(a) <= slack && beyond(b) <= slack);
     if (!right) wrong = fmt::format("edge {} of site {} is not where {} is", e - run.begin(i), i, neighbor);
   });
   return wrong;
@@ -214,12 +186,14 @@ void checkClipped(const CheckedCells& run, const CheckedOutline& outline, const 
     return;
   }
   each("edges", [&](std::size_t i) {
-    const auto wrong =
-        run.wrongAtAnyReach(i, [&](double reach) { return wrongEdges(run, outline, i, reach); });
-    return wrong.empty() || !isCut(run, outline, i) ? wrong : wrongEdges(run, outline, i, run.shorter_side);
+    const auto wrong = run.wrongAtAnyReach(i, [&](double reach) { return wrongEdges(run, i, reach); });
+    return wrong.empty() || !isCut(run, outline, i) ? wrong : wrongEdges(run, i, run.shorter_side);
   });
+  each("rings", [&](std::size_t i) { return wrongShape(run, i); });
   each("neighbors", [&](std::size_t i) { return wrongTwin(run, edges, i); });
+  checkBorder(run, outline, broken);
   Random random(1);
+  checkNearestInCells(run, nearest, random, broken);
   const std::vector<Point> places = samplePlaces(run, random);
   broken.expect("nearest sites", places.size(), run.threads,
                 [&](std::size_t k) { return wrongPlace(run, outline, nearest, places[k]); });

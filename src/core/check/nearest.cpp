@@ -161,8 +161,8 @@ std::string wrongSample(const CheckedCells& run, const NearestSite& nearest, Poi
 
 }  // namespace
 
-void checkNearest(const CheckedCells& run, const NearestSite& nearest, Broken& broken) {
-  Random random(1);
+void checkNearestInCells(const CheckedCells& run, const NearestSite& nearest, Random& random,
+                         Broken& broken) {
   std::vector<std::uint32_t> cells = sampleCells(run, random);
   NearestOfPlaces nearest_of(run, nearest);
   cells.resize(searchInTime(cells.size(), nearest, [&](std::size_t begin, std::size_t end) {
@@ -171,6 +171,11 @@ void checkNearest(const CheckedCells& run, const NearestSite& nearest, Broken& b
   std::ranges::sort(cells);
   broken.expect("nearest sites", cells.size(), run.threads,
                 [&](std::size_t k) { return wrongCell(run, nearest_of, cells[k]); });
+}
+
+void checkNearest(const CheckedCells& run, const NearestSite& nearest, Broken& broken) {
+  Random random(1);
+  checkNearestInCells(run, nearest, random, broken);
   if (run.detail == Detail::measures) return;
   const std::vector<Point> places = samplePlaces(run, random);
   std::vector<std::string> wrong(places.size());

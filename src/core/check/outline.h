@@ -1,14 +1,14 @@
 /// What is checked where the domain has an outline.
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "core/check/box_tree.h"
 #include "core/check/checks.h"
 
 namespace vorpipe::core::checks {
@@ -17,6 +17,22 @@ namespace vorpipe::core::checks {
 class CheckedOutline {
  public:
   explicit CheckedOutline(const CheckedSites& run);
+
+  /// A side of a ring, which has the inside to its left.
+  struct Edge {
+    Point a, b;
+  };
+  [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
+  /// Calls take(k) for each edge k that may come as near to p as `slack`.
+  template <class Take>
+  void eachNear(Point p, double slack, const Take& take) const {
+    eachMeeting(grown(boxAround(p, p), slack), take);
+  }
+  /// The same for the box of each.
+  template <class Take>
+  void eachMeeting(const Box& box, const Take& take) const {
+    tree_->eachMeeting(box, take);
+  }
 
   enum class Side : std::uint8_t { inside, outside, edge };
   /// Where p lies; `edge` if no farther than `slack` from one.
@@ -30,29 +46,9 @@ class CheckedOutline {
   [[nodiscard]] double length() const;
 
  private:
-  struct Edge {
-    Point a, b;
-  };
-  static constexpr std::size_t band_count = 4096;
-
-  [[nodiscard]] std::size_t bandOf(double y) const;
-  void addToBands(std::uint32_t edge, std::size_t first, std::size_t last);
-  /// Whether `test` is true of an edge of this band; no other is tested after that.
-  template <class Test>
-  bool anyEdgeIn(std::size_t band, const Test& test) const {
-    for (std::size_t node = band + band_count; node > 0; node /= 2) {
-      if (std::ranges::any_of(nodes_[node], test)) return true;
-    }
-    return false;
-  }
-
   const CheckedSites& run_;
   std::vector<Edge> edges_;
-  std::vector<int> sign_;  ///< of each edge: 1 where the inside lies to its left
-  double low_ = 0, per_band_ = 1;
-  /// Edges by bands of y, as a segment tree: node 1 has all bands, 2n and 2n + 1 the halves of n. An edge
-  /// stands in few nodes that have its bands, so that long edges take no more memory than some short ones.
-  std::vector<std::vector<std::uint32_t>> nodes_;
+  std::optional<BoxTree> tree_;  ///< of the edges
 };
 
 /// What is wrong with the area of cell i, beside what the bisectors with all sites leave of the domain, and
@@ -62,9 +58,24 @@ std::string wrongArea(const CheckedCells& run, const CheckedOutline* outline, st
 /// The same of some cells: of the thinnest, whose polygons ties change most. None where the domain repeats.
 void checkThinAreas(const CheckedCells& run, const CheckedOutline* outline, Broken& broken);
 
+/// What is wrong with the rings of cell i as polygons: each runs without crossing or touching itself, the
+/// outer ones counter-clockwise and apart from each other but for points, each followed by its holes, which
+/// run clockwise inside of it and leave its inside in one piece. All of it exactly, of the vertices as they
+/// are written.
+std::string wrongShape(const CheckedCells& run, std::size_t i);
+
+/// Edges along the outline and along walls: each lies on a side, and all sides of the inside are covered
+/// once; what two cells share does not lie in a side, however the bisector runs.
+void checkBorder(const CheckedCells& run, const CheckedOutline& outline, Broken& broken);
+
 /// The promises about cells that are clipped to an outline: rings and their measures; edges on the bisector
-/// and in the neighbor's list, from the same point to the same, or on the outline; pseudo-random places of
-/// the inside lie in the cell of their nearest site, others in none.
+/// and in the neighbor's list, from the same point to the same, or on the outline; vertices of cells are
+/// nearest to their sites; pseudo-random places of the inside lie in the cell of their nearest site, others
+/// in none.
+///
+/// That is a proof (decision D125). What two cells share cancels, and what is left of all rings is the
+/// outline, once: so the cells lie side by side and fill it. No site is nearer to a vertex of a cell than its
+/// own, so none is to any place inside; so cells are what they should be, and their common edges are, too.
 void checkClipped(const CheckedCells& run, const CheckedOutline& outline, const NearestSite& nearest,
                   Broken& broken);
 
