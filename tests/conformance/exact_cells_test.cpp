@@ -102,6 +102,8 @@ TEST(ExactCells, withoutAreaAreHidden) {
     const Sites side{{0, 4, 2, 2}, {0, 0, 0, 3}, {0, 0, -4 + off, 0}};
     EXPECT_EQ(exactCells(side, {0, 0, 4, 4}).hidden[2], off > 0 ? 0 : 1);
     EXPECT_EQ(exactCells(side, {0, 0, 4, 4}).triangles, off > 0 ? 2u : 1u);
+    const Sites between{{0, 4, 2, 2, 2}, {0, 0, 0, 3, -3}, {0, 0, -4 + off, 0, 0}};
+    EXPECT_EQ(exactCells(between, {0, 0, 4, 4}).hidden[2], off > 0 ? 0 : 1);
   }
 }
 

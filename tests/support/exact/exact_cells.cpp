@@ -15,22 +15,6 @@
 namespace vorpipe::test {
 namespace {
 
-std::vector<std::uint32_t> ownersOf(const Sites& sites) {
-  std::vector<std::uint32_t> order(sites.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const auto place = [&](std::uint32_t i) { return std::pair(sites.x[i], sites.y[i]); };
-  const auto rank = [&](std::uint32_t i) {
-    return std::tuple(sites.x[i], sites.y[i], sites.weight.empty() ? 0 : -sites.weight[i], i);
-  };
-  std::sort(order.begin(), order.end(), [&](auto i, auto j) { return rank(i) < rank(j); });
-  std::vector<std::uint32_t> owner(sites.size());
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    const bool again = k > 0 && place(order[k]) == place(order[k - 1]);
-    owner[order[k]] = again ? owner[order[k - 1]] : order[k];
-  }
-  return owner;
-}
-
 /// An interval that begins unbounded.
 struct Interval {
   std::optional<Number> low, high;
@@ -151,10 +135,26 @@ class Cell {
 
 }  // namespace
 
+std::vector<std::uint32_t> exactOwners(const Sites& sites) {
+  std::vector<std::uint32_t> order(sites.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto place = [&](std::uint32_t i) { return std::pair(sites.x[i], sites.y[i]); };
+  const auto rank = [&](std::uint32_t i) {
+    return std::tuple(sites.x[i], sites.y[i], sites.weight.empty() ? 0 : -sites.weight[i], i);
+  };
+  std::sort(order.begin(), order.end(), [&](auto i, auto j) { return rank(i) < rank(j); });
+  std::vector<std::uint32_t> owner(sites.size());
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const bool again = k > 0 && place(order[k]) == place(order[k - 1]);
+    owner[order[k]] = again ? owner[order[k - 1]] : order[k];
+  }
+  return owner;
+}
+
 ExactCells exactCells(const Sites& sites, const Box& domain) {
   Number::set_relative_precision_of_to_double(1e-12);
   ExactCells cells;
-  cells.owner = ownersOf(sites);
+  cells.owner = exactOwners(sites);
   const auto neighbors = exactNeighbors(sites, cells.owner);
   cells.triangles = neighbors.triangles;
   cells.hidden = neighbors.hidden;

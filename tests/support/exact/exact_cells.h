@@ -15,9 +15,12 @@ struct ExactEdge {
   double part;  ///< length by the distance of the two sites; a wall's is that of the mirrored site
 };
 
+/// By site: of those with the same position the heaviest, then the first.
+std::vector<std::uint32_t> exactOwners(const Sites& sites);
+
 /// Figures are exact but for their last rounding to a double, of at most 1e-12 of themselves.
 struct ExactCells {
-  std::vector<std::uint32_t> owner;  ///< of the sites with the same position the heaviest, then the first
+  std::vector<std::uint32_t> owner;  ///< exactOwners()
   std::vector<std::uint8_t> hidden;  ///< 1 for an owner whose cell would have no area in any domain
   std::vector<double> area;          ///< 0 where a site has no cell
   std::vector<std::uint64_t>

@@ -50,20 +50,17 @@ ExactNeighbors triangulated(const std::vector<std::uint8_t>& takes_part, const M
   return neighbors;
 }
 
-/// Whether the cell of a site that is in the triangulation is a point, a ray or a line.
+/// Whether the cell of a site that is in the triangulation is a point, or a part of a line.
 bool hasNoArea(const ExactPlaces& places, std::uint32_t site, const std::vector<Spoke>& spokes) {
-  std::vector<Bisector> unbounded;
+  std::vector<Bisector> long_ones;
   for (const auto& spoke : spokes) {
     const auto bisector = places.bisector(site, spoke.to);
-    if (spoke.left == no_site || spoke.right == no_site) {
-      unbounded.push_back(bisector);
-    } else if (places.meeting(site, bisector, spoke.left) != places.meeting(site, bisector, spoke.right)) {
-      return false;
-    }
+    if (spoke.left == no_site || spoke.right == no_site ||
+        places.meeting(site, bisector, spoke.left) != places.meeting(site, bisector, spoke.right))
+      long_ones.push_back(bisector);
   }
-  if (unbounded.empty()) return !spokes.empty();
-  if (unbounded.size() < 2) return false;
-  const auto& [a, b] = std::pair(unbounded[0], unbounded[1]);
+  if (long_ones.size() != 2) return long_ones.empty() && !spokes.empty();
+  const auto& [a, b] = std::pair(long_ones[0], long_ones[1]);
   return cross(a.way, b.way) == 0 && a.reach * a.way.x == b.reach * b.way.x &&
          a.reach * a.way.y == b.reach * b.way.y;
 }

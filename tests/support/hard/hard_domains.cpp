@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "support/hard/stepped_outline.h"
+
 namespace vorpipe::test {
 namespace {
 
@@ -58,15 +60,19 @@ Box tinyAboutSite(const Sites& sites, const Box& around, Random& random) {
   return boxAbout(someSite(sites, random), half, half * tenTo(random, -1, 0));
 }
 
-/// About the place that is as far from three sites.
-Box tinyAboutVertex(const Sites& sites, const Box& around, Random& random) {
+/// The place that is as far from three sites, or one of these if they are on a line.
+Point someVertex(const Sites& sites, Random& random) {
   const Point a = someSite(sites, random), b = someSite(sites, random), c = someSite(sites, random);
   const double bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
   const double twice = 2 * (bx * cy - by * cx);
-  const double half = longer(around) * tenTo(random, -12, -2);
-  if (twice == 0) return boxAbout(a, half, half);
+  if (twice == 0) return a;
   const double bb = bx * bx + by * by, cc = cx * cx + cy * cy;
-  const Point center{a.x + (cy * bb - by * cc) / twice, a.y + (bx * cc - cx * bb) / twice};
+  return {a.x + (cy * bb - by * cc) / twice, a.y + (bx * cc - cx * bb) / twice};
+}
+
+Box tinyAboutVertex(const Sites& sites, const Box& around, Random& random) {
+  const Point center = someVertex(sites, random);
+  const double half = longer(around) * tenTo(random, -12, -2);
   return boxAbout(center, half, half);
 }
 
@@ -125,7 +131,8 @@ constexpr std::array<HardDomain, 19> domains{{{"file's", ofFiles},
 
 using Ring = std::vector<Point>;
 
-/// Once around a center that sees all of it; some of its points are sites, or on lines with the center.
+/// Once around a center that sees all of it; some of its points are sites or vertices, or on lines with the
+/// center.
 Ring starAbout(Point center, double radius, const Sites& sites, Random& random) {
   const std::uint64_t points = 3 + random.below(12);
   const double rough = oneOf(random, {0.0, 0.3, 0.9});
@@ -136,6 +143,7 @@ Ring starAbout(Point center, double radius, const Sites& sites, Random& random) 
     ring.push_back({center.x + away * std::cos(angle), center.y + away * std::sin(angle)});
   }
   if (onceIn(random, 3)) ring[random.below(points)] = someSite(sites, random);
+  if (onceIn(random, 6)) ring[random.below(points)] = someVertex(sites, random);
   return ring;
 }
 
@@ -148,6 +156,19 @@ Ring scaledAbout(const Ring& ring, Point center, double by) {
   for (const Point p : ring)
     scaled.push_back({center.x + by * (p.x - center.x), center.y + by * (p.y - center.y)});
   return scaled;
+}
+
+/// Ascending, from `low` to `high`: some of the values, and places halfway between two of them.
+std::vector<double> linesAmid(const std::vector<double>& values, double low, double high, Random& random) {
+  std::vector<double> lines{low, high};
+  for (auto n = 1 + random.below(12); n > 0; --n) {
+    const double a = values[random.below(values.size())], b = values[random.below(values.size())];
+    const double line = onceIn(random, 3) ? a : a + (b - a) / 2;
+    if (low < line && line < high) lines.push_back(line);
+  }
+  std::ranges::sort(lines);
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  return lines;
 }
 
 void addRing(Outline& outline, const Ring& ring) {
@@ -170,6 +191,10 @@ Box boxOfFile(const Sites& sites) {
 std::span<const HardDomain> hardDomains() { return domains; }
 
 Outline hardOutline(const Sites& sites, const Box& box, Random& random) {
+  if (onceIn(random, 2)) {
+    const auto xs = linesAmid(sites.x, box.xmin, box.xmax, random);
+    return steppedOutline(xs, linesAmid(sites.y, box.ymin, box.ymax, random), random);
+  }
   const Point center{(box.xmin + box.xmax) / 2, (box.ymin + box.ymax) / 2};
   const double radius = 0.5 * std::min(width(box), height(box));
   Outline outline{{}, {0}, {0}};

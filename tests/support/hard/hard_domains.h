@@ -21,8 +21,8 @@ std::span<const HardDomain> hardDomains();
 /// stand in one place.
 Box boxOfFile(const Sites& sites);
 
-/// Polygons in or about `box`, some with holes or several rings, with points at sites, on lines with them,
-/// and on each other's lines.
+/// Polygons in or about `box`, some with holes or several rings, with points at sites and vertices, on lines
+/// with them, and on each other's lines; half of them rectilinear, with sides in bisectors of sites.
 Outline hardOutline(const Sites& sites, const Box& box, Random& random);
 
 }  // namespace vorpipe::test

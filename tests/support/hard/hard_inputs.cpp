@@ -150,10 +150,35 @@ void makePeriodic(HardInput& input, Random& random) {
   input.periodic = oneOf(random, {Periodic::x, Periodic::y, Periodic::xy, Periodic::xy});
 }
 
+/// Has some sites, and some that stand in corners of the outline, mirrored at one of its sides: bisectors
+/// then lie in sides.
+void addTwins(HardInput& input, Random& random) {
+  const auto& [points, rings, polygons] = input.outline;
+  for (auto n = 1 + random.below(6); n > 0; --n) {
+    const auto ring = random.below(rings.size() - 1), size = rings[ring + 1] - rings[ring],
+               k = random.below(size);
+    const Point a = points[rings[ring] + k], b = points[rings[ring] + (k + 1) % size];
+    const auto i = random.below(input.sites.size());
+    const Point p =
+        onceIn(random, 2) ? points[random.below(points.size())] : Point{input.sites.x[i], input.sites.y[i]};
+    const Point way{b.x - a.x, b.y - a.y}, to{p.x - a.x, p.y - a.y};
+    const double twice = 2 * (to.x * way.x + to.y * way.y) / (way.x * way.x + way.y * way.y);
+    const Point twin{way.x == 0 ? 2 * a.x - p.x : a.x + twice * way.x - to.x,
+                     way.y == 0 ? 2 * a.y - p.y : a.y + twice * way.y - to.y};
+    if (!std::isfinite(twin.x) || !std::isfinite(twin.y)) continue;
+    for (const Point q : {p, twin}) {
+      add(input.sites, q);
+      if (!input.sites.weight.empty()) input.sites.weight.push_back(input.sites.weight[i]);
+    }
+  }
+  input.kinds += ", twins at sides";
+}
+
 void makeOutline(HardInput& input, Random& random) {
   input.outline = hardOutline(input.sites, input.domain, random);
   input.domain = boxOf(input.outline.points);
   input.kinds += fmt::format(", outline of {} points", input.outline.points.size());
+  if (onceIn(random, 3)) addTwins(input, random);
 }
 
 int sideOf(Random& random) { return static_cast<int>(std::lround(std::pow(300.0, random.uniform()))); }
