@@ -22,25 +22,31 @@ using Edge = CheckedOutline::Edge;
 struct Stretch {
   std::size_t side;
   double from, to;
-  double rounding;  ///< of the cell that has it
+  double slack;  ///< of the cell that has it: how far rounding and ties may have moved its ends
 };
 
 double alongEdge(const Edge& edge, Point p) {
   return dot(p - edge.a, edge.b - edge.a) / length(edge.b - edge.a);
 }
 
-/// The outline's edge along which a cell's edge runs, with the inside to the left of both.
-std::optional<std::size_t> sideOf(const CheckedOutline& outline, Point p, Point q, double slack) {
-  std::optional<std::size_t> best;
-  double least = slack;
-  outline.eachNear({(p.x + q.x) / 2, (p.y + q.y) / 2}, slack, [&](std::uint32_t k) {
-    const auto& [a, b] = outline.edges()[k];
-    const double away = std::max(distance(p, a, b), distance(q, a, b));
-    if (!(away <= least) || !(dot(q - p, b - a) > 0)) return;
-    best = k;
-    least = away;
+/// Calls take(k, from, to) for each edge of the outline along which the way from p to q runs, with the inside
+/// to the left of both, and for the part of it along which it does: mostly for one, but rounding may have
+/// joined some that lie on a line.
+template <class Take>
+void eachAlong(const CheckedOutline& outline, Point p, Point q, double slack, const Take& take) {
+  outline.eachMeeting(grown(boxAround(p, q), slack), [&](std::uint32_t k) {
+    const Edge& edge = outline.edges()[k];
+    const double all = length(edge.b - edge.a);
+    const double from = std::clamp(alongEdge(edge, p), 0.0, all),
+                 to = std::clamp(alongEdge(edge, q), 0.0, all);
+    if (!(from < to)) return;
+    const auto isNear = [&](double along) {
+      const double part = along / all;
+      return distance({edge.a.x + part * (edge.b.x - edge.a.x), edge.a.y + part * (edge.b.y - edge.a.y)}, p,
+                      q) <= slack;
+    };
+    if (isNear(from) && isNear(to)) take(k, from, to);
   });
-  return best;
 }
 
 WeightedPoint placeOf(const CheckedCells& run, std::size_t i) {
@@ -65,13 +71,37 @@ bool isInSide(const CheckedCells& run, const CheckedOutline& outline,
   return found;
 }
 
+}  // namespace
+
+bool isWhereSideIsBisector(const CheckedCells& run, const CheckedOutline& outline, std::size_t i,
+                           std::size_t j, Point p) {
+  const double rounding = 2 * std::max(run.rounding(i), run.rounding(j));
+  const WeightedPoint one = placeOf(run, i), other = placeOf(run, j);
+  bool found = false;
+  outline.eachNear(p, rounding, [&](std::uint32_t k) {
+    const auto& [a, b] = outline.edges()[k];
+    if (found || distance(p, a, b) > rounding) return;
+    const bool at_a = nearerOf(one, other, a) == 0, at_b = nearerOf(one, other, b) == 0;
+    found = (at_a && (at_b || length(p - a) <= rounding)) || (at_b && length(p - b) <= rounding);
+  });
+  return found;
+}
+
+namespace {
+
 std::string wrongAlong(const CheckedCells& run, const CheckedOutline& outline, std::size_t i) {
   std::string wrong;
   CellRings(run, i).eachEdge([&](std::size_t e, Point p, Point q) {
     const std::int64_t neighbor = run.diagram.neighbors[e];
     const double rounding = run.rounding(i);
-    if (neighbor == wall_outline && length(q - p) > 2 * rounding && !sideOf(outline, p, q, rounding))
-      wrong = fmt::format("edge {} of site {} does not run along the outline", e - run.begin(i), i);
+    // What two cells have in common and is a tie may count as the outline's.
+    const double tie = std::max(4 * rounding, run.ties(run.weighted ? run.shorter_side : run.reach(i)));
+    if (neighbor == wall_outline && length(q - p) > tie) {
+      double covered = 0;
+      eachAlong(outline, p, q, rounding, [&](std::size_t, double from, double to) { covered += to - from; });
+      if (length(q - p) - covered > tie)
+        wrong = fmt::format("edge {} of site {} does not run along the outline", e - run.begin(i), i);
+    }
     // Of two cells the first has their edge looked at.
     const auto j = static_cast<std::size_t>(neighbor);
     if (neighbor < 0 || j < i || !isInSide(run, outline, {i, j}, p, q)) return;
@@ -98,9 +128,22 @@ struct Walls {
   std::array<Edge, 4> edges;
 };
 
+/// The wall that an edge of the outline lies in, but for rounding, with the inside to the left of both.
+std::optional<std::size_t> wallOf(const Walls& walls, const Edge& edge, double rounding) {
+  for (std::size_t wall = 0; wall < walls.edges.size(); ++wall) {
+    const Edge& along = walls.edges[wall];
+    if (std::abs(walls.inside(wall, edge.a)) <= rounding &&
+        std::abs(walls.inside(wall, edge.b)) <= rounding && dot(edge.b - edge.a, along.b - along.a) > 0)
+      return wall;
+  }
+  return {};
+}
+
 /// What of an edge of the outline lies in the domain, and not in a wall.
-std::optional<Stretch> insideWalls(const Walls& walls, const CheckedOutline& outline, std::size_t side) {
+std::optional<Stretch> insideWalls(const Walls& walls, const CheckedOutline& outline, std::size_t side,
+                                   double rounding) {
   const auto& [a, b] = outline.edges()[side];
+  if (wallOf(walls, {a, b}, rounding)) return {};
   double low = 0, high = 1;
   for (std::size_t wall = 0; wall < walls.edges.size(); ++wall) {
     const double at_a = walls.inside(wall, a), at_b = walls.inside(wall, b);
@@ -115,14 +158,14 @@ std::optional<Stretch> insideWalls(const Walls& walls, const CheckedOutline& out
 
 /// The parts of a wall beside which the domain has an inside: between every other two of the places where the
 /// outline comes to the wall.
-void addWallParts(const Walls& walls, const CheckedOutline& outline, std::size_t wall,
+void addWallParts(const Walls& walls, const CheckedOutline& outline, std::size_t wall, double rounding,
                   std::vector<Stretch>& parts) {
   std::vector<double> crossed;
   const double all = length(walls.edges[wall].b - walls.edges[wall].a);
   for (const auto& [a, b] : outline.edges()) {
     const double at_a = walls.inside(wall, a), at_b = walls.inside(wall, b);
-    if ((at_a > 0) == (at_b > 0)) continue;
-    const double part = at_a / (at_a - at_b);
+    if ((at_a > rounding) == (at_b > rounding)) continue;
+    const double part = std::clamp(at_a / (at_a - at_b), 0.0, 1.0);
     const double along = alongEdge(walls.edges[wall], {a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)});
     crossed.push_back(std::clamp(along, 0.0, all));
   }
@@ -137,10 +180,10 @@ class Border {
   Border(const CheckedCells& run, const CheckedOutline& outline)
       : run_(run), outline_(outline), walls_(run.domain) {
     for (std::size_t k = 0; k < outline.edges().size(); ++k) {
-      if (const auto part = insideWalls(walls_, outline, k)) wanted_.push_back(*part);
+      if (const auto part = insideWalls(walls_, outline, k, rounding_)) wanted_.push_back(*part);
     }
     for (std::size_t wall = 0; wall < walls_.edges.size(); ++wall)
-      addWallParts(walls_, outline, wall, wanted_);
+      addWallParts(walls_, outline, wall, rounding_, wanted_);
     for (std::size_t i = 0; i < run.size(); ++i) addCell(i);
     std::ranges::sort(had_, {}, &Stretch::side);
   }
@@ -152,18 +195,20 @@ class Border {
     const auto wanted = std::ranges::equal_range(wanted_, side, {}, &Stretch::side);
     const auto had = std::ranges::equal_range(had_, side, {}, &Stretch::side);
     std::vector<std::pair<double, int>> ends;
-    double rounding = rounding_;
+    // What may be missing of a side that nothing is left of is not known from cells.
+    double slack = had.empty() ? run_.ties(run_.shorter_side) : rounding_;
     for (const Stretch& part : wanted) ends.insert(ends.end(), {{part.from, -1}, {part.to, 1}});
     for (const Stretch& part : had) {
       ends.insert(ends.end(), {{part.from, 1}, {part.to, -1}});
-      rounding = std::max(rounding, part.rounding);
+      slack = std::max(slack, part.slack);
     }
     std::ranges::sort(ends);
     int more = 0;
     for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
       more += ends[k].second;
-      if (more == 0 || !(ends[k + 1].first - ends[k].first > 4 * rounding)) continue;
-      return said(side, ends[k].first, ends[k + 1].first, more < 0 ? "no cell has" : "too many cells have");
+      const double from = ends[k].first, to = ends[k + 1].first;
+      if (more == 0 || !(to - from > 4 * slack) || isThin(side, (from + to) / 2)) continue;
+      return said(side, from, to, more < 0 ? "no cell has" : "too many cells have");
     }
     return {};
   }
@@ -173,16 +218,39 @@ class Border {
     const auto first = run_.diagram.neighbors.begin() + static_cast<std::ptrdiff_t>(run_.begin(i));
     const auto last = first + static_cast<std::ptrdiff_t>(run_.edges(i));
     if (std::none_of(first, last, [](std::int64_t neighbor) { return neighbor < 0; })) return;
-    const double rounding = run_.rounding(i);
+    const double rounding = run_.rounding(i), slack = rounding + run_.ties(run_.reach(i));
     CellRings(run_, i).eachEdge([&](std::size_t e, Point p, Point q) {
       const std::int64_t neighbor = run_.diagram.neighbors[e];
       if (neighbor >= 0) return;
-      const auto side = neighbor == wall_outline
-                            ? sideOf(outline_, p, q, rounding)
-                            : outline_.edges().size() + static_cast<std::size_t>(-1 - neighbor);
-      if (!side) return;
-      had_.push_back({*side, alongEdge(edge(*side), p), alongEdge(edge(*side), q), rounding});
+      if (neighbor != wall_outline) {
+        addTo(outline_.edges().size() + static_cast<std::size_t>(-1 - neighbor), p, q, slack);
+        return;
+      }
+      eachAlong(outline_, p, q, rounding, [&](std::size_t side, double from, double to) {
+        if (const auto wall = wallOf(walls_, edge(side), rounding_)) {
+          addTo(outline_.edges().size() + *wall, p, q, slack);
+        } else {
+          had_.push_back({side, from, to, slack});
+        }
+      });
     });
+  }
+
+  void addTo(std::size_t side, Point p, Point q, double slack) {
+    had_.push_back({side, alongEdge(edge(side), p), alongEdge(edge(side), q), slack});
+  }
+
+  /// Whether the domain is no wider there than rounding is: another side runs along, the other way.
+  [[nodiscard]] bool isThin(std::size_t side, double along) const {
+    const auto& [a, b] = edge(side);
+    const double part = along / length(b - a);
+    const Point p{a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)}, way = b - a;
+    bool thin = false;
+    outline_.eachNear(p, 4 * rounding_, [&](std::uint32_t k) {
+      const Edge& other = outline_.edges()[k];
+      thin = thin || (distance(p, other.a, other.b) <= 4 * rounding_ && dot(other.b - other.a, way) < 0);
+    });
+    return thin;
   }
 
   [[nodiscard]] const Edge& edge(std::size_t side) const {

@@ -189,7 +189,7 @@ void checkClipped(const CheckedCells& run, const CheckedOutline& outline, const 
     const auto wrong = run.wrongAtAnyReach(i, [&](double reach) { return wrongEdges(run, i, reach); });
     return wrong.empty() || !isCut(run, outline, i) ? wrong : wrongEdges(run, i, run.shorter_side);
   });
-  each("rings", [&](std::size_t i) { return wrongShape(run, i); });
+  each("rings", [&](std::size_t i) { return wrongShape(run, outline, i); });
   each("neighbors", [&](std::size_t i) { return wrongTwin(run, edges, i); });
   checkBorder(run, outline, broken);
   Random random(1);

@@ -108,7 +108,10 @@ std::string wrongPlace(const CheckedCells& run, const NearImage& near, std::size
   const double rounding = run.rounding(i) + run.rounding(near.site);
   const double beyond = beyondBisector(way, run.site(i), run.weightDifference(i, near.site), p);
   return run.wrongAtAnyReach(i, [&](double reach) -> std::string {
-    const double own_reach = run.weighted ? std::max(reach, length(way)) : length(p - run.site(i));
+    // How far ends of edges stood that an outline cut is not known.
+    const double own_reach = run.outline != nullptr ? run.shorter_side
+                             : run.weighted         ? std::max(reach, length(way))
+                                                    : length(p - run.site(i));
     if (beyond <= run.ties(own_reach) + rounding) return {};
     return fmt::format("({}, {}) in the cell of site {} is nearer to site {}", p.x / run.scale,
                        p.y / run.scale, i, near.site);

@@ -15,8 +15,8 @@ CheckedOutline::CheckedOutline(const CheckedSites& run) : run_(run) {
     for (const std::size_t first = ring; ring < outline.polygon_offsets[p + 1]; ++ring) {
       std::vector<Point> points;
       for (auto k = outline.ring_offsets[ring]; k < outline.ring_offsets[ring + 1]; ++k) {
-        points.push_back(
-            {outline.points[k].x * run.scale - run.base.x, outline.points[k].y * run.scale - run.base.y});
+        points.push_back({countedCoordinate(outline.points[k].x * run.scale) - run.base.x,
+                          countedCoordinate(outline.points[k].y * run.scale) - run.base.y});
       }
       if ((areaOf(points) > 0) != (ring == first)) std::ranges::reverse(points);
       for (std::size_t k = 0; k < points.size(); ++k)

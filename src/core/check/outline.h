@@ -61,8 +61,14 @@ void checkThinAreas(const CheckedCells& run, const CheckedOutline* outline, Brok
 /// What is wrong with the rings of cell i as polygons: each runs without crossing or touching itself, the
 /// outer ones counter-clockwise and apart from each other but for points, each followed by its holes, which
 /// run clockwise inside of it and leave its inside in one piece. All of it exactly, of the vertices as they
-/// are written.
-std::string wrongShape(const CheckedCells& run, std::size_t i);
+/// are written; but what rounding and ties may have brought together may touch, unless the sites and the
+/// outline say that it is one place.
+std::string wrongShape(const CheckedCells& run, const CheckedOutline& outline, std::size_t i);
+
+/// Whether a place p lies in a side or corner of the outline, but for rounding, that lies in the bisector of
+/// two sites exactly.
+bool isWhereSideIsBisector(const CheckedCells& run, const CheckedOutline& outline, std::size_t i,
+                           std::size_t j, Point p);
 
 /// Edges along the outline and along walls: each lies on a side, and all sides of the inside are covered
 /// once; what two cells share does not lie in a side, however the bisector runs.

@@ -22,6 +22,7 @@ namespace {
 struct RingEdge {
   Point a, b;
   std::size_t ring, next;  ///< the edge that follows it
+  std::int64_t neighbor;
 };
 
 bool isBefore(Point p, Point q) { return std::tie(p.x, p.y) < std::tie(q.x, q.y); }
@@ -30,6 +31,7 @@ bool isBefore(Point p, Point q) { return std::tie(p.x, p.y) < std::tie(q.x, q.y)
 struct Common {
   std::optional<Point> point;
   bool more = false;
+  double length = 0;  ///< of what they have in common
 };
 
 Common commonOf(const RingEdge& e, const RingEdge& f) {
@@ -41,12 +43,12 @@ Common commonOf(const RingEdge& e, const RingEdge& f) {
     const Point low = std::max(std::min(e.a, e.b, isBefore), std::min(f.a, f.b, isBefore), isBefore);
     const Point high = std::min(std::max(e.a, e.b, isBefore), std::max(f.a, f.b, isBefore), isBefore);
     if (isBefore(high, low)) return {};
-    return {low, isBefore(low, high)};
+    return {low, isBefore(low, high), length(high - low)};
   }
-  if (c_side == 0) return {f.a};
-  if (d_side == 0) return {f.b};
-  if (a_side == 0) return {e.a};
-  if (b_side == 0) return {e.b};
+  if (c_side == 0) return {f.a, false};
+  if (d_side == 0) return {f.b, false};
+  if (a_side == 0) return {e.a, false};
+  if (b_side == 0) return {e.b, false};
   const Point way = e.b - e.a, other = f.b - f.a;
   const double along = cross(f.a - e.a, other) / cross(way, other);
   return {Point{e.a.x + along * way.x, e.a.y + along * way.y}, true};
@@ -61,10 +63,12 @@ struct Touch {
 /// The rings of a cell as polygons.
 class CellShape {
  public:
-  CellShape(const CheckedCells& run, std::size_t i) : run_(run), cell_(i), rings_(run, i) {
+  CellShape(const CheckedCells& run, const CheckedOutline& outline, std::size_t i)
+      : run_(run), outline_(outline), cell_(i), rings_(run, i) {
     for (std::size_t r = 0; r < rings_.size(); ++r) {
       for (std::size_t e = rings_.begin(r); e < rings_.end(r); ++e)
-        edges_.push_back({counted(e), counted(rings_.next(r, e)), r, rings_.next(r, e) - run.begin(i)});
+        edges_.push_back({counted(e), counted(rings_.next(r, e)), r, rings_.next(r, e) - run.begin(i),
+                          run.diagram.neighbors[e]});
     }
   }
 
@@ -73,6 +77,7 @@ class CellShape {
       if (!std::isfinite(e.a.x) || !std::isfinite(e.a.y)) return "have a vertex that is no place";
     }
     if (isConvex()) return {};
+    slack_ = run_.rounding(cell_) + run_.ties(run_.reach(cell_));
     std::vector<Box> boxes;
     for (const RingEdge& e : edges_) boxes.push_back(boxAround(e.a, e.b));
     tree_.emplace(std::move(boxes));
@@ -117,35 +122,63 @@ class CellShape {
 
   std::string wrongCommon(std::size_t e, std::size_t f) {
     const RingEdge &edge = edges_[e], &other = edges_[f];
-    const auto [point, more] = commonOf(edge, other);
-    if (!point) return {};
-    if (more) return fmt::format("edges {} and {} cross or overlap {}", e, f, at(*point));
-    if (edge.ring != other.ring) {
-      touches_.push_back({edge.ring, other.ring, *point});
+    const Common common = commonOf(edge, other);
+    if (!common.point) return {};
+    const Point p = *common.point;
+    if (edge.ring != other.ring && !common.more) {
+      touches_.push_back({edge.ring, other.ring, p});
       return {};
     }
-    if (edge.a == edge.b || other.a == other.b) {
-      return fmt::format("edge {} has no length, {}", edge.a == edge.b ? e : f, at(*point));
-    }
-    const bool follows = (edge.next == f && *point == edge.b) || (other.next == e && *point == edge.a);
-    return follows ? "" : fmt::format("a ring touches itself {}", at(*point));
+    const bool follows = (edge.next == f && p == edge.b) || (other.next == e && p == edge.a);
+    if ((follows && !common.more) || isBlurred(edge, other, common)) return {};
+    return common.more ? fmt::format("edges {} and {} cross or overlap {}", e, f, at(p))
+                       : fmt::format("a ring touches itself {}", at(p));
   }
 
-  /// Rings of a part are in order: first the outer one, and each is one or a hole by how it turns at a vertex
-  /// that is its first along x.
+  /// Whether rounding and ties may have made two edges have something in common: each of the two ways that
+  /// neighbors tell would pass beside the other, as far as is known.
+  [[nodiscard]] bool isBlurred(const RingEdge& edge, const RingEdge& other, const Common& common) const {
+    const Point p = *common.point;
+    const double apart = std::min({distance(edge.a, other.a, other.b), distance(edge.b, other.a, other.b),
+                                   distance(other.a, edge.a, edge.b), distance(other.b, edge.a, edge.b)});
+    if (!(apart <= slack_)) return false;
+    const auto isOnBisector = [&](const RingEdge& e) {
+      return e.neighbor >= 0 &&
+             isWhereSideIsBisector(run_, outline_, cell_, static_cast<std::size_t>(e.neighbor), p);
+    };
+    if (isOnBisector(edge) || isOnBisector(other)) return false;
+    if (edge.ring == other.ring && isFlat(edge.ring)) return true;
+    if (edge.neighbor >= 0 && other.neighbor >= 0)
+      return edge.neighbor != other.neighbor || !(common.length > slack_);
+    if (edge.neighbor >= 0 || other.neighbor >= 0) return true;
+    bool corner = false;
+    outline_.eachNear(p, 0, [&](std::uint32_t k) { corner = corner || outline_.edges()[k].a == p; });
+    return !corner && !(common.length > slack_);
+  }
+
+  /// Rings of a part are in order: first the outer one, which is counter-clockwise, then its holes.
   std::string wrongTurn() {
     for (std::size_t r = 0; r < rings_.size(); ++r) {
-      std::size_t first = begin(r);
-      for (std::size_t e = begin(r); e < end(r); ++e) {
-        if (isBefore(edges_[e].b, edges_[first].b)) first = e;
-      }
-      const RingEdge& edge = edges_[first];
-      const int turn = orientation(edge.a, edge.b, edges_[edge.next].b);
-      if (turn == 0) return fmt::format("a ring has no inside {}", at(edge.b));
-      if (turn < 0 && r == 0) return fmt::format("the first ring is clockwise {}", at(edge.b));
-      part_.push_back(turn > 0 ? r : part_.back());
+      const bool is_hole = areaOfRing(r) < 0;
+      if (is_hole && r == 0 && !isFlat(r)) return fmt::format("the first is clockwise {}", at(edges_[0].a));
+      part_.push_back(is_hole && r > 0 ? part_.back() : r);
     }
     return {};
+  }
+
+  [[nodiscard]] double areaOfRing(std::size_t r) const {
+    const Point origin = edges_[begin(r)].a;
+    double area = 0;
+    for (std::size_t e = begin(r); e < end(r); ++e)
+      area += cross(edges_[e].a - origin, edges_[e].b - origin) / 2;
+    return area;
+  }
+
+  /// Whether a ring is no wider than rounding and ties are.
+  [[nodiscard]] bool isFlat(std::size_t r) const {
+    double around = 0;
+    for (std::size_t e = begin(r); e < end(r); ++e) around += length(edges_[e].b - edges_[e].a);
+    return std::abs(areaOfRing(r)) <= slack_ * around;
   }
 
   /// Rings of one part and the points in which they touch hang together without going around.
@@ -182,7 +215,7 @@ class CellShape {
   std::string wrongNesting() {
     std::vector<std::uint8_t> around(rings_.size());
     for (std::size_t r = 0; r < rings_.size() && rings_.size() > 1; ++r) {
-      const auto p = placeOn(r);
+      const auto p = isFlat(r) ? std::nullopt : placeOn(r);
       if (!p) continue;
       const auto within = ringsAround(*p, r, around);
       std::ptrdiff_t parts = 0;
@@ -198,12 +231,13 @@ class CellShape {
     return {};
   }
 
-  /// A vertex of a ring that is on no other ring.
+  /// A vertex of a ring that is on no other ring, and not as near to one as may be.
   [[nodiscard]] std::optional<Point> placeOn(std::size_t r) const {
     for (std::size_t e = begin(r); e < end(r); ++e) {
       bool touched = false;
-      tree_->eachMeeting(boxAround(edges_[e].a, edges_[e].a), [&](std::size_t f) {
-        touched = touched || (edges_[f].ring != r && orientation(edges_[f].a, edges_[f].b, edges_[e].a) == 0);
+      const Point p = edges_[e].a;
+      tree_->eachMeeting(grown(boxAround(p, p), slack_), [&](std::size_t f) {
+        touched = touched || (edges_[f].ring != r && distance(p, edges_[f].a, edges_[f].b) <= slack_);
       });
       if (!touched) return edges_[e].a;
     }
@@ -216,7 +250,7 @@ class CellShape {
     std::vector<std::size_t> crossed;
     constexpr double farthest = std::numeric_limits<double>::infinity();
     tree_->eachMeeting({p.x, p.y, farthest, p.y}, [&](std::size_t f) {
-      const auto& [a, b, ring, next] = edges_[f];
+      const auto& [a, b, ring, next, neighbor] = edges_[f];
       if (ring == r || (a.y > p.y) == (b.y > p.y)) return;
       if ((orientation(a, b, p) > 0) != (b.y > a.y)) return;
       around[ring] ^= 1;
@@ -232,7 +266,9 @@ class CellShape {
   [[nodiscard]] std::size_t end(std::size_t r) const { return rings_.end(r) - run_.begin(cell_); }
 
   const CheckedCells& run_;
+  const CheckedOutline& outline_;
   std::size_t cell_;
+  double slack_ = 0;
   CellRings rings_;
   std::vector<RingEdge> edges_;
   std::optional<BoxTree> tree_;  ///< of the edges
@@ -242,9 +278,9 @@ class CellShape {
 
 }  // namespace
 
-std::string wrongShape(const CheckedCells& run, std::size_t i) {
+std::string wrongShape(const CheckedCells& run, const CheckedOutline& outline, std::size_t i) {
   if (run.edges(i) == 0) return {};
-  const std::string wrong = CellShape(run, i).wrong();
+  const std::string wrong = CellShape(run, outline, i).wrong();
   return wrong.empty() ? wrong : fmt::format("of site {}: {}", i, wrong);
 }
 

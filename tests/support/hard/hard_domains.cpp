@@ -143,7 +143,9 @@ Ring starAbout(Point center, double radius, const Sites& sites, Random& random) 
     ring.push_back({center.x + away * std::cos(angle), center.y + away * std::sin(angle)});
   }
   if (onceIn(random, 3)) ring[random.below(points)] = someSite(sites, random);
-  if (onceIn(random, 6)) ring[random.below(points)] = someVertex(sites, random);
+  const Point vertex = someVertex(sites, random);
+  if (std::hypot(vertex.x - center.x, vertex.y - center.y) < radius && onceIn(random, 2))
+    ring[random.below(points)] = vertex;
   return ring;
 }
 
