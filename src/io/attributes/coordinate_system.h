@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "vorpipe.h"
 
@@ -24,9 +25,34 @@ struct CoordinateSystem {
   /// Of a plane that --project makes: the longitude and latitude that Lambert's azimuthal equal-area
   /// projection of WGS 84 is centered at; lengths are kilometers.
   std::optional<Point> equal_area_center{};
+  /// Of degrees that come back from such a plane: the longitude of its center. A ring around a pole has all
+  /// longitudes within 180 degrees of it, and one edge from the last to the first.
+  std::optional<double> middle{};
 };
 
 /// WGS 84, longitude before latitude: that of GeoJSON.
 inline CoordinateSystem wgs84() { return {CoordinateKind::degrees, "EPSG", 4326, {}, {}}; }
+
+/// The system of a code of EPSG.
+CoordinateSystem systemOfCode(std::int64_t code);
+
+/// The system that a text names: EPSG:25832, OGC:CRS84, the same as a URN or as an address of opengis.net, a
+/// code alone, which is EPSG's, or a definition in WKT (systemOfWkt). The error is that it names none.
+tl::expected<CoordinateSystem, std::string> systemNamed(std::string_view text);
+
+/// Whether it is more than a kind: a code, or a definition.
+bool hasName(const CoordinateSystem& system);
+
+/// The system in messages: "EPSG:25832", the name in its definition, or its kind.
+std::string nameOf(const CoordinateSystem& system);
+
+/// How coordinates of two systems go together.
+enum class SystemsAre : std::uint8_t {
+  one,      ///< the same, or nothing says otherwise
+  near,     ///< degrees that are within some two meters of each other
+  unclear,  ///< planes with names that cannot be compared without a database of all systems
+  different
+};
+SystemsAre compared(const CoordinateSystem& a, const CoordinateSystem& b);
 
 }  // namespace vorpipe

@@ -4,12 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <nlohmann/json.hpp>
-#include <system_error>
 #include <utility>
 
-#include "io/sites/wkt_points.h"
 #include "io/text/geojson_nesting.h"
 #include "io/text/quoted.h"
 
@@ -185,15 +182,9 @@ tl::expected<CoordinateSystem, std::string> systemOfCrs(const Json& crs) {
   }
   if (name == nullptr) return tl::unexpected(std::string("crs: has no \"properties\" with a \"name\""));
   const auto& text = name->get_ref<const std::string&>();
-  const std::string_view last = std::string_view(text).substr(text.rfind(':') + 1);
-  if (last == "CRS84" || last == "CRS84h") return wgs84();
-  std::int64_t code = 0;
-  const auto [stop, error] = std::from_chars(last.data(), last.data() + last.size(), code);
-  const bool known = text.find("EPSG") != std::string::npos && stop == last.data() + last.size();
-  if (!known || error != std::errc()) {
-    return tl::unexpected(fmt::format("crs: {} is no system of EPSG and not CRS84", vorpipe::inQuotes(text)));
-  }
-  return systemOfCode(code);
+  auto system = systemNamed(text);
+  if (!system) return tl::unexpected(fmt::format("crs: {}", system.error()));
+  return system;
 }
 
 }  // namespace vorpipe

@@ -8,6 +8,7 @@
 #include <new>
 #include <utility>
 
+#include "io/attributes/system_beside.h"
 #include "io/files/error.h"
 #include "io/files/extension.h"
 #include "io/files/input_file.h"
@@ -88,6 +89,10 @@ Result<SiteTable> readSites(const std::string& path, const ReadOptions& options)
     if (table && table->sites.size() == 0) {
       return inputError(fmt::format("{}: holds no sites{}", name,
                                     table->skipped > 0 ? ": what a site needs is missing in every row" : ""));
+    }
+    if (!table) return table;
+    if (auto beside = readSystemBeside(path, table->system); !beside) {
+      return tl::unexpected(std::move(beside.error()));
     }
     return table;
   } catch (const std::bad_alloc&) {

@@ -24,11 +24,4 @@ WktProblem takePoints(WktTokens& tokens, WktPoints& taken) {
   return tokens.takeList(point);
 }
 
-CoordinateSystem systemOfCode(std::int64_t code) {
-  // EPSG numbers what has longitude and latitude so, but for the one whose center is that of the Earth.
-  constexpr std::int64_t first = 4001, last = 4999, geocentric = 4978;
-  const bool degrees = code >= first && code <= last && code != geocentric;
-  return {degrees ? CoordinateKind::degrees : CoordinateKind::plane, "EPSG", code, {}, {}};
-}
-
 }  // namespace vorpipe

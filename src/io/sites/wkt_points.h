@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "io/attributes/coordinate_system.h"
 #include "io/text/wkt_tokens.h"
 
 namespace vorpipe {
@@ -18,8 +17,5 @@ struct WktPoints {
 
 /// Takes one POINT or MULTIPOINT.
 WktProblem takePoints(WktTokens& tokens, WktPoints& taken);
-
-/// The system of a code of EPSG.
-CoordinateSystem systemOfCode(std::int64_t code);
 
 }  // namespace vorpipe
