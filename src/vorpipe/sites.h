@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -43,10 +44,13 @@ struct Outline {
 /// The axes along which the domain repeats itself.
 enum class Periodic : std::uint8_t { none, x, y, xy };
 
-/// A density over the domain, constant in each pixel; laid out as Image. Finite, and not negative.
+/// A density, constant in each pixel; laid out as Image. Finite, and not negative.
 struct Density {
   int width = 0, height = 0;
   std::vector<double> values;  ///< mass per unit of area; empty: there is no density
+  /// Where the pixels lie; beyond it the density is 0, and the domain does not repeat itself. None: they
+  /// cover the domain.
+  std::optional<Box> box{};
 };
 
 /// Sites in the caller's order. `weight` is empty or as long as x and y. The cell of site i is where

@@ -28,6 +28,13 @@ Result<void> checkDensity(const Density& density) {
     return refuseDensity(
         fmt::format("{} values for {}x{} pixels", density.values.size(), density.width, density.height));
   }
+  if (const auto& box = density.box) {
+    const double across = box->xmax - box->xmin, along = box->ymax - box->ymin;
+    if (!(across > 0) || !(along > 0) || !std::isfinite(across) || !std::isfinite(along)) {
+      return refuseDensity(
+          fmt::format("its place {},{},{},{} is no box", box->xmin, box->ymin, box->xmax, box->ymax));
+    }
+  }
   const auto wrong =
       std::ranges::find_if_not(density.values, [](double v) { return std::isfinite(v) && v >= 0; });
   if (wrong == density.values.end()) return {};

@@ -14,47 +14,51 @@ struct PixelAxis {
   double low, size;  ///< of the first pixel, in the caller's units
   std::int64_t count;
   bool periodic;
+  std::int64_t beyond;  ///< 1 where what lies beyond the ends is a pixel of its own, else 0
 
   [[nodiscard]] double pixelsTo(double place) const { return (place - low) / size; }
   /// The pixel at a place that lies that many pixels from the lower end. Where the axis does not repeat, what
   /// lies beyond its ends counts as in the first or last pixel.
   [[nodiscard]] std::int64_t at(double pixels) const {
-    const auto pixel = static_cast<std::int64_t>(std::floor(pixels));
-    return periodic ? pixel : clamped(pixel);
+    // Far beyond a box a whole number of pixels may be more than an integer holds.
+    constexpr double most = 0x1p62;
+    const auto pixel = static_cast<std::int64_t>(std::floor(std::clamp(pixels, -most, most)));
+    return periodic ? pixel : std::clamp<std::int64_t>(pixel, -beyond, count - 1 + beyond);
   }
-  /// The pixel that stands for one of any number.
+  /// Whether it is a pixel of the density, or an image of one.
+  [[nodiscard]] bool has(std::int64_t pixel) const { return beyond == 0 || (pixel >= 0 && pixel < count); }
+  /// The pixel that stands for one of any number, which the axis has.
   [[nodiscard]] std::size_t own(std::int64_t pixel) const {
     if (pixel >= 0 && pixel < count) return static_cast<std::size_t>(pixel);
-    if (!periodic) return static_cast<std::size_t>(clamped(pixel));
+    if (!periodic) return static_cast<std::size_t>(std::clamp<std::int64_t>(pixel, 0, count - 1));
     const std::int64_t rest = pixel % count;
     return static_cast<std::size_t>(rest < 0 ? rest + count : rest);
   }
-
- private:
-  [[nodiscard]] std::int64_t clamped(std::int64_t pixel) const {
-    return std::clamp<std::int64_t>(pixel, 0, count - 1);
-  }
 };
 
-/// A density over a domain, repeated along its periodic axes. The density outlives this.
+/// A density over a domain, repeated along its periodic axes, or at its own place. The density outlives this.
 class DensityPixels {
  public:
   DensityPixels(const Density& density, const Box& domain, Periodic periodic)
-      : x{domain.xmin, (domain.xmax - domain.xmin) / density.width, density.width,
-          periodic == Periodic::x || periodic == Periodic::xy},
-        y{domain.ymin, (domain.ymax - domain.ymin) / density.height, density.height,
-          periodic == Periodic::y || periodic == Periodic::xy},
-        values_(density.values.data()) {}
+      : DensityPixels(density, density.box.value_or(domain), periodic, density.box ? 1 : 0) {}
 
   const PixelAxis x, y;
 
   /// Rows of the density count from the top, those here from the bottom.
   [[nodiscard]] double at(std::int64_t row, std::int64_t column) const {
+    if (!y.has(row) || !x.has(column)) return 0;
     const std::size_t from_top = static_cast<std::size_t>(y.count) - 1 - y.own(row);
     return values_[from_top * static_cast<std::size_t>(x.count) + x.own(column)];
   }
 
  private:
+  DensityPixels(const Density& density, const Box& box, Periodic periodic, std::int64_t beyond)
+      : x{box.xmin, (box.xmax - box.xmin) / density.width, density.width,
+          periodic == Periodic::x || periodic == Periodic::xy, beyond},
+        y{box.ymin, (box.ymax - box.ymin) / density.height, density.height,
+          periodic == Periodic::y || periodic == Periodic::xy, beyond},
+        values_(density.values.data()) {}
+
   const double* values_;
 };
 

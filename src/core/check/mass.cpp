@@ -53,10 +53,35 @@ std::string wrongCenter(const CheckedCells& run, std::size_t i) {
   });
 }
 
+/// How much of pixel k of `count` from low to high lies between two places, as a length.
+double lengthBetween(double low, double high, int count, int k, double from, double to) {
+  const double size = (high - low) / count;
+  const double begin = std::max(low + k * size, from), end = std::min(low + (k + 1) * size, to);
+  return std::max(0.0, end - begin);
+}
+
+/// The mass in the domain's box of a density that has a place.
+double massOfPlaced(const Density& density, const Box& domain) {
+  const Box& box = *density.box;
+  double sum = 0;
+  for (int row = 0; row < density.height; ++row) {
+    // Rows count from the top.
+    const double height =
+        lengthBetween(box.ymin, box.ymax, density.height, density.height - 1 - row, domain.ymin, domain.ymax);
+    const auto first = static_cast<std::size_t>(row) * static_cast<std::size_t>(density.width);
+    for (int column = 0; column < density.width && height > 0; ++column) {
+      sum += height * density.values[first + static_cast<std::size_t>(column)] *
+             lengthBetween(box.xmin, box.xmax, density.width, column, domain.xmin, domain.xmax);
+    }
+  }
+  return sum;
+}
+
 /// The mass in the domain's box.
 double massOf(const CheckedCells& run) {
   const Density& density = *run.density;
   const Box& box = run.caller_domain;
+  if (density.box) return massOfPlaced(density, box);
   const double pixel = (box.xmax - box.xmin) / density.width * ((box.ymax - box.ymin) / density.height);
   return std::accumulate(density.values.begin(), density.values.end(), 0.0) * pixel;
 }
@@ -66,7 +91,7 @@ double massOf(const CheckedCells& run) {
 void checkMass(const CheckedCells& run, Broken& broken) {
   if (run.density == nullptr) return;
   const auto [least, most] = std::ranges::minmax(run.density->values);
-  const Range densities{least, most};
+  const Range densities{run.density->box ? 0 : least, most};
   const double mean =
       areaSum(run.diagram) / static_cast<double>(std::max<std::uint64_t>(run.diagram.report.ok, 1));
   broken.expect("masses", run.size(), run.threads,

@@ -76,6 +76,11 @@ Result<void> checkOptions(const Sites& sites, const CellsOptions& options) {
   }
   if (!options.density.values.empty()) {
     if (auto checked = checkDensity(options.density); !checked) return checked;
+    if (options.density.box && options.periodic != Periodic::none) {
+      return tl::unexpected(
+          refusalOf(Subject::density,
+                    "has a place of its own, and a domain that repeats itself has one in each period"));
+    }
   }
   if (auto checked = checkOutline(options.outline, options.periodic); !checked) return checked;
   if (auto checked = checkArea(options.domain); !checked) return checked;

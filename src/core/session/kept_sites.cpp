@@ -30,7 +30,8 @@ bool findTheSame(const CellsOptions& a, const CellsOptions& b) {
 }
 
 bool areSame(const Density& a, const Density& b) {
-  return a.width == b.width && a.height == b.height && a.values == b.values;
+  const bool same_place = a.box.has_value() == b.box.has_value() && (!a.box || areSame(*a.box, *b.box));
+  return same_place && a.width == b.width && a.height == b.height && a.values == b.values;
 }
 
 /// Where a run that made nothing to return says how it went.

@@ -15,13 +15,13 @@ double latticeEnergy(double area) {
 Result<double> latticeEnergy(Session& session, const Sites& sites, CellsOptions options) {
   Density& density = options.density;
   for (double& value : density.values) value = std::sqrt(value);
-  if (options.outline.empty()) {
+  if (options.outline.empty() && !density.box) {
     const auto [xmin, ymin, xmax, ymax] = options.domain;
     const double pixel = (xmax - xmin) / density.width * ((ymax - ymin) / density.height);
     return latticeEnergy(pixel * carefulSum(density.values.size(), session.threads(),
                                             [&](std::size_t k) { return density.values[k]; }));
   }
-  // The cells share out what the outline holds.
+  // The cells share out what the outline, or the box of the density, has in the domain.
   options.detail = Detail::measures;
   const auto cells = session.cells(sites, options);
   if (!cells) return tl::unexpected(cells.error());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <optional>
 #include <random>
 #include <utility>
 #include <vector>
@@ -46,13 +47,44 @@ std::vector<std::uint32_t> alongCurve(int width, int height) {
   return pixels;
 }
 
+/// Pixels along one side of a domain, as far as they lie in it; counted from the left, or from the top.
+class Side {
+ public:
+  Side(double pixels_begin, double pixels_end, int count, double begin, double end) {
+    const double size = (pixels_end - pixels_begin) / count;
+    first_ = (begin - pixels_begin) / size;
+    last_ = (end - pixels_begin) / size;
+  }
+  /// From where to where a pixel lies in the domain, in pixels.
+  [[nodiscard]] std::pair<double, double> within(std::uint32_t pixel) const {
+    return {std::max<double>(pixel, first_), std::min<double>(pixel + 1.0, last_)};
+  }
+  [[nodiscard]] double part(std::uint32_t pixel) const {
+    const auto [from, to] = within(pixel);
+    return std::max(0.0, to - from);
+  }
+
+ private:
+  double first_, last_;
+};
+
 /// Draws places by mass.
 class Draw {
  public:
   Draw(const Density& density, const Box& domain)
-      : density_(density), domain_(domain), pixels_(alongCurve(density.width, density.height)) {
+      : density_(density),
+        box_(density.box.value_or(domain)),
+        pixels_(alongCurve(density.width, density.height)) {
+    if (density.box) {
+      across_.emplace(box_.xmin, box_.xmax, density.width, domain.xmin, domain.xmax);
+      down_.emplace(-box_.ymax, -box_.ymin, density.height, -domain.ymax, -domain.ymin);
+    }
+    const auto width = static_cast<std::uint32_t>(density.width);
     double sum = 0;
-    for (const std::uint32_t pixel : pixels_) sums_.push_back(sum += density.values[pixel]);
+    for (const std::uint32_t pixel : pixels_) {
+      const double part = across_ ? across_->part(pixel % width) * down_->part(pixel / width) : 1;
+      sums_.push_back(sum += density.values[pixel] * part);
+    }
   }
 
   [[nodiscard]] double mass() const { return sums_.back(); }
@@ -63,15 +95,19 @@ class Draw {
     const auto last = std::ranges::lower_bound(sums_, mass());
     const std::uint32_t pixel = pixels_[static_cast<std::size_t>(std::min(found, last) - sums_.begin())];
     const auto width = static_cast<std::uint32_t>(density_.width);
-    const double column = static_cast<double>(pixel % width) + uniform(random);
-    const double row = static_cast<double>(pixel / width) + uniform(random);
-    return {domain_.xmin + column / density_.width * (domain_.xmax - domain_.xmin),
-            domain_.ymax - row / density_.height * (domain_.ymax - domain_.ymin)};
+    const auto drawn = [&](const std::optional<Side>& side, std::uint32_t of) {
+      const auto [from, to] = side ? side->within(of) : std::pair<double, double>{of, of + 1.0};
+      return from + (to - from) * uniform(random);
+    };
+    const double column = drawn(across_, pixel % width), row = drawn(down_, pixel / width);
+    return {box_.xmin + column / density_.width * (box_.xmax - box_.xmin),
+            box_.ymax - row / density_.height * (box_.ymax - box_.ymin)};
   }
 
  private:
   const Density& density_;
-  Box domain_;
+  Box box_;                            ///< of the pixels
+  std::optional<Side> across_, down_;  ///< where pixels have a place of their own
   std::vector<std::uint32_t> pixels_;
   std::vector<double> sums_;
 };

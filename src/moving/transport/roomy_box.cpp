@@ -23,8 +23,12 @@ class Samples {
     if (!allowed_.contain(place)) return false;
     const Density& density = options_.density;
     if (density.values.empty()) return true;
-    const int across = static_cast<int>(x * density.width);
-    const int from_top = static_cast<int>((1 - y) * density.height);
+    const Box& pixels = density.box ? *density.box : box;
+    const double along_x = density.box ? (place.x - pixels.xmin) / (pixels.xmax - pixels.xmin) : x;
+    const double along_y = density.box ? (place.y - pixels.ymin) / (pixels.ymax - pixels.ymin) : y;
+    if (!(along_x >= 0 && along_x < 1 && along_y > 0 && along_y <= 1)) return false;
+    const int across = static_cast<int>(along_x * density.width);
+    const int from_top = std::min(static_cast<int>((1 - along_y) * density.height), density.height - 1);
     const auto pixel = static_cast<std::size_t>(from_top) * static_cast<std::size_t>(density.width) +
                        static_cast<std::size_t>(across);
     return density.values[pixel] > 0;

@@ -126,6 +126,42 @@ void expectAsClipped(const Sites& sites, const CellsOptions& options, double mov
   EXPECT_NEAR(total, std::reduce(density.values.begin(), density.values.end()) * pixel, 1e-12 * total);
 }
 
+TEST(CellMass, aDensityWithAPlaceIsNothingBeyondIt) {
+  const Sites sites = generate(Pattern::random, 60, 7);
+  Density small = randomDensity(4, 3, 2), padded{8, 8, std::vector<double>(64, 0)};
+  for (std::size_t row = 0; row < 3; ++row) {
+    for (std::size_t column = 0; column < 4; ++column)
+      padded.values[(row + 3) * 8 + column + 2] = small.values[row * 4 + column];
+  }
+  small.box = Box{0.25, 0.25, 0.75, 0.625};
+  const Diagram with_place = cellsOf(sites, under(small)), whole = cellsOf(sites, under(padded));
+  EXPECT_THAT(promisesOf(check(sites, under(small), with_place)), testing::IsEmpty());
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    EXPECT_NEAR(with_place.mass[i], whole.mass[i], 1e-15);
+    EXPECT_NEAR(with_place.mass_centroid[i].x, whole.mass_centroid[i].x, 1e-9);
+  }
+  // A place that is far smaller than the domain, or far away from it.
+  small.box = Box{0.5, 0.5, 0.5 + 0x1p-40, 0.5 + 0x1p-40};
+  const Diagram tiny = cellsOf(sites, under(small));
+  EXPECT_NEAR(std::accumulate(tiny.mass.begin(), tiny.mass.end(), 0.0) * 0x1p80,
+              std::accumulate(small.values.begin(), small.values.end(), 0.0) / 12, 1e-3);
+  small.box = Box{1e12, 0, 1e12 + 1, 1};
+  const Diagram none = cellsOf(sites, under(small));
+  EXPECT_EQ(std::ranges::count(none.mass, 0), 60);
+}
+
+TEST(CellMass, aPlaceThatIsNoBoxAndAPeriodAreRefused) {
+  Density density = randomDensity(2, 2, 1);
+  density.box = Box{1, 0, 1, 1};
+  const Sites sites = generate(Pattern::random, 5, 1);
+  EXPECT_THAT(checkInput(sites, under(density)).error().message, testing::HasSubstr("is no box"));
+  density.box = Box{0, 0, 1, 1};
+  CellsOptions options = under(density);
+  EXPECT_TRUE(checkInput(sites, options));
+  options.periodic = Periodic::x;
+  EXPECT_THAT(checkInput(sites, options).error().message, testing::HasSubstr("repeats itself"));
+}
+
 TEST(Density, massIsThatOfEachPixelsPart) {
   for (const auto& [width, height] : {std::pair{1, 1}, {7, 5}, {64, 48}, {301, 200}}) {
     for (const std::uint64_t count : {1U, 20U, 500U}) {
