@@ -40,7 +40,7 @@ void saveEdges(const CellsResult& result, const std::string& path, int threads) 
   const EdgesFormat& format = *valueOf(edgesFormatOf(path));
   requireDetail(result, format.extension, Detail::polygons);
   saveFile(path, [&](ByteSink& sink) -> Result<void> {
-    const auto topology = topologyOf(result.shown(), threads);
+    const auto topology = topologyOf(result, threads);
     if (!topology) return tl::unexpected(topology.error());
     return writeEdges(sink, {result.shown(), *topology, result.system()}, format);
   });
@@ -56,6 +56,12 @@ std::string featureExtensions() {
 }
 
 }  // namespace
+
+Result<Topology> topologyOf(const CellsResult& result, int threads) {
+  auto topology = vorpipe::topologyOf(result.diagram, threads);
+  if (topology && result.in_degrees) toDegrees(*result.input->projection, *topology, threads);
+  return topology;
+}
 
 CellsResult resultOf(std::shared_ptr<const Input> input, CellsOptions options, Diagram diagram, int threads) {
   CellsResult result{std::move(input), std::move(options), std::move(diagram)};

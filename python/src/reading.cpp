@@ -12,6 +12,7 @@
 
 #include "arrays.h"
 #include "errors.h"
+#include "io/cells/cell_polygons.h"
 #include "io/cells/cells_file.h"
 #include "io/files/byte_sink.h"
 #include "results.h"
@@ -31,10 +32,23 @@ auto shown(std::vector<Row> Topology::*rows) {
   };
 }
 
+/// The polygons of a cell as files of features have them, each a list of rings (M, 2).
+py::list polygonsOf(const CellsResult& cells, std::uint64_t site) {
+  py::list polygons;
+  const CellPolygons found(cells.shown(), site, cells.system());
+  for (std::size_t p = 0; p < found.size(); ++p) {
+    py::list rings;
+    for (const auto ring : found[p])
+      rings.append(arrayOf<double>(std::vector<Point>(ring.begin(), ring.end())));
+    polygons.append(rings);
+  }
+  return polygons;
+}
+
 SharedTopology topologyOfCells(const CellsResult& cells, int threads) {
   auto found = [&] {
     const WithoutGil no_gil;
-    return topologyOf(cells.shown(), threads);
+    return topologyOf(cells, threads);
   }();
   return std::make_shared<Topology>(valueOf(std::move(found)));
 }
@@ -124,6 +138,7 @@ void defineReading(py::module_& module) {
   py::class_<PlaceFinder, std::shared_ptr<PlaceFinder>>(module, "Locator",
                                                         "Finds the points whose cells hold places.")
       .def("find", &find, py::arg("places"));
+  module.def("polygons_of", &polygonsOf, py::arg("cells"), py::arg("site"));
   module.def("topology_of", &topologyOfCells, py::arg("cells"), py::arg("threads"));
   module.def("locator_of", &locatorOf, py::arg("cells"), py::arg("threads"));
   module.def("border_of_cell", &borderOfCell, py::arg("cells"), py::arg("site"));

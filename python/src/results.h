@@ -37,6 +37,9 @@ struct CellsResult {
 /// The result of a run; takes cells back to degrees if the input has a projection.
 CellsResult resultOf(std::shared_ptr<const Input> input, CellsOptions options, Diagram diagram, int threads);
 
+/// What the cells share, its vertices as the caller has them. Errors: those of topologyOf.
+Result<Topology> topologyOf(const CellsResult& result, int threads);
+
 struct PictureResult {
   std::shared_ptr<const Input> input;
   RenderOptions options;  ///< as above

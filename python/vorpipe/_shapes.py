@@ -5,6 +5,8 @@ from typing import TYPE_CHECKING, Any, Dict, List
 
 import numpy as np
 
+from . import _vorpipe
+
 if TYPE_CHECKING:
     import geopandas
 
@@ -12,15 +14,25 @@ if TYPE_CHECKING:
 
 
 def shapely_polygons(diagram: Diagram) -> List[Any]:
-    from shapely.geometry import MultiPolygon, Polygon
+    from shapely.geometry import Polygon
 
+    cells = diagram._cells
+    if cells.input.center is not None:
+        # A cell around a pole is a polygon of longitude and latitude by way of the pole.
+        return [_shape([Polygon(outer, holes) for outer, *holes in _vorpipe.polygons_of(cells, i)])
+                for i in range(len(cells))]
     if not len(diagram.ring_starts):
         return [Polygon(ring) if len(ring) else Polygon() for ring in diagram.polygons()]
     shapes = []
     for cell in diagram:
-        parts = [Polygon(outer, holes) for outer, holes in cell.polygons()]
-        shapes.append(MultiPolygon(parts) if len(parts) > 1 else parts[0] if parts else Polygon())
+        shapes.append(_shape([Polygon(outer, holes) for outer, holes in cell.polygons()]))
     return shapes
+
+
+def _shape(parts: List[Any]) -> Any:
+    from shapely.geometry import MultiPolygon, Polygon
+
+    return MultiPolygon(parts) if len(parts) > 1 else parts[0] if parts else Polygon()
 
 
 def geo_data_frame(diagram: Diagram, crs: Any) -> geopandas.GeoDataFrame:

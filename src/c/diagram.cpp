@@ -102,10 +102,26 @@ vorpipe_code find(vorpipe_session& session, const vorpipe_input& input, const vo
   return VORPIPE_DONE;
 }
 
+/// The topology of cells in degrees. They share positions in the plane.
+Result<Topology> topologyByPlane(const vorpipe_diagram& diagram) {
+  const Diagram& shown = diagram.diagram;
+  Diagram plane;
+  plane.status = shown.status;
+  plane.cell_offsets = shown.cell_offsets;
+  plane.ring_starts = shown.ring_starts;
+  plane.neighbors = shown.neighbors;
+  plane.vertices = diagram.plane->vertices;
+  auto topology = topologyOf(plane);
+  if (topology) toDegrees(*diagram.input->domain.projection, *topology);
+  return topology;
+}
+
 }  // namespace
 
 const Result<Topology>& sharedPartsOf(const vorpipe_diagram& diagram) {
-  std::call_once(diagram.topology_once, [&] { diagram.topology = topologyOf(diagram.diagram); });
+  std::call_once(diagram.topology_once, [&] {
+    diagram.topology = diagram.plane ? topologyByPlane(diagram) : topologyOf(diagram.diagram);
+  });
   return *diagram.topology;
 }
 

@@ -8,6 +8,7 @@
 #include "vorpipe/projection.h"
 #include "vorpipe/result.h"
 #include "vorpipe/sites.h"
+#include "vorpipe/topology.h"
 
 namespace vorpipe {
 
@@ -52,9 +53,16 @@ double distortionAt(double degrees_from_center);
 Sites turned(const Projection& projection, Sites degrees);
 
 /// All positions of a diagram from the plane to degrees; `degrees` are its sites as turned() has them.
-/// Longitudes may be beyond 180: nothing is cut at the antimeridian. Measures stay in kilometers, to their
-/// powers. Edges are straight in the plane; a cell around a pole is no polygon in degrees.
+/// Longitudes are continuous along each ring, in the turn in which a cell holds its site: they may be beyond
+/// 180, and nothing is cut at the antimeridian. Around a pole a ring has all longitudes, from 180 degrees
+/// west of the center to 180 degrees east of it, with one edge from the last to the first: in degrees it is
+/// no polygon without the pole. Measures stay in kilometers, to their powers. Edges are straight in the
+/// plane.
 void toDegrees(const Projection& projection, const Sites& degrees, Diagram& diagram, int threads = 0);
+
+/// The vertices of a topology, which was found in the plane: there cells share positions, which may be of
+/// other turns in degrees. Longitudes are within 180 degrees of the center's.
+void toDegrees(const Projection& projection, Topology& topology, int threads = 0);
 
 /// How much a domain is larger than what it is around, on every side.
 struct Margin {

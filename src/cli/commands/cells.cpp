@@ -8,6 +8,7 @@
 #include "bench/measured/driver_threads.h"
 #include "cli/commands/command.h"
 #include "cli/options/cells_outputs.h"
+#include "cli/options/density_options.h"
 #include "cli/options/options.h"
 #include "cli/reports/stats.h"
 #include "cli/runs/cells_notes.h"
@@ -18,7 +19,6 @@
 #include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
 #include "io/cells/cells_file.h"
-#include "io/domain/density_file.h"
 #include "io/edges/edges_file.h"
 #include "io/files/error.h"
 #include "io/forecast/forecast_files.h"
@@ -33,7 +33,8 @@ struct CellsCommand {
   SearchOptions search;
   bool check = false;
   CellsTargets targets;
-  std::string density, stats;
+  DensityOptions density;
+  std::string stats;
   std::optional<std::uint64_t> memory_limit;
 };
 
@@ -88,8 +89,9 @@ Result<Topology> topologyFor(const CellsCommand& command, const Diagram& diagram
   return topologyOf(diagram, command.backend.threads);
 }
 
-Result<void> writeFiles(const CellsCommand& command, const Input& input, const Diagram& diagram, RunLog& log,
-                        std::uint64_t forecast, std::span<OutputFile> files, const Stopwatch& total) {
+Result<void> writeFiles(const CellsCommand& command, const Input& input, const Diagram& diagram,
+                        const Topology& topology, RunLog& log, std::uint64_t forecast,
+                        std::span<OutputFile> files, const Stopwatch& total) {
   const Stopwatch watch;
   const CellsOutput output{input.sites, diagram, input.attributes, input.system, command.targets.only_cells};
   std::vector<Writer> writers;
@@ -97,11 +99,9 @@ Result<void> writeFiles(const CellsCommand& command, const Input& input, const D
     writers.emplace_back(
         [&, format = target.format](ByteSink& to) { return writeCells(to, output, *format); });
   }
-  const auto topology = topologyFor(command, diagram);
-  if (!topology) return tl::unexpected(topology.error());
   for (const EdgesTarget& target : command.targets.edges) {
     writers.emplace_back([&, format = target.format](ByteSink& to) {
-      return writeEdges(to, {diagram, *topology, input.system}, *format);
+      return writeEdges(to, {diagram, topology, input.system}, *format);
     });
   }
   const auto stats = [&] {
@@ -190,14 +190,14 @@ std::string_view adviceOn(const CellsCommand& command) {
   return may_be_tiled ? "; areas, centroids and numbers of neighbors alone need less: --detail measures" : "";
 }
 
-/// What is computed, but for the progress.
-Result<CellsOptions> cellsOptions(const CellsCommand& command, const Input& input) {
+/// What is computed, but for the progress; notes on its density are added to the input.
+Result<CellsOptions> cellsOptions(const CellsCommand& command, Input& input) {
   CellsOptions options{};
-  if (!command.density.empty()) {
-    auto density = readDensity(command.density);
-    if (!density) return named("--density", std::move(density.error()));
-    options.density = std::move(*density);
-  }
+  auto density = densityOf(command.density);
+  if (!density) return tl::unexpected(std::move(density.error()));
+  if (auto placed = placeUnder(*density, command.density, command.input, input); !placed)
+    return tl::unexpected(std::move(placed.error()));
+  options.density = std::move(density->density);
   options.domain = input.domain;
   options.outline = input.outline;
   options.periodic = input.periodic;
@@ -263,8 +263,11 @@ Result<ExitCode> cells(CellsCommand& command, const Invocation& how) {
     if (!passed) return tl::unexpected(passed.error());
     if (!*passed) return exit_different;
   }
+  auto topology = topologyFor(command, *diagram);
+  if (!topology) return tl::unexpected(std::move(topology.error()));
+  if (input->projection) toDegrees(*input->projection, *topology, threads);
   backToDegrees(*input, *diagram, threads);
-  const auto written = writeFiles(command, *input, *diagram, log, *forecast, *files, total);
+  const auto written = writeFiles(command, *input, *diagram, *topology, log, *forecast, *files, total);
   if (!written) return tl::unexpected(written.error());
   printSummary(command.talk, paths,
                fmt::format("{}, {}\n", outcomeText(paths, input->sites, diagram->report),
@@ -286,10 +289,7 @@ void addCells(CommandLine& line) {
   options.group("Output");
   addCellsTargets(options, command->targets);
   options.group("Cells");
-  addAnyFile(
-      options, "--density", command->density, {".png", ".npy"},
-      "a density over the domain, .png (dark is dense) or .npy, pixels with row 0 at the top: the mass "
-      "of each cell and its center");
+  addDensityOptions(options, command->density, "the mass of each cell and its center");
   addBackendChoice(options, command->backend);
   addSearchOptions(options, command->search);
   addRunOptions(options, command->backend, command->memory_limit);

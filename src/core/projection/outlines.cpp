@@ -118,6 +118,9 @@ Result<Outline> outlineOfDegrees(const Box& degrees) {
     return refuse("its longitudes are not within 360 degrees of 0");
   if (!(ymin >= -quarter_turn) || !(ymax <= quarter_turn))
     return refuse("its latitudes are not within 90 degrees of 0");
+  if (xmin > xmax && xmin - xmax < whole_turn) {
+    return refuse(fmt::format("it is no box: across the antimeridian its xmax is {}", xmax + whole_turn));
+  }
   if (!(xmin < xmax) || !(ymin < ymax)) return refuse("it is no box");
   if (xmax - xmin > whole_turn) return refuse("it is more than 360 degrees wide");
   Outline outline;

@@ -13,6 +13,7 @@
 #include "base/parallel.h"
 #include "base/refusal.h"
 #include "core/projection/degrees.h"
+#include "core/projection/turns.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -139,7 +140,8 @@ Result<Sites> toPlane(const Projection& projection, const Sites& degrees, int th
 }
 
 Sites turned(const Projection& projection, Sites degrees) {
-  for (double& x : degrees.x) x -= whole_turn * std::round((x - projection.center().x) / whole_turn);
+  // The meridian opposite to the center is east of it, as toDegrees has it.
+  for (double& x : degrees.x) x -= whole_turn * std::ceil((x - projection.center().x) / whole_turn - 0.5);
   return degrees;
 }
 
@@ -156,6 +158,16 @@ void toDegrees(const Projection& projection, const Sites& degrees, Diagram& diag
   };
   convert(diagram.centroid, ofSite);
   convert(diagram.mass_centroid, ofSite);
+  parallelFor(diagram.size(), places_grain, threadCount(threads), [&](std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end; ++i) core::joinTurns(degrees.x[i], i, diagram);
+  });
+}
+
+void toDegrees(const Projection& projection, Topology& topology, int threads) {
+  auto& vertices = topology.vertices;
+  parallelFor(vertices.size(), places_grain, threadCount(threads), [&](std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end; ++i) vertices[i] = projection.toDegrees(vertices[i]);
+  });
 }
 
 }  // namespace vorpipe

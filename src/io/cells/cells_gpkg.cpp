@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "io/cells/cell_attributes.h"
+#include "io/cells/cell_polygons.h"
 #include "io/cells/cell_records.h"
 #include "io/cells/cells_file.h"
 #include "io/geopackage/attribute_fields.h"
@@ -43,23 +44,21 @@ class Rows {
   explicit Rows(const CellsOutput& output) : output_(output) {}
 
   bool fill(std::size_t site, FeatureRow& row) {
-    const auto rings = ringsOf(output_.diagram, site);
-    if (rings.empty() && output_.only_cells) return false;
-    if (!rings.empty()) setPolygons(row, rings);
+    const CellPolygons cell(output_.diagram, site, output_.system);
+    if (cell.empty() && output_.only_cells) return false;
+    if (!cell.empty()) setPolygons(row, cell);
     addFields(row, site);
     for (const Attribute& attribute : output_.attributes) addValue(row, attribute, site);
     return true;
   }
 
  private:
-  void setPolygons(FeatureRow& row, std::span<const Ring> rings) {
-    const auto pieces = piecesOf(rings);
+  void setPolygons(FeatureRow& row, const CellPolygons& cell) {
     wkb_.clear();
-    wkb_.begin(GeometryType::multi_polygon, pieces.size());
-    for (const auto piece : pieces) {
-      wkb_.begin(GeometryType::polygon, piece.size());
-      for (const Ring& ring : piece) {
-        const auto vertices = verticesOf(output_.diagram, ring);
+    wkb_.begin(GeometryType::multi_polygon, cell.size());
+    for (std::size_t p = 0; p < cell.size(); ++p) {
+      wkb_.begin(GeometryType::polygon, cell[p].size());
+      for (const auto vertices : cell[p]) {
         wkb_.beginRing(vertices.size() + 1);
         for (const Point& vertex : vertices) wkb_.add(vertex);
         wkb_.add(vertices.front());

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/cells/cell_polygons.h"
 #include "io/cells/cells_file.h"
 #include "io/meshes/cell_rings.h"
 #include "io/text/print.h"
@@ -67,21 +68,24 @@ void printVertices(Bytes& text, const PixelMap& map, std::span<const Point> vert
   });
 }
 
-void printCell(Bytes& text, const PixelMap& map, const Diagram& diagram, std::size_t site) {
-  const auto rings = ringsOf(diagram, site);
-  if (rings.empty()) {
+void printCell(Bytes& text, const PixelMap& map, const CellsOutput& output, std::size_t site) {
+  const Diagram& diagram = output.diagram;
+  const CellPolygons cell(diagram, site, output.system);
+  if (cell.empty()) {
     return;
   }
-  const std::string_view shape = rings.size() == 1 ? "polygon" : "path";
-  print(text, FMT_COMPILE("<{} fill=\"#{:06x}\" {}=\""), shape, fillColor(site),
-        rings.size() == 1 ? "points" : "d");
-  if (rings.size() == 1) {
-    printVertices(text, map, verticesOf(diagram, rings.front()));
+  const bool is_simple = cell.size() == 1 && cell[0].size() == 1;
+  const std::string_view shape = is_simple ? "polygon" : "path";
+  print(text, FMT_COMPILE("<{} fill=\"#{:06x}\" {}=\""), shape, fillColor(site), is_simple ? "points" : "d");
+  if (is_simple) {
+    printVertices(text, map, cell[0].front());
   } else {
-    for (const Ring& ring : rings) {
-      text.push_back('M');
-      printVertices(text, map, verticesOf(diagram, ring));
-      text.push_back('Z');
+    for (std::size_t p = 0; p < cell.size(); ++p) {
+      for (const auto ring : cell[p]) {
+        text.push_back('M');
+        printVertices(text, map, ring);
+        text.push_back('Z');
+      }
     }
   }
   print(text, FMT_COMPILE("\"><title>site {}, area {}</title></{}>\n"), site, diagram.area[site], shape);
@@ -101,7 +105,7 @@ Result<void> writeSvgCells(ByteSink& sink, const CellsOutput& output) {
     return written;
   }
   auto polygons = writeEach(sink, diagram.status.size(),
-                            [&](Bytes& text, std::size_t site) { printCell(text, map, diagram, site); });
+                            [&](Bytes& text, std::size_t site) { printCell(text, map, output, site); });
   if (!polygons) {
     return polygons;
   }

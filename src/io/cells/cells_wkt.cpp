@@ -9,17 +9,15 @@ constexpr ListText wkt_list{"(", ", ", ")"};
 
 void printPoint(Bytes& text, const Point& point) { print(text, FMT_COMPILE("{} {}"), point.x, point.y); }
 
-void printCell(Bytes& text, const Diagram& diagram, std::size_t site) {
-  const auto rings = ringsOf(diagram, site);
-  const auto pieces = piecesOf(rings);
-  if (pieces.empty()) {
+void printCell(Bytes& text, const CellPolygons& cell) {
+  if (cell.empty()) {
     text.append(std::string_view("POLYGON EMPTY"));
-  } else if (pieces.size() == 1) {
+  } else if (cell.size() == 1) {
     text.append(std::string_view("POLYGON "));
-    printPolygon(text, wkt_list, diagram, pieces.front(), printPoint);
+    printPolygon(text, wkt_list, cell[0], printPoint);
   } else {
     text.append(std::string_view("MULTIPOLYGON "));
-    printPolygons(text, wkt_list, diagram, pieces, printPoint);
+    printPolygons(text, wkt_list, cell, printPoint);
   }
 }
 
@@ -34,7 +32,7 @@ Result<void> writeWktCells(ByteSink& sink, const CellsOutput& output) {
   }
   auto polygons = writeEach(sink, diagram.status.size(), [&](Bytes& text, std::size_t site) {
     print(text, FMT_COMPILE("{}"), site == 0 ? "\n" : ",\n");
-    printCell(text, diagram, site);
+    printCell(text, {diagram, site, output.system});
   });
   if (!polygons) {
     return polygons;

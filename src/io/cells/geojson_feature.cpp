@@ -3,6 +3,7 @@
 #include "io/cells/cell_attributes.h"
 #include "io/cells/cell_records.h"
 #include "io/cells/polygon_text.h"
+#include "io/meshes/cell_rings.h"
 #include "io/text/field_text.h"
 
 namespace vorpipe {
@@ -33,20 +34,18 @@ void printProperties(Bytes& text, const Sites& sites, const Diagram& diagram, st
   }
 }
 
-void printGeometry(Bytes& text, const Diagram& diagram, std::size_t site) {
-  const auto rings = ringsOf(diagram, site);
-  const auto pieces = piecesOf(rings);
-  if (pieces.empty()) {
+void printGeometry(Bytes& text, const CellPolygons& cell) {
+  if (cell.empty()) {
     text.append(std::string_view(R"("geometry":null)"));
     return;
   }
-  const bool several = pieces.size() > 1;
+  const bool several = cell.size() > 1;
   print(text, FMT_COMPILE(R"("geometry":{{"type":"{}","coordinates":)"),
         several ? "MultiPolygon" : "Polygon");
   if (several) {
-    printPolygons(text, json_list, diagram, pieces, printJsonPoint);
+    printPolygons(text, json_list, cell, printJsonPoint);
   } else {
-    printPolygon(text, json_list, diagram, pieces.front(), printJsonPoint);
+    printPolygon(text, json_list, cell[0], printJsonPoint);
   }
   text.push_back('}');
 }
@@ -73,7 +72,7 @@ void printFeature(Bytes& text, const CellsOutput& output, const std::vector<std:
     printJsonValue(text, output.attributes[k], site);
   }
   text.append(std::string_view("},"));
-  printGeometry(text, output.diagram, site);
+  printGeometry(text, {output.diagram, site, output.system});
   text.push_back('}');
 }
 

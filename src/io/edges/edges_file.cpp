@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <new>
 #include <span>
 
@@ -47,8 +48,14 @@ EdgeLine edgeLine(const EdgesOutput& output, std::size_t edge) {
   const std::uint64_t entry = output.topology.edge_entry[edge];
   const auto [site_a, site_b] = output.topology.edge_cells[edge];
   const Cell cell = diagram.cell(static_cast<std::size_t>(site_a));
-  return {diagram.vertices[entry], diagram.vertices[endEntry(cell, entry)], site_a, site_b,
-          diagram.edge_lengths[entry]};
+  EdgeLine line{diagram.vertices[entry], diagram.vertices[endEntry(cell, entry)], site_a, site_b,
+                diagram.edge_lengths[entry]};
+  if (output.system.middle) {
+    // Around a pole one edge leads from the last longitude to the first.
+    constexpr double whole_turn = 360;
+    line.end.x += whole_turn * std::round((line.begin.x - line.end.x) / whole_turn);
+  }
+  return line;
 }
 
 std::vector<std::string_view> edgesExtensions() { return extensionsOf(all_edges_formats); }

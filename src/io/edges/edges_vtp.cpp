@@ -6,18 +6,18 @@
 namespace vorpipe {
 namespace {
 
-/// PolyData with lines, z is 0. Edges share their ends, but in a periodic domain, where each has its own two:
-/// there a vertex stands in several places.
+/// PolyData with lines, z is 0. Edges share their ends, but where a vertex stands in several places: in a
+/// periodic domain, and in degrees that come from a projection, in several turns.
 Result<void> writeVtpEdges(ByteSink& sink, const EdgesOutput& output) {
   const Topology& topology = output.topology;
   const std::size_t count = topology.edge_entry.size();
-  const bool periodic = !output.diagram.neighbor_shifts.empty();
-  const std::size_t points = periodic ? 2 * count : topology.vertices.size();
-  const auto ends = [&, periodic](std::size_t k) -> std::size_t {
-    return periodic ? k : topology.edge_vertices[k / 2][k % 2];
+  const bool apart = !output.diagram.neighbor_shifts.empty() || output.system.middle;
+  const std::size_t points = apart ? 2 * count : topology.vertices.size();
+  const auto ends = [&, apart](std::size_t k) -> std::size_t {
+    return apart ? k : topology.edge_vertices[k / 2][k % 2];
   };
-  const auto position = [&, periodic](std::size_t point) {
-    if (!periodic) return topology.vertices[point];
+  const auto position = [&, apart](std::size_t point) {
+    if (!apart) return topology.vertices[point];
     const EdgeLine line = edgeLine(output, point / 2);
     return point % 2 == 0 ? line.begin : line.end;
   };

@@ -164,6 +164,55 @@ TEST(Maps, theAntimeridianAndThePolesAreNoBorders) {
               1e-5 * areaOnEllipsoid(cap));
 }
 
+/// The longitudes of a ring, from each vertex to the next.
+std::vector<double> stepsOf(const Diagram& diagram, std::size_t site) {
+  const auto ring = diagram.cell(site).vertices();
+  std::vector<double> steps;
+  for (std::size_t k = 0; k < ring.size(); ++k) steps.push_back(ring[(k + 1) % ring.size()].x - ring[k].x);
+  return steps;
+}
+
+TEST(Maps, longitudesAreContinuousAlongRingsAroundEitherPole) {
+  for (const double pole : {90.0, -90.0}) {
+    SCOPED_TRACE(pole);
+    const double latitude = pole / 6 * 5;
+    const Sites sites{{0, 45, 90, 135, 180, 225, 270, 315, 0},
+                      {latitude, latitude, latitude, latitude, latitude, latitude, latitude, latitude, pole},
+                      {}};
+    const Box cap = pole > 0 ? Box{-180, 60, 180, 90} : Box{-180, -90, 180, -60};
+    const Diagram diagram = cellsOnEarth(sites, cap);
+    const Sites shown = turned(projectionAmid(outlineOfDegrees(cap).value()).value(), sites);
+    EXPECT_EQ(shown.x[4], 180);
+    for (std::size_t i = 0; i < 8; ++i) {
+      const auto [west, east] = std::ranges::minmax(diagram.cell(i).vertices(), {}, &Point::x);
+      EXPECT_NEAR(west.x, shown.x[i] - 22.5, 1e-6) << i;
+      EXPECT_NEAR(east.x, shown.x[i] + 22.5, 1e-6) << i;
+      EXPECT_NEAR(diagram.centroid[i].x, shown.x[i], 1e-6) << i;
+      for (const double step : stepsOf(diagram, i)) EXPECT_LT(std::abs(step), 180) << i;
+    }
+    // Around the pole one edge leads from the last longitude to the first.
+    const auto steps = stepsOf(diagram, 8);
+    EXPECT_EQ(std::ranges::count_if(steps, [](double step) { return std::abs(step) > 180; }), 1);
+  }
+}
+
+TEST(Maps, cellsOnBothSidesOfTheMeridianShareTheirVerticesInThePlane) {
+  const Box box{-180, 60, 180, 90};
+  const Sites sites = randomSites(box, 40, 5);
+  const Outline degrees = outlineOfDegrees(box).value();
+  const Projection projection = projectionAmid(degrees).value();
+  const Outline plane = toPlane(projection, degrees).value();
+  Diagram diagram = cellsOf(toPlane(projection, sites).value(), inside(plane, boxOf(plane.points)));
+  Topology topology = topologyOf(diagram).value();
+  toDegrees(projection, turned(projection, sites), diagram);
+  toDegrees(projection, topology);
+  for (std::size_t entry = 0; entry < diagram.vertices.size(); ++entry) {
+    const Point shared = topology.vertices[topology.vertex_of[entry]], own = diagram.vertices[entry];
+    EXPECT_EQ(own.y, shared.y);
+    EXPECT_NEAR(std::remainder(own.x - shared.x, 360), 0, 1e-9);
+  }
+}
+
 // In central Europe a degree of longitude is some 0.63 of one of latitude.
 TEST(Maps, degreesTakenForAPlaneGiveOneSiteInSixOtherNeighbors) {
   const Box box{5, 47, 15, 55};

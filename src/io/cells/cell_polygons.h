@@ -1,0 +1,33 @@
+/// The polygons of a cell as files of features have them.
+#pragma once
+
+#include <cstddef>
+#include <list>
+#include <span>
+#include <vector>
+
+#include "io/attributes/coordinate_system.h"
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+/// The polygons of a cell, each of which is rings of points: an outer ring, then its holes. The last point of
+/// a ring is not the first again. In degrees that come from a projection a ring around a pole is led along
+/// the meridian opposite to the center to the pole and back, or to the hole around the pole, so that it is a
+/// polygon of longitude and latitude (decision D126). The diagram outlives this.
+class CellPolygons {
+ public:
+  using Rings = std::vector<std::span<const Point>>;
+
+  CellPolygons(const Diagram& diagram, std::size_t site, const CoordinateSystem& system);
+
+  [[nodiscard]] bool empty() const { return polygons_.empty(); }
+  [[nodiscard]] std::size_t size() const { return polygons_.size(); }
+  [[nodiscard]] const Rings& operator[](std::size_t polygon) const { return polygons_[polygon]; }
+
+ private:
+  std::vector<Rings> polygons_;
+  std::list<std::vector<Point>> made_;  ///< rings that are not the diagram's
+};
+
+}  // namespace vorpipe
