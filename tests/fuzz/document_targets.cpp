@@ -29,8 +29,9 @@ bool isPartition(const std::vector<std::uint64_t>& offsets, std::size_t end) {
 
 void fuzzOutline(std::string_view bytes, std::string_view extension) {
   const std::string& path = fileOf(extension, bytes);
-  auto outline = readOutline(path);
-  if (!outline) return requireTold(outline.error(), path);
+  auto read = readOutline(path);
+  if (!read) return requireTold(read.error(), path);
+  Outline* const outline = &read->outline;
   require(isPartition(outline->ring_offsets, outline->points.size()), "rings share the points");
   require(isPartition(outline->polygon_offsets, outline->ring_offsets.size() - 1),
           "polygons share the rings");
@@ -40,6 +41,7 @@ void fuzzOutline(std::string_view bytes, std::string_view extension) {
   placed.sites.y = {0.25, 0.5, 0.75};
   DomainSettings settings;
   settings.outline = std::move(*outline);
+  settings.outline_system = read->system;
   settings.repair = bytes.size() % 2 == 1;
   const auto found = findDomain(settings, placed);
   if (!found) return requireTold(found.error(), "domain: ");
@@ -57,7 +59,7 @@ void fuzzDensity(std::string_view bytes, std::string_view extension) {
   const std::string& path = fileOf(extension, bytes);
   const auto density = readDensity(path);
   if (!density) return requireTold(density.error(), path);
-  requirePixels(density->values.size(), density->width, density->height);
+  requirePixels(density->density.values.size(), density->density.width, density->density.height);
   for (const double value : density->values)
     require(std::isfinite(value) && value >= 0, "a density is 0 or more");
 }

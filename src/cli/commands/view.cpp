@@ -146,7 +146,7 @@ Result<view::AppOptions> appOf(const ViewCommand& command) {
   if (!command.density.empty()) {
     auto density = readDensity(command.density);
     if (!density) return named("--density", std::move(density.error()));
-    options.viewer.density = std::make_shared<const Density>(std::move(*density));
+    options.viewer.density = std::make_shared<const Density>(std::move(density->density));
     options.viewer.settings.density_path = command.density;
   }
   auto opened = openedBy(command);

@@ -47,6 +47,7 @@ void addDomain(std::vector<std::string>& to, const InputOptions& options) {
   const DomainChoice& domain = options.domain;
   if (domain.hull) add(to, "--domain", "hull");
   if (!domain.file.empty()) add(to, "--domain", domain.file);
+  if (!options.domain_layer.empty()) add(to, "--domain-layer", options.domain_layer);
   if (const auto& box = domain.box) {
     add(to, "--domain", fmt::format("{},{},{},{}", box->xmin, box->ymin, box->xmax, box->ymax));
   }
@@ -107,7 +108,9 @@ Result<view::Loaded> loadForView(const std::string& path, const InputOptions& op
   if (lowerExtension(path) == ".png") {
     auto density = readDensity(path);
     if (!density) return tl::unexpected(std::move(density.error()));
-    loaded.density = std::make_shared<const Density>(std::move(*density));
+    // What is dropped covers what the window shows.
+    density->density.box.reset();
+    loaded.density = std::make_shared<const Density>(std::move(density->density));
     return loaded;
   }
   if (lowerExtension(path) == ".npz") {

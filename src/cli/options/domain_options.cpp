@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "io/domain/outline_file.h"
 #include "io/text/number.h"
 #include "io/text/quoted.h"
 
@@ -45,6 +46,10 @@ void addDomainOptions(Options& options, InputOptions& input, const Option& sites
                 "an outline",
                 anyOf(outlineExtensions())),
             parseDomain, {{"hull"}, outlineExtensions()})
+      .needs(sites);
+  options
+      .addText("--domain-layer", input.domain_layer, "NAME",
+               "layer of a GeoPackage with the outline [its only one with polygons]")
       .needs(sites);
   addParsed(
       options, "--margin", input.margin, "M or P%",

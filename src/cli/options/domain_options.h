@@ -11,7 +11,7 @@ Parsed<Margin> parseMargin(std::string_view text);
 /// `auto`, or `LON,LAT`, a place on the Earth.
 Parsed<ProjectChoice> parseProject(std::string_view text);
 
-/// --domain, --margin, --repair, --project
+/// --domain, --domain-layer, --margin, --repair, --project
 void addDomainOptions(Options& options, InputOptions& input, const Option& sites);
 
 }  // namespace vorpipe::cli

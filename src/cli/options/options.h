@@ -57,6 +57,7 @@ struct InputOptions {
   std::string sites;
   std::uint64_t seed = 1;
   DomainChoice domain;
+  std::string domain_layer;  ///< of the domain's file
   std::optional<Margin> margin;
   std::optional<ProjectChoice> project;
   bool repair = false;

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "cli/options/suggestion.h"
+#include "io/domain/outline_file.h"
 #include "io/files/extension.h"
 #include "io/text/number.h"
 #include "io/text/quoted.h"
@@ -62,6 +63,15 @@ auto valueIn(const Table& table, std::string_view text) -> Parsed<decltype(table
   });
 }
 
+/// What helps where a box of degrees across the antimeridian was meant; else nothing.
+std::string hintAcrossAntimeridian(std::string_view text) {
+  constexpr double half_turn = 180, whole_turn = 360;
+  const auto parts = split(text, ',');
+  const auto west = parseNumber(parts.front()), east = parseNumber(parts[2]);
+  if (!west || !east || !(*west > *east) || *west > half_turn || *east < -half_turn) return {};
+  return fmt::format("; in degrees, across the antimeridian, xmax is {}", *east + whole_turn);
+}
+
 }  // namespace
 
 std::string anyOf(std::span<const std::string> words) {
@@ -72,7 +82,6 @@ std::string anyOf(std::span<const std::string> words) {
 std::vector<std::string> periodicNames() { return namesIn(periods); }
 std::vector<std::string> searchNames() { return {"grid", "flann"}; }
 std::vector<std::string> colorNames() { return namesIn(colors); }
-std::vector<std::string> outlineExtensions() { return {".geojson", ".json", ".wkt"}; }
 
 Parsed<std::uint64_t> parseWhole(std::string_view text, std::uint64_t low, std::uint64_t high) {
   std::uint64_t value = 0;
@@ -105,14 +114,16 @@ Parsed<Box> parseBox(std::string_view text) {
 Parsed<DomainChoice> parseDomain(std::string_view text) {
   if (text == "hull") return DomainChoice{std::nullopt, {}, /*hull=*/true};
   const auto outlines = outlineExtensions();
-  if (std::ranges::find(outlines, lowerExtension(std::string(text))) != outlines.end()) {
+  if (std::ranges::find(outlines, inputExtension(std::string(text))) != outlines.end()) {
     return DomainChoice{std::nullopt, std::string(text), /*hull=*/false};
   }
   if (split(text, ',').size() != 4) {
     return bad(fmt::format("{} is neither XMIN,YMIN,XMAX,YMAX nor hull nor a {} file", inQuotes(text),
                            anyOf(outlines)));
   }
-  return parseBox(text).map([](const Box& box) { return DomainChoice{box, {}, /*hull=*/false}; });
+  auto box = parseBox(text);
+  if (!box) return bad(box.error() + hintAcrossAntimeridian(text));
+  return DomainChoice{*box, {}, /*hull=*/false};
 }
 
 Parsed<Periodic> parsePeriodic(std::string_view text) { return valueIn(periods, text); }

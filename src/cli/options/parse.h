@@ -28,9 +28,6 @@ std::vector<std::string> periodicNames();
 std::vector<std::string> searchNames();
 std::vector<std::string> colorNames();
 
-/// The extensions of files with outlines, as parseDomain knows them.
-std::vector<std::string> outlineExtensions();
-
 /// A box, the name of a file with an outline, or the hull of the sites; nothing where it is left open.
 struct DomainChoice {
   std::optional<Box> box;

@@ -1,10 +1,15 @@
 #include "io/domain/outline_file.h"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <new>
+#include <string_view>
 #include <utility>
 
+#include "io/attributes/system_beside.h"
 #include "io/domain/outline_reader.h"
 #include "io/files/error.h"
 #include "io/files/extension.h"
@@ -13,21 +18,43 @@
 namespace vorpipe {
 namespace {
 
-Result<Outline> readByExtension(const std::string& path) {
-  const std::string extension = inputExtension(path);
-  const bool json = extension == ".geojson" || extension == ".json";
-  if (!json && extension != ".wkt") {
-    return inputError(path + ": unknown kind of file; known are .geojson, .json and .wkt");
-  }
+struct Kind {
+  std::string_view extension;
+  Result<OutlineFile> (*read)(InputFile file);
+};
+
+/// The kind that is no stream of bytes.
+constexpr std::string_view geopackage = ".gpkg";
+
+constexpr std::array<Kind, 7> kinds = {{{".geojson", readGeoJsonOutline},
+                                        {".json", readGeoJsonOutline},
+                                        {".geojsonl", readGeoJsonLinesOutline},
+                                        {".geojsons", readGeoJsonLinesOutline},
+                                        {".ndjson", readGeoJsonLinesOutline},
+                                        {".wkt", readWktOutline},
+                                        {geopackage, nullptr}}};
+
+Result<OutlineFile> readKind(const Kind& kind, const std::string& path, const std::string& layer) {
+  if (kind.extension == geopackage) return readGeoPackageOutline(path, layer);
+  if (!layer.empty()) return inputError(fmt::format("{}: has no layers; a {} has", path, geopackage));
   auto file = InputFile::open(path);
-  if (!file) {
-    return tl::unexpected(file.error());
+  if (!file) return tl::unexpected(std::move(file.error()));
+  return kind.read(std::move(*file));
+}
+
+Result<OutlineFile> readByExtension(const std::string& path, const std::string& layer) {
+  const auto* const kind = std::ranges::find(kinds, inputExtension(path), &Kind::extension);
+  if (kind == kinds.end()) {
+    return inputError(
+        fmt::format("{}: unknown kind of file; known are {}", path, fmt::join(outlineExtensions(), ", ")));
   }
-  auto outline = json ? readGeoJsonOutline(*file) : readWktOutline(*file);
-  if (outline && outline->empty()) {
-    return inputError(path + ": holds no polygon");
+  auto read = readKind(*kind, path, layer);
+  if (!read) return read;
+  if (read->outline.empty()) return inputError(path + ": holds no polygon");
+  if (auto beside = readSystemBeside(path, read->system); !beside) {
+    return tl::unexpected(std::move(beside.error()));
   }
-  return outline;
+  return read;
 }
 
 }  // namespace
@@ -60,9 +87,15 @@ void endPolygon(Outline& outline) {
   }
 }
 
-Result<Outline> readOutline(const std::string& path) {
+std::vector<std::string> outlineExtensions() {
+  std::vector<std::string> extensions;
+  for (const Kind& kind : kinds) extensions.emplace_back(kind.extension);
+  return extensions;
+}
+
+Result<OutlineFile> readOutline(const std::string& path, const std::string& layer) {
   try {
-    return readByExtension(path);
+    return readByExtension(path, layer);
   } catch (const std::bad_alloc&) {
     return deviceError(path + ": there is not enough memory for its polygons");
   }

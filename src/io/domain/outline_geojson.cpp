@@ -5,14 +5,15 @@
 
 #include "io/domain/outline_reader.h"
 #include "io/files/error.h"
+#include "io/sites/geojson_points.h"
 #include "io/text/geojson_nesting.h"
-#include "io/text/json_parser.h"
+#include "io/text/json_lines.h"
 #include "io/text/quoted.h"
 
 namespace vorpipe {
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 /// What is wrong, and the path to it.
 using Problem = std::optional<std::string>;
@@ -102,15 +103,30 @@ class GeoJson {
 
 }  // namespace
 
-Result<Outline> readGeoJsonOutline(InputFile& file) {
+Result<OutlineFile> readGeoJsonOutline(InputFile file) {
   JsonBytes bytes(file);
   const auto value = parseJson<json>(bytes);
   if (!value) return tl::unexpected(value.error());
-  Outline outline;
-  if (const auto problem = GeoJson(outline).object(*value, {})) {
-    return inputError(fmt::format("{}: {}", file.name(), *problem));
+  OutlineFile read{{}, wgs84()};
+  const auto wrong = [&](const std::string& problem) {
+    return inputError(fmt::format("{}: {}", file.name(), problem));
+  };
+  if (value->is_object() && value->contains("crs")) {
+    auto system = systemOfCrs((*value)["crs"]);
+    if (!system) return wrong(system.error());
+    read.system = std::move(*system);
   }
-  return outline;
+  if (const auto problem = GeoJson(read.outline).object(*value, {})) return wrong(*problem);
+  return read;
+}
+
+Result<OutlineFile> readGeoJsonLinesOutline(InputFile file) {
+  LineReader lines(std::move(file));
+  OutlineFile read{{}, wgs84()};
+  auto done =
+      eachJsonLine<json>(lines, [&](const json& value) { return GeoJson(read.outline).object(value, {}); });
+  if (!done) return tl::unexpected(std::move(done.error()));
+  return read;
 }
 
 }  // namespace vorpipe

@@ -1,15 +1,20 @@
-/// Outlines out of one kind of text each. Errors (input) begin with the file's name.
+/// Outlines out of one kind of file each. Errors (input) begin with the file's name.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "io/domain/outline_file.h"
 #include "io/files/input_file.h"
 
 namespace vorpipe {
 
-Result<Outline> readGeoJsonOutline(InputFile& file);
-Result<Outline> readWktOutline(InputFile& file);
+Result<OutlineFile> readGeoJsonOutline(InputFile file);
+/// One object on each line.
+Result<OutlineFile> readGeoJsonLinesOutline(InputFile file);
+Result<OutlineFile> readWktOutline(InputFile file);
+/// A layer, which is of a database and no stream; empty: the only one of polygons.
+Result<OutlineFile> readGeoPackageOutline(const std::string& path, const std::string& layer);
 
 /// Adds a ring as a file has it, its first point repeated at its end, to the polygon that was begun last. The
 /// error continues "FILE:LINE:COLUMN: ".

@@ -6,6 +6,7 @@
 
 #include "io/domain/outline_reader.h"
 #include "io/files/error.h"
+#include "io/text/geojson_nesting.h"
 #include "io/text/wkt_tokens.h"
 
 namespace vorpipe {
@@ -13,23 +14,31 @@ namespace {
 
 class Wkt {
  public:
-  Wkt(InputFile& file, Outline& outline) : tokens_(file), outline_(outline) {}
+  explicit Wkt(InputFile& file) : tokens_(file) {}
 
-  Result<void> all() {
+  Result<OutlineFile> all() {
     while (!tokens_.atEnd()) {
       if (auto problem = geometry()) return tokens_.refused(*problem);
     }
-    return tokens_.end();
+    OutlineFile read{std::move(outline_)};
+    if (system_ && *system_ > 0) read.system = systemOfCode(*system_);
+    return tokens_.end().map([&] { return std::move(read); });
   }
 
  private:
-  WktProblem geometry() {
+  WktProblem geometry(int depth = 0) {
+    const WktPlace begin = tokens_.place();
     std::optional<std::int64_t> code;
     if (auto problem = tokens_.takeSystem(code)) return problem;
-    if (tokens_.takeType("MULTIPOLYGON")) {
-      return tokens_.takeList([&] { return polygon(); });
-    }
-    return tokens_.takeType("POLYGON") ? polygon() : tokens_.expected("POLYGON or MULTIPOLYGON");
+    if (code && system_ && code != system_)
+      return wrongAt(begin, fmt::format("is of SRID {}, and those before it of {}", *code, *system_));
+    if (code) system_ = code;
+    if (tokens_.takeType("MULTIPOLYGON")) return tokens_.takeList([&] { return polygon(); });
+    if (tokens_.takeType("POLYGON")) return polygon();
+    if (!tokens_.takeType("GEOMETRYCOLLECTION")) return tokens_.expected("POLYGON or MULTIPOLYGON");
+    if (depth > most_nested_collections)
+      return wrongAt(begin, fmt::format("stands in more than {} collections", most_nested_collections));
+    return tokens_.takeList([&] { return geometry(depth + 1); });
   }
 
   WktProblem polygon() {
@@ -49,14 +58,12 @@ class Wkt {
   }
 
   WktTokens tokens_;
-  Outline& outline_;
+  Outline outline_;
+  std::optional<std::int64_t> system_;  ///< the code that stands before geometries
 };
 
 }  // namespace
 
-Result<Outline> readWktOutline(InputFile& file) {
-  Outline outline;
-  return Wkt(file, outline).all().map([&] { return std::move(outline); });
-}
+Result<OutlineFile> readWktOutline(InputFile file) { return Wkt(file).all(); }
 
 }  // namespace vorpipe

@@ -7,9 +7,7 @@
 #include "io/files/error.h"
 #include "io/sites/geojson_points.h"
 #include "io/sites/sites_reader.h"
-#include "io/text/json_parser.h"
-#include "io/text/line_reader.h"
-#include "io/text/number.h"
+#include "io/text/json_lines.h"
 
 namespace vorpipe {
 namespace {
@@ -65,24 +63,6 @@ GeoJsonProblem addTop(const Json& top, const std::string& list, GeoJsonPoints& p
   return points.add(top, top.is_object() ? "" : "the top object");
 }
 
-/// The bytes of a line of JSON; RFC 8142 has one before it that is none.
-std::string_view withoutSeparator(std::string_view line) {
-  line = trimmed(line);
-  return line.starts_with('\x1E') ? trimmed(line.substr(1)) : line;
-}
-
-Result<void> addLine(const LineReader& lines, std::string_view line, GeoJsonPoints& points) {
-  const std::string_view text = withoutSeparator(line);
-  if (text.empty()) return {};
-  JsonBytes bytes(lines.name(), text);
-  bytes.setPlace(lines.number(), static_cast<std::size_t>(text.data() - line.data()));
-  const auto value = parseJson<Json>(bytes);
-  if (!value) return tl::unexpected(value.error());
-  const auto problem = points.add(*value, "");
-  if (problem) return inputError(fmt::format("{}:{}: {}", lines.name(), lines.number(), *problem));
-  return {};
-}
-
 }  // namespace
 
 Result<SiteTable> readGeoJsonSites(InputFile file, const ReadOptions& options) {
@@ -103,12 +83,9 @@ Result<SiteTable> readGeoJsonLines(InputFile file, const ReadOptions& options) {
   TableBuilder table(lines.name(), options);
   table.system() = wgs84();
   GeoJsonPoints points(table);
-  while (true) {
-    const auto line = lines.next();
-    if (!line) return tl::unexpected(line.error());
-    if (!*line) return table.finish();
-    if (auto added = addLine(lines, **line, points); !added) return tl::unexpected(std::move(added.error()));
-  }
+  auto read = eachJsonLine<Json>(lines, [&](const Json& value) { return points.add(value, ""); });
+  if (!read) return tl::unexpected(std::move(read.error()));
+  return table.finish();
 }
 
 }  // namespace vorpipe

@@ -7,8 +7,8 @@
 
 #include "io/columns/weight_name.h"
 #include "io/files/error.h"
+#include "io/geopackage/feature_layer.h"
 #include "io/geopackage/geometry_points.h"
-#include "io/geopackage/point_layer.h"
 #include "io/sites/sites_reader.h"
 #include "io/sites/table_builder.h"
 #include "io/text/number.h"
@@ -20,7 +20,7 @@ namespace {
 
 class GeoPackageSites {
  public:
-  GeoPackageSites(const std::string& path, PointLayer layer, const ReadOptions& options)
+  GeoPackageSites(const std::string& path, FeatureLayer layer, const ReadOptions& options)
       : layer_(std::move(layer)), table_(path, options) {}
 
   Result<SiteTable> read() {
@@ -108,7 +108,7 @@ class GeoPackageSites {
     return table_.finish();
   }
 
-  PointLayer layer_;
+  FeatureLayer layer_;
   TableBuilder table_;
   std::optional<std::size_t> weight_;
   WeightKind kind_ = WeightKind::weight;
@@ -121,7 +121,7 @@ class GeoPackageSites {
 }  // namespace
 
 Result<SiteTable> readGeoPackageSites(const std::string& path, const ReadOptions& options) {
-  auto layer = PointLayer::open(path, options.layer);
+  auto layer = FeatureLayer::open(path, options.layer, LayerOf::points);
   if (!layer) return tl::unexpected(layer.error());
   return GeoPackageSites(path, std::move(*layer), options).read();
 }

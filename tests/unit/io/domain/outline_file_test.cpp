@@ -18,7 +18,7 @@ class OutlineFile : public InTemporaryDirectory {
   [[nodiscard]] Outline read(std::string_view name, std::string_view text) const {
     const auto outline = readOutline(write(name, text));
     EXPECT_TRUE(outline) << outline.error().message;
-    return outline ? *outline : Outline{};
+    return outline ? outline->outline : Outline{};
   }
 
   /// What is wrong, after the file's name.
@@ -130,7 +130,83 @@ TEST_F(OutlineFile, wktErrorsNameThePlace) {
   EXPECT_THAT(readOutline(path("none.wkt")).error().message, HasSubstr("cannot be read"));
 }
 
-class DensityFile : public InTemporaryDirectory {};
+TEST_F(OutlineFile, wktCollectionsAreWhatIsInThem) {
+  const Outline all = read("a.wkt",
+                           "GEOMETRYCOLLECTION (\nPOLYGON ((0 0, 1 0, 1 1, 0 0)),\nPOLYGON EMPTY,\n"
+                           "GEOMETRYCOLLECTION (MULTIPOLYGON (((5 5, 6 5, 6 6, 5 5))))\n)\n");
+  EXPECT_EQ(all.polygon_offsets, (Offsets{0, 1, 2}));
+  EXPECT_THAT(refusal("a.wkt", "GEOMETRYCOLLECTION (POINT (1 1))"), HasSubstr("1:21: \"POINT\""));
+  std::string deep;
+  for (int k = 0; k < 50; ++k) deep += "GEOMETRYCOLLECTION (";
+  EXPECT_THAT(refusal("a.wkt", deep), HasSubstr("stands in more than 32 collections"));
+}
+
+TEST_F(OutlineFile, geoJsonLinesHaveAnObjectEach) {
+  const std::string polygon = R"({"type":"Polygon","coordinates":[[[0,0],[4,0],[4,4],[0,0]]]})";
+  const std::string feature = R"({"type":"Feature","properties":{},"geometry":)" + polygon + "}";
+  for (const char* name : {"a.geojsonl", "a.geojsons", "a.ndjson"}) {
+    EXPECT_EQ(read(name, "\x1E" + feature + "\n\n" + polygon + "\n").polygon_offsets, (Offsets{0, 1, 2}));
+  }
+  EXPECT_THAT(refusal("a.geojsonl", feature + "\n{\"type\":\"Point\"}\n"),
+              testing::StartsWith("2: the top object: is a \"Point\""));
+}
+
+TEST_F(OutlineFile, theirSystemIsWhatTheySayOrAFileBesideThem) {
+  const auto system = [&](const std::string& name, const std::string& text) {
+    const auto outline = readOutline(write(name, text));
+    EXPECT_TRUE(outline) << outline.error().message;
+    return outline ? nameOf(outline->system) : std::string();
+  };
+  const std::string members = R"("type":"Polygon","coordinates":[[[0,0],[4,0],[4,4],[0,0]]])";
+  const std::string crs = R"("crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::25832"}},)";
+  const std::string ring = "POLYGON ((0 0, 1 0, 1 1, 0 0))";
+  EXPECT_EQ(system("a.json", "{" + members + "}"), "EPSG:4326");
+  EXPECT_EQ(system("a.json", "{" + crs + members + "}"), "EPSG:25832");
+  EXPECT_EQ(system("a.geojsonl", "{" + members + "}"), "EPSG:4326");
+  EXPECT_EQ(system("a.wkt", "SRID=25832;" + ring), "EPSG:25832");
+  EXPECT_EQ(system("a.wkt", ring), "a system that nothing names");
+  write("a.prj", R"(PROJCS["ETRS_1989_UTM_Zone_32N",GEOGCS["GCS_ETRS_1989",DATUM["D"]],UNIT["Meter",1.0]])");
+  EXPECT_EQ(system("a.wkt", ring), "EPSG:25832");
+  EXPECT_THAT(refusal("a.wkt", "SRID=1;" + ring + "SRID=2;" + ring), HasSubstr("is of SRID 2"));
+  write("b.prj", "nothing of the kind");
+  EXPECT_THAT(readOutline(write("b.wkt", ring)).error().message, EndsWith("is no coordinate system in WKT"));
+}
+
+class DensityFile : public InTemporaryDirectory {
+ protected:
+  /// A .npy of 2 rows and 4 columns.
+  [[nodiscard]] std::string eightPixels(const std::string& name) const {
+    std::string header = "{'descr': '|u1', 'fortran_order': False, 'shape': (2, 4), }";
+    header.resize(117, ' ');
+    return write(name, std::string("\x93NUMPY\x01\x00\x76\x00", 10) + header + "\n" +
+                           std::string("\x01\x02\x03\x04\x05\x06\x07\x08"));
+  }
+};
+
+TEST_F(DensityFile, aWorldFileBesideItSaysWhereItsPixelsLie) {
+  const std::string file = eightPixels("a.npy");
+  ASSERT_TRUE(readDensity(file)) << readDensity(file).error().message;
+  EXPECT_FALSE(readDensity(file)->density.box);
+  write("a.wld", "100\n0\n0\n-50\n1050\n1975\n");
+  const auto placed = readDensity(file);
+  ASSERT_TRUE(placed) << placed.error().message;
+  ASSERT_TRUE(placed->density.box);
+  const auto [xmin, ymin, xmax, ymax] = *placed->density.box;
+  EXPECT_EQ(xmin, 1000);
+  EXPECT_EQ(xmax, 1400);
+  EXPECT_EQ(ymax, 2000);
+  EXPECT_EQ(ymin, 1900);
+  const auto refused = [&](const std::string& text) {
+    write("a.wld", text);
+    const auto density = readDensity(file);
+    return density ? std::string("accepted") : density.error().message;
+  };
+  EXPECT_THAT(refused("100\n1\n0\n-50\n0\n0\n"), EndsWith("a.wld: turns the pixels"));
+  EXPECT_THAT(refused("100\n0\n0\n50\n0\n0\n"), HasSubstr("rows count from the top"));
+  EXPECT_THAT(refused("100\n0\n0\n"), EndsWith("has 3 numbers; a world file has 6"));
+  EXPECT_THAT(refused("100\n0\nx\n"), HasSubstr("a.wld:3:1: "));
+  EXPECT_THAT(readDensity(path("a.tif")).error().message, HasSubstr("gdal_translate"));
+}
 
 TEST_F(DensityFile, darkPixelsAreDense) {
   auto file = OutputFile::create(path("a.png"));
@@ -141,14 +217,14 @@ TEST_F(DensityFile, darkPixelsAreDense) {
               file->commit());
   const auto density = readDensity(path("a.png"));
   ASSERT_TRUE(density) << density.error().message;
-  EXPECT_EQ(density->width, 3);
-  EXPECT_EQ(density->height, 2);
-  EXPECT_EQ(density->values[0], 1);
-  EXPECT_EQ(density->values[1], 0);
-  EXPECT_DOUBLE_EQ(density->values[2], 0.8);
-  EXPECT_EQ(density->values[3], 0);
-  EXPECT_DOUBLE_EQ(density->values[4], 128 / 255.0);
-  EXPECT_DOUBLE_EQ(density->values[5], 1 - 0.2126);
+  EXPECT_EQ(density->density.width, 3);
+  EXPECT_EQ(density->density.height, 2);
+  EXPECT_EQ(density->density.values[0], 1);
+  EXPECT_EQ(density->density.values[1], 0);
+  EXPECT_DOUBLE_EQ(density->density.values[2], 0.8);
+  EXPECT_EQ(density->density.values[3], 0);
+  EXPECT_DOUBLE_EQ(density->density.values[4], 128 / 255.0);
+  EXPECT_DOUBLE_EQ(density->density.values[5], 1 - 0.2126);
 }
 
 TEST_F(DensityFile, sixteenBitsAreKept) {
@@ -164,10 +240,10 @@ TEST_F(DensityFile, sixteenBitsAreKept) {
   }
   const auto density = readDensity(path("b.png"));
   ASSERT_TRUE(density) << density.error().message;
-  EXPECT_EQ(density->values[0], 0);
-  EXPECT_DOUBLE_EQ(density->values[1], 65534 / 65535.0);
-  EXPECT_EQ(density->values[2], 1);
-  EXPECT_DOUBLE_EQ(density->values[3], 32767 / 65535.0);
+  EXPECT_EQ(density->density.values[0], 0);
+  EXPECT_DOUBLE_EQ(density->density.values[1], 65534 / 65535.0);
+  EXPECT_EQ(density->density.values[2], 1);
+  EXPECT_DOUBLE_EQ(density->density.values[3], 32767 / 65535.0);
 }
 
 TEST_F(DensityFile, arraysAreTakenAsTheyAre) {
@@ -179,12 +255,12 @@ TEST_F(DensityFile, arraysAreTakenAsTheyAre) {
   }
   const auto a = readDensity(path("a.npy"));
   ASSERT_TRUE(a) << a.error().message;
-  EXPECT_EQ(a->width, 3);
-  EXPECT_EQ(a->height, 2);
-  EXPECT_EQ(a->values, (std::vector<double>{1, 2.5, 3, 4, 5, 6}));
+  EXPECT_EQ(a->density.width, 3);
+  EXPECT_EQ(a->density.height, 2);
+  EXPECT_EQ(a->density.values, (std::vector<double>{1, 2.5, 3, 4, 5, 6}));
   const auto b = readDensity(path("b.npy"));
   ASSERT_TRUE(b) << b.error().message;
-  EXPECT_EQ(b->values, (std::vector<double>{1, 2, 3, 4, 5, 6}));
+  EXPECT_EQ(b->density.values, (std::vector<double>{1, 2, 3, 4, 5, 6}));
   EXPECT_THAT(readDensity(path("c.npy")).error().message,
               HasSubstr("element [0, 1] (counted from 0) is -2.5"));
   EXPECT_THAT(readDensity(path("d.npy")).error().message, HasSubstr("(H, W)"));

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "io/domain/outline_file.h"
 #include "unit/io/sites/sites_fixture.h"
 
 namespace vorpipe::test {
@@ -55,6 +56,42 @@ class GeoPackage : public SitesOfFiles {
     return badFile(path("a.gpkg"), options);
   }
 };
+
+TEST_F(GeoPackage, anotherColumnOfGeometriesIsNoAttribute) {
+  const SiteTable table = read(R"(layer('towns', 'POINT', 4326, ', area POLYGON, name TEXT', [
+    (1, gp(wkb('<', 1, 1, 2)), gp(wkb('<', 1, 1, 2)), 'a')]))");
+  EXPECT_THAT(textsOf(table), ElementsAre("fid (integer): 1", "name (text): a"));
+  EXPECT_EQ(notes(table), ": columns of bytes are left out: area\n");
+}
+
+TEST_F(GeoPackage, polygonsAreAnOutline) {
+  python(script(R"(
+def ring(order, *points): return struct.pack(order + 'I', len(points)) + b''.join(struct.pack(order + '2d', *p) for p in points)
+def polygon(order, *rings): return struct.pack(order + 'BII', order == '<', 3, len(rings)) + b''.join(rings)
+def group(order, kind, *parts): return struct.pack(order + 'BII', order == '<', kind, len(parts)) + b''.join(parts)
+square, hole = [(0, 0), (4, 0), (4, 4), (0, 4), (0, 0)], [(1, 1), (2, 1), (2, 2), (1, 1)]
+far = [(8, 8), (9, 8), (9, 9), (8, 8)]
+layer('towns', 'POINT', 4326, '', [])
+layer('land', 'MULTIPOLYGON', 25832, '', [
+  (1, gp(polygon('<', ring('<', *square), ring('<', *hole)))), (2, None),
+  (3, gp(group('>', 6, polygon('>', ring('>', *far)), polygon('<', ring('<', *far)))))]))"));
+  const auto read = readOutline(path("a.gpkg"));
+  ASSERT_TRUE(read) << read.error().message;
+  EXPECT_THAT(read->outline.ring_offsets, ElementsAre(0, 4, 7, 10, 13));
+  EXPECT_THAT(read->outline.polygon_offsets, ElementsAre(0, 2, 3, 4));
+  EXPECT_EQ(read->outline.points[2], (Point{4, 4}));
+  EXPECT_EQ(nameOf(read->system), "EPSG:25832");
+  EXPECT_THAT(readOutline(path("a.gpkg"), "towns").error().message, HasSubstr("holds no polygon"));
+  EXPECT_THAT(readOutline(path("a.gpkg"), "sea").error().message,
+              HasSubstr("has no layer \"sea\"; it has land (MULTIPOLYGON), towns (POINT)"));
+  python(script(R"(layer('a', 'POLYGON', 0, '', []); layer('b', 'POLYGON', 0, '', []))"));
+  EXPECT_THAT(readOutline(path("a.gpkg")).error().message, HasSubstr("--domain-layer says which"));
+  python(script(R"(layer('a', 'GEOMETRY', 0, '', [(1, gp(wkb('<', 1, 1, 2)))]))"));
+  EXPECT_THAT(readOutline(path("a.gpkg")).error().message,
+              HasSubstr("layer a, row 1: a Point where a Polygon is needed"));
+  python(script(R"(layer('a', 'POLYGON', 0, '', [(1, gp(struct.pack('<BII', 1, 3, 4000000000)))]))"));
+  EXPECT_THAT(readOutline(path("a.gpkg")).error().message, HasSubstr("is damaged"));
+}
 
 TEST_F(GeoPackage, pointsOfAllKindsHaveAttributes) {
   const SiteTable table = read(

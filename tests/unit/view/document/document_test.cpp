@@ -312,12 +312,12 @@ TEST_F(Command, WritesOutlinesThatAreRead) {
       "MULTIPOLYGON (((0 0, 4 0, 4 4, 0 4, 0 0), (1 1, 1 2, 2 2, 1 1)), ((5 5, 6 5, 6 6, 5 5)))";
   const auto outline = readOutline(write("a.wkt", text));
   ASSERT_TRUE(outline) << outline.error().message;
-  ASSERT_TRUE(writeOutline(path("b.wkt"), *outline));
+  ASSERT_TRUE(writeOutline(path("b.wkt"), outline->outline));
   const auto again = readOutline(path("b.wkt"));
   ASSERT_TRUE(again) << again.error().message;
-  EXPECT_EQ(again->points, outline->points);
-  EXPECT_EQ(again->ring_offsets, outline->ring_offsets);
-  EXPECT_EQ(again->polygon_offsets, outline->polygon_offsets);
+  EXPECT_EQ(again->outline.points, outline->outline.points);
+  EXPECT_EQ(again->outline.ring_offsets, outline->outline.ring_offsets);
+  EXPECT_EQ(again->outline.polygon_offsets, outline->outline.polygon_offsets);
 }
 
 }  // namespace

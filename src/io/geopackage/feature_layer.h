@@ -1,4 +1,4 @@
-/// The layer of a GeoPackage that has points.
+/// A layer of a GeoPackage.
 #pragma once
 
 #include <cstddef>
@@ -18,22 +18,25 @@
 
 namespace vorpipe {
 
-struct PointLayerColumn {
+/// What a layer is to hold.
+enum class LayerOf : std::uint8_t { points, polygons };
+
+struct LayerColumn {
   std::string name;
   AttributeType type;  ///< as it was declared
 };
 
 /// Rows of a layer, one after the other. Errors begin with the file's name.
-class PointLayer {
+class FeatureLayer {
  public:
-  /// Opens a file for reading. `name` is the layer's; empty: the only one with points. Errors: it is no
+  /// Opens a file for reading. `name` is the layer's; empty: the only one of that kind. Errors: it is no
   /// GeoPackage, has no such layer, or several (input); reading failed, memory ran out (device).
-  static Result<PointLayer> open(const std::string& path, const std::string& name);
+  static Result<FeatureLayer> open(const std::string& path, const std::string& name, LayerOf kind);
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const CoordinateSystem& system() const { return system_; }
   /// All but the geometry and what holds bytes.
-  [[nodiscard]] const std::vector<PointLayerColumn>& columns() const { return columns_; }
+  [[nodiscard]] const std::vector<LayerColumn>& columns() const { return columns_; }
   /// Those that hold bytes.
   [[nodiscard]] const std::vector<std::string>& binary() const { return binary_; }
 
@@ -48,12 +51,12 @@ class PointLayer {
   [[nodiscard]] std::optional<std::pair<AttributeType, std::string>> value(std::size_t column) const;
 
  private:
-  explicit PointLayer(std::string path) : path_(std::move(path)) {}
+  explicit FeatureLayer(std::string path) : path_(std::move(path)) {}
   [[nodiscard]] tl::unexpected<Error> failed(int code) const;
   Result<void> openDatabase();
   Result<Statement> prepare(const std::string& sql, std::string_view parameter) const;
   Result<bool> step(const Statement& statement) const;
-  Result<void> chooseLayer(const std::string& name);
+  Result<void> chooseLayer(const std::string& name, LayerOf kind);
   Result<void> findColumns();
   Result<void> findSystem();
   Result<void> select();
@@ -64,7 +67,7 @@ class PointLayer {
   std::string name_, geometry_column_;
   std::int64_t system_id_ = 0;
   CoordinateSystem system_{};
-  std::vector<PointLayerColumn> columns_;
+  std::vector<LayerColumn> columns_;
   std::vector<std::string> binary_;
   Statement rows_;
 };

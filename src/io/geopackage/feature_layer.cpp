@@ -1,4 +1,4 @@
-#include "io/geopackage/point_layer.h"
+#include "io/geopackage/feature_layer.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,6 +10,7 @@
 #include <new>
 #include <span>
 
+#include "io/attributes/wkt_system.h"
 #include "io/files/error.h"
 #include "io/files/input_file.h"
 #include "io/text/quoted.h"
@@ -31,8 +32,13 @@ std::string upperCase(std::string text) {
   return text;
 }
 
+/// Whether a column of this type holds bytes: further geometries do, whose types have the names of theirs.
 bool isBinary(const std::string& type) {
-  return type.empty() || type.starts_with("BLOB") || type.find("GEOM") != std::string::npos;
+  constexpr std::array<std::string_view, 11> geometries = {
+      "POINT",      "LINESTRING",    "POLYGON",      "MULTIPOINT", "MULTILINESTRING", "MULTIPOLYGON",
+      "MULTICURVE", "CURVEPOLYGON",  "MULTISURFACE", "CURVE",      "SURFACE"};
+  return type.empty() || type.starts_with("BLOB") || type.find("GEOM") != std::string::npos ||
+         std::ranges::find(geometries, type) != geometries.end();
 }
 
 /// The types of columns that the standard names; what is unknown is text until its values say otherwise.
@@ -46,12 +52,9 @@ AttributeType typeOf(const std::string& type) {
 }
 
 CoordinateKind kindOf(const CoordinateSystem& system) {
-  constexpr std::int64_t wgs84_code = 4326;
-  const std::string definition = upperCase(system.definition);
-  const auto names = [&](std::string_view word) { return definition.find(word) != std::string::npos; };
-  if (names("PROJCS") || names("PROJCRS")) return CoordinateKind::plane;
-  const bool degrees = names("GEOGCS") || names("GEOGCRS") || names("GEODCRS") || system.code == wgs84_code;
-  return degrees ? CoordinateKind::degrees : CoordinateKind::plane;
+  const CoordinateKind kind = kindOfWkt(system.definition);
+  if (kind != CoordinateKind::unknown) return kind;
+  return system.organization == "EPSG" ? systemOfCode(system.code).kind : CoordinateKind::plane;
 }
 
 /// A layer, as the tables of the file have it.
@@ -60,10 +63,12 @@ struct Listed {
   std::int64_t system;
 };
 
-bool hasPoints(const Listed& layer) {
-  return layer.geometry_type == "POINT" || layer.geometry_type == "MULTIPOINT";
+bool isOf(const Listed& layer, LayerOf kind) {
+  const bool points = kind == LayerOf::points;
+  return layer.geometry_type == (points ? "POINT" : "POLYGON") ||
+         layer.geometry_type == (points ? "MULTIPOINT" : "MULTIPOLYGON");
 }
-bool mayHavePoints(const Listed& layer) {
+bool mayBeOfAny(const Listed& layer) {
   return layer.geometry_type == "GEOMETRY" || layer.geometry_type == "GEOMETRYCOLLECTION";
 }
 
@@ -87,7 +92,7 @@ bool hasMemory() {
 
 }  // namespace
 
-tl::unexpected<Error> PointLayer::failed(int code) const {
+tl::unexpected<Error> FeatureLayer::failed(int code) const {
   constexpr int primary = 0xFF;
   if ((code & primary) == SQLITE_NOMEM && hasMemory()) {
     return inputError(
@@ -102,7 +107,7 @@ tl::unexpected<Error> PointLayer::failed(int code) const {
   return device ? deviceError(message) : inputError(message);
 }
 
-Result<void> PointLayer::openDatabase() {
+Result<void> FeatureLayer::openDatabase() {
   auto file = InputFile::open(path_);
   if (!file) return tl::unexpected(file.error());
   std::array<char, sqlite_header_size> header{};
@@ -121,7 +126,7 @@ Result<void> PointLayer::openDatabase() {
   return held == SQLITE_OK ? Result<void>() : failed(held);
 }
 
-Result<Statement> PointLayer::prepare(const std::string& sql, std::string_view parameter) const {
+Result<Statement> FeatureLayer::prepare(const std::string& sql, std::string_view parameter) const {
   sqlite3_stmt* raw = nullptr;
   const int code = limits_->prepare(sql, raw);
   Statement statement(raw);
@@ -134,13 +139,13 @@ Result<Statement> PointLayer::prepare(const std::string& sql, std::string_view p
   return statement;
 }
 
-Result<bool> PointLayer::step(const Statement& statement) const {
+Result<bool> FeatureLayer::step(const Statement& statement) const {
   const int code = sqlite3_step(statement.get());
   if (code == SQLITE_ROW || code == SQLITE_DONE) return code == SQLITE_ROW;
   return failed(code);
 }
 
-Result<void> PointLayer::chooseLayer(const std::string& name) {
+Result<void> FeatureLayer::chooseLayer(const std::string& name, LayerOf kind) {
   auto statement = prepare(
       "SELECT c.table_name, g.column_name, upper(g.geometry_type_name), g.srs_id FROM gpkg_contents c"
       " JOIN gpkg_geometry_columns g ON g.table_name = c.table_name WHERE c.data_type = 'features' ORDER BY "
@@ -156,6 +161,7 @@ Result<void> PointLayer::chooseLayer(const std::string& name) {
     layers.push_back({textOf(row, 0), textOf(row, 1), textOf(row, 2), sqlite3_column_int64(row, 3)});
   }
   if (layers.empty()) return inputError(fmt::format("{}: has no layers of features", path_));
+  const std::string_view what = kind == LayerOf::points ? "points" : "polygons";
   const auto choose = [&](const auto& which) {
     std::ranges::copy_if(layers, std::back_inserter(chosen), which);
   };
@@ -165,14 +171,15 @@ Result<void> PointLayer::chooseLayer(const std::string& name) {
       return inputError(fmt::format("{}: has no layer {}; it has {}", path_, inQuotes(name), listed(layers)));
     }
   } else {
-    choose(hasPoints);
-    if (chosen.empty()) choose(mayHavePoints);
+    choose([&](const Listed& layer) { return isOf(layer, kind); });
+    if (chosen.empty()) choose(mayBeOfAny);
     if (chosen.empty())
-      return inputError(fmt::format("{}: has no layer of points; it has {}", path_, listed(layers)));
+      return inputError(fmt::format("{}: has no layer of {}; it has {}", path_, what, listed(layers)));
   }
   if (chosen.size() > 1) {
-    return inputError(
-        fmt::format("{}: has several layers of points: {}; --layer says which", path_, listed(chosen)));
+    return inputError(fmt::format("{}: has several layers of {}: {}; {} says which", path_, what,
+                                  listed(chosen),
+                                  kind == LayerOf::points ? "--layer" : "--domain-layer"));
   }
   name_ = chosen[0].name;
   geometry_column_ = chosen[0].geometry_column;
@@ -180,7 +187,7 @@ Result<void> PointLayer::chooseLayer(const std::string& name) {
   return {};
 }
 
-Result<void> PointLayer::findColumns() {
+Result<void> FeatureLayer::findColumns() {
   auto statement = prepare("SELECT name, upper(type) FROM pragma_table_info(?)", name_);
   if (!statement) return tl::unexpected(statement.error());
   bool has_geometry = false;
@@ -204,7 +211,7 @@ Result<void> PointLayer::findColumns() {
       fmt::format("{}: its layer {} has no column {}", path_, inQuotes(name_), inQuotes(geometry_column_)));
 }
 
-Result<void> PointLayer::findSystem() {
+Result<void> FeatureLayer::findSystem() {
   constexpr std::int64_t plane = -1, degrees = 0;
   if (system_id_ == plane || system_id_ == degrees) {
     system_.kind = system_id_ == plane ? CoordinateKind::plane : CoordinateKind::degrees;
@@ -227,19 +234,19 @@ Result<void> PointLayer::findSystem() {
   return {};
 }
 
-Result<void> PointLayer::select() {
+Result<void> FeatureLayer::select() {
   std::string names = sqlName(geometry_column_);
-  for (const PointLayerColumn& column : columns_) names += ", " + sqlName(column.name);
+  for (const LayerColumn& column : columns_) names += ", " + sqlName(column.name);
   auto statement = prepare(fmt::format("SELECT {} FROM {}", names, sqlName(name_)), {});
   if (!statement) return tl::unexpected(statement.error());
   rows_ = std::move(*statement);
   return {};
 }
 
-Result<PointLayer> PointLayer::open(const std::string& path, const std::string& name) {
-  PointLayer layer(path);
+Result<FeatureLayer> FeatureLayer::open(const std::string& path, const std::string& name, LayerOf kind) {
+  FeatureLayer layer(path);
   auto opened = layer.openDatabase()
-                    .and_then([&] { return layer.chooseLayer(name); })
+                    .and_then([&] { return layer.chooseLayer(name, kind); })
                     .and_then([&] { return layer.findColumns(); })
                     .and_then([&] { return layer.findSystem(); })
                     .and_then([&] { return layer.select(); });
@@ -247,16 +254,16 @@ Result<PointLayer> PointLayer::open(const std::string& path, const std::string& 
   return layer;
 }
 
-Result<bool> PointLayer::next() { return step(rows_); }
+Result<bool> FeatureLayer::next() { return step(rows_); }
 
-std::optional<std::string_view> PointLayer::geometry() const {
+std::optional<std::string_view> FeatureLayer::geometry() const {
   if (sqlite3_column_type(rows_.get(), 0) == SQLITE_NULL) return std::nullopt;
   const auto* const bytes = static_cast<const char*>(sqlite3_column_blob(rows_.get(), 0));
   const auto size = static_cast<std::size_t>(sqlite3_column_bytes(rows_.get(), 0));
   return bytes == nullptr ? std::string_view() : std::string_view(bytes, size);
 }
 
-std::optional<std::pair<AttributeType, std::string>> PointLayer::value(std::size_t column) const {
+std::optional<std::pair<AttributeType, std::string>> FeatureLayer::value(std::size_t column) const {
   const int index = static_cast<int>(column) + 1;
   sqlite3_stmt* const row = rows_.get();
   switch (sqlite3_column_type(row, index)) {
