@@ -2,7 +2,9 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "arrays.h"
@@ -13,6 +15,7 @@
 #include "io/weights/weights_file.h"
 #include "results.h"
 #include "runs.h"
+#include "systems.h"
 
 namespace vorpipe::python {
 namespace {
@@ -28,16 +31,19 @@ auto readBy(Read read) {
 }
 
 py::tuple outlineFrom(const std::string& path) {
-  Outline outline = readBy([&] { return readOutline(path); });
-  return py::make_tuple(arrayOf<double>(std::move(outline.points)),
-                        arrayOf<std::uint64_t>(std::move(outline.ring_offsets)),
-                        arrayOf<std::uint64_t>(std::move(outline.polygon_offsets)), py::bytes(path));
+  auto [outline, system] = readBy([&] { return readOutline(path); });
+  return py::make_tuple(
+      arrayOf<double>(std::move(outline.points)), arrayOf<std::uint64_t>(std::move(outline.ring_offsets)),
+      arrayOf<std::uint64_t>(std::move(outline.polygon_offsets)), py::bytes(path), argumentsOf(system));
 }
 
-py::array densityFrom(const std::string& path) {
-  Density density = readBy([&] { return readDensity(path); });
+py::tuple densityFrom(const std::string& path) {
+  auto [density, system] = readBy([&] { return readDensity(path); });
   const py::array values = arrayOf<double>(std::move(density.values));
-  return values.attr("reshape")(density.height, density.width).cast<py::array>();
+  std::optional<std::array<double, 4>> box;
+  if (density.box) box = {density.box->xmin, density.box->ymin, density.box->xmax, density.box->ymax};
+  return py::make_tuple(values.attr("reshape")(density.height, density.width), box, py::bytes(path),
+                        argumentsOf(system));
 }
 
 py::array weightsFrom(const std::string& path, std::uint64_t count) {

@@ -8,6 +8,7 @@
 #include "arrays.h"
 #include "choices.h"
 #include "errors.h"
+#include "io/domain/density_place.h"
 #include "runs.h"
 
 namespace vorpipe::python {
@@ -35,7 +36,7 @@ void refuseNotFinite(const Sites& sites) {
 }
 
 Outline outlineOf(const OutlineArrays& arrays) {
-  const auto& [points, rings, polygons, name] = arrays;
+  const auto& [points, rings, polygons, name, system] = arrays;
   const auto elements = points.unchecked<2>();
   Outline outline;
   outline.points.resize(static_cast<std::size_t>(elements.shape(0)));
@@ -83,6 +84,8 @@ DomainSettings settingsOf(const DomainArguments& arguments) {
   if (arguments.outline) {
     settings.outline = outlineOf(*arguments.outline);
     settings.outline_name = std::get<std::string>(*arguments.outline);
+    const auto& system = std::get<std::optional<SystemArguments>>(*arguments.outline);
+    if (system) settings.outline_system = systemOf(*system);
   } else if (arguments.box) {
     settings.box = boxFrom(*arguments.box);
   }
@@ -102,6 +105,7 @@ DomainWords wordsOf(const DomainArguments& arguments, const GivenPoints& points)
   words.box = "domain=(xmin, ymin, xmax, ymax)";
   words.project_amid = "project=\"auto\"";
   words.project_around = "project=(lon, lat)";
+  words.density_box = "density_box=(xmin, ymin, xmax, ymax)";
   return words;
 }
 
@@ -141,9 +145,11 @@ py::array givenPoints(const Input& input) {
 
 }  // namespace
 
-Density densityOf(const Numbers& values) {
+Density densityOf(const DensityArguments& given) {
+  const auto& [values, box, name, system] = given;
   const auto elements = values.unchecked<2>();
   Density density{static_cast<int>(elements.shape(1)), static_cast<int>(elements.shape(0)), {}};
+  if (box) density.box = boxFrom(*box);
   density.values.reserve(static_cast<std::size_t>(values.size()));
   for (py::ssize_t row = 0; row < elements.shape(0); ++row) {
     for (py::ssize_t column = 0; column < elements.shape(1); ++column) {
@@ -151,6 +157,14 @@ Density densityOf(const Numbers& values) {
     }
   }
   return density;
+}
+
+static void takeDensity(const DensityArguments& given, const DomainWords& words, Input& input) {
+  const auto& [values, box, name, system] = given;
+  DensityFile density{densityOf(given)};
+  if (system) density.system = systemOf(*system);
+  valueOf(placeDensity(density, name, input, words));
+  input.density = std::move(density.density);
 }
 
 std::shared_ptr<Input> inputOf(const GivenPoints& points, const std::optional<Numbers>& weights,
@@ -178,11 +192,12 @@ void defineInput(py::module_& module) {
   py::class_<Input, std::shared_ptr<Input>>(module, "Input", "Points and where they have cells.")
       .def(py::init([](const GivenPoints& points, const std::optional<Numbers>& weights,
                        const DomainArguments& domain, const std::string& periodic,
-                       const std::optional<Numbers>& density, const std::shared_ptr<Attributes>& attributes,
+                       const std::optional<DensityArguments>& density,
+                       const std::shared_ptr<Attributes>& attributes,
                        const std::optional<SystemArguments>& system, bool free_surface) {
              auto input = inputOf(points, weights, domain, periodic, system);
              input->surface = free_surface ? Surface::free : Surface::none;
-             if (density) input->density = densityOf(*density);
+             if (density) takeDensity(*density, wordsOf(domain, points), *input);
              if (attributes) input->attributes = attributes;
              return input;
            }),

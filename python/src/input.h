@@ -32,9 +32,9 @@ struct Input : PlacedSites {
 
 using Numbers = py::array_t<double>;
 /// Points (M, 2), where their rings begin and end, and where polygons begin and end among the rings; the file
-/// that they are of.
-using OutlineArrays =
-    std::tuple<Numbers, py::array_t<std::uint64_t>, py::array_t<std::uint64_t>, std::string>;
+/// that they are of; their coordinate system.
+using OutlineArrays = std::tuple<Numbers, py::array_t<std::uint64_t>, py::array_t<std::uint64_t>, std::string,
+                                 std::optional<SystemArguments>>;
 
 /// What a domain is asked for with.
 struct DomainArguments {
@@ -56,8 +56,11 @@ std::shared_ptr<Input> inputOf(const GivenPoints& points, const std::optional<Nu
                                const DomainArguments& domain, const std::string& periodic,
                                const std::optional<SystemArguments>& system);
 
-/// Values are of shape (height, width), rows from the top.
-Density densityOf(const Numbers& values);
+/// A density: values of shape (height, width), rows from the top; where they lie; the file that they are of,
+/// empty where there is none; the coordinate system of that place.
+using DensityArguments =
+    std::tuple<Numbers, std::optional<std::array<double, 4>>, std::string, std::optional<SystemArguments>>;
+Density densityOf(const DensityArguments& given);
 
 void defineInput(py::module_& module);
 

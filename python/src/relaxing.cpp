@@ -28,16 +28,7 @@ constexpr Choices<RelaxEnd, 4> end_choices = {{{"iterations", RelaxEnd::iteratio
 using SharedRelaxed = std::shared_ptr<RelaxResult>;
 
 /// The sites as the caller has them: in degrees where they are projected.
-Sites shownSites(const RelaxResult& result) {
-  Sites sites = result.relaxed.sites;
-  const auto& projection = result.input->projection;
-  for (std::size_t i = 0; projection && i < sites.size(); ++i) {
-    const Point degrees = projection->toDegrees({sites.x[i], sites.y[i]});
-    sites.x[i] = degrees.x;
-    sites.y[i] = degrees.y;
-  }
-  return sites;
-}
+Sites shownSites(const RelaxResult& result) { return sitesInDegrees(*result.input, result.relaxed.sites); }
 
 py::array relaxedPoints(const RelaxResult& result) {
   const Sites sites = shownSites(result);
@@ -70,11 +61,11 @@ py::array takenSteps(const RelaxResult& result) {
   return taken;
 }
 
-py::array drawnPoints(const Numbers& values, const std::array<double, 4>& box, std::uint64_t count,
+py::array drawnPoints(const DensityArguments& density, const std::array<double, 4>& box, std::uint64_t count,
                       std::uint64_t seed) {
   if (count > max_sites) raiseInput("n", fmt::format("{} points of at most {}", count, max_sites));
   const Sites sites =
-      valueOf(drawnFrom(densityOf(values), {box[0], box[1], box[2], box[3]}, {}, count, seed));
+      valueOf(drawnFrom(densityOf(density), {box[0], box[1], box[2], box[3]}, {}, count, seed));
   std::vector<Point> rows;
   for (std::size_t i = 0; i < sites.size(); ++i) rows.push_back({sites.x[i], sites.y[i]});
   return arrayOf<double>(std::move(rows));

@@ -43,12 +43,7 @@ py::array traceOf(const TransportResult& result) {
 void saveWeighted(const TransportResult& result, const std::string& path) {
   const PointsFormat& format = *valueOf(pointsFormatOf(path));
   const Input& input = *result.input;
-  Sites sites = result.found.sites;
-  for (std::size_t i = 0; input.projection && i < sites.size(); ++i) {
-    const Point degrees = input.projection->toDegrees({sites.x[i], sites.y[i]});
-    sites.x[i] = degrees.x;
-    sites.y[i] = degrees.y;
-  }
+  const Sites sites = sitesInDegrees(input, result.found.sites);
   PointsOutput output{sites, {}, input.projection ? input.degrees : input.system};
   if (input.attributes) output.attributes = input.attributes->columns;
   saveFile(path, [&](ByteSink& sink) { return writePoints(sink, output, format); });

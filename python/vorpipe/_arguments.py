@@ -8,12 +8,16 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _vorpipe
+from ._crs import System, system_of
 from ._scalars import MOST, flag_of, number_of, path_of, refuse, text_of, text_or_none, whole_of
 
 Floats = npt.NDArray[np.float64]
 Bools = npt.NDArray[np.bool_]
 Mask = Tuple[List[str], List[Tuple[str, int]]]
-Outline = Tuple[Floats, npt.NDArray[np.uint64], npt.NDArray[np.uint64], bytes]
+#: points, offsets of rings and of polygons, the file, the coordinate system
+Outline = Tuple[Floats, npt.NDArray[np.uint64], npt.NDArray[np.uint64], bytes, Optional[System]]
+#: values, the box of their pixels, the file, the system of that box
+Density = Tuple[Floats, Optional[Tuple[float, float, float, float]], bytes, Optional[System]]
 PathLike = Union[str, 'os.PathLike[str]']
 
 
@@ -136,16 +140,20 @@ def look_of(size: Optional[Sequence[int]], color: str, colormap: str, edges: boo
                          box_of(view, 'view'))
 
 
-def density_of(value: Any) -> Optional[Floats]:
-    """An array of shape (H, W), row 0 at the top; or the path of a .png or .npy file."""
+def density_of(value: Any, box: Optional[Sequence[float]] = None) -> Optional[Density]:
+    """An array of shape (H, W), row 0 at the top, or the path of a .png or .npy file; and where its pixels lie."""
+    place = box_of(box, 'density_box')
     if value is None:
+        if place is not None:
+            raise refuse('density_box', 'places a density, and there is none')
         return None
     if isinstance(value, (str, os.PathLike)):
-        return _vorpipe.read_density(path_of(value, 'density'))
+        values, beside, name, system = _vorpipe.read_density(path_of(value, 'density'))
+        return (values, beside, name, system) if place is None else (values, place, name, None)
     array = numbers('density', value)
     if array.ndim != 2 or array.size == 0:
         raise refuse('density', f'shape {array.shape}, must be (H, W): one value for each pixel')
-    return array
+    return array, place, b'', None
 
 
 def periodic_of(value: Union[None, bool, str]) -> str:
@@ -269,7 +277,7 @@ def outline_of(value: Any) -> Optional[Outline]:
         raise refuse('outline', 'it has no ring')
     ring_offsets = np.cumsum([0] + [len(ring) for ring in rings], dtype=np.uint64)
     polygon_offsets = np.cumsum([0] + [len(polygon) for polygon in polygons], dtype=np.uint64)
-    return np.concatenate(rings), ring_offsets, polygon_offsets, b''
+    return np.concatenate(rings), ring_offsets, polygon_offsets, b'', system_of(getattr(value, 'crs', None))
 
 
 def _polygons(value: Any) -> List[Any]:

@@ -28,7 +28,8 @@ def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
           threads: Optional[int] = None, check: bool = False, detail: str = 'everything', search: str = 'grid',
           progress: Optional[Progress] = None, attributes: Optional[Mapping[str, Any]] = None,
           project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None,
-          surface: Optional[str] = None) -> Diagram:
+          surface: Optional[str] = None,
+          density_box: Optional[Sequence[float]] = None) -> Diagram:
     """The cells of points: the Voronoi diagram, or with weights the power diagram, clipped to a domain.
 
     Args:
@@ -39,7 +40,7 @@ def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
             else that of the points, grown on every side by 5 % of its longer side.
         periodic: "x", "y" or "xy" (or True): the axes along which the domain repeats itself; it must be named then.
         density: (H, W), mass per unit of area, over the domain, row 0 at the top; or the path of a .png or .npy
-            file. Brings `mass` and `mass_centroids`.
+            file, which a world file beside it (.pgw, .tfw, .wld) may place. Brings `mass` and `mass_centroids`.
         outline: what cells are clipped to besides: a ring (M, 2), a list of rings (a polygon, then its holes), a
             list of such polygons, GeoJSON, what has a __geo_interface__ (as shapely's polygons), or a path. Polygons
             that touch or overlap are dissolved.
@@ -61,6 +62,8 @@ def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
             side.
         repair: mends rings of the outline that cross themselves, which are refused otherwise.
         crs: the coordinate reference system of the points, as "EPSG:4326"; that of `Sites` is known.
+        density_box: (xmin, ymin, xmax, ymax), where the pixels of the density lie, in the unit of the domain, with
+            `project` in kilometers of its plane; beyond it there is nothing.
         surface: "free" where air is around the cells: each ends at a disc around its point, whose squared radius is
             the weight. Arcs are lines, whose neighbor is `Wall.OUTLINE`; `Cell.border` has them. There are no
             triangles; outlines, periods, densities and `check` are not for it yet.
@@ -78,7 +81,8 @@ def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
     session = _session(backend, device, threads, points)
     return session.cells(points, weights, domain, periodic=periodic, density=density, outline=outline, check=check,
                          detail=detail, search=search, progress=progress, attributes=attributes, project=project,
-                         margin=margin, repair=repair, crs=crs, surface=surface)
+                         margin=margin, repair=repair, crs=crs, surface=surface,
+                         density_box=density_box)
 
 
 def render(points: Any, weights: Any = None, domain: Any = None, size: Optional[Sequence[int]] = None,
@@ -155,7 +159,8 @@ def relax(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
           density: Any = None, outline: Any = None, method: str = 'lbfgs', iterations: int = 50, tolerance: float = 0,
           equal_masses: bool = False, backend: str = 'auto', device: Device = None, threads: Optional[int] = None,
           search: str = 'grid', progress: Optional[Progress] = None, attributes: Optional[Mapping[str, Any]] = None,
-          project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None) -> Relaxed:
+          project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None,
+          density_box: Optional[Sequence[float]] = None) -> Relaxed:
     """Moves points until each is the centroid of its cell: cells become alike, and nearly regular hexagons.
 
     Args:
@@ -174,7 +179,8 @@ def relax(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
     return session.relax(points, weights, domain, periodic=periodic, density=density, outline=outline, method=method,
                          iterations=iterations, tolerance=tolerance, equal_masses=equal_masses, search=search,
                          progress=progress, attributes=attributes, project=project, margin=margin, repair=repair,
-                         crs=crs)
+                         crs=crs,
+                         density_box=density_box)
 
 
 def transport(points: Any, masses: Any = None, density: Any = None, domain: Any = None, weights: Any = None,
@@ -183,7 +189,8 @@ def transport(points: Any, masses: Any = None, density: Any = None, domain: Any 
               periodic: Union[None, bool, str] = None, outline: Any = None, backend: str = 'auto',
               device: Device = None, threads: Optional[int] = None, search: str = 'grid',
               progress: Optional[Progress] = None, attributes: Optional[Mapping[str, Any]] = None,
-              project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None) -> Transported:
+              project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None,
+              density_box: Optional[Sequence[float]] = None) -> Transported:
     """The weights that give each cell its mass: semi-discrete optimal transport.
 
     Args:
@@ -207,20 +214,23 @@ def transport(points: Any, masses: Any = None, density: Any = None, domain: Any 
     return session.transport(points, masses, density, domain, weights, tolerance=tolerance, diagrams=diagrams,
                              normalize=normalize, surface=surface, fill=fill, callback=callback, periodic=periodic,
                              outline=outline, search=search, progress=progress, attributes=attributes,
-                             project=project, margin=margin, repair=repair, crs=crs)
+                             project=project, margin=margin, repair=repair, crs=crs,
+                             density_box=density_box)
 
 
-def drawn_points(density: Any, n: int, domain: Optional[Sequence[float]] = None, seed: int = 1) -> Floats:
+def drawn_points(density: Any, n: int, domain: Optional[Sequence[float]] = None, seed: int = 1,
+                 density_box: Optional[Sequence[float]] = None) -> Floats:
     """n points drawn from a density, (n, 2): as many to a part of the domain as it has of the mass.
 
-    Without a domain that is the box of the density's pixels, (0, 0, W, H). Those of the command line's
-    --sites density:N.
+    Without a domain that is the box of the density's pixels: where a world file or `density_box` has them, else
+    (0, 0, W, H). Those of the command line's --sites density:N.
     """
-    values = _arguments.density_of(density)
-    if values is None:
+    given = _arguments.density_of(density, density_box)
+    if given is None:
         raise _scalars.refuse('density', 'there is none')
-    box = _arguments.box_of(domain) or (0.0, 0.0, float(values.shape[1]), float(values.shape[0]))
-    return _vorpipe.drawn_points(values, box, _scalars.whole_of('n', n), _scalars.seed_of(seed))
+    values, place, _, _ = given
+    box = _arguments.box_of(domain) or place or (0.0, 0.0, float(values.shape[1]), float(values.shape[0]))
+    return _vorpipe.drawn_points(given, box, _scalars.whole_of('n', n), _scalars.seed_of(seed))
 
 
 def check(result: Union[Diagram, Picture], threads: Optional[int] = None) -> List[str]:

@@ -27,12 +27,12 @@ FEW_POINTS, FEW_PIXELS = 100_000, 4_000_000
 
 def input_of(points: Any, weights: Any, domain: _vorpipe.Domain, periodic: Union[None, bool, str],
              density: Any = None, attributes: Any = None, crs: Any = None,
-             surface: Optional[str] = None) -> _vorpipe.Input:
+             surface: Optional[str] = None, density_box: Optional[Sequence[float]] = None) -> _vorpipe.Input:
     table = table_of(points)
     given: Union[Floats, _vorpipe.Table] = _arguments.points_of(points) if table is None else table
     own = None if table is None else table.attributes
     made = _vorpipe.Input(given, _arguments.weights_of(weights, len(given)), domain,
-                          _arguments.periodic_of(periodic), _arguments.density_of(density),
+                          _arguments.periodic_of(periodic), _arguments.density_of(density, density_box),
                           _attributes.attributes_of(attributes, len(given), own), _crs.system_of(crs),
                           _arguments.surface_of(surface))
     warn(made.notes)
@@ -74,10 +74,11 @@ class Session:
               check: bool = False, detail: str = 'everything', search: str = 'grid',
               progress: Optional[Progress] = None, attributes: Optional[Mapping[str, Any]] = None,
               project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None,
-              surface: Optional[str] = None) -> Diagram:
+              surface: Optional[str] = None,
+              density_box: Optional[Sequence[float]] = None) -> Diagram:
         """As `vorpipe.cells`."""
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
-        given = input_of(points, weights, wanted, periodic, density, attributes, crs, surface)
+        given = input_of(points, weights, wanted, periodic, density, attributes, crs, surface, density_box=density_box)
         method, neighbors = _arguments.search_of(search)
         diagram = Diagram(self._session.cells(given, _scalars.text_of('detail', detail), method, neighbors,
                                               _scalars.call_of('progress', progress)))
@@ -134,10 +135,11 @@ class Session:
               method: str = 'lbfgs', iterations: int = 50, tolerance: float = 0, equal_masses: bool = False,
               search: str = 'grid', progress: Optional[Progress] = None,
               attributes: Optional[Mapping[str, Any]] = None, project: Project = None, margin: Margin = None,
-              repair: bool = False, crs: Any = None) -> Relaxed:
+              repair: bool = False, crs: Any = None,
+              density_box: Optional[Sequence[float]] = None) -> Relaxed:
         """As `vorpipe.relax`."""
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
-        given = input_of(points, weights, wanted, periodic, density, attributes, crs)
+        given = input_of(points, weights, wanted, periodic, density, attributes, crs, density_box=density_box)
         found, neighbors = _arguments.search_of(search)
         most = _arguments.iterations_of(iterations)
         arguments = _vorpipe.RelaxArguments(_scalars.text_of('method', method), most,
@@ -151,10 +153,11 @@ class Session:
                   periodic: Union[None, bool, str] = None, outline: Any = None, search: str = 'grid',
                   progress: Optional[Progress] = None, attributes: Optional[Mapping[str, Any]] = None,
                   project: Project = None, margin: Margin = None, repair: bool = False,
-                  crs: Any = None) -> Transported:
+                  crs: Any = None,
+              density_box: Optional[Sequence[float]] = None) -> Transported:
         """As `vorpipe.transport`."""
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
-        given = input_of(points, weights, wanted, periodic, density, attributes, crs)
+        given = input_of(points, weights, wanted, periodic, density, attributes, crs, density_box=density_box)
         found, neighbors = _arguments.search_of(search)
         arguments = _vorpipe.TransportArguments(masses=_arguments.masses_of(masses),
                                                 normalize=_scalars.flag_of('normalize', normalize),

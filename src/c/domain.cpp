@@ -55,10 +55,12 @@ vorpipe_code setDomain(vorpipe_input& input, DomainSettings domain, Periodic per
   return VORPIPE_DONE;
 }
 
-vorpipe_code setOutline(vorpipe_input& input, Result<Outline> outline, std::string name) {
-  if (!outline) return fail(outline.error());
-  if (outline->empty()) return fail(VORPIPE_INPUT, "outline: has no points", Subject::outline);
-  return setDomain(input, {std::move(*outline), std::move(name)});
+vorpipe_code setOutline(vorpipe_input& input, Result<OutlineFile> given, std::string name) {
+  if (!given) return fail(given.error());
+  if (given->outline.empty()) return fail(VORPIPE_INPUT, "outline: has no points", Subject::outline);
+  DomainSettings settings{std::move(given->outline), std::move(name)};
+  settings.outline_system = std::move(given->system);
+  return setDomain(input, std::move(settings));
 }
 
 }  // namespace
@@ -84,7 +86,8 @@ vorpipe_code vorpipe_input_set_outline(vorpipe_input* input, const vorpipe_outli
   return guarded([&] {
     const auto given = taken(outline, "vorpipe_outline");
     if (!given) return fail(given.error());
-    return setOutline(*input, outlineOf(*given), {});
+    return setOutline(*input,
+                      outlineOf(*given).map([](Outline made) { return OutlineFile{std::move(made)}; }), {});
   });
 }
 
@@ -166,6 +169,33 @@ vorpipe_code vorpipe_input_set_system(vorpipe_input* input, vorpipe_system_kind 
     }
     input->system = std::move(system);
     input->placed = nullptr;
+    return vorpipe_code{VORPIPE_DONE};
+  });
+}
+
+vorpipe_code vorpipe_input_name_system(vorpipe_input* input, const char* name) {
+  if (input == nullptr) return missing("input");
+  if (name == nullptr) return missing("name");
+  return guarded([&] {
+    auto system = systemNamed(name);
+    if (!system) return fail(VORPIPE_INPUT, fmt::format("system: {}", system.error()), Subject::sites);
+    input->system = std::move(*system);
+    input->placed = nullptr;
+    return vorpipe_code{VORPIPE_DONE};
+  });
+}
+
+vorpipe_code vorpipe_input_name_outline_system(vorpipe_input* input, const char* name) {
+  if (input == nullptr) return missing("input");
+  if (name == nullptr) return missing("name");
+  return guarded([&] {
+    if (input->domain.outline.empty()) {
+      return fail(VORPIPE_INPUT, "outline: there is none that a system could be of", Subject::outline);
+    }
+    auto system = systemNamed(name);
+    if (!system) return fail(VORPIPE_INPUT, fmt::format("system: {}", system.error()), Subject::outline);
+    input->domain.outline_system = std::move(*system);
+    findAnew(*input);
     return vorpipe_code{VORPIPE_DONE};
   });
 }

@@ -63,10 +63,14 @@ struct vorpipe_input {
   vorpipe::Periodic periodic = vorpipe::Periodic::none;
   vorpipe::Surface surface = vorpipe::Surface::none;
   vorpipe::Density density{};
+  std::string density_name{};                  ///< of its file; empty: the caller's own
+  vorpipe::CoordinateSystem density_system{};  ///< of its place
   /// Of sites that have moved: the domain as it was found before, until another one is set.
   std::shared_ptr<const vorpipe::c::PlacedInput> kept;
   mutable std::shared_ptr<const vorpipe::c::PlacedInput> placed;  ///< found when it is first needed
-  mutable std::deque<std::string> notes;                          ///< what is in it stays where it is
+  /// The placed input that the density was looked at beside; none: not yet.
+  mutable std::shared_ptr<const vorpipe::c::PlacedInput> density_looked_at;
+  mutable std::deque<std::string> notes;  ///< what is in it stays where it is
 };
 
 struct vorpipe_diagram {

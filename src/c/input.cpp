@@ -85,6 +85,14 @@ vorpipe_code setWeights(vorpipe_input& input, Result<std::vector<double>> weight
   return VORPIPE_DONE;
 }
 
+/// A density instead of the one before; `name` is that of its file.
+void takeDensity(vorpipe_input& input, DensityFile density, std::string name) {
+  input.density = std::move(density.density);
+  input.density_system = std::move(density.system);
+  input.density_name = std::move(name);
+  input.density_looked_at = nullptr;
+}
+
 Result<Sites> sitesOf(const vorpipe_sites& given) {
   if (given.count > max_sites) {
     return inputError(fmt::format("sites: {} of at most {}", given.count, max_sites));
@@ -189,7 +197,7 @@ vorpipe_code vorpipe_input_set_density(vorpipe_input* input, const double* value
       return fail(VORPIPE_INPUT, fmt::format("density: is {} x {} pixels", width, height), Subject::density);
     }
     const auto count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    input->density = {width, height, std::vector<double>(values, values + count)};
+    takeDensity(*input, {{width, height, std::vector<double>(values, values + count)}, {}}, {});
     return vorpipe_code{VORPIPE_DONE};
   });
 }
@@ -200,7 +208,25 @@ vorpipe_code vorpipe_input_read_density(vorpipe_input* input, const char* path) 
   return guarded([&] {
     auto density = readDensity(path);
     if (!density) return fail(density.error());
-    input->density = std::move(*density);
+    takeDensity(*input, std::move(*density), path);
+    return vorpipe_code{VORPIPE_DONE};
+  });
+}
+
+vorpipe_code vorpipe_input_set_density_box(vorpipe_input* input, double xmin, double ymin, double xmax,
+                                           double ymax) {
+  if (input == nullptr) return missing("input");
+  return guarded([&] {
+    if (input->density.values.empty()) {
+      return fail(VORPIPE_INPUT, "density: there is none that a box could be of", Subject::density);
+    }
+    if (!(xmin < xmax) || !(ymin < ymax) || !std::isfinite(xmax - xmin) || !std::isfinite(ymax - ymin)) {
+      return fail(VORPIPE_INPUT, fmt::format("density: {},{},{},{} is no box", xmin, ymin, xmax, ymax),
+                  Subject::density);
+    }
+    input->density.box = Box{xmin, ymin, xmax, ymax};
+    input->density_system = {};
+    input->density_looked_at = nullptr;
     return vorpipe_code{VORPIPE_DONE};
   });
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "io/cells/cell_attributes.h"
+#include "io/domain/density_place.h"
 #include "io/files/error.h"
 
 namespace vorpipe::c {
@@ -23,7 +24,9 @@ DomainWords wordsFor(const vorpipe_input& input) {
           "project",
           "vorpipe_input_project",
           "vorpipe_input_project",
-          "periodic"};
+          "periodic",
+          "density",
+          "vorpipe_input_set_density_box"};
 }
 
 /// Notes that are new: the domain may have been found before.
@@ -34,7 +37,7 @@ void addNotes(const vorpipe_input& input, std::vector<std::string> notes) {
 }
 
 /// Sites in degrees, with the weights of the run.
-std::shared_ptr<const Sites> sitesInDegrees(PlacedSites& placed) {
+std::shared_ptr<const Sites> givenInDegrees(PlacedSites& placed) {
   return std::make_shared<const Sites>(
       Sites{std::exchange(placed.longitudes, {}), std::exchange(placed.latitudes, {}), placed.sites.weight});
 }
@@ -52,7 +55,7 @@ Result<PlacedInput> foundFor(const vorpipe_input& input) {
       return tl::unexpected(std::move(done.error()));
     }
   }
-  if (found.projection) placed.given = sitesInDegrees(found);
+  if (found.projection) placed.given = givenInDegrees(found);
   const bool moved =
       found.projection || (input.from == SitesFrom::generator && !input.domain.outline.empty());
   if (moved) placed.sites = std::make_shared<const Sites>(std::exchange(found.sites, {}));
@@ -72,7 +75,10 @@ Result<PlacedInput> keptFor(const vorpipe_input& input) {
     return inputError(fmt::format("{}: {} says that its coordinates are those of a plane, not degrees",
                                   words.project, words.sites));
   }
-  if (placed.domain.projection && system.kind != CoordinateKind::degrees) system = wgs84();
+  if (placed.domain.projection) {
+    if (system.kind != CoordinateKind::degrees) system = wgs84();
+    system.middle = placed.domain.projection->center().x;
+  }
   Sites sites = *placed.sites;
   sites.weight = input.sites->weight;
   placed.sites = std::make_shared<const Sites>(std::move(sites));
@@ -80,10 +86,24 @@ Result<PlacedInput> keptFor(const vorpipe_input& input) {
   return placed;
 }
 
+/// The placed input, beside which the density was looked at. Errors: those of placeDensity (input).
+Result<std::shared_ptr<const PlacedInput>> withDensity(const vorpipe_input& input) {
+  if (input.density.values.empty() || input.density_looked_at == input.placed) return input.placed;
+  PlacedSites placed = input.placed->domain;
+  const DensityFile density{{input.density.width, input.density.height, {0}, input.density.box},
+                            input.density_system};
+  if (auto looked = placeDensity(density, input.density_name, placed, wordsFor(input)); !looked) {
+    return tl::unexpected(std::move(looked.error()));
+  }
+  addNotes(input, std::move(placed.notes));
+  input.density_looked_at = input.placed;
+  return input.placed;
+}
+
 }  // namespace
 
 Result<std::shared_ptr<const PlacedInput>> placedInput(const vorpipe_input& input) {
-  if (input.placed != nullptr) return input.placed;
+  if (input.placed != nullptr) return withDensity(input);
   auto placed = input.kept != nullptr ? keptFor(input) : foundFor(input);
   if (!placed) return tl::unexpected(std::move(placed.error()));
   std::vector<std::string> notes = std::exchange(placed->domain.notes, {});
@@ -92,7 +112,7 @@ Result<std::shared_ptr<const PlacedInput>> placedInput(const vorpipe_input& inpu
   }
   addNotes(input, std::move(notes));
   input.placed = std::make_shared<const PlacedInput>(std::move(*placed));
-  return input.placed;
+  return withDensity(input);
 }
 
 void findAnew(vorpipe_input& input) {
@@ -109,12 +129,8 @@ std::optional<PlanePositions> takeToDegrees(const PlacedInput& input, Diagram& d
 
 Sites shownSites(const PlacedInput& input, Sites sites) {
   const auto& projection = input.domain.projection;
-  for (std::size_t i = 0; projection && i < sites.size(); ++i) {
-    const Point degrees = projection->toDegrees({sites.x[i], sites.y[i]});
-    sites.x[i] = degrees.x;
-    sites.y[i] = degrees.y;
-  }
-  return sites;
+  return projection ? vorpipe::sitesInDegrees(*projection, *input.sites, *input.given, std::move(sites))
+                    : sites;
 }
 
 std::unique_ptr<vorpipe_input> inputOf(const vorpipe_input& input, const PlacedInput& placed,

@@ -210,6 +210,16 @@ class Input {
     done(vorpipe_input_set_system(get(), kind, epsg));
     return *this;
   }
+  /// "EPSG:25832", "OGC:CRS84" or WKT.
+  Input& system(const std::string& name) {
+    done(vorpipe_input_name_system(get(), name.c_str()));
+    return *this;
+  }
+  /// Of the outline that is set.
+  Input& outlineSystem(const std::string& name) {
+    done(vorpipe_input_name_outline_system(get(), name.c_str()));
+    return *this;
+  }
   Input& attribute(const std::string& name, const std::vector<std::optional<std::string>>& values,
                    vorpipe_attribute_type type = VORPIPE_INFERRED) {
     std::vector<vorpipe_text> texts;
@@ -228,6 +238,12 @@ class Input {
   }
   Input& readDensity(const std::string& path) {
     done(vorpipe_input_read_density(get(), path.c_str()));
+    return *this;
+  }
+
+  /// Where the pixels of the density that is set lie.
+  Input& densityBox(double xmin, double ymin, double xmax, double ymax) {
+    done(vorpipe_input_set_density_box(get(), xmin, ymin, xmax, ymax));
     return *this;
   }
 

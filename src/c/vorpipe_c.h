@@ -216,8 +216,8 @@ VORPIPE_API vorpipe_code vorpipe_input_read_weights(vorpipe_input* input, const 
 VORPIPE_API vorpipe_code vorpipe_input_random_weights(vorpipe_input* input, double low, double high,
                                                       uint64_t seed);
 /* What cells are clipped to: a box, along the axes of which the domain may repeat itself; polygons, of the
- * caller's or out of a file (GeoJSON or WKT), which are dissolved where they touch or overlap; or the convex
- * hull of the sites. What is set last counts. */
+ * caller's or out of a file (GeoJSON, WKT or GeoPackage), which are dissolved where they touch or overlap; or
+ * the convex hull of the sites. What is set last counts. */
 VORPIPE_API vorpipe_code vorpipe_input_set_box(vorpipe_input* input, double xmin, double ymin, double xmax,
                                                double ymax, vorpipe_axes periodic);
 VORPIPE_API vorpipe_code vorpipe_input_set_outline(vorpipe_input* input, const vorpipe_outline* outline);
@@ -247,12 +247,17 @@ VORPIPE_API vorpipe_code vorpipe_input_set_surface(vorpipe_input* input, vorpipe
  * what they would. */
 VORPIPE_API vorpipe_code vorpipe_input_domain(const vorpipe_input* input, double* box);
 
-/* What coordinates are, for the files that are written of them. */
+/* What coordinates are: for the files that are written of them, and to refuse an outline in another system
+ * than that of the sites. */
 typedef int32_t vorpipe_system_kind;
 enum { VORPIPE_SYSTEM_UNKNOWN = 0, VORPIPE_SYSTEM_DEGREES = 1, VORPIPE_SYSTEM_PLANE = 2 };
 /* `epsg` is the number of a coordinate system of EPSG's; 0: none, of degrees WGS 84. */
 VORPIPE_API vorpipe_code vorpipe_input_set_system(vorpipe_input* input, vorpipe_system_kind kind,
                                                   int64_t epsg);
+/* The same by name: "EPSG:25832", "OGC:CRS84", or a definition in WKT. */
+VORPIPE_API vorpipe_code vorpipe_input_name_system(vorpipe_input* input, const char* name);
+/* The system of the outline that is set; of a file that names its own it is known. */
+VORPIPE_API vorpipe_code vorpipe_input_name_outline_system(vorpipe_input* input, const char* name);
 /* As it is set or was read. */
 VORPIPE_API vorpipe_code vorpipe_input_system(const vorpipe_input* input, vorpipe_system_kind* kind,
                                               int64_t* epsg);
@@ -261,6 +266,10 @@ VORPIPE_API vorpipe_code vorpipe_input_system(const vorpipe_input* input, vorpip
 VORPIPE_API vorpipe_code vorpipe_input_set_density(vorpipe_input* input, const double* values, int32_t width,
                                                    int32_t height);
 VORPIPE_API vorpipe_code vorpipe_input_read_density(vorpipe_input* input, const char* path);
+/* Where the pixels of the density that is set lie, in the unit of the domain as runs have it; beyond it there
+ * is nothing. Else they are where a world file beside the density's says, or cover the domain. */
+VORPIPE_API vorpipe_code vorpipe_input_set_density_box(vorpipe_input* input, double xmin, double ymin,
+                                                       double xmax, double ymax);
 
 /* ---- Attributes ---- */
 

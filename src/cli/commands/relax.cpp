@@ -11,6 +11,7 @@
 #include "cli/commands/command.h"
 #include "cli/moving/drawn_input.h"
 #include "cli/moving/result_files.h"
+#include "cli/options/density_options.h"
 #include "cli/options/options.h"
 #include "cli/options/picture_options.h"
 #include "cli/options/result_outputs.h"
@@ -40,7 +41,8 @@ struct RelaxCommand {
   double tolerance = 0;
   bool equal_masses = false;
   ResultTargets targets;
-  std::string density, stats;
+  DensityOptions density;
+  std::string stats;
   std::optional<std::uint64_t> memory_limit;
 };
 
@@ -212,12 +214,12 @@ Result<ExitCode> relax(RelaxCommand& command, const Invocation& how) {
   if (!density) return tl::unexpected(density.error());
   InputOptions reading = command.input;
   reading.reading.attributes = command.targets.carryAttributes();
-  const auto input =
-      inputUnder(*density, reading, planOf(command, density->values.size()), command.memory_limit);
+  const auto input = inputUnder(*density, command.density, reading,
+                                planOf(command, density->density.values.size()), command.memory_limit);
   if (!input) return tl::unexpected(input.error());
-  RelaxOptions options = relaxOptions(command, *input, *density);
-  const ResultJob job{command.targets, reading,        command.picture,        *input,
-                      *density,        command.search, command.backend.threads};
+  RelaxOptions options = relaxOptions(command, *input, density->density);
+  const ResultJob job{command.targets,  reading,        command.picture,        *input,
+                      density->density, command.search, command.backend.threads};
   if (auto checked = checkBefore(job); !checked) return tl::unexpected(std::move(checked.error()));
   printNotes(command.talk, *input);
   const auto paths = outputPaths(command);
@@ -229,7 +231,7 @@ Result<ExitCode> relax(RelaxCommand& command, const Invocation& how) {
   log.choice = session->choice();
   const auto forecast =
       forecastRun(reading, *input, ImagesFor::cells, session->device(), command.backend,
-                  planOf(command, density->values.size(), input->domain), command.memory_limit);
+                  planOf(command, density->density.values.size(), input->domain), command.memory_limit);
   if (!forecast) return tl::unexpected(forecast.error());
   RelaxRun run{command, job, log, std::move(*files)};
   const auto relaxed = relaxIn(run, *session, std::move(options));
@@ -264,12 +266,9 @@ void addMethodOptions(Options& options, RelaxCommand& command) {
             "ends when no site would move farther than this part of the spacing, the square root of the mean "
             "area [0: never]",
             parseMoveTolerance);
-  addAnyFile(
-      options, "--density", command.density, {".png", ".npy"},
-      "a density over the domain, .png (dark is dense) or .npy, pixels with row 0 at the top: sites gather "
-      "where it is high. --sites density:N draws N sites from it, as dense as it is, in the box of its "
-      "pixels "
-      "where no --domain is named");
+  addDensityOptions(options, command.density,
+                    "sites gather where it is high. --sites density:N draws N sites from it, as dense as it "
+                    "is, in the box of its pixels where no --domain is named");
   options.addFlag(
       "--equal-masses", command.equal_masses,
       "relaxes under the square of the density: then cells come to have equal masses, as stippling "

@@ -9,6 +9,7 @@
 #include "cli/moving/drawn_input.h"
 #include "cli/moving/result_files.h"
 #include "cli/moving/transport_run.h"
+#include "cli/options/density_options.h"
 #include "cli/options/mass_options.h"
 #include "cli/options/options.h"
 #include "cli/options/picture_options.h"
@@ -37,7 +38,8 @@ struct TransportCommand {
   double tolerance = TransportOptions{}.tolerance;
   std::uint64_t diagrams = TransportOptions{}.diagrams;
   ResultTargets targets;
-  std::string density, weights, stats;
+  DensityOptions density;
+  std::string weights, stats;
   std::optional<std::uint64_t> memory_limit;
 };
 
@@ -185,14 +187,14 @@ Result<ExitCode> transportCells(TransportCommand& command, const Invocation& how
   if (!density) return tl::unexpected(density.error());
   InputOptions reading = command.input;
   reading.reading.attributes = command.targets.carryAttributes() || !command.masses.attribute.empty();
-  const auto input =
-      inputUnder(*density, reading, planOf(command, density->values.size()), command.memory_limit);
+  const auto input = inputUnder(*density, command.density, reading,
+                                planOf(command, density->density.values.size()), command.memory_limit);
   if (!input) return tl::unexpected(input.error());
   auto masses = loadMasses(command.masses, *input);
   if (!masses) return tl::unexpected(std::move(masses.error()));
-  TransportOptions options = transportOptions(command, *input, *density, std::move(*masses));
-  const ResultJob job{command.targets, reading,        command.picture,         *input,
-                      *density,        command.search, command.backend.threads, command.masses.around()};
+  TransportOptions options = transportOptions(command, *input, density->density, std::move(*masses));
+  const ResultJob job{command.targets,  reading,        command.picture,         *input,
+                      density->density, command.search, command.backend.threads, command.masses.around()};
   if (auto checked = checkBefore(job); !checked) return tl::unexpected(std::move(checked.error()));
   printNotes(command.talk, *input);
   const auto paths = outputPaths(command);
@@ -204,7 +206,7 @@ Result<ExitCode> transportCells(TransportCommand& command, const Invocation& how
   log.choice = session->choice();
   const auto forecast =
       forecastRun(reading, *input, ImagesFor::cells, session->device(), command.backend,
-                  planOf(command, density->values.size(), input->domain), command.memory_limit);
+                  planOf(command, density->density.values.size(), input->domain), command.memory_limit);
   if (!forecast) return tl::unexpected(forecast.error());
   TransportRun run{command, job, log, std::move(*files)};
   const auto found = transportIn(run, *session, std::move(options));
@@ -224,10 +226,8 @@ Result<ExitCode> transportCells(TransportCommand& command, const Invocation& how
 
 void addSolverOptions(Options& options, TransportCommand& command) {
   options.group("Masses");
-  addAnyFile(
-      options, "--density", command.density, {".png", ".npy"},
-      "a density over the domain, .png (dark is dense) or .npy, pixels with row 0 at the top: masses are "
-      "its integrals over cells. --sites density:N draws N sites from it");
+  addDensityOptions(options, command.density,
+                    "masses are its integrals over cells. --sites density:N draws N sites from it");
   addParsed(options, "--tolerance", command.tolerance, "T",
             "ends when no cell differs from its mass by more than this part of it [1e-8]", parseTolerance);
   addParsed(options, "--diagrams", command.diagrams, "N", "the most diagrams to compute [400]",

@@ -5,7 +5,6 @@
 #include <string_view>
 #include <utility>
 
-#include "io/domain/density_file.h"
 #include "io/files/error.h"
 #include "io/sites/sites_file.h"
 #include "vorpipe/stipple.h"
@@ -37,7 +36,8 @@ Result<InputOptions> asGenerator(const InputOptions& options, std::uint64_t coun
   InputOptions generator = options;
   generator.sites = fmt::format("random:{}", count);
   if (!options.domain.box && options.domain.file.empty()) {
-    generator.domain.box = Box{0, 0, static_cast<double>(density.width), static_cast<double>(density.height)};
+    generator.domain.box = density.box.value_or(
+        Box{0, 0, static_cast<double>(density.width), static_cast<double>(density.height)});
   }
   return generator;
 }
@@ -50,15 +50,9 @@ Result<void> drawSites(Input& input, const Density& density, const InputOptions&
   return {};
 }
 
-Result<Density> densityOf(const std::string& path) {
-  if (path.empty()) return {};
-  auto density = readDensity(path);
-  if (!density) return named("--density", std::move(density.error()));
-  return density;
-}
-
-Result<Input> inputUnder(const Density& density, InputOptions& options, const PlanRun& plan,
-                         std::optional<std::uint64_t> memory_limit) {
+Result<Input> inputUnder(const DensityFile& given, const DensityOptions& from, InputOptions& options,
+                         const PlanRun& plan, std::optional<std::uint64_t> memory_limit) {
+  const Density& density = given.density;
   const auto drawn = drawnCount(options);
   if (!drawn) return tl::unexpected(drawn.error());
   if (*drawn) {
@@ -69,7 +63,10 @@ Result<Input> inputUnder(const Density& density, InputOptions& options, const Pl
   const auto fits = forecastGenerated(options, plan, memory_limit);
   if (!fits) return tl::unexpected(fits.error());
   auto input = loadInput(options);
-  if (input && *drawn) {
+  if (!input) return input;
+  if (auto placed = placeUnder(given, from, options, *input); !placed)
+    return tl::unexpected(std::move(placed.error()));
+  if (*drawn) {
     if (auto done = drawSites(*input, density, options); !done)
       return tl::unexpected(std::move(done.error()));
   }

@@ -23,12 +23,9 @@ Result<InputOptions> asGenerator(const InputOptions& options, std::uint64_t coun
 /// Draws the sites anew, in the domain of the input.
 Result<void> drawSites(Input& input, const Density& density, const InputOptions& options);
 
-/// Reads --density; the path may be empty. Errors: those of readDensity.
-Result<Density> densityOf(const std::string& path);
-
 /// Reads, generates or draws the sites; `options` are left as the rest of the run takes them. Errors: those
-/// of the functions above, forecastGenerated and loadInput.
-Result<Input> inputUnder(const Density& density, InputOptions& options, const PlanRun& plan,
-                         std::optional<std::uint64_t> memory_limit);
+/// of the functions above, forecastGenerated, loadInput and placeUnder.
+Result<Input> inputUnder(const DensityFile& density, const DensityOptions& from, InputOptions& options,
+                         const PlanRun& plan, std::optional<std::uint64_t> memory_limit);
 
 }  // namespace vorpipe::cli

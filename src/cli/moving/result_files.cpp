@@ -23,11 +23,9 @@ PlacedSites placedBack(const Input& input, const Sites& sites) {
   placed.projection = input.projection;
   placed.degrees = input.degrees;
   if (!input.projection) return placed;
-  for (std::size_t i = 0; i < sites.size(); ++i) {
-    const Point degrees = input.projection->toDegrees({sites.x[i], sites.y[i]});
-    placed.longitudes.push_back(degrees.x);
-    placed.latitudes.push_back(degrees.y);
-  }
+  Sites degrees = sitesInDegrees(input, sites);
+  placed.longitudes = std::move(degrees.x);
+  placed.latitudes = std::move(degrees.y);
   return placed;
 }
 

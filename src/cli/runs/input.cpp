@@ -6,6 +6,8 @@
 
 #include "base/stopwatch.h"
 #include "cli/terminal/progress.h"
+#include "io/attributes/system_beside.h"
+#include "io/domain/density_place.h"
 #include "io/domain/outline_file.h"
 #include "io/files/error.h"
 #include "io/sites/site_source.h"
@@ -74,22 +76,29 @@ DomainWords domainWords(const InputOptions& options) {
           "--project",
           "--project auto",
           "--project LON,LAT",
-          "--periodic"};
+          "--periodic",
+          "--density",
+          "--density-box"};
 }
 
 /// Finds the domain by --domain, --margin, --repair and --project.
-Result<void> takeDomain(const InputOptions& options, Input& input) {
+Result<void> takeDomain(const InputOptions& options, Input& input, bool of_corners = false) {
+  if (!options.domain_layer.empty() && options.domain.file.empty())
+    return inputError("--domain-layer: is for a GeoPackage that --domain names");
   DomainSettings settings{{},
                           options.domain.file,
                           options.domain.box,
                           options.domain.hull,
                           options.margin,
                           options.repair,
-                          options.project};
+                          options.project,
+                          {},
+                          of_corners};
   if (!options.domain.file.empty()) {
-    auto outline = readOutline(options.domain.file);
-    if (!outline) return named("--domain", std::move(outline.error()));
-    settings.outline = std::move(*outline);
+    auto read = readOutline(options.domain.file, options.domain_layer);
+    if (!read) return named("--domain", std::move(read.error()));
+    settings.outline = std::move(read->outline);
+    settings.outline_system = std::move(read->system);
   }
   return findDomain(settings, input, domainWords(options));
 }
@@ -120,8 +129,29 @@ Result<Input> inputAround(const InputOptions& options, Sites corners) {
   Input input;
   input.sites = std::move(corners);
   input.from = SitesFrom::file;
-  if (auto taken = takeDomain(options, input); !taken) return tl::unexpected(std::move(taken.error()));
+  if (auto beside = readSystemBeside(options.sites, input.system); !beside) {
+    return named("--sites", std::move(beside.error()));
+  }
+  if (auto taken = takeDomain(options, input, /*of_corners=*/true); !taken)
+    return tl::unexpected(std::move(taken.error()));
   return input;
+}
+
+Result<DensityFile> densityOf(const DensityOptions& options) {
+  if (options.empty()) return {};
+  auto read = readDensity(options.file);
+  if (!read) return named("--density", std::move(read.error()));
+  // A box that is named is in the unit of the domain.
+  if (options.box) {
+    read->density.box = options.box;
+    read->system = {};
+  }
+  return read;
+}
+
+Result<void> placeUnder(const DensityFile& density, const DensityOptions& from, const InputOptions& options,
+                        Input& input) {
+  return placeDensity(density, from.file, input, domainWords(options));
 }
 
 tl::unexpected<Error> named(std::string_view option, Error error) {

@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "cli/options/density_options.h"
 #include "cli/options/options.h"
 #include "io/attributes/attribute.h"
+#include "io/domain/density_file.h"
 #include "io/domain/site_domain.h"
 #include "vorpipe.h"
 
@@ -25,6 +27,14 @@ Result<Input> loadInput(const InputOptions& options);
 
 /// The same for sites that stay where they are: `corners` are sites with the same box, and stand for them.
 Result<Input> inputAround(const InputOptions& options, Sites corners);
+
+/// Reads --density, which may be left out, with the place that --density-box names. Errors: those of
+/// readDensity.
+Result<DensityFile> densityOf(const DensityOptions& options);
+
+/// Looks at where the density lies beside the input's domain. Errors: those of placeDensity.
+Result<void> placeUnder(const DensityFile& density, const DensityOptions& from, const InputOptions& options,
+                        Input& input);
 
 /// The error of what an option names, with the option in front where the input is wrong.
 tl::unexpected<Error> named(std::string_view option, Error error);

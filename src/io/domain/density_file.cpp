@@ -9,6 +9,8 @@
 
 #include "io/arrays/npy_elements.h"
 #include "io/arrays/npy_header.h"
+#include "io/attributes/system_beside.h"
+#include "io/domain/world_file.h"
 #include "io/files/error.h"
 #include "io/files/extension.h"
 #include "io/files/input_file.h"
@@ -69,15 +71,30 @@ Result<Density> readNpy(const std::string& path) {
 
 }  // namespace
 
-Result<Density> readDensity(const std::string& path) {
+Result<DensityFile> readDensity(const std::string& path) {
   const std::string extension = lowerExtension(path);
   try {
-    if (extension == ".png") return readPngDarkness(path);
-    if (extension == ".npy") return readNpy(path);
+    if (extension != ".png" && extension != ".npy") {
+      const bool tiff = extension == ".tif" || extension == ".tiff";
+      return inputError(fmt::format("{}: unknown kind of file; known are .png and .npy{}", path,
+                                    tiff ? ", which keep their place by a world file, as `gdal_translate -of "
+                                           "PNG -co WORLDFILE=YES` writes it"
+                                         : ""));
+    }
+    auto density = extension == ".png" ? readPngDarkness(path) : readNpy(path);
+    if (!density) return tl::unexpected(std::move(density.error()));
+    DensityFile read{std::move(*density)};
+    auto box = boxBeside(path, read.density.width, read.density.height);
+    if (!box) return tl::unexpected(std::move(box.error()));
+    read.density.box = *box;
+    if (read.density.box) {
+      if (auto beside = readSystemBeside(path, read.system); !beside)
+        return tl::unexpected(std::move(beside.error()));
+    }
+    return read;
   } catch (const std::bad_alloc&) {
     return deviceError(path + ": there is not enough memory for its pixels");
   }
-  return inputError(path + ": unknown kind of file; known are .png and .npy");
 }
 
 }  // namespace vorpipe

@@ -3,14 +3,21 @@
 
 #include <string>
 
+#include "io/attributes/coordinate_system.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
 
+struct DensityFile {
+  Density density{};          ///< with a box where a file beside says where it lies
+  CoordinateSystem system{};  ///< of that box, as a .prj beside says
+};
+
 /// Reads a density by the path's extension, the top row first: .png, whose darkness it is (readPngDarkness),
 /// as stippling wants it; or .npy, an array of shape (H, W) of float32, float64, uint8, uint16 or uint32,
-/// whose elements it is. Errors: a path or data that is wrong, a negative element or one that is not finite
-/// (input); reading failed or memory ran out (device).
-Result<Density> readDensity(const std::string& path);
+/// whose elements it is. Its place is that of the world file beside it: .pgw, .pngw, .tfw or .wld in the
+/// place of its extension. Errors: a path or data that is wrong, a negative element or one that is not
+/// finite, a world file that is none or turns the pixels (input); reading failed or memory ran out (device).
+Result<DensityFile> readDensity(const std::string& path);
 
 }  // namespace vorpipe

@@ -59,9 +59,38 @@ Result<void> checkPeriod(const Request& request) {
   return {};
 }
 
+/// The outline in messages.
+std::string nameOfOutline(const Request& request) {
+  return request.settings.outline_name.empty() ? "the outline" : request.settings.outline_name;
+}
+
+/// Refuses sites and an outline whose coordinates mean something else.
+Result<void> checkSystems(const Request& request) {
+  const auto& [settings, placed, words] = request;
+  if (settings.outline.empty() || placed.from == SitesFrom::generator) return {};
+  const CoordinateSystem &its = settings.outline_system, &of_sites = placed.system;
+  const std::string both = fmt::format("{}: {} is in {}, {} in {}", words.domain, nameOfOutline(request),
+                                       nameOf(its), words.sites, nameOf(of_sites));
+  switch (compared(its, of_sites)) {
+    case SystemsAre::one:
+      return {};
+    case SystemsAre::near:
+      request.note(both + ", which is the same to some two meters");
+      return {};
+    case SystemsAre::unclear:
+      request.note(both + "; nothing here says whether that is the same, and it is taken so");
+      return {};
+    case SystemsAre::different:
+      break;
+  }
+  return inputError(fmt::format("{}; take one to the system of the other, as ogr2ogr -t_srs {} does", both,
+                                hasName(of_sites) ? nameOf(of_sites) : "EPSG:4326"));
+}
+
 /// What contradicts itself, wherever the sites are.
 Result<void> checkSettings(const Request& request) {
   const auto& [settings, placed, words] = request;
+  if (auto systems = checkSystems(request); !systems) return systems;
   if (auto margin = checkMargin(request); !margin) return margin;
   if (settings.repair && settings.outline.empty()) {
     return inputError(fmt::format("{}: is for the polygons of {}", words.repair, words.domain));
@@ -73,6 +102,10 @@ Result<void> checkSettings(const Request& request) {
   if (settings.project && placed.system.kind == CoordinateKind::plane) {
     return inputError(fmt::format("{}: {} says that its coordinates are those of a plane, not degrees",
                                   words.project, words.sites));
+  }
+  if (settings.project && settings.outline_system.kind == CoordinateKind::plane) {
+    return inputError(fmt::format("{}: {} says that its coordinates are those of a plane, not degrees",
+                                  words.project, nameOfOutline(request)));
   }
   return {};
 }
@@ -129,12 +162,27 @@ Result<void> takeHull(const Request& request, const Margin& margin) {
   return {};
 }
 
+/// Cuts what a margin adds to a box of degrees beyond the poles.
+void endAtPoles(const Request& request) {
+  constexpr double pole = 90;
+  const auto& [settings, placed, words] = request;
+  Box& box = placed.domain;
+  const bool beyond = box.ymin < -pole || box.ymax > pole;
+  if (placed.system.kind != CoordinateKind::degrees || !beyond) return;
+  request.note(fmt::format("{}: with its margin the box of the sites would reach latitude {}: it ends at {}",
+                           words.domain, box.ymin < -pole ? box.ymin : box.ymax,
+                           box.ymin < -pole ? -pole : pole));
+  box.ymin = std::max(box.ymin, -pole);
+  box.ymax = std::min(box.ymax, pole);
+}
+
 /// The domain that the sites themselves have.
 Result<void> takeDomainOfSites(const Request& request) {
   const auto& [settings, placed, words] = request;
   const Margin margin = settings.margin.value_or(Margin{settings.hull ? 0 : Margin{}.value});
   if (settings.hull) return takeHull(request, margin);
   placed.domain = domainOf(placed.sites, margin);
+  endAtPoles(request);
   const auto [xmin, ymin, xmax, ymax] = placed.domain;
   if (!std::isfinite(xmax - xmin) || !std::isfinite(ymax - ymin)) return tooFarApart(request);
   if (settings.margin && !(xmin < xmax && ymin < ymax)) {
@@ -189,6 +237,7 @@ Result<void> projectSites(const Request& request, const Projection& projection) 
   placed.latitudes = std::exchange(placed.sites.y, std::move(sites->y));
   if (placed.system.kind != CoordinateKind::degrees) placed.system = wgs84();
   placed.degrees = std::exchange(placed.system, {CoordinateKind::plane, {}, 0, {}, projection.center()});
+  placed.degrees.middle = projection.center().x;
   if (!placed.sites.weight.empty()) {
     request.note(fmt::format("{}: weights are square kilometers", words.project));
   }
@@ -221,11 +270,45 @@ void noteDegrees(const Request& request) {
                   words.sites, words.project_amid));
 }
 
-}  // namespace
+std::string textOf(const Box& box) {
+  return fmt::format("{},{},{},{}", box.xmin, box.ymin, box.xmax, box.ymax);
+}
 
-Result<void> findDomain(const DomainSettings& settings, PlacedSites& placed, const DomainWords& words) {
-  const Request request{settings, placed, words};
-  if (auto checked = checkSettings(request); !checked) return checked;
+/// The box of sites that may lie on a line.
+Box boxOfSites(const std::vector<double>& x, const std::vector<double>& y) {
+  const auto [west, east] = std::ranges::minmax(x);
+  const auto [south, north] = std::ranges::minmax(y);
+  return {west, south, east, north};
+}
+
+/// Says so where no site lies in the domain that is named: they take part, but seldom is that meant.
+void noteNowhere(const Request& request) {
+  const auto& [settings, placed, words] = request;
+  if (placed.from == SitesFrom::generator || (settings.outline.empty() && !settings.box)) return;
+  const auto repeats = [&, periodic = placed.periodic](Periodic axis) {
+    return periodic == axis || periodic == Periodic::xy;
+  };
+  const bool any_x = repeats(Periodic::x), any_y = repeats(Periodic::y);
+  const auto [xmin, ymin, xmax, ymax] = placed.domain;
+  const Sites& sites = placed.sites;
+  bool found = false;
+  for (std::size_t i = 0; i < sites.size() && !found; ++i) {
+    found = (any_x || (sites.x[i] >= xmin && sites.x[i] <= xmax)) &&
+            (any_y || (sites.y[i] >= ymin && sites.y[i] <= ymax));
+  }
+  if (found) return;
+  const Box all =
+      placed.projection ? boxOfSites(placed.longitudes, placed.latitudes) : boxOfSites(sites.x, sites.y);
+  const bool meets = all.xmin <= xmax && all.xmax >= xmin && all.ymin <= ymax && all.ymax >= ymin;
+  if (settings.of_corners && meets) return;
+  const Box named = settings.box ? *settings.box : boxOf(settings.outline.points);
+  request.note(fmt::format("{}: no site lies in the box {}; those of {} lie in {}", words.domain,
+                           textOf(named), words.sites, textOf(all)));
+}
+
+/// Finds the domain; what contradicts itself was refused before.
+Result<void> foundDomain(const Request& request) {
+  const auto& [settings, placed, words] = request;
   if (settings.project) {
     if (auto taken = project(request); !taken) return taken;
     return checkReach(request);
@@ -247,8 +330,33 @@ Result<void> findDomain(const DomainSettings& settings, PlacedSites& placed, con
   return placed.from == SitesFrom::generator && !settings.hull ? Result<void>{} : takeDomainOfSites(request);
 }
 
+}  // namespace
+
+Result<void> findDomain(const DomainSettings& settings, PlacedSites& placed, const DomainWords& words) {
+  const Request request{settings, placed, words};
+  if (auto checked = checkSettings(request); !checked) return checked;
+  return foundDomain(request).map([&] { noteNowhere(request); });
+}
+
 Fit usualFit(const PlacedSites& placed) {
   return placed.from == SitesFrom::file || !placed.outline.empty() ? Fit::letterbox : Fit::stretch;
+}
+
+Sites sitesInDegrees(const Projection& projection, const Sites& before, const Sites& degrees, Sites sites) {
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const bool stays = i < before.size() && sites.x[i] == before.x[i] && sites.y[i] == before.y[i];
+    const Point at =
+        stays ? Point{degrees.x[i], degrees.y[i]} : projection.toDegrees({sites.x[i], sites.y[i]});
+    sites.x[i] = at.x;
+    sites.y[i] = at.y;
+  }
+  return sites;
+}
+
+Sites sitesInDegrees(const PlacedSites& placed, Sites sites) {
+  if (!placed.projection) return sites;
+  return sitesInDegrees(*placed.projection, placed.sites, {placed.longitudes, placed.latitudes, {}},
+                        std::move(sites));
 }
 
 void backToDegrees(PlacedSites& placed, Diagram& diagram, int threads) {

@@ -26,13 +26,15 @@ struct DomainSettings {
   std::optional<Margin> margin{};  ///< around the sites' box or hull; none: 5 %, and 0 around a hull
   bool repair = false;             ///< mends rings of the outline that cross themselves
   std::optional<ProjectChoice> project{};
+  CoordinateSystem outline_system{};  ///< that the outline is in
+  bool of_corners = false;            ///< the sites are some that have the same box as all
 };
 
 /// The caller's own words for what messages name.
 struct DomainWords {
   std::string sites = "the sites", domain = "domain", box = "a box", margin = "margin", repair = "repair",
               project = "project", project_amid = "a projection", project_around = "a center",
-              periodic = "periodic";
+              periodic = "periodic", density = "density", density_box = "a density box";
 };
 
 /// Where sites come from.
@@ -58,13 +60,20 @@ struct PlacedSites {
 
 /// Finds the domain of sites, at least one, whose `sites`, `from`, `periodic` and `system` are set;
 /// takes both to a plane if that is asked for. Notes are added: what was mended, how far the plane can be
-/// trusted, that coordinates look like degrees. Errors (input), each after the word for what is wrong:
-/// settings that contradict each other, a domain that is none.
+/// trusted, that coordinates look like degrees, that no site lies in the domain. Errors (input), each after
+/// the word for what is wrong: settings that contradict each other, sites and an outline in different
+/// systems, a domain that is none.
 Result<void> findDomain(const DomainSettings& settings, PlacedSites& placed, const DomainWords& words = {});
 
 /// What becomes of the domain in a picture of another aspect where nothing says so: files with sites and
 /// outlines keep theirs; patterns, and arrays of a program that asks for these pixels, fill it.
 Fit usualFit(const PlacedSites& placed);
+
+/// Sites of a plane in degrees. One that stands where it was in `before`, a run's sites in that plane, keeps
+/// the numbers of `degrees`, which are where those were.
+Sites sitesInDegrees(const Projection& projection, const Sites& before, const Sites& degrees, Sites sites);
+/// The same for those of an input that was placed; without a projection sites stay as they are.
+Sites sitesInDegrees(const PlacedSites& placed, Sites sites);
 
 /// Takes a diagram, and the sites that it is of, from the plane back to degrees; its measures stay in
 /// kilometers. Without a projection nothing changes.

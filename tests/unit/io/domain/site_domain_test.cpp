@@ -86,6 +86,77 @@ TEST(SiteDomain, settingsThatContradictEachOtherAreNamedInTheCallersWords) {
   EXPECT_EQ(refusal({.outline = bow, .repair = true}, ofGenerator()), "accepted");
 }
 
+TEST(SiteDomain, sitesAndAnOutlineInDifferentSystemsAreRefusedByName) {
+  const Outline square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {0, 4}, {0, 1}};
+  DomainSettings settings{.outline = square, .outline_name = "city.gpkg"};
+  settings.outline_system = systemOfCode(25832);
+  EXPECT_THAT(refusal(settings, inDegrees()),
+              HasSubstr("domain: city.gpkg is in EPSG:25832, the sites in EPSG:4326; "));
+  EXPECT_EQ(refusal(settings, ofGenerator()), "accepted");
+  PlacedSites unnamed = inDegrees();
+  unnamed.system = {};
+  EXPECT_EQ(refusal(settings, unnamed), "accepted");
+  settings.project = ProjectChoice{};
+  EXPECT_THAT(refusal(settings, unnamed),
+              HasSubstr("project: city.gpkg says that its coordinates are those"));
+  settings = {.outline = square};
+  settings.outline_system = systemOfCode(4258);
+  PlacedSites near = inDegrees();
+  ASSERT_TRUE(findDomain(settings, near));
+  EXPECT_THAT(near.notes,
+              testing::Contains(HasSubstr("the outline is in EPSG:4258, the sites in EPSG:4326")));
+  settings.outline_system = systemOfCode(4314);
+  EXPECT_THAT(refusal(settings, inDegrees()), HasSubstr("EPSG:4314"));
+}
+
+TEST(SiteDomain, thatNoSiteLiesInTheDomainIsSaidWithBothBoxes) {
+  const auto notes = [](const DomainSettings& settings, PlacedSites placed) {
+    EXPECT_TRUE(findDomain(settings, placed));
+    return placed.notes;
+  };
+  PlacedSites plane;
+  plane.sites = {{100, 300}, {200, 250}, {}};
+  EXPECT_THAT(
+      notes({.box = Box{0, 0, 1, 1}}, plane),
+      ElementsAre("domain: no site lies in the box 0,0,1,1; those of the sites lie in 100,200,300,250"));
+  EXPECT_THAT(notes({.box = Box{0, 0, 150, 225}}, plane), IsEmpty());
+  EXPECT_THAT(notes({}, plane), IsEmpty());
+  EXPECT_THAT(notes({.box = Box{200, 210, 220, 220}, .of_corners = true}, plane), IsEmpty());
+  EXPECT_THAT(notes({.box = Box{20, 21, 22, 22}, .of_corners = true}, plane), testing::SizeIs(1));
+  plane.periodic = Periodic::xy;
+  EXPECT_THAT(notes({.box = Box{0, 0, 1, 1}}, plane), IsEmpty());
+  EXPECT_THAT(notes({.box = Box{100, 0, 101, 1}, .project = ProjectChoice{}}, inDegrees()),
+              testing::Contains(HasSubstr("no site lies in the box 100,0,101,1; those of the sites lie in "
+                                          "12,42,13,43")));
+}
+
+TEST(SiteDomain, theBoxOfSitesInDegreesEndsAtThePoles) {
+  PlacedSites placed = inDegrees();
+  placed.sites.y = {89, 42, -89.5};
+  ASSERT_TRUE(findDomain({}, placed));
+  EXPECT_EQ(placed.domain.ymax, 90);
+  EXPECT_EQ(placed.domain.ymin, -90);
+  EXPECT_THAT(placed.notes, testing::Contains(HasSubstr("would reach latitude -98")));
+  placed.system = {};
+  placed.notes.clear();
+  ASSERT_TRUE(findDomain({}, placed));
+  EXPECT_GT(placed.domain.ymax, 90);
+}
+
+TEST(SiteDomain, sitesThatStayKeepTheirNumbersInDegrees) {
+  PlacedSites placed = inDegrees();
+  placed.sites.y[1] = 40.85;
+  placed.sites.x[1] = 14.25;
+  ASSERT_TRUE(findDomain({.project = ProjectChoice{}}, placed));
+  Sites moved = placed.sites;
+  moved.x[0] += 1;
+  const Sites shown = sitesInDegrees(placed, moved);
+  EXPECT_EQ(shown.x[1], 14.25);
+  EXPECT_EQ(shown.y[1], 40.85);
+  EXPECT_EQ(shown.x[2], 12.5);
+  EXPECT_NEAR(shown.x[0], 12 + 1 / 82.5, 1e-3);
+}
+
 TEST(SiteDomain, picturesKeepTheAspectOfWhatHasOne) {
   EXPECT_EQ(usualFit(ofGenerator()), Fit::stretch);
   EXPECT_EQ(usualFit(inDegrees()), Fit::stretch);

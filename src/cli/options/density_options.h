@@ -1,0 +1,22 @@
+/// The options of a density.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "cli/options/command_line.h"
+#include "vorpipe.h"
+
+namespace vorpipe::cli {
+
+struct DensityOptions {
+  std::string file;        ///< empty: there is none
+  std::optional<Box> box;  ///< where its pixels lie
+
+  [[nodiscard]] bool empty() const { return file.empty(); }
+};
+
+/// --density, --density-box; `purpose` says what the density is for.
+void addDensityOptions(Options& options, DensityOptions& density, const std::string& purpose);
+
+}  // namespace vorpipe::cli

@@ -1,0 +1,93 @@
+#include "io/domain/density_place.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <utility>
+
+#include "io/files/error.h"
+
+namespace vorpipe {
+namespace {
+
+std::string textOf(const Box& box) {
+  return fmt::format("{},{},{},{}", box.xmin, box.ymin, box.xmax, box.ymax);
+}
+
+double areaOf(const Box& box) {
+  return std::max(0.0, box.xmax - box.xmin) * std::max(0.0, box.ymax - box.ymin);
+}
+
+/// Notes pixels that are wider than high, or higher than wide, by more than rounding to whole ones may do.
+void noteStretched(const Density& density, const std::string& about, PlacedSites& placed,
+                   const DomainWords& words) {
+  constexpr double slight = 0.02;
+  const auto [xmin, ymin, xmax, ymax] = placed.domain;
+  const double ratio = (xmax - xmin) / density.width / ((ymax - ymin) / density.height);
+  if (std::abs(ratio - 1) <= slight || !std::isfinite(ratio)) return;
+  placed.notes.push_back(fmt::format(
+      "{}its {} x {} pixels are stretched over the domain, and come out {:.3g} times as {}; {}, or "
+      "a world file beside it, says where they lie",
+      about, density.width, density.height, std::max(ratio, 1 / ratio),
+      ratio > 1 ? "wide as high" : "high as wide", words.density_box));
+}
+
+void noteUncovered(const Density& density, const std::string& about, PlacedSites& placed) {
+  constexpr double percent = 100, rounding = 1e-9;
+  const Box &box = *density.box, &domain = placed.domain;
+  const Box common{std::max(box.xmin, domain.xmin), std::max(box.ymin, domain.ymin),
+                   std::min(box.xmax, domain.xmax), std::min(box.ymax, domain.ymax)};
+  const double covered = areaOf(common) / areaOf(domain);
+  if (!(covered < 1 - rounding)) return;
+  placed.notes.push_back(
+      fmt::format("{}its pixels lie in {} and cover {:.3g} % of the domain {}; it is 0 elsewhere", about,
+                  textOf(box), covered * percent, textOf(domain)));
+}
+
+/// Refuses a place in another system than that of the sites.
+Result<void> checkSystem(const DensityFile& given, const std::string& about, PlacedSites& placed,
+                         const DomainWords& words) {
+  if (placed.projection) {
+    if (given.system.kind != CoordinateKind::degrees) return {};
+    const auto [longitude, latitude] = placed.projection->center();
+    return inputError(
+        fmt::format("{}its place is in degrees, and {} makes a plane: take it there, as gdalwarp "
+                    "-t_srs '+proj=laea +lon_0={} +lat_0={} +units=km' does, or name its box in "
+                    "kilometers by {}",
+                    about, words.project, longitude, latitude, words.density_box));
+  }
+  const std::string both = fmt::format("{}its place is in {}, {} in {}", about, nameOf(given.system),
+                                       words.sites, nameOf(placed.system));
+  switch (compared(given.system, placed.system)) {
+    case SystemsAre::one:
+    case SystemsAre::near:
+      return {};
+    case SystemsAre::unclear:
+      placed.notes.push_back(both + "; nothing here says whether that is the same, and it is taken so");
+      return {};
+    case SystemsAre::different:
+      break;
+  }
+  return inputError(both + "; take one to the system of the other");
+}
+
+}  // namespace
+
+Result<void> placeDensity(const DensityFile& given, const std::string& name, PlacedSites& placed,
+                          const DomainWords& words) {
+  const Density& density = given.density;
+  if (density.values.empty()) return {};
+  const std::string about =
+      name.empty() ? fmt::format("{}: ", words.density) : fmt::format("{}: {}: ", words.density, name);
+  if (!density.box) {
+    if (!name.empty()) noteStretched(density, about, placed, words);
+    return {};
+  }
+  if (auto checked = checkSystem(given, about, placed, words); !checked) return checked;
+  noteUncovered(density, about, placed);
+  return {};
+}
+
+}  // namespace vorpipe
