@@ -54,6 +54,28 @@ grep -q '"projection": null' out/s.json || fail "out/s.json has a projection"
 succeeds "a picture of a country" render --backend cpu --check --sites "$navaids" --domain "$italy" --project auto --size 60x70 --stats out/s.json
 notes "weights are areas" "weights are square kilometers" $cells --sites in/three.csv --weights in/weights.txt --project auto
 notes "a domain that is large" "reaches 4" $cells --sites "$navaids" --domain=-30,-30,30,30 --project auto
+# No side of a ring is longer than half a turn, but where a cell around a pole is led along the meridian to the pole.
+printf 'lon,lat\n0,75\n45,75\n90,75\n135,75\n180,75\n225,75\n270,75\n315,75\n0,90\n' >in/cap.csv
+sed 's/,75/,-75/; s/,90/,-90/' in/cap.csv >in/south.csv
+steps() {
+  sed -n '/POLYGON/{s/[^(]*((//; s/)).*//; p}' "out/$1" | awk -F ', ' '{
+    most = 0
+    for (k = 2; k <= NF; ++k) { split($k, b, " "); split($(k - 1), a, " "); d = b[1] - a[1]; if (d < 0) d = -d; if (d > most) most = d }
+    printf "%d ", most + 0.5 }'
+}
+notes "cells around the north pole" "4 %" $cells -o out/n.wkt -o out/n.geojson -o out/edges.geojson --sites in/cap.csv --domain=-180,60,180,90 --project auto
+[ "$(steps n.wkt)" = "5 5 5 5 5 5 5 5 360 " ] || fail "longitudes jump: $(steps n.wkt)"
+sed -n 6p out/n.wkt | grep -q '202.[45]' || fail "the cell of 180 does not reach 202.5: $(sed -n 6p out/n.wkt)"
+sed -n 10p out/n.wkt | grep -q ', 180 90, -180 90, ' || fail "the pole's cell does not hold it: $(sed -n 10p out/n.wkt)"
+notes "cells around the south pole" "4 %" $cells -o out/n.wkt --sites in/south.csv --domain=-180,-90,180,-60 --project auto
+[ "$(steps n.wkt)" = "5 5 5 5 5 5 5 5 360 " ] || fail "longitudes jump: $(steps n.wkt)"
+sed -n 10p out/n.wkt | grep -q ', -180 -90, 180 -90, ' || fail "the pole's cell does not hold it: $(sed -n 10p out/n.wkt)"
+printf 'lon,lat,name\n9.19,45.46,Mi\n12.5,41.9,Ro\n14.25,40.85,Na\n' >in/cities.csv
+printf '50\n80\n10\n' >in/trade.txt
+succeeds "transport leaves sites where they are" transport --backend cpu --sites in/cities.csv --domain "$italy" --project auto \
+  --masses in/trade.txt --normalize -o out/t.csv --cells out/tc.csv
+cut -d, -f1,2 out/t.csv | tail -n +2 | cmp -s - <(cut -d, -f1,2 in/cities.csv | tail -n +2) || fail "transport moved the sites"
+cut -d, -f2,3 out/tc.csv | tail -n +2 | cmp -s - <(cut -d, -f1,2 in/cities.csv | tail -n +2) || fail "transport moved the sites of cells"
 refuses "the world" "--project: the domain reaches 180 degrees" --sites "$navaids" --project auto
 refuses "a center on the other side" "name one that is nearer" --sites "$navaids" --domain "$italy" --project 190,-40
 refuses "a latitude that is none" "--project: site 1 at 13, 95" --sites in/bad.csv --project auto
@@ -85,6 +107,8 @@ refuses "a hull of two" "--domain: the hull of 2 sites has no area" --sites rand
 refuses "a hull that repeats itself" "--periodic" --sites random:9 --domain hull --periodic x
 printf 'x,y\n1001,1\n1002,1\n1003,1\n' >in/line.csv
 refuses "a hull of a line" "they all lie on a line" --sites in/line.csv --domain hull
+succeeds "a hull of a line with a margin" $cells --sites in/line.csv --domain hull --margin 10%
+area 0.9599 0.9601
 refuses "no margin around a line" "--margin: the sites lie on a line" --sites in/line.csv --margin 0
 refuses "a file does not say its period" "--periodic: name the period by --domain XMIN,YMIN,XMAX,YMAX" --sites in/plane.csv --periodic xy
 succeeds "a period that is named" $cells --sites in/plane.csv --periodic xy --domain 1012,42,1013,43
@@ -102,5 +126,79 @@ grep -q -- '--repair mends it' log/err || fail "the line does not say what helps
 notes "a bow-tie repaired" "1 of 1 polygons repaired" $cells --sites random:50 --domain in/bow.wkt --repair
 area 0.4999 0.5001
 refuses "nothing to repair" "--repair" --sites random:9 --repair
+
+# -- Systems ------------------------------------------------------------------------------------------
+crs() { printf '"crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::%s"}},' "$1"; }
+geojson() { printf '{"type":"FeatureCollection",%s"features":[{"type":"Feature","properties":{},"geometry":%s}]}' "$1" "$2"; }
+ring='{"type":"Polygon","coordinates":[[[3.5,51],[7,51],[7,53],[3.5,53],[3.5,51]]]}'
+geojson "$(crs 3857)" '{"type":"MultiPoint","coordinates":[[731641,6902454],[507024,6850045],[600000,6800000]]}' >in/mercator.geojson
+geojson "" '{"type":"MultiPoint","coordinates":[[4,52],[5,52.5],[6,51.5]]}' >in/towns.geojson
+geojson "" "$ring" >in/country.geojson
+geojson "$(crs 4258)" "$ring" >in/etrs.geojson
+refuses "sites in another system" "--domain: in/country.geojson is in EPSG:4326, in/mercator.geojson in EPSG:3857; take one" \
+  --sites in/mercator.geojson --domain in/country.geojson
+refuses "in another system to be projected" "is in EPSG:4326, in/mercator.geojson in EPSG:3857" \
+  --sites in/mercator.geojson --domain in/country.geojson --project auto
+refuses "an outline of a plane to be projected" "--domain: in/mercator.geojson: " --sites in/towns.geojson --domain in/mercator.geojson --project auto
+notes "degrees that are near to each other" "in/etrs.geojson is in EPSG:4258, in/towns.geojson in EPSG:4326, which is the same" \
+  $cells --sites in/towns.geojson --domain in/etrs.geojson --project auto
+printf 'x,y\n731641,6902454\n507024,6850045\n' >in/unnamed.csv
+notes "no site in the domain" "--domain: no site lies in the box 3.5,51,7,53; those of in/unnamed.csv lie in 507024,6850045,731641,6902454" \
+  $cells --sites in/unnamed.csv --domain in/country.geojson
+printf 'PROJCS["WGS_1984_UTM_Zone_32N",GEOGCS["GCS_WGS_1984"]]' >in/unnamed.prj
+refuses "a system beside sites" "in/country.geojson is in EPSG:4326, in/unnamed.csv in EPSG:32632" --sites in/unnamed.csv --domain in/country.geojson
+printf 'apples' >in/unnamed.prj
+refuses "a system that is none" "--sites: in/unnamed.prj: is no coordinate system in WKT" --sites in/unnamed.csv
+printf 'lon,lat\n12,42\n13,89\n14,-80\n' >in/polar.csv
+notes "a box of degrees ends at the poles" "it ends at 90" $cells --sites in/polar.csv
+grep -q '"domain": \[' out/s.json && tr -d ' \n' <out/s.json | grep -q ',90.0\],\|,90\],' || fail "the domain goes beyond the pole"
+
+# -- Files with outlines ------------------------------------------------------------------------------
+printf '{"type":"Polygon","coordinates":[[[0,0],[2,0],[2,1],[0,1],[0,0]]]}\n{"type":"Polygon","coordinates":[[[2,0],[3,0],[3,1],[2,1],[2,0]]]}\n' >in/parts.geojsonl
+notes "lines of GeoJSON" "dissolved into 1" $cells --sites random:50 --domain in/parts.geojsonl
+area 2.9999 3.0001
+gzip -c in/country.geojson >in/country.geojson.gz
+succeeds "a file that is packed" $cells --sites random:50 --domain in/country.geojson.gz
+area 6.9999 7.0001
+succeeds "cells to be an outline" cells --backend cpu --sites random:20 --domain 0,0,3,1 -o out/own.wkt -o out/own.gpkg
+notes "cells as WKT are an outline" "dissolved into 1" $cells --sites random:50 --domain out/own.wkt
+area 2.9999 3.0001
+notes "cells as a GeoPackage are an outline" "dissolved into 1" $cells --sites random:50 --domain out/own.gpkg
+area 2.9999 3.0001
+refuses "a layer that is not there" "--domain: out/own.gpkg: has no layer \"towns\"" --sites random:9 --domain out/own.gpkg --domain-layer towns
+refuses "a layer of no GeoPackage" "has no layers" --sites random:9 --domain in/parts.geojsonl --domain-layer a
+refuses "a layer of no file" "--domain-layer" --sites random:9 --domain-layer a
+refuses "across the antimeridian" "--domain: xmin 177 is not below xmax -177; in degrees, across the antimeridian, xmax is 183" \
+  --sites random:9 --domain 177,-20,-177,-15
+
+# -- Places of densities ------------------------------------------------------------------------------
+printf '\223NUMPY\001\000\166\000%-117s\n\001\002\003\004\005\006\007\010' "{'descr': '|u1', 'fortran_order': False, 'shape': (2, 4), }" >in/d.npy
+mass() {
+  awk -F '[:,]' -v low="$1" -v high="$2" '/"mass_sum"/ { seen = $2 > low && $2 < high } END { exit !seen }' out/s.json ||
+    fail "mass_sum is not between $1 and $2: $(grep mass_sum out/s.json)"
+}
+notes "pixels that are stretched" "--density: in/d.npy: its 4 x 2 pixels are stretched over the domain, and come out 2 times as high as wide; --density-box" \
+  $cells --sites random:50 --density in/d.npy
+succeeds "pixels that are square" $cells --sites random:50 --domain 0,0,4,2 --density in/d.npy
+mass 35.9999 36.0001
+notes "a box that leaves a part empty" "its pixels lie in 2,0,6,2 and cover 50 % of the domain 0,0,4,2; it is 0 elsewhere" \
+  $cells --sites random:50 --domain 0,0,4,2 --density in/d.npy --density-box 2,0,6,2
+mass 13.9999 14.0001
+succeeds "a box larger than the domain" $cells --sites random:50 --density in/d.npy --density-box=-1,-1,3,1
+mass 1.9999 2.0001
+printf '1\n0\n0\n-1\n0.5\n1.5\n' >in/d.wld
+succeeds "a world file" $cells --sites random:50 --domain 1,0,3,2 --density in/d.npy
+mass 17.9999 18.0001
+succeeds "sites drawn where a world file says" relax --backend cpu --sites density:40 --density in/d.npy --iterations 2 -o out/drawn.csv
+awk -F, 'NR > 1 && ($1 < 0 || $1 > 4 || $2 < 0 || $2 > 2) { exit 1 }' out/drawn.csv || fail "a site is elsewhere"
+awk -F, 'NR > 1 && $1 > 1 { seen = 1 } END { exit !seen }' out/drawn.csv || fail "no site is where the density is"
+succeeds "equal masses where a box says" transport --backend cpu --sites random:30 --domain 0,0,4,2 --density in/d.npy --density-box=-1,-1,5,3 -o out/t.csv --stats out/s.json
+succeeds "relaxed where a box says" relax --backend cpu --sites random:30 --domain 0,0,4,2 --density in/d.npy --density-box=-1,-1,5,3 --iterations 3 -o out/t.csv
+refuses_density() { fails 2 "$1" "$2" cells --backend cpu --sites random:9 -o out/old.csv "${@:3}"; }
+refuses_density "a box of no density" "--density-box" --density-box 0,0,1,1
+refuses_density "a box that is none" "--density-box: xmin 1 is not below" --density in/d.npy --density-box 1,0,1,1
+refuses_density "a place that repeats itself" "--density: has a place of its own" --density in/d.npy --periodic x
+printf '1\n0\n0\n' >in/d.wld
+refuses_density "a world file that is none" "--density: in/d.wld: has 3 numbers" --density in/d.npy
 
 finish

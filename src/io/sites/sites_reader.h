@@ -21,7 +21,8 @@ Result<SiteTable> readCsvSites(InputFile file, const ReadOptions& options);
 /// The same, separated by tabs.
 Result<SiteTable> readTsvSites(InputFile file, const ReadOptions& options);
 
-/// Lines of x y or x y weight, separated by blanks or commas; # begins a comment.
+/// Lines of x y or x y weight, separated by blanks or commas; # begins a comment. A first line without a
+/// number names the columns, as in .csv.
 Result<SiteTable> readTextSites(InputFile file, const ReadOptions& options);
 
 /// NumPy array of shape (N, 2) or (N, 3), the third column being the weight, float32 or float64.

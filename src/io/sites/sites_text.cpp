@@ -9,10 +9,12 @@
 #include <vector>
 
 #include "io/columns/column_choice.h"
+#include "io/columns/csv_columns.h"
 #include "io/files/error.h"
 #include "io/sites/sites_reader.h"
 #include "io/sites/table_builder.h"
 #include "io/text/line_reader.h"
+#include "io/text/lower_case.h"
 #include "io/text/number.h"
 
 namespace vorpipe {
@@ -43,6 +45,12 @@ std::optional<std::size_t> split(std::string_view line, std::vector<std::string_
   return std::nullopt;
 }
 
+/// What writers of numbers have for what is none.
+bool isNotFinite(std::string_view field) {
+  const std::string word = lowerCase(field.substr(field.starts_with('-') || field.starts_with('+') ? 1 : 0));
+  return word == "nan" || word == "inf" || word == "infinity";
+}
+
 class TextSites {
  public:
   TextSites(LineReader lines, const ReadOptions& options)
@@ -64,6 +72,30 @@ class TextSites {
   }
 
  private:
+  /// Whether the first row names columns: none of its fields is a number.
+  [[nodiscard]] bool isHeader() const {
+    return fields_.size() > 1 && std::ranges::none_of(fields_, [](std::string_view field) {
+             return field.empty() || parseNumber(field).has_value() || isNotFinite(field);
+           });
+  }
+
+  /// What a header tells of all rows.
+  Result<void> readHeader() {
+    const std::vector<std::string> names(fields_.begin(), fields_.end());
+    auto columns = namedColumns(names, options_.columns);
+    if (!columns) return lines_.errorAt(1, columns.error().what);
+    if (!columns->x) return lines_.errorAt(1, "a column of WKT has blanks of its own, which separate fields");
+    columns_ = {*columns->x, *columns->y};
+    if (columns->weight) columns_.push_back(*columns->weight);
+    weight_kind_ = columns->weight_kind;
+    table_.system().kind = columns->kind;
+    if (!columns->note.empty()) table_.note(columns->note);
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      if (!columns->has(k)) attributes_.emplace_back(k, table_.attributes().newColumn(names[k]));
+    }
+    return {};
+  }
+
   /// What the first row tells of all.
   Result<void> readFirst() {
     count_ = fields_.size();
@@ -89,6 +121,10 @@ class TextSites {
   }
 
   Result<void> readRow(std::string_view line) {
+    if (count_ == 0 && isHeader()) {
+      count_ = fields_.size();
+      return readHeader();
+    }
     if (count_ == 0) {
       if (auto first = readFirst(); !first) return first;
     }
@@ -110,7 +146,12 @@ class TextSites {
     for (const auto& [from, to] : attributes_) {
       if (!fields_[from].empty()) table_.attributes().set(to, AttributeType::text, fields_[from]);
     }
-    const auto weight = columns_.size() == site_numbers.size() ? std::optional(value[2]) : std::nullopt;
+    std::optional<double> weight;
+    if (columns_.size() == site_numbers.size()) {
+      const auto valid = weightOf(weight_kind_, value[2], fields_[columns_[2]]);
+      if (!valid) return lines_.errorAt(1, fmt::format("{} (column {})", valid.error(), site_numbers[2]));
+      weight = *valid;
+    }
     if (const auto problem = table_.addRow(std::array{Point{value[0], value[1]}}, weight)) {
       return lines_.errorAt(1, *problem);
     }
@@ -123,6 +164,7 @@ class TextSites {
   std::vector<std::string_view> fields_;
   std::size_t count_ = 0;             ///< of fields in each row; 0 before the first
   std::vector<std::size_t> columns_;  ///< of x, y and perhaps weight
+  WeightKind weight_kind_ = WeightKind::weight;
   std::vector<std::pair<std::size_t, std::size_t>>
       attributes_;  ///< columns of the file and of the attributes
 };

@@ -101,7 +101,8 @@ Result<bool> CsvReader::isRecord(std::string_view line) {
   }
   const std::string_view text = trimmed(line);
   if (text.starts_with('#')) {
-    if (begun_) ++comments_;
+    ++comments_;
+    late_comment_ = late_comment_ || begun_;
     return false;
   }
   if (begun_ || text.empty()) return true;

@@ -27,8 +27,9 @@ class CsvReader {
 
   /// Known once there is a record.
   [[nodiscard]] char separator() const { return separator_.value_or(','); }
-  /// Comments after the first record.
-  [[nodiscard]] std::uint64_t comments() const { return comments_; }
+  /// All comments, if there is one after the first record, where a line that begins with # may be meant as
+  /// another one; else 0.
+  [[nodiscard]] std::uint64_t comments() const { return late_comment_ ? comments_ : 0; }
   /// Number of the last line of the last record.
   [[nodiscard]] std::uint64_t line() const { return lines_.number(); }
 
@@ -68,7 +69,8 @@ class CsvReader {
   Parser parser_;
   std::optional<char> separator_;
   std::uint64_t comments_ = 0;
-  bool begun_ = false;  ///< whether there was a record
+  bool begun_ = false;         ///< whether there was a record
+  bool late_comment_ = false;  ///< whether a comment came after it
   Record record_;
   std::string earlier_;    ///< earlier lines of a record with a line end inside quotes, LF after each
   std::string_view line_;  ///< the line that was parsed last

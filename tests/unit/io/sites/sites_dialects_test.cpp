@@ -184,7 +184,8 @@ TEST_F(SiteTables, missingFieldsAreErrorsOrLeftOut) {
 TEST_F(SiteTables, commentsAreCounted) {
   const SiteTable table = good("a.csv", "# of a survey\nx,y\n# 1,2\n3,4\n  # and\n5,\"6\"\n");
   EXPECT_THAT(table.sites.x, ElementsAre(3, 5));
-  EXPECT_EQ(notes(table), ": 2 lines begin with # and are left out\n");
+  EXPECT_EQ(notes(table), ": 3 lines begin with # and are left out\n");
+  EXPECT_EQ(notes(good("a.csv", "# of a survey\nx,y\n3,4\n5,6\n")), "");
   EXPECT_THAT(textsOf(good("a.csv", "n,x,y\n\"a\n#b\",3,4\n")), ElementsAre("n (text): a\n#b"));
 }
 

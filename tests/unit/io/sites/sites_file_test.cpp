@@ -52,7 +52,35 @@ TEST_F(SitesFile, TheThirdColumnOfTextIsTheWeight) {
   EXPECT_THAT(sites->sites.weight, ElementsAre(-3, 6));
 }
 
+TEST_F(SitesFile, AFirstLineOfTextWithoutNumbersNamesItsColumns) {
+  const auto sites = readSites(write("a.txt", "# note\nname  LAT lon radius\nA 1 2 3\nB 4 5 6\n"));
+  ASSERT_TRUE(sites) << sites.error().message;
+  EXPECT_THAT(sites->sites.x, ElementsAre(2, 5));
+  EXPECT_THAT(sites->sites.y, ElementsAre(1, 4));
+  EXPECT_THAT(sites->sites.weight, ElementsAre(9, 36));
+  EXPECT_EQ(sites->system.kind, CoordinateKind::degrees);
+  ASSERT_EQ(sites->attributes.size(), 1u);
+  EXPECT_EQ(sites->attributes[0].name(), "name");
+  EXPECT_EQ(sites->attributes[0].at(1), "B");
+  const auto chosen = readSites(write("b.txt", "east,north\n1,2\n3,4\n"), {.columns = {"north", "east"}});
+  ASSERT_TRUE(chosen) << chosen.error().message;
+  EXPECT_THAT(chosen->sites.x, ElementsAre(2, 4));
+}
+
+TEST_F(SitesFile, TheSystemBesideAFileIsItsOwn) {
+  const std::string file = write("a.csv", "x,y\n1,2\n3,4\n");
+  write("a.prj", R"(PROJCS["ETRS89 / UTM zone 33N",GEOGCS["ETRS89"],AUTHORITY["EPSG","25833"]])");
+  const auto sites = readSites(file);
+  ASSERT_TRUE(sites) << sites.error().message;
+  EXPECT_EQ(nameOf(sites->system), "EPSG:25833");
+  write("a.csv", "lon,lat\n1,2\n3,4\n");
+  const auto other = readSites(file);
+  ASSERT_FALSE(other);
+  EXPECT_THAT(other.error().message, testing::HasSubstr("a.prj: says EPSG:25833, and "));
+}
+
 TEST_F(SitesFile, RefusesTextWithFileLineAndColumn) {
+  EXPECT_THAT(bad("a.txt", "here there\n1 2\n"), testing::StartsWith("1:1: "));
   EXPECT_EQ(bad("a.txt", "1 2\n3  four\n"), "2:4: \"four\" is not a number (column y)");
   EXPECT_EQ(bad("a.txt", "1 2\n# x\n nan 4\n"), "3:2: \"nan\" is not a finite number (column x)");
   EXPECT_EQ(bad("a.txt", "1 2 1e999\n"), "1:5: \"1e999\" is out of the range of a double (column weight)");
