@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <new>
 #include <string_view>
 #include <utility>
@@ -42,6 +43,13 @@ Result<OutlineFile> readKind(const Kind& kind, const std::string& path, const st
   return kind.read(std::move(*file));
 }
 
+/// What GeoJSON calls degrees, since it knows nothing else, may be the meters of a plane.
+bool mayBeDegrees(const Outline& outline) {
+  constexpr double most_x = 360, most_y = 90;
+  return std::ranges::all_of(
+      outline.points, [](Point point) { return std::abs(point.x) <= most_x && std::abs(point.y) <= most_y; });
+}
+
 Result<OutlineFile> readByExtension(const std::string& path, const std::string& layer) {
   const auto* const kind = std::ranges::find(kinds, inputExtension(path), &Kind::extension);
   if (kind == kinds.end()) {
@@ -51,6 +59,7 @@ Result<OutlineFile> readByExtension(const std::string& path, const std::string& 
   auto read = readKind(*kind, path, layer);
   if (!read) return read;
   if (read->outline.empty()) return inputError(path + ": holds no polygon");
+  if (read->system.kind == CoordinateKind::degrees && !mayBeDegrees(read->outline)) read->system = {};
   if (auto beside = readSystemBeside(path, read->system); !beside) {
     return tl::unexpected(std::move(beside.error()));
   }

@@ -163,6 +163,8 @@ TEST_F(OutlineFile, theirSystemIsWhatTheySayOrAFileBesideThem) {
   EXPECT_EQ(system("a.json", "{" + members + "}"), "EPSG:4326");
   EXPECT_EQ(system("a.json", "{" + crs + members + "}"), "EPSG:25832");
   EXPECT_EQ(system("a.geojsonl", "{" + members + "}"), "EPSG:4326");
+  EXPECT_EQ(system("a.json", R"({"type":"Polygon","coordinates":[[[0,0],[400,0],[4,4],[0,0]]]})"),
+            "a system that nothing names");
   EXPECT_EQ(system("a.wkt", "SRID=25832;" + ring), "EPSG:25832");
   EXPECT_EQ(system("a.wkt", ring), "a system that nothing names");
   write("a.prj", R"(PROJCS["ETRS_1989_UTM_Zone_32N",GEOGCS["GCS_ETRS_1989",DATUM["D"]],UNIT["Meter",1.0]])");
