@@ -30,7 +30,8 @@ static int isText(vorpipe_text value, const char* expected) {
   return value.size == strlen(expected) && memcmp(value.data, expected, value.size) == 0;
 }
 
-static int hasNote(const vorpipe_input* input, const char* words) {
+/* Whether a note of the input has these words. */
+int hasNote(const vorpipe_input* input, const char* words) {
   size_t k;
   for (k = 0; vorpipe_input_note(input, k) != NULL; ++k) {
     if (strstr(vorpipe_input_note(input, k), words) != NULL) return 1;
@@ -106,6 +107,12 @@ static void projected(vorpipe_session* session, vorpipe_input* input) {
   DONE(vorpipe_input_set_system(input, VORPIPE_SYSTEM_DEGREES, 0));
   DONE(vorpipe_input_system(input, &kind, &epsg));
   PROMISE(kind == VORPIPE_SYSTEM_DEGREES && epsg == 4326);
+  DONE(vorpipe_input_name_system(input, "EPSG:4258"));
+  DONE(vorpipe_input_system(input, &kind, &epsg));
+  PROMISE(kind == VORPIPE_SYSTEM_DEGREES && epsg == 4258);
+  REFUSED(VORPIPE_INPUT, "Mars", vorpipe_input_name_system(input, "Mars"));
+  REFUSED(VORPIPE_INPUT, "there is none", vorpipe_input_name_outline_system(input, "EPSG:4258"));
+  DONE(vorpipe_input_set_system(input, VORPIPE_SYSTEM_DEGREES, 0));
   REFUSED(VORPIPE_INPUT, "", vorpipe_input_project(input, 12, 91));
   DONE(vorpipe_input_domain(input, box));
   PROMISE(box[0] > 11 && box[2] < 14 && vorpipe_input_note(input, 0) != NULL);

@@ -127,6 +127,46 @@ static void patterns_that_moved(vorpipe_session* session) {
   vorpipe_input_free(input);
 }
 
+/* An outline in another system than the sites, and a density with a place. */
+static void systems_and_places(vorpipe_session* session) {
+  const double x[] = {1, 2, 3}, y[] = {1, 2, 1}, corners[] = {0, 0, 4, 0, 4, 2, 0, 2};
+  const double pixels[] = {1, 2, 3, 4, 5, 6, 7, 8};
+  const uint64_t rings[] = {0, 4}, polygons[] = {0, 1};
+  double box[4];
+  vorpipe_sites sites = {sizeof sites};
+  vorpipe_outline outline = {sizeof outline};
+  vorpipe_input* input = NULL;
+  vorpipe_diagram* cells = NULL;
+  vorpipe_array masses;
+  sites.count = 3;
+  sites.x = x;
+  sites.y = y;
+  outline.point_count = 4;
+  outline.ring_count = outline.polygon_count = 1;
+  outline.points = corners;
+  outline.ring_offsets = rings;
+  outline.polygon_offsets = polygons;
+  DONE(vorpipe_input_create(&sites, &input));
+  DONE(vorpipe_input_set_outline(input, &outline));
+  DONE(vorpipe_input_name_system(input, "EPSG:25832"));
+  DONE(vorpipe_input_name_outline_system(input, "OGC:CRS84"));
+  REFUSED(VORPIPE_INPUT, "in EPSG:4326, sites in EPSG:25832", vorpipe_input_domain(input, box));
+  DONE(vorpipe_input_name_outline_system(input, "EPSG:25832"));
+  DONE(vorpipe_input_domain(input, box));
+  REFUSED(VORPIPE_INPUT, "there is none", vorpipe_input_set_density_box(input, 0, 0, 1, 1));
+  DONE(vorpipe_input_set_density(input, pixels, 4, 2));
+  REFUSED(VORPIPE_INPUT, "is no box", vorpipe_input_set_density_box(input, 1, 0, 1, 1));
+  DONE(vorpipe_input_set_density_box(input, 2, 0, 6, 2));
+  DONE(vorpipe_cells(session, input, NULL, &cells));
+  PROMISE(hasNote(input, "cover 50 % of the domain"));
+  DONE(vorpipe_diagram_array(cells, VORPIPE_CELL_MASS, &masses));
+  PROMISE(masses.count == 3);
+  PROMISE(fabs(((const double*)masses.data)[0] + ((const double*)masses.data)[1] +
+               ((const double*)masses.data)[2] - (1 + 2 + 5 + 6)) < 1e-12);
+  vorpipe_diagram_free(cells);
+  vorpipe_input_free(input);
+}
+
 /* Weights and sites out of files; the default domain is the box of the sites, grown by 5 %. */
 static void files(vorpipe_session* session) {
   vorpipe_input* input = NULL;
@@ -150,5 +190,6 @@ void input_promises(vorpipe_session* session) {
   outlines(session);
   domains_of_moved(session);
   patterns_that_moved(session);
+  systems_and_places(session);
   files(session);
 }

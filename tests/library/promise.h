@@ -27,6 +27,8 @@ extern int broken_promises;
     PROMISE(strstr(vorpipe_last_error(), words) != NULL); \
   } while (0)
 
+int hasNote(const vorpipe_input* input, const char* words);
+
 void cells_promises(vorpipe_session* session);
 void pictures_promises(vorpipe_session* session);
 void input_promises(vorpipe_session* session);

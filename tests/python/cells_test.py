@@ -108,6 +108,25 @@ def test_the_mass_of_all_cells_is_that_of_the_density(random):
     assert diagram[3].mass == diagram.mass[3]
 
 
+def test_a_density_lies_where_its_box_says(random, tmp_path):
+    points, density = random.random((100, 2)) * (4, 2), random.random((2, 4))
+    with pytest.warns(vorpipe.InputWarning, match='cover 50 % of the domain'):
+        half = vorpipe.cells(points, domain=(0, 0, 4, 2), density=density, density_box=(2, 0, 6, 2), check=True)
+    assert half.mass.sum() == pytest.approx(density[:, :2].sum())
+    np.save(tmp_path / 'a.npy', density)
+    with pytest.warns(vorpipe.InputWarning, match='a.npy: its 4 x 2 pixels are stretched .* density_box='):
+        vorpipe.cells(points, domain=(0, 0, 2, 2), density=tmp_path / 'a.npy')
+    (tmp_path / 'a.wld').write_text('1\n0\n0\n-1\n1.5\n1.5\n')
+    placed = vorpipe.cells(points, domain=(1, 0, 3, 2), density=tmp_path / 'a.npy')
+    assert placed.mass.sum() == pytest.approx(density[:, :2].sum())
+    drawn = vorpipe.drawn_points(tmp_path / 'a.npy', 50)
+    assert drawn.min() >= 0 and drawn[:, 0].min() >= 1 and drawn[:, 0].max() <= 5
+    with pytest.raises(vorpipe.InputError, match='^density_box: '):
+        vorpipe.cells(points, density_box=(0, 0, 1, 1))
+    with pytest.raises(vorpipe.InputError, match='^density: has a place'):
+        vorpipe.cells(points, domain=(0, 0, 4, 2), periodic='x', density=density, density_box=(0, 0, 4, 2))
+
+
 def test_row_0_of_a_density_is_the_top():
     diagram = vorpipe.cells([[0.5, 0.25], [0.5, 0.75]], domain=UNIT, density=[[1], [0]])
     assert diagram.mass.tolist() == [0, 0.5]

@@ -136,3 +136,35 @@ def test_geopandas_gets_degrees_and_attributes(degrees):
     assert set(frame['tag']) == {'x'} and (frame['area'] > 0).all()
     in_plane = frame.to_crs('+proj=laea +lat_0=50 +lon_0=10 +units=km')
     assert np.allclose(in_plane.area, frame['area'], rtol=1e-3)
+
+
+def test_different_systems_are_refused_by_name(degrees, tmp_path):
+    outline = tmp_path / 'city.geojson'
+    crs = '"crs":{"type":"name","properties":{"name":"EPSG:25832"}},'
+    ring = '[[[0,0],[9e5,0],[9e5,9e5],[0,0]]]'
+    outline.write_text('{"type":"Polygon",' + crs + '"coordinates":' + ring + '}')
+    with pytest.raises(vorpipe.InputError, match='city.geojson is in EPSG:25832, points in EPSG:4326') as caught:
+        vorpipe.cells(degrees, outline=outline, crs='EPSG:4326')
+    assert caught.value.subject == 'outline'
+    with pytest.warns(vorpipe.InputWarning, match='outline: no site lies in the box 0.0?,0.0?,900000'):
+        vorpipe.cells(degrees, outline=outline)
+
+    class Frame:
+        crs = 'EPSG:25832'
+        __geo_interface__ = {'type': 'Polygon', 'coordinates': [[(0, 0), (9, 0), (9, 9), (0, 0)]]}
+
+    with pytest.raises(vorpipe.InputError, match='the outline is in EPSG:25832, points in EPSG:4326'):
+        vorpipe.cells(degrees, outline=Frame(), crs='EPSG:4326')
+
+
+def test_cells_around_a_pole_are_polygons(tmp_path):
+    ring = [(longitude, 75) for longitude in range(0, 360, 45)]
+    diagram = vorpipe.cells([*ring, (0, 90)], domain=(-180, 60, 180, 90), project='auto')
+    across = diagram[4].vertices[:, 0]
+    assert across.min() == pytest.approx(157.5) and across.max() == pytest.approx(202.5)
+    assert diagram.points[4].tolist() == [180, 75]
+    shapely = pytest.importorskip('shapely', reason='there is no shapely')
+    shapes = diagram.to_shapely()
+    assert all(shape.is_valid for shape in shapes)
+    assert all(shape.intersects(shapely.Point(point)) for shape, point in zip(shapes, diagram.points))
+    assert shapes[8].bounds[0] == -180 and shapes[8].bounds[2:] == (180, 90)
