@@ -12,10 +12,6 @@
 namespace vorpipe {
 namespace {
 
-std::string textOf(const Box& box) {
-  return fmt::format("{},{},{},{}", box.xmin, box.ymin, box.xmax, box.ymax);
-}
-
 double areaOf(const Box& box) {
   return std::max(0.0, box.xmax - box.xmin) * std::max(0.0, box.ymax - box.ymin);
 }
@@ -43,7 +39,7 @@ void noteUncovered(const Density& density, const std::string& about, PlacedSites
   if (!(covered < 1 - rounding)) return;
   placed.notes.push_back(
       fmt::format("{}its pixels lie in {} and cover {:.3g} % of the domain {}; it is 0 elsewhere", about,
-                  textOf(box), covered * percent, textOf(domain)));
+                  boxText(box), covered * percent, boxText(domain)));
 }
 
 /// Refuses a place in another system than that of the sites.

@@ -19,25 +19,26 @@
 namespace vorpipe {
 namespace {
 
-struct Kind {
+struct OutlineKind {
   std::string_view extension;
   Result<OutlineFile> (*read)(InputFile file);
 };
 
 /// The kind that is no stream of bytes.
-constexpr std::string_view geopackage = ".gpkg";
+constexpr std::string_view packaged = ".gpkg";
 
-constexpr std::array<Kind, 7> kinds = {{{".geojson", readGeoJsonOutline},
-                                        {".json", readGeoJsonOutline},
-                                        {".geojsonl", readGeoJsonLinesOutline},
-                                        {".geojsons", readGeoJsonLinesOutline},
-                                        {".ndjson", readGeoJsonLinesOutline},
-                                        {".wkt", readWktOutline},
-                                        {geopackage, nullptr}}};
+constexpr std::array<OutlineKind, 7> outline_kinds = {{{".geojson", readGeoJsonOutline},
+                                                       {".json", readGeoJsonOutline},
+                                                       {".geojsonl", readGeoJsonLinesOutline},
+                                                       {".geojsons", readGeoJsonLinesOutline},
+                                                       {".ndjson", readGeoJsonLinesOutline},
+                                                       {".wkt", readWktOutline},
+                                                       {packaged, nullptr}}};
 
-Result<OutlineFile> readKind(const Kind& kind, const std::string& path, const std::string& layer) {
-  if (kind.extension == geopackage) return readGeoPackageOutline(path, layer);
-  if (!layer.empty()) return inputError(fmt::format("{}: has no layers; a {} has", path, geopackage));
+Result<OutlineFile> readOutlineKind(const OutlineKind& kind, const std::string& path,
+                                    const std::string& layer) {
+  if (kind.extension == packaged) return readGeoPackageOutline(path, layer);
+  if (!layer.empty()) return inputError(fmt::format("{}: has no layers; a {} has", path, packaged));
   auto file = InputFile::open(path);
   if (!file) return tl::unexpected(std::move(file.error()));
   return kind.read(std::move(*file));
@@ -51,12 +52,12 @@ bool mayBeDegrees(const Outline& outline) {
 }
 
 Result<OutlineFile> readByExtension(const std::string& path, const std::string& layer) {
-  const auto* const kind = std::ranges::find(kinds, inputExtension(path), &Kind::extension);
-  if (kind == kinds.end()) {
+  const auto* const kind = std::ranges::find(outline_kinds, inputExtension(path), &OutlineKind::extension);
+  if (kind == outline_kinds.end()) {
     return inputError(
         fmt::format("{}: unknown kind of file; known are {}", path, fmt::join(outlineExtensions(), ", ")));
   }
-  auto read = readKind(*kind, path, layer);
+  auto read = readOutlineKind(*kind, path, layer);
   if (!read) return read;
   if (read->outline.empty()) return inputError(path + ": holds no polygon");
   if (read->system.kind == CoordinateKind::degrees && !mayBeDegrees(read->outline)) read->system = {};
@@ -98,7 +99,7 @@ void endPolygon(Outline& outline) {
 
 std::vector<std::string> outlineExtensions() {
   std::vector<std::string> extensions;
-  for (const Kind& kind : kinds) extensions.emplace_back(kind.extension);
+  for (const OutlineKind& kind : outline_kinds) extensions.emplace_back(kind.extension);
   return extensions;
 }
 

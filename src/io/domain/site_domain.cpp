@@ -270,10 +270,6 @@ void noteDegrees(const Request& request) {
                   words.sites, words.project_amid));
 }
 
-std::string textOf(const Box& box) {
-  return fmt::format("{},{},{},{}", box.xmin, box.ymin, box.xmax, box.ymax);
-}
-
 /// The box of sites that may lie on a line.
 Box boxOfSites(const std::vector<double>& x, const std::vector<double>& y) {
   const auto [west, east] = std::ranges::minmax(x);
@@ -303,7 +299,7 @@ void noteNowhere(const Request& request) {
   if (settings.of_corners && meets) return;
   const Box named = settings.box ? *settings.box : boxOf(settings.outline.points);
   request.note(fmt::format("{}: no site lies in the box {}; those of {} lie in {}", words.domain,
-                           textOf(named), words.sites, textOf(all)));
+                           boxText(named), words.sites, boxText(all)));
 }
 
 /// Finds the domain; what contradicts itself was refused before.
@@ -336,6 +332,10 @@ Result<void> findDomain(const DomainSettings& settings, PlacedSites& placed, con
   const Request request{settings, placed, words};
   if (auto checked = checkSettings(request); !checked) return checked;
   return foundDomain(request).map([&] { noteNowhere(request); });
+}
+
+std::string boxText(const Box& box) {
+  return fmt::format("{},{},{},{}", box.xmin, box.ymin, box.xmax, box.ymax);
 }
 
 Fit usualFit(const PlacedSites& placed) {

@@ -65,6 +65,9 @@ struct PlacedSites {
 /// systems, a domain that is none.
 Result<void> findDomain(const DomainSettings& settings, PlacedSites& placed, const DomainWords& words = {});
 
+/// A box as options have it: XMIN,YMIN,XMAX,YMAX.
+std::string boxText(const Box& box);
+
 /// What becomes of the domain in a picture of another aspect where nothing says so: files with sites and
 /// outlines keep theirs; patterns, and arrays of a program that asks for these pixels, fill it.
 Fit usualFit(const PlacedSites& placed);

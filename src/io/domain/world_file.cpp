@@ -18,16 +18,16 @@
 namespace vorpipe {
 namespace {
 
-constexpr std::array<std::string_view, 4> extensions = {".pgw", ".pngw", ".tfw", ".wld"};
-constexpr std::size_t count = 6;
+constexpr std::array<std::string_view, 4> world_extensions = {".pgw", ".pngw", ".tfw", ".wld"};
+constexpr std::size_t world_numbers = 6;
 
-using Numbers = std::array<double, count>;
+using WorldNumbers = std::array<double, world_numbers>;
 
-Result<Numbers> numbersIn(const std::string& path) {
+Result<WorldNumbers> numbersIn(const std::string& path) {
   auto file = InputFile::open(path);
   if (!file) return tl::unexpected(std::move(file.error()));
   LineReader lines(std::move(*file));
-  Numbers numbers{};
+  WorldNumbers numbers{};
   std::size_t found = 0;
   while (true) {
     const auto line = lines.next();
@@ -37,17 +37,18 @@ Result<Numbers> numbersIn(const std::string& path) {
     if (text.empty()) continue;
     const auto number = parseNumber(text);
     if (!number) return lines.errorAt(1, number.error());
-    if (found == count) return lines.errorAt(1, "a world file has 6 numbers, and this is another one");
+    if (found == world_numbers)
+      return lines.errorAt(1, "a world file has 6 numbers, and this is another one");
     numbers[found++] = *number;
   }
-  if (found == count) return numbers;
-  return inputError(fmt::format("{}: has {} numbers; a world file has {}", path, found, count));
+  if (found == world_numbers) return numbers;
+  return inputError(fmt::format("{}: has {} numbers; a world file has {}", path, found, world_numbers));
 }
 
 }  // namespace
 
 Result<std::optional<Box>> boxBeside(const std::string& path, int width, int height) {
-  for (const std::string_view extension : extensions) {
+  for (const std::string_view extension : world_extensions) {
     const std::string beside = besides(path, std::string(extension));
     std::error_code none;
     if (!std::filesystem::is_regular_file(beside, none)) continue;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "vorpipe.h"
 
@@ -16,9 +17,9 @@ namespace vorpipe {
 /// What is wrong with a geometry, where something is.
 using GeometryTaken = tl::expected<void, std::string>;
 
-inline GeometryTaken damagedGeometry() {
-  return tl::unexpected(std::string("its geometry is damaged: it ends too early"));
-}
+inline tl::unexpected<std::string> wrongGeometry(std::string what) { return tl::unexpected(std::move(what)); }
+
+inline GeometryTaken damagedGeometry() { return wrongGeometry("its geometry is damaged: it ends too early"); }
 
 /// Numbers of either byte order off the front of bytes; 0 where they end, after which failed() is true.
 class ByteReader {

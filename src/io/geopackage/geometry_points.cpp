@@ -10,8 +10,6 @@
 namespace vorpipe {
 namespace {
 
-tl::unexpected<std::string> wrong(std::string what) { return tl::unexpected(std::move(what)); }
-
 GeometryTaken takePosition(ByteReader& reader, const WkbType& type, std::vector<Point>& points,
                            bool& others) {
   const auto [x, y] = takeWkbPosition(reader, type);
@@ -19,7 +17,7 @@ GeometryTaken takePosition(ByteReader& reader, const WkbType& type, std::vector<
   // An empty point is one of no numbers.
   if (std::isnan(x) && std::isnan(y)) return {};
   if (!std::isfinite(x) || !std::isfinite(y))
-    return wrong(fmt::format("its place {}, {} is not finite", x, y));
+    return wrongGeometry(fmt::format("its place {}, {} is not finite", x, y));
   others = others || type.numbers > 2;
   points.push_back({x, y});
   return {};
@@ -31,12 +29,12 @@ GeometryTaken takeWkb(ByteReader& reader, std::vector<Point>& points, bool& othe
   if (reader.failed()) return damagedGeometry();
   if (type.type == point) return takePosition(reader, type, points, others);
   if (type.type != multi_point)
-    return wrong(fmt::format("a {} where a Point is needed", nameOfWkbType(type.type)));
+    return wrongGeometry(fmt::format("a {} where a Point is needed", nameOfWkbType(type.type)));
   const auto count = reader.take<std::uint32_t>();
   for (std::uint32_t k = 0; k < count; ++k) {
     const WkbType its = takeWkbType(reader);
     if (reader.failed()) return damagedGeometry();
-    if (its.type != point) return wrong(fmt::format("a {} in a MultiPoint", nameOfWkbType(its.type)));
+    if (its.type != point) return wrongGeometry(fmt::format("a {} in a MultiPoint", nameOfWkbType(its.type)));
     if (auto taken = takePosition(reader, its, points, others); !taken) return taken;
   }
   return reader.failed() ? damagedGeometry() : GeometryTaken();
@@ -47,7 +45,7 @@ GeometryTaken takeWkb(ByteReader& reader, std::vector<Point>& points, bool& othe
 tl::expected<void, std::string> takeGeometryPoints(std::string_view bytes, std::vector<Point>& points,
                                                    bool& others) {
   auto reader = geometryIn(bytes);
-  if (!reader) return wrong(std::move(reader.error()));
+  if (!reader) return wrongGeometry(std::move(reader.error()));
   return takeWkb(*reader, points, others);
 }
 

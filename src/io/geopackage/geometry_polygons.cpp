@@ -12,17 +12,13 @@
 namespace vorpipe {
 namespace {
 
-constexpr std::uint32_t polygon = 3, multi_polygon = 6, collection = 7;
-
-tl::unexpected<std::string> wrong(std::string what) { return tl::unexpected(std::move(what)); }
-
 GeometryTaken takeRing(ByteReader& reader, const WkbType& type, std::vector<Point>& ring) {
   const auto count = reader.take<std::uint32_t>();
   // Counts of damaged geometries may be anything: what is not there ends the loop.
   for (std::uint32_t k = 0; k < count && !reader.failed(); ++k) {
     const auto [x, y] = takeWkbPosition(reader, type);
     if (!std::isfinite(x) || !std::isfinite(y))
-      return wrong(fmt::format("its position {}, {} is not finite", x, y));
+      return wrongGeometry(fmt::format("its position {}, {} is not finite", x, y));
     ring.push_back({x, y});
   }
   return reader.failed() ? damagedGeometry() : GeometryTaken();
@@ -40,13 +36,14 @@ GeometryTaken takePolygon(ByteReader& reader, const WkbType& type, std::vector<P
 }
 
 GeometryTaken takeWkb(ByteReader& reader, std::vector<PolygonRings>& polygons, int depth) {
+  constexpr std::uint32_t polygon = 3, multi_polygon = 6, collection = 7;
   const WkbType type = takeWkbType(reader);
   if (reader.failed()) return damagedGeometry();
   if (type.type == polygon) return takePolygon(reader, type, polygons);
   if (type.type != multi_polygon && type.type != collection)
-    return wrong(fmt::format("a {} where a Polygon is needed", nameOfWkbType(type.type)));
+    return wrongGeometry(fmt::format("a {} where a Polygon is needed", nameOfWkbType(type.type)));
   if (depth > most_nested_collections)
-    return wrong(fmt::format("stands in more than {} collections", most_nested_collections));
+    return wrongGeometry(fmt::format("stands in more than {} collections", most_nested_collections));
   const auto count = reader.take<std::uint32_t>();
   for (std::uint32_t k = 0; k < count; ++k) {
     if (auto taken = takeWkb(reader, polygons, depth + 1); !taken) return taken;
@@ -59,7 +56,7 @@ GeometryTaken takeWkb(ByteReader& reader, std::vector<PolygonRings>& polygons, i
 tl::expected<void, std::string> takeGeometryPolygons(std::string_view bytes,
                                                      std::vector<PolygonRings>& polygons) {
   auto reader = geometryIn(bytes);
-  if (!reader) return wrong(std::move(reader.error()));
+  if (!reader) return wrongGeometry(std::move(reader.error()));
   return takeWkb(*reader, polygons, 0);
 }
 

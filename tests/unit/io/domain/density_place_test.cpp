@@ -17,7 +17,7 @@ PlacedSites inSquare() {
   return placed;
 }
 
-DensityFile pixels(int width, int height, const std::optional<Box>& box = {}) {
+DensityFile pixelsIn(int width, int height, const std::optional<Box>& box = {}) {
   return {{width, height, std::vector<double>(static_cast<std::size_t>(width * height), 1), box}, {}};
 }
 
@@ -29,27 +29,27 @@ std::vector<std::string> notesOn(const DensityFile& density, const std::string& 
 }
 
 TEST(DensityPlace, pixelsThatAreStretchedAreNotedWhereAFileHasThem) {
-  EXPECT_THAT(notesOn(pixels(4, 4), "a.png"), IsEmpty());
+  EXPECT_THAT(notesOn(pixelsIn(4, 4), "a.png"), IsEmpty());
   EXPECT_THAT(
-      notesOn(pixels(4, 3), "a.png"),
+      notesOn(pixelsIn(4, 3), "a.png"),
       ElementsAre(HasSubstr("density: a.png: its 4 x 3 pixels are stretched over the domain, and come "
                             "out 1.33 times as high as wide")));
-  EXPECT_THAT(notesOn(pixels(4, 3), ""), IsEmpty());
+  EXPECT_THAT(notesOn(pixelsIn(4, 3), ""), IsEmpty());
 }
 
 TEST(DensityPlace, whatAPlaceLeavesEmptyIsSaid) {
-  EXPECT_THAT(notesOn(pixels(4, 3, Box{-1, -1, 11, 12}), "a.png"), IsEmpty());
-  EXPECT_THAT(notesOn(pixels(4, 3, Box{0, 0, 10, 10}), ""), IsEmpty());
+  EXPECT_THAT(notesOn(pixelsIn(4, 3, Box{-1, -1, 11, 12}), "a.png"), IsEmpty());
+  EXPECT_THAT(notesOn(pixelsIn(4, 3, Box{0, 0, 10, 10}), ""), IsEmpty());
   EXPECT_THAT(
-      notesOn(pixels(4, 3, Box{5, 0, 20, 10}), ""),
+      notesOn(pixelsIn(4, 3, Box{5, 0, 20, 10}), ""),
       ElementsAre("density: its pixels lie in 5,0,20,10 and cover 50 % of the domain 0,0,10,10; it is 0 "
                   "elsewhere"));
-  EXPECT_THAT(notesOn(pixels(4, 3, Box{50, 0, 60, 10}), ""), ElementsAre(HasSubstr("cover 0 %")));
+  EXPECT_THAT(notesOn(pixelsIn(4, 3, Box{50, 0, 60, 10}), ""), ElementsAre(HasSubstr("cover 0 %")));
 }
 
 TEST(DensityPlace, aPlaceInAnotherSystemIsRefused) {
   PlacedSites placed = inSquare();
-  DensityFile density = pixels(2, 2, Box{0, 0, 10, 10});
+  DensityFile density = pixelsIn(2, 2, Box{0, 0, 10, 10});
   density.system = systemOfCode(25833);
   EXPECT_THAT(placeDensity(density, "a.png", placed).error().message,
               HasSubstr("its place is in EPSG:25833, the sites in EPSG:25832"));
