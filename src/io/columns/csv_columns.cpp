@@ -43,6 +43,10 @@ const Synonym* synonymOf(std::string_view name, std::span<const Synonym> synonym
   return found == synonyms.end() ? nullptr : &*found;
 }
 
+bool isGeometry(const std::string& name) {
+  return std::ranges::find(geometry_names, lowerCase(name)) != geometry_names.end();
+}
+
 /// The only column of which `is` holds.
 template <class Is>
 tl::expected<Column, ColumnProblem> onlyColumn(std::span<const std::string> names, const Is& is) {
@@ -150,9 +154,7 @@ tl::expected<void, ColumnProblem> findPlaces(std::span<const std::string> names,
     columns.kind = kindOf(synonymOf(names[**x], x_names), synonymOf(names[**y], y_names));
     return {};
   }
-  const auto geometry = onlyColumn(names, [](const std::string& name) {
-    return std::ranges::find(geometry_names, lowerCase(name)) != geometry_names.end();
-  });
+  const auto geometry = onlyColumn(names, isGeometry);
   if (!geometry) return tl::unexpected(geometry.error());
   columns.geometry = *geometry;
   if (*geometry) return {};
@@ -190,6 +192,13 @@ Found namedColumns(std::span<const std::string> names, std::span<const std::stri
   if (auto found = findWeight(names, columns); !found) return tl::unexpected(found.error());
   columns.note = noteOf(names, columns);
   return columns;
+}
+
+bool sayColumns(std::span<const std::string> names) {
+  return std::ranges::any_of(names, [](const std::string& name) {
+    return synonymOf(name, x_names) != nullptr || synonymOf(name, y_names) != nullptr || isGeometry(name) ||
+           weightNamed(name, true);
+  });
 }
 
 Found unnamedColumns(std::size_t count, bool third_is_number, std::span<const std::string> chosen) {

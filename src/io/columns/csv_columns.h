@@ -37,6 +37,9 @@ struct ColumnProblem {
 tl::expected<CsvColumns, ColumnProblem> namedColumns(std::span<const std::string> names,
                                                      std::span<const std::string> chosen);
 
+/// Whether one of the names alone says what its column holds: a coordinate, geometries or a weight.
+bool sayColumns(std::span<const std::string> names);
+
 /// Those of a table without a header, by the number of its columns, and whether the third begins with a
 /// number.
 tl::expected<CsvColumns, ColumnProblem> unnamedColumns(std::size_t count, bool third_is_number,

@@ -1,6 +1,7 @@
 #include "io/sites/degrees.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vorpipe {
 
@@ -12,6 +13,16 @@ bool looksLikeDegrees(const Sites& sites, const CoordinateSystem& system) {
   const auto [south, north] = std::ranges::minmax(sites.y);
   return west >= -half_turn && west < -quarter && east > quarter && east <= half_turn && south >= -quarter &&
          north <= quarter;
+}
+
+std::string_view settleDegrees(const Sites& sites, CoordinateSystem& system) {
+  constexpr double most_x = 360, most_y = 90;
+  if (system.kind != CoordinateKind::degrees) return {};
+  const auto within = [](double most) { return [most](double value) { return std::abs(value) <= most; }; };
+  if (std::ranges::all_of(sites.x, within(most_x)) && std::ranges::all_of(sites.y, within(most_y))) return {};
+  system = {};
+  return "should hold degrees of longitude and latitude, and reaches beyond 360 or 90: it is taken as a "
+         "plane";
 }
 
 }  // namespace vorpipe

@@ -4,11 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "io/files/memory_room.h"
+#include "io/sites/degrees.h"
 #include "io/sites/sites_file.h"
 
 namespace vorpipe {
@@ -69,21 +69,8 @@ RowProblem TableBuilder::addMissing(std::string_view what) {
 
 void TableBuilder::note(std::string_view what) { table_.notes.push_back(fmt::format("{}: {}", name_, what)); }
 
-/// What is called degrees and cannot be is not.
-void TableBuilder::settleDegrees() {
-  constexpr double most_x = 360, most_y = 90;
-  if (table_.system.kind != CoordinateKind::degrees) return;
-  const auto within = [](double most) { return [most](double value) { return std::abs(value) <= most; }; };
-  if (std::ranges::all_of(table_.sites.x, within(most_x)) &&
-      std::ranges::all_of(table_.sites.y, within(most_y))) {
-    return;
-  }
-  table_.system = {};
-  note("should hold degrees of longitude and latitude, and reaches beyond 360 or 90: it is taken as a plane");
-}
-
 SiteTable TableBuilder::finish() {
-  settleDegrees();
+  if (const auto what = settleDegrees(table_.sites, table_.system); !what.empty()) note(what);
   if (heights_) note("of positions x and y are taken, and nothing of their other numbers");
   if (table_.skipped > 0) {
     note(fmt::format("{} row{} without a place or a weight {} left out", table_.skipped,

@@ -43,7 +43,6 @@ class TableBuilder {
   SiteTable finish();
 
  private:
-  void settleDegrees();
   RowProblem checkRoom();
 
   std::string name_;
