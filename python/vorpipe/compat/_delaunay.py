@@ -9,11 +9,12 @@ import numpy as np
 from .. import _vorpipe
 from .._arguments import Floats
 from ._points import Indices, PlaneSet
+from ._scipy import DelaunayBase
 
 EPSILON = float(np.finfo(np.float64).eps)
 
 
-class Delaunay(PlaneSet):
+class Delaunay(PlaneSet, DelaunayBase):
     """The Delaunay triangulation of points in the plane, with the attributes of scipy.spatial.Delaunay.
 
     Triangles between the hull and a point that lies on it as far as doubles can tell are left out, so that the point
@@ -23,7 +24,7 @@ class Delaunay(PlaneSet):
         points: (N, 2), three at least that are not on a line.
         furthest_site: only False.
         incremental: whether `add_points` may be called.
-        qhull_options: only those of scipy's default.
+        qhull_options: those that say how Qhull deals with rounding change nothing; others are refused.
 
     Raises:
         InputError: which is a ValueError: points of other dimensions, or not finite. QhullError: too few of them.

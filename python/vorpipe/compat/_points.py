@@ -1,27 +1,34 @@
 """What both classes begin with: points, and the triangles of all of them."""
 from __future__ import annotations
 
+import re
 from typing import Any, Optional, Tuple
 
 import numpy as np
 import numpy.typing as npt
 
 from .. import _scalars, _vorpipe
-from .._arguments import Floats
+from .._arguments import Floats, numbers
 from .._errors import InputError
 from .._functions import cells
+from .._warnings import warn
+from ._scipy import ErrorBase
 
 Indices = npt.NDArray[np.int32]
 
 DEFAULT_OPTIONS, INCREMENTAL_OPTIONS = 'Qbb Qc Qz Q12', 'Qc'
 
 
-class QhullError(InputError, RuntimeError):
-    """What scipy.spatial.QhullError is raised for: too few points, or all on a line."""
+# How Qhull gets along with rounding, what it prints, and how it checks itself: nothing of it is to be done here.
+OF_NO_MEANING = re.compile(r'Q(J[\d.e+-]*|bb|bB|[cistvwxz]|\d+)|[ACE]-?[\d.e+-]+|P[op]|T[cnsv]')
+
+
+class QhullError(InputError, ErrorBase):
+    """What scipy.spatial.QhullError is raised for: too few points, or all on a line. It is one where there is scipy."""
 
 
 def options_of(options: Optional[str], furthest_site: bool, incremental: bool) -> str:
-    """The options of Qhull that say something here: others than these are refused, not ignored."""
+    """The options of Qhull: those that ask for another diagram are refused, not ignored."""
     if furthest_site:
         raise _scalars.refuse('furthest_site', 'only the diagram of nearest points is computed')
     default = INCREMENTAL_OPTIONS if incremental else DEFAULT_OPTIONS
@@ -29,18 +36,16 @@ def options_of(options: Optional[str], furthest_site: bool, incremental: bool) -
     if isinstance(chosen, bytes):
         chosen = chosen.decode('latin1')
     for option in chosen.split():
-        if option not in ('Qbb', 'Qc', 'Qz', 'Q12', 'Qt', 'Qx', 'Pp'):
-            raise _scalars.refuse('qhull_options', f'{option} is not known; known are Qbb, Qc, Qz, Q12, Qt, Qx, Pp')
-        if incremental and option in ('Qbb', 'Qz'):
+        if OF_NO_MEANING.fullmatch(option) is None:
+            raise _scalars.refuse('qhull_options', f'{option} asks for another diagram than that of nearest points')
+        if incremental and option in ('Qbb', 'QbB', 'Qz'):
             raise _scalars.refuse('qhull_options', f'{option} is not for incremental=True')
     return chosen
 
 
 def plane_points(value: Any) -> Floats:
     """As scipy takes them, a copy: (N, 2), finite, not masked."""
-    if isinstance(value, np.ma.MaskedArray):
-        raise _scalars.refuse('points', 'masked arrays are not taken; leave the masked elements out')
-    array = np.array(value, dtype=np.float64, order='C')
+    array = np.array(numbers('points', value), order='C')
     if array.ndim != 2:
         raise _scalars.refuse('points', f'shape {array.shape}, must be (N, 2)')
     if array.shape[1] != 2:
@@ -51,14 +56,14 @@ def plane_points(value: Any) -> Floats:
     return array
 
 
-def triangulated(points: Floats) -> Tuple[npt.NDArray[np.uint32], npt.NDArray[np.uint32]]:
+def triangulated(points: Floats) -> Tuple[npt.NDArray[np.uint32], Indices]:
     """The triangles of all points, and the owner of each position."""
     if len(points) < 3:
         raise QhullError(f'points: {len(points)}, it takes three', 'input', 'points')
     diagram = cells(points)
     if not len(diagram.triangles):
         raise QhullError('points: all of them lie on a line', 'input', 'points')
-    return diagram.triangles, diagram.owner
+    return diagram.triangles.view(np.uint32), diagram.owner
 
 
 class PlaneSet:
@@ -69,8 +74,13 @@ class PlaneSet:
         self.furthest_site = False
         self._incremental = bool(incremental)
         self._take(plane_points(points))
+        repeated = np.count_nonzero(self._owner != np.arange(self.npoints))
+        if repeated and re.search(r'(^|\s)QJ', self._options):
+            warn([f'qhull_options: QJ moves no points here: {repeated} that repeat others are in no triangle'])
 
     def _take(self, points: Floats) -> None:
+        if len(points) == 0:
+            raise _scalars.refuse('points', 'there are none')
         self._points = points
         self.ndim = 2
         self.npoints = len(points)

@@ -11,9 +11,10 @@ import numpy.typing as npt
 from .. import _vorpipe
 from .._arguments import Floats, listed
 from ._points import Indices, PlaneSet
+from ._scipy import VoronoiBase
 
 
-class Voronoi(PlaneSet):
+class Voronoi(PlaneSet, VoronoiBase):
     """The unbounded Voronoi diagram of points in the plane, with the attributes of scipy.spatial.Voronoi.
 
     Its vertices are the centers of the circles around Delaunay triangles. Triangles whose circles are one, as far as
@@ -24,7 +25,7 @@ class Voronoi(PlaneSet):
         points: (N, 2), three at least that are not on a line.
         furthest_site: only False.
         incremental: whether `add_points` may be called.
-        qhull_options: only those of scipy's default; with Qz, as there, the regions begin with an empty one.
+        qhull_options: as for Delaunay; with Qz, as there, the regions begin with an empty one.
 
     Raises:
         InputError: which is a ValueError: points of other dimensions, or not finite. QhullError: too few of them.
