@@ -15,6 +15,7 @@
 #include "errors.h"
 #include "io/cells/cell_attributes.h"
 #include "io/text/number.h"
+#include "members.h"
 #include "results.h"
 
 namespace vorpipe::python {
@@ -165,7 +166,8 @@ void defineAttributes(py::module_& module) {
       .def_property_readonly("names_in_files",
                              [](const Attributes& attributes) { return attributeNames(attributes.columns); })
       .def_property_readonly("renaming_note",
-                             [](const Attributes& attributes) { return renamingNote(attributes.columns); });
+                             [](const Attributes& attributes) { return renamingNote(attributes.columns); })
+      .def(pickles<Attributes>());
 }
 
 }  // namespace vorpipe::python

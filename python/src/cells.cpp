@@ -8,6 +8,7 @@
 #include "errors.h"
 #include "io/cells/cells_file.h"
 #include "io/edges/edges_file.h"
+#include "members.h"
 #include "results.h"
 #include "saving.h"
 
@@ -100,7 +101,8 @@ void defineCells(py::module_& module) {
           "report",
           [](const SharedCells& result) { return std::shared_ptr<Report>(result, &result->diagram.report); })
       .def_property_readonly("status", viewed<std::uint8_t>(&Diagram::status))
-      .def_property_readonly("owner", viewed<std::uint32_t>(&Diagram::owner))
+      // Indices have signs, so that their differences do (decision D132).
+      .def_property_readonly("owner", viewed<std::int32_t>(&Diagram::owner))
       .def_property_readonly("areas", viewed<double>(&Diagram::area))
       .def_property_readonly("perimeters", viewed<double>(&Diagram::perimeter))
       .def_property_readonly("centroids", viewed<double>(&Diagram::centroid))
@@ -114,10 +116,11 @@ void defineCells(py::module_& module) {
       .def_property_readonly("ring_starts", viewed<std::int64_t>(&Diagram::ring_starts))
       .def_property_readonly("mass", viewed<double>(&Diagram::mass))
       .def_property_readonly("mass_centroids", viewed<double>(&Diagram::mass_centroid))
-      .def_property_readonly("triangles", viewed<std::uint32_t>(&Diagram::triangles))
+      .def_property_readonly("triangles", viewed<std::int32_t>(&Diagram::triangles))
       .def("area_sum", [](const CellsResult& result) { return areaSum(result.diagram); })
       .def("save", &saveCells, py::arg("path"), py::arg("only_cells"))
-      .def("save_edges", &saveEdges, py::arg("path"), py::arg("threads"));
+      .def("save_edges", &saveEdges, py::arg("path"), py::arg("threads"))
+      .def(pickles<CellsResult>());
   module.def("cells_extensions", &cellsExtensions);
   module.def(
       "carries_attributes", [](const std::string& path) { return valueOf(cellsFormatOf(path))->attributes; },

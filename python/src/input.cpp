@@ -9,12 +9,13 @@
 #include "choices.h"
 #include "errors.h"
 #include "io/domain/density_place.h"
+#include "members.h"
 #include "runs.h"
 
 namespace vorpipe::python {
 namespace {
 
-/// Points by their index, whatever the strides. The GIL need not be held: the caller's reference keeps them.
+/// The GIL need not be held: the caller's reference keeps the points.
 void takePoints(const Numbers& points, std::vector<double>& x, std::vector<double>& y) {
   const auto elements = points.unchecked<2>();
   const auto count = static_cast<std::size_t>(elements.shape(0));
@@ -54,13 +55,11 @@ void takeSites(const GivenPoints& points, const std::optional<SystemArguments>& 
   if (const auto* const given = std::get_if<std::shared_ptr<Table>>(&points)) {
     const Table& table = **given;
     input.sites = table.sites;
-    input.from = table.generated ? SitesFrom::generator : SitesFrom::file;
+    input.from = table.from;
     input.system = table.system;
     input.attributes = table.attributes;
   } else {
-    takePoints(std::get<Numbers>(points), input.sites.x, input.sites.y);
-    if (input.sites.size() == 0) raiseInput("points", "there are none");
-    refuseNotFinite(input.sites);
+    input.sites = sitesOf(std::get<Numbers>(points));
   }
   if (system) input.system = systemOf(*system);
 }
@@ -144,6 +143,14 @@ py::array givenPoints(const Input& input) {
 }
 
 }  // namespace
+
+Sites sitesOf(const Numbers& points) {
+  Sites sites;
+  takePoints(points, sites.x, sites.y);
+  if (sites.size() == 0) raiseInput("points", "there are none");
+  refuseNotFinite(sites);
+  return sites;
+}
 
 Density densityOf(const DensityArguments& given) {
   const auto& [values, box, name, system] = given;
@@ -232,7 +239,8 @@ void defineInput(py::module_& module) {
       .def_property_readonly("periodic",
                              [](const Input& input) { return nameIn(periodic_choices, input.periodic); })
       .def_property_readonly("has_outline", [](const Input& input) { return !input.outline.empty(); })
-      .def_property_readonly("has_density", [](const Input& input) { return !input.density.values.empty(); });
+      .def_property_readonly("has_density", [](const Input& input) { return !input.density.values.empty(); })
+      .def(pickles<Input>());
 }
 
 }  // namespace vorpipe::python

@@ -56,6 +56,9 @@ std::shared_ptr<Input> inputOf(const GivenPoints& points, const std::optional<Nu
                                const DomainArguments& domain, const std::string& periodic,
                                const std::optional<SystemArguments>& system);
 
+/// Points (N, 2) by their index, whatever the strides. Errors: none, or not finite.
+Sites sitesOf(const Numbers& points);
+
 /// A density: values of shape (height, width), rows from the top; where they lie; the file that they are of,
 /// empty where there is none; the coordinate system of that place.
 using DensityArguments =

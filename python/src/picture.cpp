@@ -16,6 +16,7 @@
 #include "io/pictures/georeference.h"
 #include "io/pictures/picture_file.h"
 #include "look.h"
+#include "members.h"
 #include "results.h"
 #include "saving.h"
 
@@ -79,7 +80,8 @@ void defineKey(py::module_& module) {
       .def_property_readonly("scale", [](const ColorKey& key) { return nameIn(scale_choices, key.scale); })
       .def_property_readonly("range",
                              [](const ColorKey& key) { return std::pair(key.range.low, key.range.high); })
-      .def_readonly("ticks", &ColorKey::ticks);
+      .def_readonly("ticks", &ColorKey::ticks)
+      .def(pickles<ColorKey>());
 }
 
 /// Draws cells of SharedSession::shapes, with the same look.
@@ -124,9 +126,10 @@ void definePicture(py::module_& module) {
                              })
       .def_property_readonly("owner",
                              [](const SharedPicture& result) {
-                               return viewOf<std::uint32_t>(result->rendering.owner, asOwner(result));
+                               return viewOf<std::int32_t>(result->rendering.owner, asOwner(result));
                              })
-      .def("save", &savePicture, py::arg("path"));
+      .def("save", &savePicture, py::arg("path"))
+      .def(pickles<PictureResult>());
   module.def("save_shapes", &saveShapes, py::arg("cells"), py::arg("look"), py::arg("path"),
              py::arg("threads"));
   module.def("colormaps", &colormaps);

@@ -5,6 +5,8 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <utility>
@@ -15,6 +17,7 @@
 #include "io/cells/cell_polygons.h"
 #include "io/cells/cells_file.h"
 #include "io/files/byte_sink.h"
+#include "members.h"
 #include "results.h"
 #include "runs.h"
 #include "vorpipe/free_surface.h"
@@ -50,7 +53,13 @@ SharedTopology topologyOfCells(const CellsResult& cells, int threads) {
     const WithoutGil no_gil;
     return topologyOf(cells, threads);
   }();
-  return std::make_shared<Topology>(valueOf(std::move(found)));
+  auto topology = std::make_shared<Topology>(valueOf(std::move(found)));
+  if (std::max(topology->vertices.size(), topology->edge_cells.size()) >
+      std::numeric_limits<std::int32_t>::max()) {
+    raiseInput("topology", fmt::format("{} edges are more than indices of 32 bits with a sign tell apart",
+                                       topology->edge_cells.size()));
+  }
+  return topology;
 }
 
 /// The bytes of a file with that extension.
@@ -108,7 +117,7 @@ py::array find(const PlaceFinder& finder, const py::array_t<double, py::array::c
     finder.locator.at(given, sites);
     if (finder.input->surface == Surface::free) leaveOutAir(finder.input->sites, given, sites);
   }
-  return arrayOf<std::uint32_t>(std::move(sites));
+  return arrayOf<std::int64_t>(std::vector<std::int64_t>(sites.begin(), sites.end()));
 }
 
 /// The line around a cell of a free surface, in the plane: from, to, the angle of an arc, whose it is.
@@ -131,10 +140,11 @@ py::list borderOfCell(const CellsResult& cells, std::size_t site) {
 void defineReading(py::module_& module) {
   py::class_<Topology, SharedTopology>(module, "Topology", "The vertices and edges that cells share.")
       .def_property_readonly("vertices", shown<double>(&Topology::vertices))
-      .def_property_readonly("vertex_of", shown<std::uint32_t>(&Topology::vertex_of))
-      .def_property_readonly("edge_of", shown<std::uint32_t>(&Topology::edge_of))
-      .def_property_readonly("edge_vertices", shown<std::uint32_t>(&Topology::edge_vertices))
-      .def_property_readonly("edge_cells", shown<std::int64_t>(&Topology::edge_cells));
+      .def_property_readonly("vertex_of", shown<std::int32_t>(&Topology::vertex_of))
+      .def_property_readonly("edge_of", shown<std::int32_t>(&Topology::edge_of))
+      .def_property_readonly("edge_vertices", shown<std::int32_t>(&Topology::edge_vertices))
+      .def_property_readonly("edge_cells", shown<std::int64_t>(&Topology::edge_cells))
+      .def(pickles<Topology>());
   py::class_<PlaceFinder, std::shared_ptr<PlaceFinder>>(module, "Locator",
                                                         "Finds the points whose cells hold places.")
       .def("find", &find, py::arg("places"));

@@ -12,6 +12,7 @@
 #include "input.h"
 #include "io/points/points_file.h"
 #include "io/sites/sites_file.h"
+#include "members.h"
 #include "saving.h"
 #include "session.h"
 #include "vorpipe/stipple.h"
@@ -107,7 +108,8 @@ void defineRelaxing(py::module_& module) {
                              })
       .def_property_readonly(
           "input", [](const RelaxResult& result) { return std::const_pointer_cast<Input>(result.input); })
-      .def("save", &savePoints, py::arg("path"));
+      .def("save", &savePoints, py::arg("path"))
+      .def(pickles<RelaxResult>());
   module.def("drawn_points", &drawnPoints, py::arg("density"), py::arg("box"), py::arg("n"), py::arg("seed"));
 }
 

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "members.h"
 #include "results.h"
 
 namespace vorpipe::python {
@@ -37,7 +38,8 @@ void defineReport(py::module_& module) {
       .def_readonly("pixels", &Report::pixels, "Pixels that got their nearest site in double.")
       .def_property_readonly("time_ms", &timesOf, "Milliseconds by stage.")
       .def_readonly("notes", &Report::notes, "What did not go as it began, a line each.")
-      .def_readonly("validation_messages", &Report::validation_messages);
+      .def_readonly("validation_messages", &Report::validation_messages)
+      .def(pickles<Report>());
 }
 
 }  // namespace vorpipe::python

@@ -1,15 +1,22 @@
 #include "table.h"
 
+#include <fmt/core.h>
 #include <pybind11/stl.h>
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "arrays.h"
 #include "errors.h"
+#include "input.h"
+#include "io/columns/csv_columns.h"
+#include "io/sites/degrees.h"
 #include "io/sites/site_source.h"
+#include "members.h"
 #include "runs.h"
 #include "systems.h"
 
@@ -18,10 +25,21 @@ namespace {
 
 using SharedTable = std::shared_ptr<Table>;
 
-/// A message with Python's words for what the command line calls options.
-std::string inPython(std::string message) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 3> words = {
-      {{"--missing skip", "missing=\"skip\""}, {"--columns", "columns"}, {"--layer", "layer"}}};
+using Words = std::span<const std::pair<std::string_view, std::string_view>>;
+
+/// What arguments of Python are called where the command line has options.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> words_of_files = {
+    {{"--missing skip", "missing=\"skip\""}, {"--columns", "columns"}, {"--layer", "layer"}}};
+
+/// And of a table that is no file.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> words_of_tables = {
+    {{"the header", "the table"},
+     {"; the first line must name the columns, as in \"x,y\", or --columns says which they are",
+      ", nor another usual name; give an array of the two columns that are meant"},
+     {"--columns says which", "give an array of the two columns that are meant"},
+     {"; --columns names others", ""}}};
+
+std::string inWords(std::string message, Words words) {
   for (const auto& [option, argument] : words) {
     for (std::size_t at = 0; (at = message.find(option, at)) != std::string::npos; at += argument.size()) {
       message.replace(at, option.size(), argument);
@@ -36,15 +54,67 @@ SharedTable tableFrom(const std::string& spec, std::uint64_t seed, const ReadOpt
     const WithoutGil no_gil;
     return loadSites(spec, seed, options);
   }();
-  if (!found) found.error().message = inPython(std::move(found.error().message));
+  if (!found) found.error().message = inWords(std::move(found.error().message), words_of_files);
   SiteSource source = valueOf(std::move(found));
   SiteTable& table = source.table;
-  for (std::string& note : table.notes) note = inPython(std::move(note));
+  for (std::string& note : table.notes) note = inWords(std::move(note), words_of_files);
   Attributes attributes{std::move(table.attributes)};
-  return std::make_shared<Table>(Table{spec == "-" ? "<stdin>" : spec, std::move(table.sites),
-                                       std::make_shared<const Attributes>(std::move(attributes)),
-                                       std::move(table.system), source.seed.has_value(), table.skipped,
-                                       std::move(table.notes)});
+  return std::make_shared<Table>(
+      Table{spec == "-" ? "<stdin>" : spec, std::move(table.sites),
+            std::make_shared<const Attributes>(std::move(attributes)), std::move(table.system),
+            source.seed ? SitesFrom::generator : SitesFrom::file, table.skipped, std::move(table.notes)});
+}
+
+/// Which columns of a table hold x, y, geometries and weights; whether those are radii; the kind of
+/// coordinates; what was reinterpreted.
+using NamedColumns =
+    std::tuple<std::optional<std::size_t>, std::optional<std::size_t>, std::optional<std::size_t>,
+               std::optional<std::size_t>, bool, std::string, std::string>;
+
+/// None where no name says anything.
+std::optional<NamedColumns> columnsNamed(const std::vector<std::string>& names) {
+  if (!sayColumns(names)) return std::nullopt;
+  const auto found = namedColumns(names, {});
+  if (!found) raiseInput("points", inWords(found.error().what, words_of_tables));
+  return NamedColumns{found->x,
+                      found->y,
+                      found->geometry,
+                      found->weight,
+                      found->weight_kind == WeightKind::radius,
+                      std::string(nameIn(kind_choices, found->kind)),
+                      inWords(found->note, words_of_tables)};
+}
+
+/// What two coordinate systems are called, where they are not one.
+std::optional<std::pair<std::string, std::string>> differingSystems(const SystemArguments& a,
+                                                                    const SystemArguments& b) {
+  const CoordinateSystem first = systemOf(a), second = systemOf(b);
+  if (compared(first, second) != SystemsAre::different) return std::nullopt;
+  return std::pair(nameOf(first), nameOf(second));
+}
+
+std::vector<double> weightsFrom(const Numbers& given, bool are_radii) {
+  std::vector<double> weights = vectorOf(given);
+  for (std::size_t i = 0; are_radii && i < weights.size(); ++i) {
+    const auto weight = weightOf(WeightKind::radius, weights[i], fmt::format("{}", weights[i]));
+    if (!weight) raiseInput("points", fmt::format("the radius of point {}: {}", i, weight.error()));
+    weights[i] = *weight;
+  }
+  return weights;
+}
+
+/// A table that a program has: points (N, 2), weights (N,) and attributes.
+SharedTable tableOf(const Numbers& points, const std::optional<Numbers>& weights, bool are_radii,
+                    const std::shared_ptr<Attributes>& attributes,
+                    const std::optional<SystemArguments>& system, std::vector<std::string> notes) {
+  auto table = std::make_shared<Table>(
+      Table{"points", sitesOf(points), attributes, {}, SitesFrom::caller, 0, std::move(notes)});
+  if (weights) table->sites.weight = weightsFrom(*weights, are_radii);
+  if (system) table->system = systemOf(*system);
+  if (const auto what = settleDegrees(table->sites, table->system); !what.empty()) {
+    table->notes.push_back("points: " + std::string(what));
+  }
+  return table;
 }
 
 std::optional<py::array> weightsOf(const SharedTable& table) {
@@ -61,10 +131,13 @@ py::array pointsOf(const Sites& sites) {
 }
 
 void defineTable(py::module_& module) {
-  py::class_<Table, SharedTable>(module, "Table", "Sites that were read or generated.")
+  py::class_<Table, SharedTable>(module, "Table", "Sites with all that is said of them.")
+      .def(py::init(&tableOf), py::arg("points"), py::arg("weights"), py::arg("are_radii"),
+           py::arg("attributes"), py::arg("system"), py::arg("notes"))
       .def("__len__", [](const Table& table) { return table.sites.size(); })
       .def_property_readonly("name", [](const Table& table) { return textOf(table.name); })
-      .def_readonly("generated", &Table::generated)
+      .def_property_readonly("generated",
+                             [](const Table& table) { return table.from == SitesFrom::generator; })
       .def_readonly("skipped", &Table::skipped)
       .def_property_readonly("notes", [](const Table& table) { return textsOf(table.notes); })
       .def_property_readonly("points", [](const Table& table) { return pointsOf(table.sites); })
@@ -72,7 +145,10 @@ void defineTable(py::module_& module) {
       .def_property_readonly(
           "attributes",
           [](const Table& table) { return std::const_pointer_cast<Attributes>(table.attributes); })
-      .def_property_readonly("system", [](const Table& table) { return argumentsOf(table.system); });
+      .def_property_readonly("system", [](const Table& table) { return argumentsOf(table.system); })
+      .def(pickles<Table>());
+  module.def("differing_systems", &differingSystems, py::arg("a"), py::arg("b"));
+  module.def("columns_named", &columnsNamed, py::arg("names"));
   module.def(
       "read_table",
       [](const std::string& spec, std::uint64_t seed, const std::string& format,

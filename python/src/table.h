@@ -1,4 +1,4 @@
-/// Sites that were read or generated, with all that is said of them.
+/// Sites with all that is said of them.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -8,17 +8,18 @@
 
 #include "attributes.h"
 #include "io/attributes/coordinate_system.h"
+#include "io/domain/site_domain.h"
 #include "vorpipe.h"
 
 namespace vorpipe::python {
 
 /// Never changed after it was made: inputs copy the numbers and share the attributes.
 struct Table {
-  std::string name;  ///< the file or the generator, as messages have it
+  std::string name;  ///< the file, the generator or the argument, as messages have it
   Sites sites;
   SharedAttributes attributes;
   CoordinateSystem system{};
-  bool generated = false;
+  SitesFrom from = SitesFrom::caller;
   std::uint64_t skipped = 0;  ///< rows that were left out
   std::vector<std::string> notes{};
 };

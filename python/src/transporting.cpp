@@ -10,6 +10,7 @@
 #include "choices.h"
 #include "errors.h"
 #include "io/points/points_file.h"
+#include "members.h"
 #include "saving.h"
 #include "session.h"
 
@@ -98,7 +99,8 @@ void defineTransporting(py::module_& module) {
       .def_property_readonly("worst", ofStep(&TransportStep::worst))
       .def_property_readonly("least", ofStep(&TransportStep::least))
       .def_property_readonly("linear_iterations", ofStep(&TransportStep::linear_iterations))
-      .def_property_readonly("seconds", ofStep(&TransportStep::seconds));
+      .def_property_readonly("seconds", ofStep(&TransportStep::seconds))
+      .def(pickles<TransportStep>());
   py::class_<TransportArguments>(module, "TransportArguments", "Which masses cells are to have.")
       .def(py::init([](std::vector<double> masses, bool normalize, std::optional<double> fill,
                        bool free_surface, double tolerance, std::uint64_t diagrams, std::string search,
@@ -129,7 +131,8 @@ void defineTransporting(py::module_& module) {
       .def_property_readonly("weighted", &weightedInput)
       .def_property_readonly("free_surface",
                              [](const TransportResult& result) { return result.surface == Surface::free; })
-      .def("save", &saveWeighted, py::arg("path"));
+      .def("save", &saveWeighted, py::arg("path"))
+      .def(pickles<TransportResult>());
 }
 
 }  // namespace vorpipe::python

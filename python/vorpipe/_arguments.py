@@ -26,11 +26,19 @@ def listed(array: npt.NDArray[Any]) -> List[Any]:
     return cast(List[Any], array.tolist())
 
 
+def array_of(argument: str, value: Any) -> npt.NDArray[Any]:
+    """Of any type; rows are as long as each other, and nothing is masked."""
+    if isinstance(value, np.ma.MaskedArray) and np.any(value.mask):
+        raise refuse(argument, 'some elements are masked; leave them out')
+    try:
+        return np.asarray(value)
+    except (TypeError, ValueError):
+        raise refuse(argument, 'no array of numbers: its rows are not all alike') from None
+
+
 def numbers(argument: str, value: Any) -> Floats:
     """As float64, without a copy where it is that already; strides of any kind."""
-    if isinstance(value, np.ma.MaskedArray):
-        raise refuse(argument, 'masked arrays are not taken; leave the masked elements out')
-    array = np.asarray(value)
+    array = array_of(argument, value)
     if array.dtype.kind not in 'biuf':
         try:
             if array.dtype.kind == 'c':
@@ -43,8 +51,6 @@ def numbers(argument: str, value: Any) -> Floats:
 
 def points_of(value: Any, argument: str = 'points') -> Floats:
     """An array of shape (N, 2)."""
-    if hasattr(value, 'geom_type') or hasattr(value, 'geometry'):
-        raise refuse(argument, 'give the coordinates of geometries, an array of shape (N, 2)')
     array = numbers(argument, value)
     if array.size == 0 and array.ndim < 3:
         return np.empty((0, 2))
@@ -57,6 +63,9 @@ def weights_of(value: Any, count: int) -> Optional[Floats]:
     """An array of shape (N,)."""
     if value is None:
         return None
+    if isinstance(value, (str, os.PathLike)):
+        raise refuse('weights', f'{value!r} is a path: read_weights reads them from a file, and what is computed is '
+                                'written by its save(path)')
     array = numbers('weights', value)
     if array.shape != (count,):
         raise refuse('weights', f'shape {array.shape}, must be ({count},): one for each point')

@@ -32,7 +32,7 @@ def attributes_of(given: Any, count: int, own: Optional[_vorpipe.Attributes] = N
     columns = own.copy() if own is not None else _vorpipe.Attributes()
     for key in given.keys():
         name = str(key)
-        if not name.isprintable() and name != name.encode('utf-8', 'replace').decode():
+        if not name.isprintable() and name != printable(name):
             raise refuse('attributes', f'UTF-8 cannot say the name {name!r}')
         if '\0' in name:
             raise refuse('attributes', f'the name {name!r} has a zero byte, at which files would end it')
@@ -42,17 +42,22 @@ def attributes_of(given: Any, count: int, own: Optional[_vorpipe.Attributes] = N
     return columns
 
 
+def printable(name: str) -> str:
+    """What UTF-8 can say of it."""
+    return name.encode('utf-8', 'replace').decode()
+
+
 def _array_of(attributes: _vorpipe.Attributes, column: int) -> npt.NDArray[Any]:
     values = attributes.values(column)
     if isinstance(values, list):
         if attributes.type(column) == 'json':
             values = [None if value is None else json.loads(value) for value in values]
-        values = _objects(values)
+        values = objects(values)
     values.setflags(write=False)
     return values
 
 
-def _objects(values: List[Any]) -> npt.NDArray[Any]:
+def objects(values: List[Any]) -> npt.NDArray[Any]:
     """An array of one axis, whatever the values are."""
     array = np.empty(len(values), dtype=object)
     for index, value in enumerate(values):
@@ -61,7 +66,7 @@ def _objects(values: List[Any]) -> npt.NDArray[Any]:
 
 
 def _add(columns: _vorpipe.Attributes, name: str, given: Any, count: int) -> None:
-    values = np.asarray(given) if hasattr(given, 'dtype') else _objects(list(given))
+    values = np.asarray(given) if hasattr(given, 'dtype') else objects(list(given))
     if values.shape != (count,):
         raise refuse('attributes', f'{name!r} has the shape {values.shape}, must be ({count},): one for each point')
     kind = values.dtype.kind
@@ -79,7 +84,7 @@ def _add(columns: _vorpipe.Attributes, name: str, given: Any, count: int) -> Non
 
 
 def _add_objects(columns: _vorpipe.Attributes, name: str, values: List[Any]) -> None:
-    kept = [None if _is_missing(value) else value for value in values]
+    kept = [None if is_missing(value) else value for value in values]
     kinds = {_kind_of(value) for value in kept if value is not None}
     if kinds == {'boolean'}:
         texts, kind = [None if value is None else str(bool(value)).lower() for value in kept], 'boolean'
@@ -99,7 +104,7 @@ def _add_objects(columns: _vorpipe.Attributes, name: str, values: List[Any]) -> 
         raise refuse('attributes', f'{name!r} has a text that UTF-8 cannot say') from None
 
 
-def _is_missing(value: Any) -> bool:
+def is_missing(value: Any) -> bool:
     """None, NaN, and what pandas has for them."""
     return value is None or isinstance(value, float) and value != value or type(value).__name__ in ('NAType', 'NaTType')
 

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any, Dict, Iterator, List, Mapping, Optional, 
 import numpy as np
 import numpy.typing as npt
 
-from . import _arguments, _attributes, _crs, _scalars, _vorpipe
+from . import _arguments, _attributes, _crs, _scalars, _tables, _vorpipe
 from ._arguments import Floats, PathLike
 from ._cell import Cell
+from ._kept import Kept
 from ._warnings import warn
 
 if TYPE_CHECKING:
@@ -38,13 +39,13 @@ class Wall(enum.IntEnum):
     OUTLINE = -5
 
 
-class Diagram:
+class Diagram(Kept):
     """The cells of N points, in their order and units; made by `cells`.
 
     Arrays are read-only, and show the memory of the diagram without a copy; each keeps it alive. `array.copy()` can
     be written to. Cell i has the vertices `offsets[i]` to `offsets[i + 1] - 1`, counter-clockwise. Its edge k runs
     from its vertex k to the next and belongs to its neighbor k, so that `offsets` serves `vertices`, `neighbors` and
-    `edge_lengths`. `diagram[i]` is one cell.
+    `edge_lengths`. `diagram[i]` is one cell. It can be pickled, with all that it was made from.
     """
 
     __slots__ = ('_cells', '_locator', '_attributes')
@@ -136,7 +137,7 @@ class Diagram:
         return self._cells.status
 
     @property
-    def owner(self) -> npt.NDArray[np.uint32]:
+    def owner(self) -> npt.NDArray[np.int32]:
         """(N,): the point that owns the cell: itself unless it is a duplicate."""
         return self._cells.owner
 
@@ -207,7 +208,7 @@ class Diagram:
         return self._cells.ring_starts
 
     @property
-    def triangles(self) -> npt.NDArray[np.uint32]:
+    def triangles(self) -> npt.NDArray[np.int32]:
         """(T, 3): the Delaunay triangles of all points, counter-clockwise; with weights the regular triangulation.
 
         None where all points lie on a line, or the domain is periodic.
@@ -247,15 +248,16 @@ class Diagram:
         self._needs('polygons', 'topology')
         return _vorpipe.topology_of(self._cells, _arguments.threads_of(threads))
 
-    def locate(self, places: npt.ArrayLike, threads: Optional[int] = None) -> npt.NDArray[np.uint32]:
+    def locate(self, places: Any, threads: Optional[int] = None) -> npt.NDArray[np.int64]:
         """(P,): the point whose cell holds each of the places (P, 2); `NO_SITE` beyond the domain.
 
-        The first call prepares a search tree, which the diagram keeps.
+        Of one place, (x, y), it is one number. The first call prepares a search tree, which the diagram keeps.
         """
-        wanted = _arguments.points_of(places, 'places')
+        wanted = _tables.places_of(places, self._cells.input.system)
         if self._locator is None:
             self._locator = _vorpipe.locator_of(self._cells, _arguments.threads_of(threads))
-        return self._locator.find(wanted)
+        found = self._locator.find(wanted.reshape(-1, 2))
+        return found if wanted.ndim == 2 else found[0]
 
     # To other programs
 

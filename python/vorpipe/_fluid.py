@@ -3,7 +3,7 @@ from __future__ import annotations
 
 import math
 import os
-from typing import Any, Callable, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, NoReturn, Optional, Sequence, Tuple, Union
 
 from . import _arguments, _scalars, _vorpipe
 from ._arguments import Floats, PathLike
@@ -87,6 +87,9 @@ class Fluid:
 
     def __len__(self) -> int:
         return len(self._fluid)
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError('a Fluid is of its session: save(path) writes it, and Fluid(path) goes on from there')
 
     def __repr__(self) -> str:
         last = self.last

@@ -1,13 +1,13 @@
 """The functions of the package."""
 from __future__ import annotations
 
-from typing import Any, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union, overload
+from typing import Any, List, Mapping, NamedTuple, Optional, Sequence, Sized, Tuple, Union, overload
 
 from . import _arguments, _scalars, _vorpipe
 from ._arguments import Floats, PathLike
 from ._diagram import Diagram
 from ._picture import Picture
-from ._points import generated, read_points
+from ._points import generated, given, read_points
 from ._relaxed import Relaxed
 from ._sessions import Margin, Progress, Project, Session, StepCallback, backend_for, input_of, shared_session
 from ._transported import Transported
@@ -15,12 +15,8 @@ from ._transported import Transported
 Device = Union[None, int, str]
 
 
-def _count(points: Any) -> int:
-    return len(points) if hasattr(points, '__len__') else 0
-
-
-def _session(backend: str, device: Device, threads: Optional[int], points: Any, pixels: int = 0) -> Session:
-    return shared_session(backend_for(backend, device, _count(points), pixels), device, threads)
+def _session(backend: str, device: Device, threads: Optional[int], points: Sized, pixels: int = 0) -> Session:
+    return shared_session(backend_for(backend, device, len(points), pixels), device, threads)
 
 
 def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[None, bool, str] = None,
@@ -78,6 +74,7 @@ def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
     Warns:
         InputWarning: something was reinterpreted or changed: coordinates look like degrees, an outline was mended.
     """
+    points = given(points)
     session = _session(backend, device, threads, points)
     return session.cells(points, weights, domain, periodic=periodic, density=density, outline=outline, check=check,
                          detail=detail, search=search, progress=progress, attributes=attributes, project=project,
@@ -123,6 +120,7 @@ def render(points: Any, weights: Any = None, domain: Any = None, size: Optional[
     points and 4 million pixels.
     """
     wanted = _arguments.size_of(size)
+    points = given(points)
     session = _session(backend, device, threads, points, wanted[0] * wanted[1] if wanted else 0)
     return session.render(points, weights, domain, size=wanted, color=color, colormap=colormap, edges=edges,
                           show_sites=show_sites, periodic=periodic, outline=outline, check=check, search=search,
@@ -146,6 +144,7 @@ def draw(points: Any, path: PathLike, weights: Any = None, domain: Any = None, s
 
     All arguments are as in `render`; the picture looks the same.
     """
+    points = given(points)
     session = _session(backend, device, threads, points)
     return session.draw(points, path, weights, domain, size=size, color=color, colormap=colormap, edges=edges,
                         show_sites=show_sites, periodic=periodic, outline=outline, check=check, search=search,
@@ -175,6 +174,7 @@ def relax(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
 
     Points stay in the domain; one at the place of another is set beside it. All others are as in `cells`.
     """
+    points = given(points)
     session = _session(backend, device, threads, points)
     return session.relax(points, weights, domain, periodic=periodic, density=density, outline=outline, method=method,
                          iterations=iterations, tolerance=tolerance, equal_masses=equal_masses, search=search,
@@ -210,6 +210,7 @@ def transport(points: Any, masses: Any = None, density: Any = None, domain: Any 
 
     `Transported.end` says whether the tolerance was reached. All others are as in `cells`.
     """
+    points = given(points)
     session = _session(backend, device, threads, points)
     return session.transport(points, masses, density, domain, weights, tolerance=tolerance, diagrams=diagrams,
                              normalize=normalize, surface=surface, fill=fill, callback=callback, periodic=periodic,
@@ -297,15 +298,16 @@ def forecast(points: Any, weights: Any = None, domain: Any = None, periodic: Uni
              dual: bool = False, labels: bool = False, label_size: float = 10) -> Forecast:
     """How much memory `cells` takes with these arguments, or with `picture=True` `render`; Python's own not counted."""
     wanted = _arguments.size_of(size)
+    points = given(points)
     session = _session(backend, device, threads, points, wanted[0] * wanted[1] if wanted else 0)
-    given = input_of(points, weights, _arguments.domain_of(domain, outline, None, False, None), periodic,
+    taken = input_of(points, weights, _arguments.domain_of(domain, outline, None, False, None), periodic,
                      None if picture else density)
     count, flag = _arguments.threads_of(threads), _scalars.flag_of('check', check)
     if picture:
         look = _arguments.look_of(wanted, color, 'viridis', edges, False, None, None, False, 1, None, None, 'grid',
                                   antialias, dual, labels, label_size, True, None)
-        return Forecast(*_vorpipe.forecast_picture(session._session, given, look, flag, count))
-    return Forecast(*_vorpipe.forecast_cells(session._session, given, _scalars.text_of('detail', detail), flag, count))
+        return Forecast(*_vorpipe.forecast_picture(session._session, taken, look, flag, count))
+    return Forecast(*_vorpipe.forecast_cells(session._session, taken, _scalars.text_of('detail', detail), flag, count))
 
 
 def generate(pattern: str, n: int, seed: int = 1) -> Floats:

@@ -8,12 +8,13 @@ import numpy.typing as npt
 
 from . import _arguments, _scalars, _vorpipe
 from ._arguments import Floats, PathLike
+from ._kept import Kept
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
-class Picture:
+class Picture(Kept):
     """A picture of the cells of N points; made by `render`.
 
     Arrays are read-only, and show the memory of the picture without a copy; each keeps it alive. Row 0 is the top,
@@ -45,7 +46,7 @@ class Picture:
         return self._picture.status
 
     @property
-    def owner(self) -> npt.NDArray[np.uint32]:
+    def owner(self) -> npt.NDArray[np.int32]:
         """(N,): the point that owns the cell: itself unless it is a duplicate."""
         return self._picture.owner
 

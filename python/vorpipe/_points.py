@@ -1,17 +1,19 @@
 """Points that come with what is said of them."""
 from __future__ import annotations
 
+import os
 from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Union
 
 import numpy.typing as npt
 
-from . import _attributes, _crs, _vorpipe
-from ._arguments import Floats, PathLike
+from . import _attributes, _crs, _tables, _vorpipe
+from ._arguments import Floats, PathLike, points_of
+from ._kept import Kept
 from ._scalars import path_of, refuse, seed_of, text_of, text_or_none, whole_of
 from ._warnings import warn
 
 
-class Sites:
+class Sites(Kept):
     """Points with all that their file says of them; made by `read`.
 
     `cells`, `render`, `draw` and `forecast` take it in place of points. Its weights, attributes and coordinate
@@ -31,7 +33,7 @@ class Sites:
         names = ', '.join(self._table.attributes.names)
         return f'<vorpipe.Sites: {len(self)} points of {self._table.name}{": " if names else ""}{names}>'
 
-    def __array__(self, dtype: Any = None) -> npt.NDArray[Any]:
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> npt.NDArray[Any]:
         """The points, for what knows arrays alone."""
         return self.points if dtype is None else self.points.astype(dtype)
 
@@ -123,6 +125,16 @@ def generated(pattern: str, count: int, seed: int) -> Floats:
     return table.points
 
 
-def table_of(points: Any) -> Optional[_vorpipe.Table]:
-    """Of `Sites`; None of anything else."""
-    return points._table if isinstance(points, Sites) else None
+def given(points: Any) -> Union[Floats, _vorpipe.Table]:
+    """What any function takes for points: an array, or all that is said of them."""
+    if isinstance(points, _vorpipe.Table):
+        return points
+    if isinstance(points, Sites):
+        return points._table
+    if isinstance(points, (str, os.PathLike)):
+        return read(points)._table
+    table = _tables.table_of(points)
+    if table is None:
+        return points_of(points)
+    warn(table.notes)
+    return table

@@ -5,10 +5,11 @@ from typing import Optional
 
 from . import _vorpipe
 from ._arguments import Bools, Floats, PathLike
+from ._kept import Kept
 from ._scalars import path_of
 
 
-class Relaxed:
+class Relaxed(Kept):
     """Where points have moved to, and how their energy fell; made by `relax`."""
 
     __slots__ = ('_relaxed', '_points')

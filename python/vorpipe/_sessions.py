@@ -4,14 +4,14 @@ from __future__ import annotations
 import atexit
 import os
 import threading
-from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Dict, Mapping, NoReturn, Optional, Sequence, Tuple, Union
 
 from . import _arguments, _attributes, _crs, _scalars, _vorpipe
-from ._arguments import Floats, PathLike
+from ._arguments import PathLike
 from ._diagram import Diagram
 from ._errors import CheckError
 from ._picture import Picture
-from ._points import table_of
+from ._points import given
 from ._relaxed import Relaxed
 from ._transported import Transported
 from ._warnings import warn
@@ -28,12 +28,11 @@ FEW_POINTS, FEW_PIXELS = 100_000, 4_000_000
 def input_of(points: Any, weights: Any, domain: _vorpipe.Domain, periodic: Union[None, bool, str],
              density: Any = None, attributes: Any = None, crs: Any = None,
              surface: Optional[str] = None, density_box: Optional[Sequence[float]] = None) -> _vorpipe.Input:
-    table = table_of(points)
-    given: Union[Floats, _vorpipe.Table] = _arguments.points_of(points) if table is None else table
-    own = None if table is None else table.attributes
-    made = _vorpipe.Input(given, _arguments.weights_of(weights, len(given)), domain,
+    taken = given(points)
+    own = taken.attributes if isinstance(taken, _vorpipe.Table) else None
+    made = _vorpipe.Input(taken, _arguments.weights_of(weights, len(taken)), domain,
                           _arguments.periodic_of(periodic), _arguments.density_of(density, density_box),
-                          _attributes.attributes_of(attributes, len(given), own), _crs.system_of(crs),
+                          _attributes.attributes_of(attributes, len(taken), own), _crs.system_of(crs),
                           _arguments.surface_of(surface))
     warn(made.notes)
     return made
@@ -78,9 +77,9 @@ class Session:
               density_box: Optional[Sequence[float]] = None) -> Diagram:
         """As `vorpipe.cells`."""
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
-        given = input_of(points, weights, wanted, periodic, density, attributes, crs, surface, density_box=density_box)
+        taken = input_of(points, weights, wanted, periodic, density, attributes, crs, surface, density_box=density_box)
         method, neighbors = _arguments.search_of(search)
-        diagram = Diagram(self._session.cells(given, _scalars.text_of('detail', detail), method, neighbors,
+        diagram = Diagram(self._session.cells(taken, _scalars.text_of('detail', detail), method, neighbors,
                                               _scalars.call_of('progress', progress)))
         if check:
             raise_broken(diagram.check(self._threads or None))
@@ -101,8 +100,8 @@ class Session:
                                   edge_width, dot_size, fit, search, antialias, dual, labels, label_size, fill,
                                   view)
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
-        given = input_of(points, weights, wanted, periodic, crs=crs, surface=surface)
-        picture = Picture(self._session.render(given, look, _scalars.call_of('progress', progress)))
+        taken = input_of(points, weights, wanted, periodic, crs=crs, surface=surface)
+        picture = Picture(self._session.render(taken, look, _scalars.call_of('progress', progress)))
         if check:
             raise_broken(picture.check(self._threads or None))
         return picture
@@ -121,9 +120,9 @@ class Session:
                                   edge_width, dot_size, fit, search, antialias, dual, labels, label_size, fill,
                                   view)
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
-        given = input_of(points, weights, wanted, periodic, crs=crs, surface=surface)
+        taken = input_of(points, weights, wanted, periodic, crs=crs, surface=surface)
         to = _scalars.path_of(path)
-        cells = self._session.shapes(given, look, to, _scalars.call_of('progress', progress))
+        cells = self._session.shapes(taken, look, to, _scalars.call_of('progress', progress))
         diagram = Diagram(cells)
         if check:
             raise_broken(diagram.check(self._threads or None))
@@ -139,13 +138,13 @@ class Session:
               density_box: Optional[Sequence[float]] = None) -> Relaxed:
         """As `vorpipe.relax`."""
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
-        given = input_of(points, weights, wanted, periodic, density, attributes, crs, density_box=density_box)
+        taken = input_of(points, weights, wanted, periodic, density, attributes, crs, density_box=density_box)
         found, neighbors = _arguments.search_of(search)
         most = _arguments.iterations_of(iterations)
         arguments = _vorpipe.RelaxArguments(_scalars.text_of('method', method), most,
                                             _scalars.number_of('tolerance', tolerance),
                                             _scalars.flag_of('equal_masses', equal_masses), found, neighbors)
-        return Relaxed(self._session.relax(given, arguments, _scalars.call_of('progress', progress)))
+        return Relaxed(self._session.relax(taken, arguments, _scalars.call_of('progress', progress)))
 
     def transport(self, points: Any, masses: Any = None, density: Any = None, domain: Any = None,
                   weights: Any = None, *, tolerance: float = 1e-8, diagrams: int = 400, normalize: bool = False,
@@ -157,7 +156,7 @@ class Session:
               density_box: Optional[Sequence[float]] = None) -> Transported:
         """As `vorpipe.transport`."""
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
-        given = input_of(points, weights, wanted, periodic, density, attributes, crs, density_box=density_box)
+        taken = input_of(points, weights, wanted, periodic, density, attributes, crs, density_box=density_box)
         found, neighbors = _arguments.search_of(search)
         arguments = _vorpipe.TransportArguments(masses=_arguments.masses_of(masses),
                                                 normalize=_scalars.flag_of('normalize', normalize),
@@ -166,7 +165,7 @@ class Session:
                                                 tolerance=_scalars.number_of('tolerance', tolerance),
                                                 diagrams=_arguments.iterations_of(diagrams, 'diagrams'), search=found,
                                                 neighbors=neighbors)
-        found_weights = self._session.transport(given, arguments, _scalars.call_of('callback', callback),
+        found_weights = self._session.transport(taken, arguments, _scalars.call_of('callback', callback),
                                                 _scalars.call_of('progress', progress))
         return Transported(found_weights, self)
 
@@ -197,6 +196,9 @@ class Session:
 
     def __exit__(self, *exception: object) -> None:
         self.close()
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError('a Session is of the process that opened it: let each process open its own')
 
     def __repr__(self) -> str:
         return '<vorpipe.Session, closed>' if self.closed else f'<vorpipe.Session {self.device!r}>'

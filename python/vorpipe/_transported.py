@@ -8,18 +8,19 @@ import numpy.typing as npt
 from . import _vorpipe
 from ._arguments import Floats, PathLike
 from ._diagram import Diagram
+from ._kept import Kept
 from ._scalars import call_of, path_of
 
 if TYPE_CHECKING:
     from ._sessions import Session
 
 
-class Transported:
+class Transported(Kept):
     """The weights that give each cell its mass, and the way to them; made by `transport`."""
 
     __slots__ = ('_found', '_session')
 
-    def __init__(self, found: _vorpipe.Transported, session: Session) -> None:
+    def __init__(self, found: _vorpipe.Transported, session: Optional[Session] = None) -> None:
         self._found = found
         self._session = session
 
@@ -87,10 +88,13 @@ class Transported:
               ) -> Diagram:
         """The cells that have these masses, in the same domain; with a free surface they end at discs.
 
-        Its session must be open. `detail` and `progress` are as in `vorpipe.cells`.
+        Its session must be open; one that comes out of a pickle takes that of `vorpipe.cells`. `detail` and `progress`
+        are as there.
         """
-        return Diagram(self._session._session.cells(self._found.weighted, detail, 'grid', 30,
-                                                    call_of('progress', progress)))
+        from ._sessions import backend_for, shared_session
+        session = self._session or shared_session(backend_for('auto', None, len(self)), None, None)
+        return Diagram(session._session.cells(self._found.weighted, detail, 'grid', 30,
+                                              call_of('progress', progress)))
 
     def save(self, path: PathLike) -> None:
         """Writes the points, these weights and attributes: .csv, .txt, .npy, .geojson, .geojsonl, .gpkg or .wkt."""

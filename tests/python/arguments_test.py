@@ -22,6 +22,24 @@ def test_other_types_are_taken_as_the_numbers_that_they_are():
     assert vorpipe.cells(np.array([[0, 0], [2, 1]], dtype=np.uint8)).points.tolist() == [[0, 0], [2, 1]]
 
 
+@pytest.mark.parametrize('kind', [np.int64, np.int32, np.uint8, bool, np.float32, object])
+def test_every_array_may_be_of_integers_and_booleans(kind):
+    points, ones = np.array([[0, 0], [1, 0], [0, 1]], dtype=kind), np.array([1, 1, 1], dtype=kind)
+    box, even = np.array([0, 0, 1, 1], dtype=kind), np.ones((2, 2), dtype=kind)
+    diagram = vorpipe.cells(points, ones, box, density=even, outline=np.array([(0, 0), (1, 0), (1, 1)], dtype=kind))
+    assert diagram.mass.sum() == pytest.approx(0.5) and diagram.weights.tolist() == [1, 1, 1]
+    assert vorpipe.cells(points, domain=box).locate(np.array([[1, 0]], dtype=kind)).tolist() == [1]
+    assert vorpipe.transport(points, masses=ones, domain=box, normalize=True).areas == pytest.approx(1 / 3)
+    assert len(vorpipe.relax(points, density=even, domain=box, iterations=1).points) == 3
+    still = vorpipe.Fluid(points, np.zeros((3, 2), dtype=kind), densities=ones, domain=box, gravity=(0, 0))
+    assert len(still) == 3 and len(vorpipe.drawn_points(even, 5)) == 5
+
+
+def test_a_masked_array_of_which_nothing_is_masked_is_an_array():
+    masked = np.ma.masked_invalid(POINTS)
+    assert np.array_equal(vorpipe.cells(masked, np.ma.array([0, 0, 0])).vertices, vorpipe.cells(POINTS).vertices)
+
+
 def test_points_are_not_changed():
     points = POINTS.copy()
     vorpipe.cells(points, domain=(0, 0, 1, 1), periodic='xy')
@@ -37,7 +55,11 @@ WRONG = [
     ('points', 'point 0 is not finite: 0, inf', {'points': [[0, np.inf], [1, 1]]}),
     ('points', 'no array of numbers', {'points': [['a', 'b']]}),
     ('points', 'no array of numbers', {'points': [[1j, 0]]}),
-    ('points', 'masked arrays are not taken', {'points': np.ma.masked_all((3, 2))}),
+    ('points', 'some elements are masked', {'points': np.ma.masked_all((3, 2))}),
+    ('points', 'its rows are not all alike', {'points': [[0, 0], [1]]}),
+    ('points', 'point 0 is not finite: 0, nan', {'points': [[0, None], [1, 1]]}),
+    ('weights', "'a.png' is a path: read_weights reads them.*save", {'weights': 'a.png'}),
+    ('weights', 'its rows are not all alike', {'weights': [1, [2, 3], 4]}),
     ('points', 'reach too far|domain', {'points': [[-1e308, 0], [1e308, 1]]}),
     ('weights', r'shape \(2,\), must be \(3,\)', {'weights': [1, 2]}),
     ('weights', 'not finite', {'weights': [1, 2, np.nan]}),

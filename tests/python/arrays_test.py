@@ -33,6 +33,17 @@ def test_arrays_have_types_that_numpy_computes_with(diagram):
     assert diagram.points[diagram.triangles].shape == (len(diagram.triangles), 3, 2)
 
 
+def test_indices_have_signs_so_that_their_differences_do(diagram):
+    shared = diagram.topology()
+    for array in (diagram.owner, diagram.triangles, shared.vertex_of, shared.edge_of, shared.edge_vertices,
+                  vorpipe.render(diagram.points, size=(20, 20)).owner):
+        assert array.dtype == np.int32 and not array.flags.writeable
+    one, other = diagram.triangles[:, 1], diagram.triangles[:, 2]
+    assert (one - other).min() < 0 < (one - other).max()
+    found = diagram.locate([diagram.points[0], (1e9, 0)])
+    assert found.tolist() == [0, vorpipe.NO_SITE] and found.dtype == np.int64
+
+
 def test_arrays_outlive_the_diagram(random):
     points = random.random((5000, 2))
     diagram = vorpipe.cells(points, domain=(0, 0, 1, 1))

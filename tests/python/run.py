@@ -14,7 +14,9 @@ except ImportError:
             report.write(f'{os.environ.get("VORPIPE_TEST_NAME", "")}\t\t{reason}\n')
     sys.exit(77)
 
-# Scripts start jobs in the background with SIGINT ignored, and Python then has no KeyboardInterrupt: tests that
-# interrupt themselves would go on for ever.
-signal.signal(signal.SIGINT, signal.default_int_handler)
-sys.exit(pytest.main(['-q', '-p', 'no:cacheprovider', '--tb=short', *sys.argv[1:]]))
+# Processes that tests start import this file, too.
+if __name__ == '__main__':
+    # Scripts start jobs in the background with SIGINT ignored, and Python then has no KeyboardInterrupt: tests that
+    # interrupt themselves would go on for ever.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    sys.exit(pytest.main(['-q', '-p', 'no:cacheprovider', '--tb=short', *sys.argv[1:]]))

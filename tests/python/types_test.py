@@ -19,7 +19,7 @@ import numpy as np
 import numpy.typing as npt
 
 import vorpipe
-from vorpipe.compat import Delaunay, Voronoi
+from vorpipe.compat import Delaunay, Voronoi, voronoi_plot_2d
 
 
 def progress(stage: str, part: float) -> Optional[bool]:
@@ -51,6 +51,8 @@ try:
     vorpipe.cells([])
 except vorpipe.InputError as error:
     subject: Optional[str] = error.subject
+owners: npt.NDArray[np.int32] = vorpipe.cells({'x': [0, 1], 'y': [1, 2], 'name': ['a', 'b']}).owner
+held: npt.NDArray[np.int64] = diagram.locate((0.5, 0.5))
 fluid = vorpipe.Fluid('shear', parcels=50, session=None)
 fluid.run(steps=2, callback=lambda step: step.time < 1)
 velocities: npt.NDArray[np.float64] = fluid.velocities

@@ -1,0 +1,346 @@
+/// What results consist of, for their pickles. A struct that gets another member does not compile until that
+/// is named here.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "attributes.h"
+#include "input.h"
+#include "pickles.h"
+#include "results.h"
+#include "table.h"
+
+namespace vorpipe::python {
+
+/// Names and members, for `all`.
+template <class... Member>
+constexpr auto named(const std::pair<const char*, Member>&... members) {
+  return std::make_tuple(members...);
+}
+template <class Member>
+constexpr std::pair<const char*, Member> member(const char* name, Member pointer) {
+  return {name, pointer};
+}
+
+template <>
+struct Members<Point> {
+  static constexpr auto all = named(member("x", &Point::x), member("y", &Point::y));
+};
+static_assert(has_all_members<Point>());
+
+template <>
+struct Members<Box> {
+  static constexpr auto all = named(member("xmin", &Box::xmin), member("ymin", &Box::ymin),
+                                    member("xmax", &Box::xmax), member("ymax", &Box::ymax));
+};
+static_assert(has_all_members<Box>());
+
+template <>
+struct Members<Sites> {
+  static constexpr auto all =
+      named(member("x", &Sites::x), member("y", &Sites::y), member("weight", &Sites::weight));
+};
+static_assert(has_all_members<Sites>());
+
+template <>
+struct Members<Outline> {
+  static constexpr auto all =
+      named(member("points", &Outline::points), member("ring_offsets", &Outline::ring_offsets),
+            member("polygon_offsets", &Outline::polygon_offsets));
+};
+static_assert(has_all_members<Outline>());
+
+template <>
+struct Members<Density> {
+  static constexpr auto all = named(member("width", &Density::width), member("height", &Density::height),
+                                    member("values", &Density::values), member("box", &Density::box));
+};
+static_assert(has_all_members<Density>());
+
+template <>
+struct Members<CoordinateSystem> {
+  static constexpr auto all =
+      named(member("kind", &CoordinateSystem::kind), member("organization", &CoordinateSystem::organization),
+            member("code", &CoordinateSystem::code), member("definition", &CoordinateSystem::definition),
+            member("equal_area_center", &CoordinateSystem::equal_area_center),
+            member("middle", &CoordinateSystem::middle));
+};
+static_assert(has_all_members<CoordinateSystem>());
+
+/// By its center, which is all that it is made from.
+template <>
+struct Pickled<Projection> {
+  static py::object of(const Projection& projection, const py::handle& owner) {
+    return pickledOf(projection.center(), owner);
+  }
+  static Projection from(const py::handle& state) {
+    return valueOf(Projection::around(unpickled<Point>(state)));
+  }
+};
+
+template <>
+struct Members<PlacedSites> {
+  static constexpr auto all =
+      named(member("sites", &PlacedSites::sites), member("from", &PlacedSites::from),
+            member("domain", &PlacedSites::domain), member("outline", &PlacedSites::outline),
+            member("periodic", &PlacedSites::periodic), member("system", &PlacedSites::system),
+            member("projection", &PlacedSites::projection), member("longitudes", &PlacedSites::longitudes),
+            member("latitudes", &PlacedSites::latitudes), member("degrees", &PlacedSites::degrees),
+            member("notes", &PlacedSites::notes));
+};
+static_assert(has_all_members<PlacedSites>());
+
+template <>
+struct Members<Input> {
+  static constexpr auto all = std::tuple_cat(
+      Members<PlacedSites>::all, named(member("surface", &Input::surface), member("density", &Input::density),
+                                       member("attributes", &Input::attributes)));
+};
+static_assert(memberCount<Input>() == 4);  // the first is what it is derived from
+
+/// Values as one text, and where each ends; -1 where it is missing.
+template <>
+struct Pickled<Attribute> {
+  static py::object of(const Attribute& attribute, const py::handle& owner) {
+    std::string text;
+    std::vector<std::int64_t> ends;
+    for (std::size_t site = 0; site < attribute.size(); ++site) {
+      const auto value = attribute.at(site);
+      if (value) text += *value;
+      ends.push_back(value ? static_cast<std::int64_t>(text.size()) : -1);
+    }
+    return py::make_tuple(pickledOf(attribute.name(), owner), pickledOf(attribute.type(), owner),
+                          pickledOf(text, owner),
+                          py::array_t<std::int64_t>(py::ssize_t(ends.size()), ends.data()));
+  }
+  static Attribute from(const py::handle& given) {
+    const auto state = asIs<py::tuple>(given);
+    if (state.size() != 4) throw OtherPickle{};
+    Attribute attribute(unpickled<std::string>(state[0]), unpickled<AttributeType>(state[1]));
+    const auto text = unpickled<std::string>(state[2]);
+    std::size_t begin = 0;
+    for (const std::int64_t end : unpickled<std::vector<std::int64_t>>(state[3])) {
+      if (end < 0) {
+        attribute.add(std::nullopt);
+        continue;
+      }
+      const auto to = static_cast<std::size_t>(end);
+      if (to < begin || to > text.size()) throw OtherPickle{};
+      attribute.add(std::string_view(text).substr(begin, to - begin));
+      begin = to;
+    }
+    return attribute;
+  }
+};
+
+template <>
+struct Members<Attributes> {
+  static constexpr auto all = named(member("columns", &Attributes::columns));
+};
+static_assert(has_all_members<Attributes>());
+
+template <>
+struct Members<Table> {
+  static constexpr auto all =
+      named(member("name", &Table::name), member("sites", &Table::sites),
+            member("attributes", &Table::attributes), member("system", &Table::system),
+            member("from", &Table::from), member("skipped", &Table::skipped), member("notes", &Table::notes));
+};
+static_assert(has_all_members<Table>());
+
+template <>
+struct Members<Times> {
+  static constexpr auto all = named(member("order", &Times::order), member("upload", &Times::upload),
+                                    member("search", &Times::search), member("cells", &Times::cells),
+                                    member("draw", &Times::draw), member("download", &Times::download));
+};
+static_assert(has_all_members<Times>());
+
+template <>
+struct Members<Report> {
+  static constexpr auto all = named(
+      member("backend", &Report::backend), member("device", &Report::device),
+      member("driver", &Report::driver), member("ok", &Report::ok), member("empty", &Report::empty),
+      member("duplicate", &Report::duplicate), member("hidden", &Report::hidden),
+      member("retried", &Report::retried), member("in_double", &Report::in_double),
+      member("exact", &Report::exact), member("pixels", &Report::pixels), member("time_ms", &Report::time_ms),
+      member("notes", &Report::notes), member("validation_messages", &Report::validation_messages));
+};
+static_assert(has_all_members<Report>());
+
+template <>
+struct Members<Diagram> {
+  static constexpr auto all = named(
+      member("status", &Diagram::status), member("owner", &Diagram::owner), member("area", &Diagram::area),
+      member("perimeter", &Diagram::perimeter), member("centroid", &Diagram::centroid),
+      member("second_moments", &Diagram::second_moments), member("cell_offsets", &Diagram::cell_offsets),
+      member("vertices", &Diagram::vertices), member("neighbors", &Diagram::neighbors),
+      member("edge_lengths", &Diagram::edge_lengths), member("neighbor_shifts", &Diagram::neighbor_shifts),
+      member("ring_starts", &Diagram::ring_starts), member("mass", &Diagram::mass),
+      member("mass_centroid", &Diagram::mass_centroid), member("triangles", &Diagram::triangles),
+      member("report", &Diagram::report));
+};
+static_assert(has_all_members<Diagram>());
+
+template <>
+struct Members<Topology> {
+  static constexpr auto all =
+      named(member("vertices", &Topology::vertices), member("vertex_of", &Topology::vertex_of),
+            member("edge_entry", &Topology::edge_entry), member("edge_vertices", &Topology::edge_vertices),
+            member("edge_cells", &Topology::edge_cells), member("edge_of", &Topology::edge_of));
+};
+static_assert(has_all_members<Topology>());
+
+template <>
+struct Members<SearchOptions> {
+  static constexpr auto all =
+      named(member("method", &SearchOptions::method), member("neighbors", &SearchOptions::neighbors));
+};
+static_assert(has_all_members<SearchOptions>());
+
+/// The domain, the outline and the period are the input's.
+template <>
+struct Pickled<CellsResult> {
+  static py::object of(const CellsResult& result, const py::handle& owner) {
+    return py::make_tuple(pickledOf(result.input, owner), pickledOf(result.options.search, owner),
+                          pickledOf(result.options.detail, owner), pickledOf(result.diagram, owner));
+  }
+  static CellsResult from(const py::handle& given) {
+    const auto state = asIs<py::tuple>(given);
+    if (state.size() != 4) throw OtherPickle{};
+    auto input = unpickled<std::shared_ptr<const Input>>(state[0]);
+    CellsOptions options = cellsOptionsOf(*input);
+    options.search = unpickled<SearchOptions>(state[1]);
+    options.detail = unpickled<Detail>(state[2]);
+    return resultOf(std::move(input), std::move(options), unpickled<Diagram>(state[3]), 0);
+  }
+};
+
+template <>
+struct Members<ColorRange> {
+  static constexpr auto all = named(member("low", &ColorRange::low), member("high", &ColorRange::high));
+};
+static_assert(has_all_members<ColorRange>());
+
+template <>
+struct Members<ColorKey> {
+  static constexpr auto all = named(member("color", &ColorKey::color), member("scale", &ColorKey::scale),
+                                    member("range", &ColorKey::range), member("ticks", &ColorKey::ticks));
+};
+static_assert(has_all_members<ColorKey>());
+
+template <>
+struct Members<RenderOptions> {
+  static constexpr auto all =
+      named(member("width", &RenderOptions::width), member("height", &RenderOptions::height),
+            member("color", &RenderOptions::color), member("colormap", &RenderOptions::colormap),
+            member("edges", &RenderOptions::edges), member("show_sites", &RenderOptions::show_sites),
+            member("search", &RenderOptions::search), member("color_scale", &RenderOptions::color_scale),
+            member("color_range", &RenderOptions::color_range), member("legend", &RenderOptions::legend),
+            member("edge_width", &RenderOptions::edge_width), member("dot_size", &RenderOptions::dot_size),
+            member("fit", &RenderOptions::fit), member("view", &RenderOptions::view),
+            member("fill", &RenderOptions::fill), member("antialias", &RenderOptions::antialias),
+            member("dual", &RenderOptions::dual), member("labels", &RenderOptions::labels),
+            member("label_size", &RenderOptions::label_size));
+};
+static_assert(has_all_members<RenderOptions>(4));  // the progress is the run's, the others are the input's
+
+template <>
+struct Members<Image> {
+  static constexpr auto all = named(member("width", &Image::width), member("height", &Image::height),
+                                    member("rgba", &Image::rgba), member("ids", &Image::ids));
+};
+static_assert(has_all_members<Image>());
+
+template <>
+struct Members<Rendering> {
+  static constexpr auto all = named(member("image", &Rendering::image), member("status", &Rendering::status),
+                                    member("owner", &Rendering::owner), member("key", &Rendering::key),
+                                    member("report", &Rendering::report));
+};
+static_assert(has_all_members<Rendering>());
+
+template <>
+struct Pickled<PictureResult> {
+  static py::object of(const PictureResult& result, const py::handle& owner) {
+    return py::make_tuple(pickledOf(result.input, owner), pickledOf(result.options, owner),
+                          pickledOf(result.rendering, owner));
+  }
+  static PictureResult from(const py::handle& given) {
+    const auto state = asIs<py::tuple>(given);
+    if (state.size() != 3) throw OtherPickle{};
+    auto input = unpickled<std::shared_ptr<const Input>>(state[0]);
+    auto options = unpickled<RenderOptions>(state[1]);
+    options.domain = input->domain;
+    options.outline = input->outline;
+    options.periodic = input->periodic;
+    return {std::move(input), std::move(options), unpickled<Rendering>(state[2])};
+  }
+};
+
+template <>
+struct Members<RelaxStep> {
+  static constexpr auto all =
+      named(member("diagram", &RelaxStep::diagram), member("energy", &RelaxStep::energy),
+            member("hexagonal", &RelaxStep::hexagonal), member("farthest", &RelaxStep::farthest),
+            member("seconds", &RelaxStep::seconds), member("taken", &RelaxStep::taken));
+};
+static_assert(has_all_members<RelaxStep>());
+
+template <>
+struct Members<Relaxed> {
+  static constexpr auto all = named(member("sites", &Relaxed::sites), member("trace", &Relaxed::trace),
+                                    member("end", &Relaxed::end), member("report", &Relaxed::report));
+};
+static_assert(has_all_members<Relaxed>());
+
+template <>
+struct Members<RelaxResult> {
+  static constexpr auto all =
+      named(member("input", &RelaxResult::input), member("relaxed", &RelaxResult::relaxed));
+};
+static_assert(has_all_members<RelaxResult>());
+
+template <>
+struct Members<TransportStep> {
+  static constexpr auto all = named(
+      member("diagram", &TransportStep::diagram), member("newton", &TransportStep::newton),
+      member("length", &TransportStep::length), member("taken", &TransportStep::taken),
+      member("norm", &TransportStep::norm), member("worst", &TransportStep::worst),
+      member("least", &TransportStep::least), member("linear_iterations", &TransportStep::linear_iterations),
+      member("seconds", &TransportStep::seconds));
+};
+static_assert(has_all_members<TransportStep>());
+
+template <>
+struct Members<CellMoments> {
+  static constexpr auto all =
+      named(member("status", &CellMoments::status), member("area", &CellMoments::area),
+            member("mass", &CellMoments::mass), member("centroid", &CellMoments::centroid),
+            member("spread", &CellMoments::spread));
+};
+static_assert(has_all_members<CellMoments>());
+
+template <>
+struct Members<Transported> {
+  static constexpr auto all =
+      named(member("sites", &Transported::sites), member("cells", &Transported::cells),
+            member("trace", &Transported::trace), member("end", &Transported::end),
+            member("cost", &Transported::cost), member("report", &Transported::report));
+};
+static_assert(has_all_members<Transported>());
+
+template <>
+struct Members<TransportResult> {
+  static constexpr auto all =
+      named(member("input", &TransportResult::input), member("surface", &TransportResult::surface),
+            member("found", &TransportResult::found));
+};
+static_assert(has_all_members<TransportResult>());
+
+}  // namespace vorpipe::python

@@ -1,0 +1,249 @@
+"""Points of tables that name their columns, of geometries, and of files."""
+import warnings
+
+import numpy as np
+import pytest
+
+import vorpipe
+
+FRANKFURT, HAMBURG = (8.68, 50.11), (9.99, 53.55)
+CITIES = [FRANKFURT, HAMBURG, (11.58, 48.14)]
+NAMES = ['Frankfurt', 'Hamburg', 'München']
+
+
+class Frame:
+    """What a DataFrame has, as far as it is asked."""
+
+    def __init__(self, columns):
+        self.values = columns
+        self.columns = list(columns)
+
+    def __getitem__(self, name):
+        return np.asarray(self.values[name])
+
+    def __len__(self):
+        return len(next(iter(self.values.values())))
+
+
+def frame_of_pandas(columns):
+    return pytest.importorskip('pandas').DataFrame(columns)
+
+
+def array_of_records(columns):
+    kinds = [(name, np.asarray(values).dtype) for name, values in columns.items()]
+    return np.array(list(zip(*columns.values())), dtype=kinds)
+
+
+@pytest.fixture(params=[dict, Frame, array_of_records, frame_of_pandas])
+def table(request):
+    """Makes a table of columns by name."""
+    return request.param
+
+
+def quietly(*arguments, **options):
+    with warnings.catch_warnings():
+        warnings.simplefilter('ignore', vorpipe.InputWarning)
+        return vorpipe.cells(*arguments, **options)
+
+
+@pytest.mark.parametrize('y, x', [('lat', 'lon'), ('Latitude', 'LONGITUDE'), ('y', 'x'), ('Y', 'X'), ('lat', 'lng'),
+                                  ('northing', 'easting')])
+def test_columns_are_known_by_their_names_wherever_they_stand(table, y, x):
+    lon, lat = zip(*CITIES)
+    diagram = quietly(table({'name': NAMES, y: lat, 'people': [770, 1900, 1500], x: lon}))
+    assert diagram.points.tolist() == [list(city) for city in CITIES]
+    assert diagram.attributes['name'].tolist() == NAMES and diagram.attributes['people'].tolist() == [770, 1900, 1500]
+    assert list(diagram.attributes) == ['name', 'people']
+
+
+def test_names_that_are_taken_for_others_are_told(table):
+    lon, lat = zip(*CITIES)
+    with pytest.warns(vorpipe.InputWarning) as told:
+        vorpipe.cells(table({'lat': lat, 'lon': lon}))
+    assert str(told[0].message) == 'points: "lon", "lat" are taken as x, y' and told[0].filename == __file__
+    assert 'look like degrees' in str(told[1].message)
+    with warnings.catch_warnings():
+        warnings.simplefilter('error')
+        vorpipe.cells(table({'x': lon, 'y': lat}))
+
+
+@pytest.mark.parametrize('name, expected', [('weight', [4, 1, 2]), ('W', [4, 1, 2]), ('Radius', [16, 1, 4]),
+                                            ('r', [16, 1, 4])])
+def test_weights_and_radii_are_known_by_their_names(table, name, expected):
+    columns = {name: [4.0, 1.0, 2.0], 'y': [0, 1, 2], 'x': [3, 4, 6]}
+    assert quietly(table(columns)).weights.tolist() == expected
+    with pytest.raises(vorpipe.InputError, match='^weights: points has weights of its own'):
+        quietly(table(columns), [1, 2, 3])
+    with pytest.raises(vorpipe.InputError, match='^points: the radius of point 1: "-1" is negative'):
+        quietly({'x': [0, 1, 2], 'y': [1, 1, 0], 'radius': [1, -1, 1]})
+
+
+def test_two_columns_whose_names_say_nothing_are_x_and_y(table):
+    with pytest.warns(vorpipe.InputWarning, match="^points: 'a', 'b' are taken as x, y$"):
+        assert vorpipe.cells(table({'a': [1, 2], 'b': [3, 5]})).points.tolist() == [[1, 3], [2, 5]]
+
+
+def test_numbers_for_names_are_those_of_an_array():
+    pandas = pytest.importorskip('pandas')
+    with warnings.catch_warnings():
+        warnings.simplefilter('error')
+        assert vorpipe.cells(pandas.DataFrame(np.array(CITIES))).points.tolist() == [list(city) for city in CITIES]
+
+
+@pytest.mark.parametrize('columns, message', [
+    ({'a': [1], 'b': [2], 'c': [3]}, "of the columns 'a', 'b', 'c' none is called x or y, lon or lat"),
+    ({'lat': [1], 'b': [2]}, 'the table "lat,b" names no column "x"'),
+    ({'lon': [1], 'long': [1], 'lat': [2]}, 'the table names both "lon" and "long"; give an array of the two columns'),
+    ({'x': [1], 'y': [2], 'weight': [1], 'radius': [1]}, 'the table names both "weight" and "radius"'),
+    ({'x': ['west'], 'y': [2]}, 'no array of numbers'), ({'x': [np.nan], 'y': [2]}, 'point 0 is not finite: nan, 2'),
+    ({'wkt': ['POINT (1 2)']}, "the column 'wkt' holds no geometries; text in WKT is read from files")])
+def test_what_names_do_not_tell_is_refused(table, columns, message):
+    with pytest.raises(vorpipe.InputError, match=f'^points: {message}') as caught:
+        quietly(table(columns))
+    assert caught.value.subject == 'points' and '--' not in str(caught.value)
+
+
+def test_columns_of_other_lengths_are_refused():
+    with pytest.raises(vorpipe.InputError, match=r'^points: columns of the shapes \(2,\) and \(1,\)'):
+        vorpipe.cells({'x': [1, 2], 'y': [1]})
+    with pytest.raises(vorpipe.InputError, match=r"^attributes: 'n' has the shape \(1,\)"):
+        vorpipe.cells({'x': [1, 2], 'y': [1, 4], 'n': [1]})
+
+
+def test_missing_values_of_pandas_are_said_to_be_no_number():
+    pandas = pytest.importorskip('pandas')
+    frame = pandas.DataFrame({'x': pandas.array([1, None, 3], dtype='Int64'), 'y': [1, 2, 3]})
+    with pytest.raises(vorpipe.InputError, match='^points: point 1 is not finite: nan, 2'):
+        vorpipe.cells(frame)
+    assert vorpipe.cells(frame.dropna()).points.tolist() == [[1, 1], [3, 3]]
+
+
+def test_names_of_degrees_that_reach_too_far_are_of_a_plane():
+    with pytest.warns(vorpipe.InputWarning, match='^points: should hold degrees .* taken as a plane') as told:
+        vorpipe.cells({'lon': [500_000, 600_000], 'lat': [5_000_000, 5_100_000]})
+    assert not any('look like degrees' in str(note.message) for note in told)
+
+
+class Shape:
+    """What geometries have in common."""
+
+    def __init__(self, kind, coordinates):
+        self.__geo_interface__ = {'type': kind, 'coordinates': coordinates}
+
+
+@pytest.mark.parametrize('points', [
+    [Shape('Point', city) for city in CITIES], tuple(Shape('Point', (*city, 7.0)) for city in CITIES),
+    Shape('MultiPoint', CITIES), [Shape('Point', FRANKFURT), Shape('MultiPoint', CITIES[1:])],
+    {'type': 'MultiPoint', 'coordinates': CITIES},
+    {'type': 'GeometryCollection', 'geometries': [{'type': 'Point', 'coordinates': city} for city in CITIES]}])
+def test_geometries_of_points_are_points(points):
+    diagram = vorpipe.cells(points)
+    assert diagram.points.tolist() == [list(city) for city in CITIES]
+    assert diagram.locate(points).tolist() == [0, 1, 2]
+
+
+def test_features_are_points_with_their_properties():
+    features = [{'type': 'Feature', 'properties': {'name': name, 'weight': 0.1},
+                 'geometry': {'type': 'Point', 'coordinates': city}} for name, city in zip(NAMES, CITIES)]
+    diagram = vorpipe.cells({'type': 'FeatureCollection', 'features': features})
+    assert diagram.points.tolist() == [list(city) for city in CITIES] and diagram.weights.tolist() == [0.1] * 3
+    assert diagram.attributes['name'].tolist() == NAMES
+
+
+@pytest.mark.parametrize('points, message', [
+    ([Shape('Point', FRANKFURT), Shape('LineString', CITIES)], 'geometry 1 is a LineString; its centroid is a point'),
+    ([Shape('Point', FRANKFURT), None], 'geometry 1 has no place'),
+    ([Shape('Point', FRANKFURT), Shape('Point', ())], 'geometry 1 has no place'),
+    (Shape('Polygon', [CITIES]), 'geometry 0 is a Polygon')])
+def test_geometries_that_are_no_points_are_refused(points, message):
+    with pytest.raises(vorpipe.InputError, match=f'^points: {message}'):
+        vorpipe.cells(points)
+
+
+def test_points_of_shapely_are_points():
+    geometry = pytest.importorskip('shapely.geometry')
+    shapes = np.empty(3, dtype=object)
+    shapes[:] = [geometry.Point(city) for city in CITIES]
+    for points in (list(shapes), shapes, geometry.MultiPoint(CITIES)):
+        diagram = vorpipe.cells(points)
+        assert diagram.points.tolist() == [list(city) for city in CITIES]
+        assert diagram.locate(points).tolist() == [0, 1, 2]
+    box = (5, 45, 15, 55)
+    assert vorpipe.cells(CITIES, domain=box).locate(geometry.Point(9.9, 53.5)) == 1
+
+
+def test_geopandas_gives_places_attributes_and_what_its_coordinates_are():
+    geopandas = pytest.importorskip('geopandas', reason='there is no geopandas')
+    series = geopandas.points_from_xy(*zip(*CITIES), crs='EPSG:4258')
+    frame = geopandas.GeoDataFrame({'name': NAMES, 'y': [0, 0, 0], 'radius': [1.0, 2.0, 3.0]}, geometry=series)
+    for points in (frame, frame.geometry, series):
+        diagram = quietly(points)
+        assert diagram.points.tolist() == [list(city) for city in CITIES] and diagram.crs == 'EPSG:4258'
+        assert np.array_equal(diagram.locate(points), [0, 1, 2])
+    diagram = quietly(frame)
+    assert list(diagram.attributes) == ['name', 'y'] and diagram.attributes['name'].tolist() == NAMES
+    assert diagram.weights.tolist() == [1, 4, 9]
+    assert diagram.to_geopandas().crs.to_epsg() == 4258
+    plane = quietly(frame[['name', 'geometry']].to_crs(25832))
+    assert plane.crs == 'EPSG:25832' and plane.weights is None
+
+
+@pytest.mark.filterwarnings('ignore::vorpipe.InputWarning')
+def test_places_and_outlines_in_another_system_are_refused_by_name():
+    geopandas = pytest.importorskip('geopandas', reason='there is no geopandas')
+    geometry = pytest.importorskip('shapely.geometry')
+    degrees = geopandas.GeoDataFrame(geometry=[geometry.Point(city) for city in CITIES], crs='EPSG:4326')
+    meters, box = degrees.to_crs(25832), geopandas.GeoSeries([geometry.box(5, 45, 15, 55)], crs='EPSG:4326')
+    with pytest.raises(vorpipe.InputError, match='^outline: .* is in EPSG:4326, points in EPSG:25832') as caught:
+        vorpipe.cells(meters, outline=box)
+    assert caught.value.subject == 'outline'
+    assert vorpipe.cells(meters, outline=box.to_crs(25832)).report.ok == vorpipe.cells(degrees, outline=box).report.ok == 3
+    with pytest.raises(vorpipe.InputError, match='^places: they are in EPSG:25832, the diagram in EPSG:4326'):
+        vorpipe.cells(degrees).locate(meters)
+    assert vorpipe.cells(degrees, project='auto').locate(degrees.to_crs(4258)).tolist() == [0, 1, 2]
+
+
+def test_a_row_of_several_points_gives_each_its_values():
+    geopandas = pytest.importorskip('geopandas', reason='there is no geopandas')
+    geometry = pytest.importorskip('shapely.geometry')
+    shapes = [geometry.MultiPoint(CITIES[:2]), geometry.Point(CITIES[2])]
+    frame = geopandas.GeoDataFrame({'n': [1, 2], 'tag': ['a', None], 'weight': [0.5, 0.25]}, geometry=shapes,
+                                   index=[7, 3])
+    diagram = vorpipe.cells(frame)
+    assert diagram.points.tolist() == [list(city) for city in CITIES] and diagram.weights.tolist() == [0.5, 0.5, 0.25]
+    assert diagram.attributes['n'].tolist() == [1, 1, 2] and diagram.attributes['tag'].tolist() == ['a', 'a', None]
+
+
+def test_every_function_takes_them(tmp_path):
+    lon, lat = zip(*CITIES)
+    table = {'y': lat, 'x': lon, 'name': NAMES}
+    points = vorpipe.cells(CITIES).points
+    assert np.array_equal(vorpipe.render(table, size=(20, 20)).points, points)
+    assert np.array_equal(vorpipe.draw(table, tmp_path / 'cells.svg').points, points)
+    assert len(vorpipe.relax(table, iterations=1)) == len(vorpipe.transport(table)) == 3
+    assert vorpipe.forecast(table).fits and len(vorpipe.Fluid(table, domain=(5, 45, 15, 55))) == 3
+    with vorpipe.Session('cpu') as session:
+        assert session.cells(table).attributes['name'].tolist() == NAMES
+
+
+def test_a_path_in_place_of_points_is_read(tmp_path):
+    (tmp_path / 'towns.csv').write_text('name,lat,lon\nUlm,48.4,10.0\nBonn,50.7,7.1\n')
+    with pytest.warns(vorpipe.InputWarning, match='"lon", "lat" are taken as x, y; columns names others'):
+        diagram = vorpipe.cells(tmp_path / 'towns.csv')
+    assert diagram.points.tolist() == [[10, 48.4], [7.1, 50.7]]
+    assert diagram.attributes['name'].tolist() == ['Ulm', 'Bonn']
+    assert vorpipe.cells('random:50').domain == (0, 0, 1, 1)
+    with pytest.raises(vorpipe.InputError, match='gauges.csv: '):
+        vorpipe.cells('gauges.csv')
+
+
+def test_one_place_is_located_as_one_number():
+    diagram = vorpipe.cells(CITIES)
+    for place in (HAMBURG, list(HAMBURG), np.array(HAMBURG)):
+        found = diagram.locate(place)
+        assert found == 1 and np.ndim(found) == 0
+    assert diagram.locate((0, 0)) == vorpipe.NO_SITE
+    with pytest.raises(vorpipe.InputError, match=r'^places: shape \(3,\), must be \(N, 2\)'):
+        diagram.locate((1, 2, 3))
+    with pytest.raises(vorpipe.InputError, match='^places: geometry 0 is a Polygon'):
+        diagram.locate([Shape('Polygon', [CITIES])])
