@@ -37,7 +37,7 @@ def places_of(value: Any, system: _crs.System) -> _arguments.Floats:
     if table is not None:
         names = _vorpipe.differing_systems(table.system, system)
         if names is not None:
-            raise refuse('places', f'they are in {names[0]}, the diagram in {names[1]}; take one to the other\'s system')
+            raise refuse('places', f'they are in {names[0]}, the diagram in {names[1]}; take them to its system')
         return table.points[0] if is_one else table.points
     array = _arguments.array_of('places', value)
     return _arguments.numbers('places', array) if array.shape == (2,) else _arguments.points_of(array, 'places')
