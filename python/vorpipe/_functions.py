@@ -29,7 +29,9 @@ def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
     """The cells of points: the Voronoi diagram, or with weights the power diagram, clipped to a domain.
 
     Args:
-        points: array-like of shape (N, 2), N at least 1, finite; or `Sites`, which `read` made.
+        points: array-like of shape (N, 2), N at least 1, finite; a table whose columns have names, as a DataFrame,
+            which are known as those of files are; geometries of points, as a GeoDataFrame or a list of shapely's; or
+            `Sites`, which `read` made, or a path for it. All other columns are attributes.
         weights: (N,), in squared units of the points: the cell of point i is where |x - p_i|^2 - w_i is least. A
             radius r is the weight r^2.
         domain: (xmin, ymin, xmax, ymax), or "hull", the convex hull of the points. Without it the box of the outline;

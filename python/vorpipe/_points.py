@@ -16,7 +16,7 @@ from ._warnings import warn
 class Sites(Kept):
     """Points with all that their file says of them; made by `read`.
 
-    `cells`, `render`, `draw` and `forecast` take it in place of points. Its weights, attributes and coordinate
+    `cells`, `render` and the other functions take it in place of points. Its weights, attributes and coordinate
     reference system go along.
     """
 

@@ -12,7 +12,7 @@ theirs = pytest.importorskip('scipy.spatial.tests.test_qhull', reason='there is 
 
 OTHER_DIMENSIONS = 'it is of points that are not in the plane'
 ORDER = 'it expects the order that Qhull happens to answer in; compat_test.py has the like of it'
-NOT_TAKEN = 'it is of options that vorpipe.compat refuses'
+NOT_TAKEN = 'it is of options that vorpipe.compat refuses, or of points that QJ moves'
 OTHER_CLASSES = 'it is of classes that vorpipe.compat does not have'
 GONE = 'it is of an attribute that scipy has taken away since, and its test with it'
 
