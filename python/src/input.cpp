@@ -55,9 +55,10 @@ void takeSites(const GivenPoints& points, const std::optional<SystemArguments>& 
   if (const auto* const given = std::get_if<std::shared_ptr<Table>>(&points)) {
     const Table& table = **given;
     input.sites = table.sites;
-    input.from = table.from;
+    input.from = table.generated ? SitesFrom::generator : SitesFrom::file;
     input.system = table.system;
     input.attributes = table.attributes;
+    if (table.of_caller) input.from = SitesFrom::caller;
   } else {
     input.sites = sitesOf(std::get<Numbers>(points));
   }

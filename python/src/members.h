@@ -149,7 +149,8 @@ struct Members<Table> {
   static constexpr auto all =
       named(member("name", &Table::name), member("sites", &Table::sites),
             member("attributes", &Table::attributes), member("system", &Table::system),
-            member("from", &Table::from), member("skipped", &Table::skipped), member("notes", &Table::notes));
+            member("generated", &Table::generated), member("skipped", &Table::skipped),
+            member("notes", &Table::notes), member("of_caller", &Table::of_caller));
 };
 static_assert(has_all_members<Table>());
 

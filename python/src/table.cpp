@@ -59,10 +59,10 @@ SharedTable tableFrom(const std::string& spec, std::uint64_t seed, const ReadOpt
   SiteTable& table = source.table;
   for (std::string& note : table.notes) note = inWords(std::move(note), words_of_files);
   Attributes attributes{std::move(table.attributes)};
-  return std::make_shared<Table>(
-      Table{spec == "-" ? "<stdin>" : spec, std::move(table.sites),
-            std::make_shared<const Attributes>(std::move(attributes)), std::move(table.system),
-            source.seed ? SitesFrom::generator : SitesFrom::file, table.skipped, std::move(table.notes)});
+  return std::make_shared<Table>(Table{spec == "-" ? "<stdin>" : spec, std::move(table.sites),
+                                       std::make_shared<const Attributes>(std::move(attributes)),
+                                       std::move(table.system), source.seed.has_value(), table.skipped,
+                                       std::move(table.notes)});
 }
 
 /// Which columns of a table hold x, y, geometries and weights; whether those are radii; the kind of
@@ -107,8 +107,9 @@ std::vector<double> weightsFrom(const Numbers& given, bool are_radii) {
 SharedTable tableOf(const Numbers& points, const std::optional<Numbers>& weights, bool are_radii,
                     const std::shared_ptr<Attributes>& attributes,
                     const std::optional<SystemArguments>& system, std::vector<std::string> notes) {
-  auto table = std::make_shared<Table>(
-      Table{"points", sitesOf(points), attributes, {}, SitesFrom::caller, 0, std::move(notes)});
+  auto table = std::make_shared<Table>(Table{"points", sitesOf(points), attributes});
+  table->notes = std::move(notes);
+  table->of_caller = true;
   if (weights) table->sites.weight = weightsFrom(*weights, are_radii);
   if (system) table->system = systemOf(*system);
   if (const auto what = settleDegrees(table->sites, table->system); !what.empty()) {
@@ -136,8 +137,7 @@ void defineTable(py::module_& module) {
            py::arg("attributes"), py::arg("system"), py::arg("notes"))
       .def("__len__", [](const Table& table) { return table.sites.size(); })
       .def_property_readonly("name", [](const Table& table) { return textOf(table.name); })
-      .def_property_readonly("generated",
-                             [](const Table& table) { return table.from == SitesFrom::generator; })
+      .def_readonly("generated", &Table::generated)
       .def_readonly("skipped", &Table::skipped)
       .def_property_readonly("notes", [](const Table& table) { return textsOf(table.notes); })
       .def_property_readonly("points", [](const Table& table) { return pointsOf(table.sites); })

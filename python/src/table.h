@@ -8,7 +8,6 @@
 
 #include "attributes.h"
 #include "io/attributes/coordinate_system.h"
-#include "io/domain/site_domain.h"
 #include "vorpipe.h"
 
 namespace vorpipe::python {
@@ -19,9 +18,10 @@ struct Table {
   Sites sites;
   SharedAttributes attributes;
   CoordinateSystem system{};
-  SitesFrom from = SitesFrom::caller;
+  bool generated = false;
   std::uint64_t skipped = 0;  ///< rows that were left out
   std::vector<std::string> notes{};
+  bool of_caller = false;  ///< a program has it; else it was read
 };
 
 /// (N, 2), a copy.
