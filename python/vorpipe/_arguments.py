@@ -26,16 +26,6 @@ def listed(array: npt.NDArray[Any]) -> List[Any]:
     return cast(List[Any], array.tolist())
 
 
-def array_of(argument: str, value: Any) -> npt.NDArray[Any]:
-    """Of any type; rows are as long as each other, and nothing is masked."""
-    if isinstance(value, np.ma.MaskedArray) and np.any(value.mask):
-        raise refuse(argument, 'some elements are masked; leave them out')
-    try:
-        return np.asarray(value)
-    except (TypeError, ValueError):
-        raise refuse(argument, 'no array of numbers: its rows are not all alike') from None
-
-
 def numbers(argument: str, value: Any) -> Floats:
     """As float64, without a copy where it is that already; strides of any kind."""
     array = array_of(argument, value)
@@ -47,6 +37,16 @@ def numbers(argument: str, value: Any) -> Floats:
         except (TypeError, ValueError):
             raise refuse(argument, f'no array of numbers, but of {array.dtype}') from None
     return array.astype(np.float64, copy=False)
+
+
+def array_of(argument: str, value: Any) -> npt.NDArray[Any]:
+    """Of any type; rows are as long as each other, and nothing is masked."""
+    if isinstance(value, np.ma.MaskedArray) and np.any(value.mask):
+        raise refuse(argument, 'some elements are masked; leave them out')
+    try:
+        return np.asarray(value)
+    except (TypeError, ValueError):
+        raise refuse(argument, 'no array of numbers: its rows are not all alike') from None
 
 
 def points_of(value: Any, argument: str = 'points') -> Floats:
