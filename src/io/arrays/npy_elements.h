@@ -9,6 +9,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "io/arrays/npy_header.h"
@@ -58,6 +59,55 @@ Result<void> eachElement(InputFile& file, const NpyHeader& header, std::uint64_t
   if (!rest) return tl::unexpected(rest.error());
   if (*rest > 0) return inputError(file.name() + ": is too long: bytes follow the last element of its array");
   return {};
+}
+
+/// Whether eachNumber() takes the elements: all of NumPy's numbers, but for float16, longdouble and complex
+/// ones, and its booleans.
+inline bool areNumbers(const NpyHeader& header) {
+  const std::size_t size = header.size;
+  if (header.kind == 'f') return size == sizeof(float) || size == sizeof(double);
+  if (header.kind == 'b') return size == 1;
+  return (header.kind == 'i' || header.kind == 'u') && std::has_single_bit(size) && size <= 8;
+}
+
+/// Calls `use(Value())` with the type of elements that areNumbers() says yes of.
+template <class Use>
+auto withType(const NpyHeader& header, Use use) {
+  const std::size_t size = header.size;
+  if (header.kind == 'f') return size == sizeof(float) ? use(float()) : use(double());
+  if (header.kind == 'i') {
+    return size == 1   ? use(std::int8_t())
+           : size == 2 ? use(std::int16_t())
+           : size == 4 ? use(std::int32_t())
+                       : use(std::int64_t());
+  }
+  return size == 1   ? use(std::uint8_t())
+         : size == 2 ? use(std::uint16_t())
+         : size == 4 ? use(std::uint32_t())
+                     : use(std::uint64_t());
+}
+
+/// Whether a double is this very number: not one above 2^53 that would be another one.
+template <class Value>
+bool isExact(Value value) {
+  if constexpr (std::is_integral_v<Value> && sizeof(Value) == 8) {
+    constexpr auto most = Value{1} << std::numeric_limits<double>::digits;
+    return value <= most && (std::is_unsigned_v<Value> || value >= Value{0} - most);
+  }
+  return true;
+}
+
+/// eachElement() of any type of numbers, which `take(index, value)` gets as they are. Error (input): one that
+/// no double is equal to, too.
+template <class Take>
+Result<void> eachNumber(InputFile& file, const NpyHeader& header, std::uint64_t count, Take take) {
+  return withType(header, [&]<class Value>(Value) {
+    return eachElement<Value>(file, header, count, [&](std::uint64_t index, Value value) -> Result<void> {
+      if (isExact(value)) return take(index, value);
+      return inputError(file.name() + ": element " + std::to_string(index) + " (counted from 0) is " +
+                        std::to_string(value) + ", above 2^53: no double is the same number");
+    });
+  });
 }
 
 /// Pixels in a row or a column of an array that is an image.

@@ -54,18 +54,13 @@ Result<Density> readNpy(const std::string& path) {
     return tl::unexpected(header.error());
   }
   const auto& shape = header->shape;
-  if (shape.size() == 2 && std::min(shape[0], shape[1]) >= 1 && std::max(shape[0], shape[1]) <= max_extent) {
-    const char kind = header->kind;
-    const std::size_t size = header->size;
-    if (kind == 'f' && size == 4) return readElements<float>(*file, *header);
-    if (kind == 'f' && size == 8) return readElements<double>(*file, *header);
-    if (kind == 'u' && size == 1) return readElements<std::uint8_t>(*file, *header);
-    if (kind == 'u' && size == 2) return readElements<std::uint16_t>(*file, *header);
-    if (kind == 'u' && size == 4) return readElements<std::uint32_t>(*file, *header);
+  if (areNumbers(*header) && shape.size() == 2 && std::min(shape[0], shape[1]) >= 1 &&
+      std::max(shape[0], shape[1]) <= max_extent) {
+    return withType(*header, [&]<class Number>(Number) { return readElements<Number>(*file, *header); });
   }
   return inputError(fmt::format(
-      "{}: holds {}; float32, float64, uint8, uint16 or uint32 (H, W) with 1 to {} rows and columns "
-      "is needed",
+      "{}: holds {}; numbers (H, W), float32, float64 or whole ones, with 1 to {} rows and columns are "
+      "needed",
       path, header->description, max_extent));
 }
 

@@ -14,10 +14,10 @@ struct DensityFile {
 };
 
 /// Reads a density by the path's extension, the top row first: .png, whose darkness it is (readPngDarkness),
-/// as stippling wants it; or .npy, an array of shape (H, W) of float32, float64, uint8, uint16 or uint32,
-/// whose elements it is. Its place is that of the world file beside it: .pgw, .pngw, .tfw or .wld in the
-/// place of its extension. Errors: a path or data that is wrong, a negative element or one that is not
-/// finite, a world file that is none or turns the pixels (input); reading failed or memory ran out (device).
+/// as stippling wants it; or .npy, an array of shape (H, W) of numbers that areNumbers() takes, whose
+/// elements it is. Its place is that of the world file beside it: .pgw, .pngw, .tfw or .wld in the place of
+/// its extension. Errors: a path or data that is wrong, a negative element or one that is not finite, a world
+/// file that is none or turns the pixels (input); reading failed or memory ran out (device).
 Result<DensityFile> readDensity(const std::string& path);
 
 }  // namespace vorpipe

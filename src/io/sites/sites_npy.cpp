@@ -22,7 +22,6 @@ namespace {
 constexpr std::uint64_t most_columns = 1 << 20;
 
 /// `columns` are those of x, y and perhaps weight.
-template <class Real>
 Result<void> readElements(InputFile& file, const NpyHeader& header, const std::vector<std::size_t>& columns,
                           Sites& sites) {
   const std::array<std::vector<double>*, 3> into = {&sites.x, &sites.y, &sites.weight};
@@ -32,14 +31,15 @@ Result<void> readElements(InputFile& file, const NpyHeader& header, const std::v
   for (std::size_t k = 0; k < columns.size(); ++k) use[columns[k]] = k;
   // Row and column by counting: a division for each element costs more than reading it.
   std::uint64_t row = 0, column = 0;
-  const auto take = [&](std::uint64_t, Real value) -> Result<void> {
+  const auto take = [&](std::uint64_t, auto number) -> Result<void> {
+    const auto value = static_cast<double>(number);
     const std::size_t used = use[column];
     if (used < site_numbers.size() && !std::isfinite(value)) {
       return inputError(
           fmt::format("{}: element [{}, {}] (counted from 0; column {}) is {}, not a finite number",
                       file.name(), row, column, site_numbers[used], value));
     }
-    if (used < site_numbers.size()) into[used]->push_back(static_cast<double>(value));
+    if (used < site_numbers.size()) into[used]->push_back(value);
     std::uint64_t& inner = header.fortran_order ? row : column;
     std::uint64_t& outer = header.fortran_order ? column : row;
     if (++inner == (header.fortran_order ? row_count : column_count)) {
@@ -48,19 +48,19 @@ Result<void> readElements(InputFile& file, const NpyHeader& header, const std::v
     }
     return {};
   };
-  return eachElement<Real>(file, header, row_count * column_count, take);
+  return eachNumber(file, header, row_count * column_count, take);
 }
 
 /// The columns of x, y and perhaps weight. Without a choice the shape tells.
 Result<std::vector<std::size_t>> columnsOf(const NpyHeader& header, const ReadOptions& options,
                                            const std::string& name) {
-  const bool real = header.kind == 'f' && (header.size == sizeof(float) || header.size == sizeof(double));
   const auto& shape = header.shape;
-  const bool table = real && shape.size() == 2 && shape[1] <= most_columns;
+  const bool table = areNumbers(header) && shape.size() == 2 && shape[1] <= most_columns;
   if (!options.columns.empty() && table) return numberedColumns(options.columns, shape[1], name);
   if (!table || (shape[1] != 2 && shape[1] != 3)) {
-    return inputError(fmt::format("{}: holds {}; float32 or float64 (N, 2) or (N, 3) is needed{}", name,
-                                  header.description, table ? ", or --columns" : ""));
+    return inputError(
+        fmt::format("{}: holds {}; numbers (N, 2) or (N, 3), float32, float64 or whole ones, are needed{}",
+                    name, header.description, table ? ", or --columns" : ""));
   }
   return shape[1] == 2 ? std::vector<std::size_t>{0, 1} : std::vector<std::size_t>{0, 1, 2};
 }
@@ -81,10 +81,7 @@ Result<SiteTable> readNpySites(InputFile file, const ReadOptions& options) {
   const auto room = checkRoom(file.name(), what, header->shape[0] * columns->size() * sizeof(double));
   if (!room) return tl::unexpected(room.error());
   SiteTable table;
-  const Result<void> read = header->size == sizeof(float)
-                                ? readElements<float>(file, *header, *columns, table.sites)
-                                : readElements<double>(file, *header, *columns, table.sites);
-  if (!read) {
+  if (const auto read = readElements(file, *header, *columns, table.sites); !read) {
     return tl::unexpected(read.error());
   }
   if (options.columns.empty() && columns->size() == site_numbers.size()) {

@@ -25,7 +25,8 @@ Result<SiteTable> readTsvSites(InputFile file, const ReadOptions& options);
 /// number names the columns, as in .csv.
 Result<SiteTable> readTextSites(InputFile file, const ReadOptions& options);
 
-/// NumPy array of shape (N, 2) or (N, 3), the third column being the weight, float32 or float64.
+/// NumPy array of shape (N, 2) or (N, 3), the third column being the weight, of numbers that
+/// areNumbers() takes.
 Result<SiteTable> readNpySites(InputFile file, const ReadOptions& options);
 
 /// GeoJSON (RFC 7946) of points: features in a collection or one, or geometries. It is not kept as a whole.

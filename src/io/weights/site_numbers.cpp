@@ -54,43 +54,40 @@ Result<std::vector<double>> readLines(InputFile file, std::uint64_t count, const
   }
 }
 
-template <class Real>
 Result<std::vector<double>> readElements(InputFile& file, const NpyHeader& header, std::uint64_t count,
                                          const NumbersKind& kind) {
   std::vector<double> values(count);
-  const auto read =
-      eachElement<Real>(file, header, count, [&](std::uint64_t index, Real element) -> Result<void> {
-        if (!std::isfinite(element)) {
-          return inputError(fmt::format("{}: element [{}] (counted from 0) is {}, not a finite number",
-                                        file.name(), index, element));
-        }
-        const auto value = kind.value(static_cast<double>(element), fmt::to_string(element));
-        if (!value) {
-          return inputError(
-              fmt::format("{}: element [{}] (counted from 0): {}", file.name(), index, value.error()));
-        }
-        values[index] = *value;
-        return {};
-      });
+  const auto read = eachNumber(file, header, count, [&](std::uint64_t index, auto element) -> Result<void> {
+    const auto number = static_cast<double>(element);
+    if (!std::isfinite(number)) {
+      return inputError(fmt::format("{}: element [{}] (counted from 0) is {}, not a finite number",
+                                    file.name(), index, number));
+    }
+    const auto value = kind.value(number, fmt::to_string(element));
+    if (!value) {
+      return inputError(
+          fmt::format("{}: element [{}] (counted from 0): {}", file.name(), index, value.error()));
+    }
+    values[index] = *value;
+    return {};
+  });
   return read.map([&] { return std::move(values); });
 }
 
 Result<std::vector<double>> readNpy(InputFile file, std::uint64_t count, const NumbersKind& kind) {
   const auto header = readNpyHeader(file);
   if (!header) return tl::unexpected(header.error());
-  const bool real = header->kind == 'f' && (header->size == sizeof(float) || header->size == sizeof(double));
   const auto& shape = header->shape;
   const bool one_column = shape.size() == 1 || (shape.size() == 2 && shape[1] == 1);
-  if (!real || !one_column) {
-    return inputError(
-        fmt::format("{}: holds {}; float32 or float64 (N,) is needed", file.name(), header->description));
+  if (!areNumbers(*header) || !one_column) {
+    return inputError(fmt::format("{}: holds {}; numbers (N,), float32, float64 or whole ones, are needed",
+                                  file.name(), header->description));
   }
   if (shape[0] != count) {
     return inputError(
         fmt::format("{}: holds {} {}, there are {}", file.name(), shape[0], kind.many, sitesText(count)));
   }
-  return header->size == sizeof(float) ? readElements<float>(file, *header, count, kind)
-                                       : readElements<double>(file, *header, count, kind);
+  return readElements(file, *header, count, kind);
 }
 
 }  // namespace

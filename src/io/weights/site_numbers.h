@@ -21,9 +21,9 @@ struct NumbersKind {
 };
 
 /// Reads one finite number for each of `count` sites, in their order: from .txt or .csv, a number to a line,
-/// where # begins a comment; or from .npy, float32 or float64 of shape (N,) or (N, 1). Errors: a path or data
-/// that is wrong, or not as many numbers as sites, with file, line and column (input); reading failed or
-/// memory ran out (device).
+/// where # begins a comment; or from .npy, numbers that areNumbers() takes, of shape (N,) or (N, 1). Errors:
+/// a path or data that is wrong, or not as many numbers as sites, with file, line and column (input); reading
+/// failed or memory ran out (device).
 Result<std::vector<double>> readSiteNumbers(const std::string& path, std::uint64_t count,
                                             const NumbersKind& kind);
 

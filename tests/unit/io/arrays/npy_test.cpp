@@ -79,16 +79,34 @@ TEST_F(Npy, ReadsTwoColumnsInManyChunks) {
   }
 }
 
+TEST_F(Npy, ReadsWholeNumbersAndBooleansInAnyOrder) {
+  if (!numpy("a = np.array([[0, 1], [1, 0], [7, 3]])\n"
+             "for kind in ('i1', 'i2', '<i4', '>i8', 'u1', '>u2', 'u4', 'u8', '>f4', '>f8'):\n"
+             "  np.save(kind.strip('<>') + '.npy', np.asfortranarray(a.astype(kind)))\n"
+             "np.save('b1.npy', a > 0)\n"
+             "np.save('large.npy', np.array([[1, 2], [2**53 + 1, 3]]))\n")) {
+    GTEST_SKIP() << without_numpy;
+  }
+  for (const char* name : {"i1", "i2", "i4", "i8", "u1", "u2", "u4", "u8", "f4", "f8", "b1"}) {
+    const auto sites = readSites(path(std::string(name) + ".npy"));
+    ASSERT_TRUE(sites) << sites.error().message;
+    const bool is_bool = name[0] == 'b';
+    EXPECT_THAT(sites->sites.x, ElementsAre(0, 1, is_bool ? 1 : 7)) << name;
+    EXPECT_THAT(sites->sites.y, ElementsAre(1, 0, is_bool ? 1 : 3)) << name;
+  }
+  EXPECT_THAT(readSites(path("large.npy")).error().message,
+              HasSubstr("element 2 (counted from 0) is 9007199254740993, above 2^53"));
+}
+
 TEST_F(Npy, RefusesOtherTypesAndShapes) {
   const std::string tail = "'fortran_order': False, 'shape': ";
-  EXPECT_EQ(badSites(npy("{'descr': '<i8', " + tail + "(1, 2), }", std::string(16, '\0'))),
-            "holds int64 (1, 2); float32 or float64 (N, 2) or (N, 3) is needed");
   EXPECT_EQ(badSites(npy("{'descr': '<f2', " + tail + "(1, 2)}", std::string(4, '\0'))),
-            "holds float16 (1, 2); float32 or float64 (N, 2) or (N, 3) is needed");
+            "holds float16 (1, 2); numbers (N, 2) or (N, 3), float32, float64 or whole ones, are needed");
   EXPECT_EQ(badSites(npy("{'descr': '<f8', " + tail + "(2,)}", std::string(16, '\0'))),
-            "holds float64 (2,); float32 or float64 (N, 2) or (N, 3) is needed");
+            "holds float64 (2,); numbers (N, 2) or (N, 3), float32, float64 or whole ones, are needed");
   EXPECT_EQ(badSites(npy("{'descr': '<f8', " + tail + "(2, 1)}", std::string(16, '\0'))),
-            "holds float64 (2, 1); float32 or float64 (N, 2) or (N, 3) is needed, or --columns");
+            "holds float64 (2, 1); numbers (N, 2) or (N, 3), float32, float64 or whole ones, are needed, or "
+            "--columns");
   EXPECT_EQ(badSites(npy("{'descr': '|O', " + tail + "(1, 2)}", "pickle")),
             "holds elements of dtype \"|O\"; numbers are needed");
   EXPECT_THAT(
