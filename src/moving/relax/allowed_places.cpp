@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/outline/edge_tree.h"
+#include "moving/relax/movable.h"
 
 namespace vorpipe::moving {
 namespace {
@@ -45,9 +46,7 @@ struct AllowedPlaces::Shape {
 };
 
 AllowedPlaces::AllowedPlaces(const Box& domain, const Outline& outline, Periodic periodic)
-    : domain_(domain),
-      x_repeats_(periodic == Periodic::x || periodic == Periodic::xy),
-      y_repeats_(periodic == Periodic::y || periodic == Periodic::xy) {
+    : domain_(domain), x_repeats_(repeats(periodic).x), y_repeats_(repeats(periodic).y) {
   if (outline.empty()) return;
   // Not scaled: exact predicates stand the range of coordinates.
   if (auto rings = core::ringsOf(outline, 0)) shape_ = std::make_unique<Shape>(std::move(*rings));

@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
 
 #include "base/refusal.h"
 
@@ -36,6 +40,30 @@ Result<void> checkMovable(const Sites& sites, const CellsOptions& options, int t
   return tl::unexpected(refusalOf(
       Subject::density, fmt::format("its largest value is {}: what moves sites takes {:.0e} to {:.0e}",
                                     largest, densities.least, densities.most)));
+}
+
+RepeatingAxes repeats(Periodic periodic) {
+  return {periodic == Periodic::x || periodic == Periodic::xy,
+          periodic == Periodic::y || periodic == Periodic::xy};
+}
+
+Result<void> checkPlaces(const Sites& sites, const Box& domain, Periodic periodic) {
+  std::vector<std::uint32_t> order(sites.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const RepeatingAxes along = repeats(periodic);
+  const auto placeOf = [&](std::uint32_t i) {
+    return std::pair(along.x && sites.x[i] == domain.xmax ? domain.xmin : sites.x[i],
+                     along.y && sites.y[i] == domain.ymax ? domain.ymin : sites.y[i]);
+  };
+  std::ranges::sort(order,
+                    [&](auto a, auto b) { return std::pair(placeOf(a), a) < std::pair(placeOf(b), b); });
+  const auto same =
+      std::ranges::adjacent_find(order, [&](auto a, auto b) { return placeOf(a) == placeOf(b); });
+  if (same == order.end()) return {};
+  return tl::unexpected(refusal(
+      Subject::sites,
+      fmt::format("sites {} and {} (counted from 0) are at one place, so that neither can have its mass",
+                  *same, *std::next(same))));
 }
 
 Result<void> checkTolerance(double tolerance) {

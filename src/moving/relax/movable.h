@@ -9,6 +9,16 @@ namespace vorpipe::moving {
 /// sides of the domain are 1e-40 to 1e40, and the largest density is 1e-30 to 1e30. Errors (input).
 Result<void> checkMovable(const Sites& sites, const CellsOptions& options, int threads);
 
+/// Which axes repeat.
+struct RepeatingAxes {
+  bool x, y;
+};
+RepeatingAxes repeats(Periodic periodic);
+
+/// Refuses (input) two sites at one place, of which neither can have a mass of its own. Both ends of a period
+/// are one place; sites are inside of it.
+Result<void> checkPlaces(const Sites& sites, const Box& domain, Periodic periodic);
+
 /// Refuses what is no tolerance: less than 0, or no number (input).
 Result<void> checkTolerance(double tolerance);
 

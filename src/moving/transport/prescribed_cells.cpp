@@ -122,11 +122,11 @@ Result<bool> PrescribedCells::State::beginAnywhere(Sites& sites) {
     starts.push_back(discWeights(masses));
     const double least = *std::ranges::min_element(starts.front());
     starts.emplace_back(sites.size(), least);
-  } else if (options.periodic != Periodic::none) {
+  } else if (options.periodic == Periodic::xy) {
     starts.push_back(equal);
   } else {
-    starts = {equal, spreadWeights(sites, options.domain)};
-    if (!fillDomain(sites, options.domain)) std::swap(starts[0], starts[1]);
+    starts = {equal, spreadWeights(sites, options.domain, options.periodic)};
+    if (!fillDomain(sites, options.domain, options.periodic)) std::swap(starts[0], starts[1]);
   }
   Result<bool> begun = false;
   for (std::size_t k = 0; k < starts.size() && begun && !*begun && mayMeasure(); ++k) {
@@ -134,8 +134,8 @@ Result<bool> PrescribedCells::State::beginAnywhere(Sites& sites) {
     begun = beginWith(sites, std::move(starts[k]), any);
   }
   const bool everywhere = options.outline.empty() && options.density.values.empty();
-  if (!begun || *begun || everywhere || !mayMeasure() || options.periodic != Periodic::none) return begun;
-  std::vector<double> roomy = spreadWeights(sites, roomyBox(options));
+  if (!begun || *begun || everywhere || !mayMeasure() || options.periodic == Periodic::xy) return begun;
+  std::vector<double> roomy = spreadWeights(sites, roomyBox(options), options.periodic);
   centerWeights(roomy, threads);
   return beginWith(sites, std::move(roomy), any);
 }
@@ -284,7 +284,10 @@ Result<TransportEnd> PrescribedCells::solve(Sites& sites, const PrescribedLimits
   if (!*begun && s.stopped) {
     return tl::unexpected(Error{ErrorCode::cancelled, "stopped before every cell had some of its mass"});
   }
-  if (!*begun) return tl::unexpected(refusal(Subject::sites, "no weights give each site a cell with mass"));
+  if (!*begun) {
+    return tl::unexpected(
+        refusal(Subject::sites, "no weights to begin with were found that give each site a cell with mass"));
+  }
   auto end = s.iterate(sites);
   if (!end && end.error().code == ErrorCode::cancelled) {
     sites.weight = s.kept;

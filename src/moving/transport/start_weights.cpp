@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/block_sums.h"
+#include "moving/relax/movable.h"
 
 namespace vorpipe::moving {
 namespace {
@@ -35,22 +36,22 @@ void addAxis(const std::vector<double>& coordinates, Interval to, std::vector<do
 
 }  // namespace
 
-std::vector<double> spreadWeights(const Sites& sites, const Box& into) {
+std::vector<double> spreadWeights(const Sites& sites, const Box& into, Periodic periodic) {
   std::vector<double> weights(sites.size());
-  addAxis(sites.x, {into.xmin, into.xmax}, weights);
-  addAxis(sites.y, {into.ymin, into.ymax}, weights);
+  if (!repeats(periodic).x) addAxis(sites.x, {into.xmin, into.xmax}, weights);
+  if (!repeats(periodic).y) addAxis(sites.y, {into.ymin, into.ymax}, weights);
   return weights;
 }
 
-bool fillDomain(const Sites& sites, const Box& domain) {
+bool fillDomain(const Sites& sites, const Box& domain, Periodic periodic) {
   const auto fill = [](Interval sites_range, Interval whole) {
     constexpr double most_beside = 0.2;
     const double slack = most_beside * whole.length();
     return sites_range.low >= whole.low && sites_range.high <= whole.high &&
            sites_range.low <= whole.low + slack && sites_range.high >= whole.high - slack;
   };
-  return fill(intervalOf(sites.x), {domain.xmin, domain.xmax}) &&
-         fill(intervalOf(sites.y), {domain.ymin, domain.ymax});
+  return (repeats(periodic).x || fill(intervalOf(sites.x), {domain.xmin, domain.xmax})) &&
+         (repeats(periodic).y || fill(intervalOf(sites.y), {domain.ymin, domain.ymax}));
 }
 
 void centerWeights(std::vector<double>& weights, int threads) {

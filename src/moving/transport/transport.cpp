@@ -1,8 +1,4 @@
-#include <fmt/core.h>
-
-#include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "base/block_sums.h"
@@ -30,27 +26,6 @@ CellsOptions cellsOptions(const TransportOptions& options) {
   cells.search = options.search;
   cells.progress = options.progress;
   return cells;
-}
-
-/// Of two sites at one place neither can have a mass of its own. Both ends of a period are one place.
-Result<void> checkPlaces(const Sites& sites, const Box& domain, Periodic periodic) {
-  std::vector<std::uint32_t> order(sites.size());
-  std::iota(order.begin(), order.end(), 0u);
-  const bool along_x = periodic == Periodic::x || periodic == Periodic::xy;
-  const bool along_y = periodic == Periodic::y || periodic == Periodic::xy;
-  const auto placeOf = [&](std::uint32_t i) {
-    return std::pair(along_x && sites.x[i] == domain.xmax ? domain.xmin : sites.x[i],
-                     along_y && sites.y[i] == domain.ymax ? domain.ymin : sites.y[i]);
-  };
-  std::ranges::sort(order,
-                    [&](auto a, auto b) { return std::pair(placeOf(a), a) < std::pair(placeOf(b), b); });
-  const auto same =
-      std::ranges::adjacent_find(order, [&](auto a, auto b) { return placeOf(a) == placeOf(b); });
-  if (same == order.end()) return {};
-  return tl::unexpected(refusal(
-      Subject::sites,
-      fmt::format("sites {} and {} (counted from 0) are at one place, so that neither can have its mass",
-                  *same, *std::next(same))));
 }
 
 double costOf(const Sites& sites, const CellMoments& cells, int threads) {

@@ -255,6 +255,24 @@ TEST(Transport, massesThatCannotBeAreRefused) {
   refusedWith({0.5, 0.5, 0.5, 0.5}, AllOf(HasSubstr("add up to 2"), HasSubstr("to 1")));
 }
 
+/// Distinct sites have weights, wherever they are; along the axis that repeats they stay where they are.
+TEST(Transport, sitesBeyondAWallOfTheAxisThatDoesNotRepeatGetTheirShares) {
+  TransportOptions options = transportOptions(1e-9);
+  options.domain = {0, 0, 3, 0.5};
+  options.periodic = Periodic::x;
+  for (const Sites& sites : {Sites{{0.5, 0.5, 0.52}, {0.2, 0.7, 0.9}, {}},
+                             Sites{{0.1, 1.2, 2.9, 2.9}, {-3, -3.5, 0.2, 0.21}, {}}}) {
+    const Transported done = transported(sites, options);
+    EXPECT_EQ(done.end, TransportEnd::converged);
+    const double share = 1.5 / static_cast<double>(sites.size());
+    EXPECT_LE(worstOf(done.cells.mass, std::vector<double>(sites.size(), share)), 1e-9);
+  }
+  options.domain = {0, 0, 0.5, 3};
+  options.periodic = Periodic::y;
+  const Transported turned = transported({{0.2, 0.7, 0.9}, {0.5, 0.5, 0.52}, {}}, options);
+  EXPECT_EQ(turned.end, TransportEnd::converged);
+}
+
 TEST(Transport, sitesAtOnePlaceAreRefused) {
   Sites sites = generate(Pattern::random, 10, 1);
   sites.x[7] = sites.x[3];
