@@ -41,7 +41,8 @@ class Fluid:
         scheme: "springs", the default, which has free surfaces; or "projection", more exact for smooth flows in domains
             that are full.
         step: of time; None or 0: as long as speeds and springs allow.
-        epsilon: softness of springs in spacings; None: 2, or 1 with a free surface.
+        epsilon: a time, in 2 pi of which springs swing; None: 2 spacings over the largest first speed or half of that
+            of a fall from the top, 3 spacings with a free surface.
         until: the time at which it ends; None: never.
         tolerance: no area differs from its volume by more than this part of it; None: 1e-6.
         diagrams: the most for each set of areas; None: 100.

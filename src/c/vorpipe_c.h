@@ -182,7 +182,8 @@ typedef struct vorpipe_outline {
 
 /* Sites of the caller's; or of a file or generator, as the program's --sites names it: "stations.csv",
  * "random:1000" with `seed`. The domain is the box of the sites, grown on every side by 5 % of its longer
- * side; that of a generator is the unit square. */
+ * side; that of a generator is the unit square. Setting a box has a generator fill it: of lattices that may be
+ * another number of sites. */
 VORPIPE_API vorpipe_code vorpipe_input_create(const vorpipe_sites* sites, vorpipe_input** input);
 VORPIPE_API vorpipe_code vorpipe_input_read(const char* sites, uint64_t seed, vorpipe_input** input);
 VORPIPE_API void vorpipe_input_free(vorpipe_input* input);
@@ -754,7 +755,8 @@ typedef struct vorpipe_fluid_options {
   uint32_t struct_size;
   vorpipe_fluid_scheme scheme;
   double step;       /* of time; 0: as a case or a file has it, else as long as speeds and springs allow */
-  double epsilon;    /* softness of springs, in spacings; 0: likewise, else 2, or 1 with a free surface */
+  double epsilon;    /* a time: springs swing in 2 pi of it; 0: likewise, else 2 spacings over a usual speed,
+                      * 3 with a free surface */
   double until;      /* time at which it ends, with a shorter step; 0: likewise, else never */
   double tolerance;  /* no area differs from its volume by more than this part; 0: likewise, else 1e-6 */
   uint64_t diagrams; /* the most for each set of areas; 0: likewise, else 100 */

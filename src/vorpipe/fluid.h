@@ -35,9 +35,11 @@ struct FluidOptions {
   Surface surface = Surface::none;
   Point gravity{0, 0};
   FluidScheme scheme = FluidScheme::springs;
-  double step = 0;     ///< of time; 0: each as long as the sites' speeds and the springs allow
-  double epsilon = 0;  ///< of springs, which swing in 2 pi of it, in spacings per unit of time; 0: 2, or 1
-                       ///< with a free surface
+  double step = 0;  ///< of time; 0: each as long as the sites' speeds and the springs allow
+  /// A time: springs swing in 2 pi of it. 0: 2 spacings, the roots of the mean volume, over the largest first
+  /// speed, or over half of that with which what is highest reaches the lowest corner of the domain; with a
+  /// free surface 3 spacings.
+  double epsilon = 0;
   double until = std::numeric_limits<double>::infinity();  ///< time at which it ends, with a shorter step
   double tolerance = 1e-6;       ///< no area differs from its volume by more than this part of it
   std::uint64_t diagrams = 100;  ///< most of each set of areas
@@ -55,6 +57,9 @@ struct FluidState {
   std::vector<double> trend;     ///< of weights, per time; empty before the first step
   /// The order in which the sites stood in memory, which rounding depends on; empty: a new one is chosen.
   std::vector<std::uint32_t> order;
+  /// Sum of mass times the ways by which periods have put sites back against gravity: what they fell there is
+  /// potential energy that is gone.
+  Point carried{0, 0};
   double time = 0;
   std::uint64_t step = 0;
 };
@@ -67,6 +72,7 @@ struct FluidStep {
   Point momentum{0, 0};
   double worst = 0;     ///< largest |area - volume| / volume
   double farthest = 0;  ///< largest distance of a site to its centroid, in spacings
+  double fastest = 0;   ///< largest speed
   std::uint64_t diagrams = 0, linear_iterations = 0;
   std::uint64_t halvings = 0;  ///< steps were halved so often, since areas could not be found
   double seconds = 0;          ///< since the fluid began
@@ -101,11 +107,16 @@ class Fluid {
   /// could not be found again (input).
   Result<void> goOn(double until);
 
-  [[nodiscard]] const FluidOptions& options() const;
-  [[nodiscard]] const FluidState& state() const;  ///< in input order
-  [[nodiscard]] const FluidStep& last() const;    ///< of the state
+  [[nodiscard]] const FluidOptions& options() const;  ///< epsilon is the one that was chosen
+  [[nodiscard]] const FluidState& state() const;      ///< in input order
+  [[nodiscard]] const FluidStep& last() const;        ///< of the state
   [[nodiscard]] FluidEnd end() const;
-  [[nodiscard]] const Report& report() const;  ///< of the last diagram
+  /// Of the last diagram. Its notes tell of the fluid, too: sites beyond walls, steps that springs do not
+  /// stand, springs that do not go with its speeds, energy out of nothing.
+  [[nodiscard]] const Report& report() const;
+  /// Whether there is more than twice the energy that there was to move with, at the beginning or when it was
+  /// pushed last: steps are too long.
+  [[nodiscard]] bool hasExploded() const;
 
   /// Adds to velocities, one for each site: what stirs. Errors (input): another number of them; one that is
   /// not finite.

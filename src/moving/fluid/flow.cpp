@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/block_sums.h"
+#include "moving/fluid/softness.h"
 #include "moving/linear/conjugate_gradients.h"
 #include "moving/linear/mass_change.h"
 
@@ -29,9 +30,14 @@ CellsOptions cellsOptions(const FluidOptions& options) {
   return cells;
 }
 
-double meanSpacing(const std::vector<double>& volume) {
-  const double sum = carefulSum(volume.size(), 1, [&](std::size_t i) { return volume[i]; });
-  return std::sqrt(sum / static_cast<double>(volume.size()));
+/// The least density of the parcels. Springs are as stiff as epsilon says for it, and softer for what is
+/// heavier: so that the unit of mass makes no difference.
+double lightest(const Parcels& parcels) {
+  double least = parcels.mass[0] / parcels.volume[0];
+  for (std::size_t i = 0; i < parcels.size(); ++i) {
+    least = std::min(least, parcels.mass[i] / parcels.volume[i]);
+  }
+  return least;
 }
 
 double square(Point a) { return a.x * a.x + a.y * a.y; }
@@ -68,9 +74,32 @@ Flow::Flow(Session& session, const FluidOptions& options, const Parcels& parcels
     : options_(options),
       threads_(session.threads()),
       spacing_(meanSpacing(parcels.volume)),
-      cells_(session, cellsOptions(options), options.surface, parcels.volume) {
-  const double usual = options.surface == Surface::free ? 1 : 2;
-  period_ = spacing_ * (options.epsilon > 0 ? options.epsilon : usual);
+      stiffness_(options.scheme == FluidScheme::springs
+                     ? lightest(parcels) / (options.epsilon * options.epsilon)
+                     : 0),
+      cells_(session, cellsOptions(options), options.surface, parcels.volume) {}
+
+/// Puts sites back into the period, and notes by how much what falls through it.
+Result<void> Flow::wrap(Parcels& parcels) const {
+  if (options_.periodic == Periodic::none) return {};
+  auto inside = wrapped(parcels.sites, options_.domain, options_.periodic, threads_);
+  if (!inside) return tl::unexpected(std::move(inside.error()));
+  const Box& box = options_.domain;
+  const auto carried = [&](const std::vector<double>& from, const std::vector<double>& to, double side) {
+    return carefulSum(parcels.size(), threads_, [&](std::size_t i) {
+      const double way = to[i] - from[i];
+      // Sites inside may be moved by rounding.
+      return std::abs(way) > side / 2 ? parcels.mass[i] * way : 0;
+    });
+  };
+  if (options_.gravity.x != 0) {
+    parcels.carried.x += carried(parcels.sites.x, inside->x, box.xmax - box.xmin);
+  }
+  if (options_.gravity.y != 0) {
+    parcels.carried.y += carried(parcels.sites.y, inside->y, box.ymax - box.ymin);
+  }
+  parcels.sites = std::move(*inside);
+  return {};
 }
 
 /// Finds weights with which the cells have their areas. They begin as they would be if they changed as they
@@ -82,11 +111,7 @@ Result<bool> Flow::areas(Parcels& parcels, double time, double tolerance) {
   if (has_weights && parcels.trend.size() == parcels.size()) {
     forAll(parcels.size(), threads_, [&](std::size_t i) { weight[i] += time * parcels.trend[i]; });
   }
-  if (options_.periodic != Periodic::none) {
-    auto inside = wrapped(parcels.sites, options_.domain, options_.periodic, threads_);
-    if (!inside) return tl::unexpected(std::move(inside.error()));
-    parcels.sites = std::move(*inside);
-  }
+  if (auto put_back = wrap(parcels); !put_back) return tl::unexpected(std::move(put_back.error()));
   const auto end = cells_.solve(parcels.sites, {tolerance, options_.diagrams});
   if (!end) return tl::unexpected(end.error());
   if (*end == TransportEnd::cancelled) {
@@ -109,13 +134,12 @@ void Flow::accelerate(Parcels& parcels) const {
   const CellMoments& moments = cells_.cells().moments();
   parcels.acceleration.resize(parcels.size());
   if (springs) parcels.pressure.resize(parcels.size());
-  const double stiffness = springs ? 1 / (period_ * period_) : 0;
   forAll(parcels.size(), threads_, [&](std::size_t i) {
-    const double own = stiffness * parcels.volume[i] / parcels.mass[i];
+    const double own = stiffness_ * parcels.volume[i] / parcels.mass[i];
     const Point centroid = moments.centroid[i];
     parcels.acceleration[i] = {own * (centroid.x - parcels.sites.x[i]) + options_.gravity.x,
                                own * (centroid.y - parcels.sites.y[i]) + options_.gravity.y};
-    if (springs) parcels.pressure[i] = 0.5 * stiffness * parcels.sites.weight[i];
+    if (springs) parcels.pressure[i] = 0.5 * stiffness_ * parcels.sites.weight[i];
   });
 }
 
@@ -198,7 +222,7 @@ double Flow::length(const Parcels& parcels) const {
   double fastest = 0;
   for (const Point& v : parcels.velocity) fastest = std::max(fastest, square(v));
   const double pull = std::hypot(options_.gravity.x, options_.gravity.y);
-  double length = options_.scheme == FluidScheme::springs ? period_ / 4 : spacing_;
+  double length = options_.scheme == FluidScheme::springs ? options_.epsilon / 4 : spacing_;
   if (fastest > 0) length = std::min(length, part / std::sqrt(fastest));
   if (pull > 0) length = std::min(length, std::sqrt(part / pull) / 2);
   return length;
@@ -217,18 +241,21 @@ void Flow::measure(const Parcels& parcels, FluidStep& step) const {
     const Point at = at_sites ? Point{parcels.sites.x[i], parcels.sites.y[i]} : moments.centroid[i];
     return parcels.mass[i] * (options_.gravity.x * at.x + options_.gravity.y * at.y);
   });
+  step.potential += options_.gravity.x * parcels.carried.x + options_.gravity.y * parcels.carried.y;
   step.spring = 0;
   if (options_.scheme == FluidScheme::springs) {
-    step.spring = sum([&](std::size_t i) { return moments.spread[i] + moments.mass[i] * square(away(i)); }) /
-                  (2 * period_ * period_);
+    step.spring = sum([&](std::size_t i) { return moments.spread[i] + moments.mass[i] * square(away(i)); }) *
+                  stiffness_ / 2;
   }
   step.momentum.x = sum([&](std::size_t i) { return parcels.mass[i] * parcels.velocity[i].x; });
   step.momentum.y = sum([&](std::size_t i) { return parcels.mass[i] * parcels.velocity[i].y; });
-  step.worst = step.farthest = 0;
+  step.worst = step.farthest = step.fastest = 0;
   for (std::size_t i = 0; i < parcels.size(); ++i) {
     step.worst = std::max(step.worst, std::abs(moments.mass[i] - parcels.volume[i]) / parcels.volume[i]);
     step.farthest = std::max(step.farthest, square(away(i)));
+    step.fastest = std::max(step.fastest, square(parcels.velocity[i]));
   }
+  step.fastest = std::sqrt(step.fastest);
   step.farthest = std::sqrt(step.farthest) / spacing_;
 }
 

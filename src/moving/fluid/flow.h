@@ -35,12 +35,14 @@ class Flow {
   Result<bool> reflection(Parcels& parcels, double length);
   Result<bool> place(Parcels& parcels, double time, double tolerance);
   Result<bool> areas(Parcels& parcels, double time, double tolerance);
+  Result<void> wrap(Parcels& parcels) const;
   void drift(Parcels& parcels, double time) const;
   void accelerate(Parcels& parcels) const;
 
   const FluidOptions& options_;
   int threads_;
-  double spacing_, period_;  ///< period: epsilon as a time
+  double spacing_;
+  double stiffness_;  ///< of springs, by volume
   PrescribedCells cells_;
   std::uint64_t diagrams_ = 0, iterations_ = 0;
 };

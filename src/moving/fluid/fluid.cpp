@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <string_view>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "base/stopwatch.h"
 #include "moving/fluid/flow.h"
 #include "moving/fluid/parcels.h"
+#include "moving/fluid/softness.h"
 #include "moving/relax/movable.h"
 #include "vorpipe.h"
 
@@ -105,6 +107,14 @@ Result<void> completeState(const FluidOptions& options, FluidState& state) {
   return {};
 }
 
+/// Two parcels at one place cannot be told apart.
+Result<void> checkDistinct(const Sites& sites, const FluidOptions& options, int threads) {
+  if (options.periodic == Periodic::none) return checkPlaces(sites, options.domain, options.periodic);
+  const auto inside = wrapped(sites, options.domain, options.periodic, threads);
+  if (!inside) return tl::unexpected(inside.error());
+  return checkPlaces(*inside, options.domain, options.periodic);
+}
+
 }  // namespace
 
 struct Fluid::State {
@@ -124,6 +134,11 @@ struct Fluid::State {
   Stopwatch watch{};
   FluidStep last{};
   FluidEnd end = FluidEnd::none;
+  Report report{};                   ///< as the caller has it
+  std::vector<std::string> notes{};  ///< of the fluid
+  double highest = 0;                ///< an energy that no flow reaches
+  bool has_exploded = false, is_outgrown = false;
+  bool is_pushed = false;  ///< since the last step
 
   bool is_torn = false;  ///< a step failed: the cells may not be those of the parcels
 
@@ -133,7 +148,40 @@ struct Fluid::State {
   Result<bool> attempt(double length, int halvings, FluidStep& step);
   Result<bool> move(double length, FluidStep& step);
   Result<bool> advance();
+  void judgeFrom(const FluidStep& step);
+  void judge(const FluidStep& step);
 };
+
+/// Energy is what it is now, and at most all that there is to move with may come to it: rounding and steps
+/// that are a little long add less.
+void Fluid::State::judgeFrom(const FluidStep& step) {
+  update();
+  const std::vector<double> fall = fallOf(callers, options);
+  double movable = step.kinetic + step.spring;
+  for (std::size_t i = 0; i < fall.size(); ++i) {
+    const double density = callers.density.empty() ? 1 : callers.density[i];
+    movable += density * callers.volume[i] * std::max(0.0, fall[i]);
+  }
+  highest = movable > 0 ? step.energy() + movable : std::numeric_limits<double>::infinity();
+}
+
+/// Notes, once each, that energy has come out of nothing, or that speeds have outgrown the springs.
+void Fluid::State::judge(const FluidStep& step) {
+  if (std::exchange(is_pushed, false)) judgeFrom(step);
+  if (!has_exploded && !(step.energy() <= highest)) {
+    has_exploded = true;
+    notes.push_back(
+        fmt::format("energy has come to {:.3g} at time {:.3g}, out of nothing: steps are too long",
+                    step.energy(), step.time));
+  }
+  if (has_exploded || is_outgrown || options.scheme != FluidScheme::springs) return;
+  // What is slow for now may fall later.
+  const double spacing = meanSpacing(callers.volume);
+  if (!areTooSoft(options.epsilon, step.fastest, spacing, options.surface)) return;
+  is_outgrown = true;
+  notes.push_back(fmt::format("{}, at time {:.3g}",
+                              unfitFor(options.epsilon, step.fastest, spacing, options.surface), step.time));
+}
 
 /// Brings the caller's state up to date.
 void Fluid::State::update() {
@@ -233,6 +281,7 @@ Result<bool> Fluid::State::advance() {
     step.length = length;
     step.seconds = watch.seconds();
     last = step;
+    judge(step);
     return true;
   }
   now = std::move(before);
@@ -263,9 +312,16 @@ Result<Fluid> Fluid::begin(Session& session, FluidState state, FluidOptions opti
   if (auto complete = completeState(options, state); !complete) {
     return tl::unexpected(std::move(complete.error()));
   }
+  if (auto distinct = checkDistinct(state.sites, options, session.threads()); !distinct) {
+    return tl::unexpected(std::move(distinct.error()));
+  }
+  const bool is_chosen = options.epsilon == 0;
+  if (is_chosen) options.epsilon = usualEpsilon(state, options);
+  auto notes = notesBefore(state, options, is_chosen);
   Fluid fluid;
   fluid.state_ = std::make_unique<State>(session, std::move(options), std::move(state));
   State& s = *fluid.state_;
+  s.notes = std::move(notes);
   const auto placed = s.flow->place(s.now);
   if (!placed) return tl::unexpected(placed.error());
   if (!*placed) return refuse("volume: areas of the first cells could not be found");
@@ -275,6 +331,7 @@ Result<Fluid> Fluid::begin(Session& session, FluidState state, FluidOptions opti
   s.flow->count(s.last);
   s.flow->measure(s.now, s.last);
   s.last.seconds = s.watch.seconds();
+  s.judgeFrom(s.last);
   return fluid;
 }
 
@@ -298,7 +355,13 @@ const FluidState& Fluid::state() const {
 }
 const FluidStep& Fluid::last() const { return state_->last; }
 FluidEnd Fluid::end() const { return state_->end; }
-const Report& Fluid::report() const { return state_->flow->report(); }
+bool Fluid::hasExploded() const { return state_->has_exploded; }
+const Report& Fluid::report() const {
+  Report& report = state_->report;
+  report = state_->flow->report();
+  report.notes.insert(report.notes.end(), state_->notes.begin(), state_->notes.end());
+  return report;
+}
 
 Result<void> Fluid::push(const std::vector<Point>& velocities) {
   State& s = *state_;
@@ -316,6 +379,7 @@ Result<void> Fluid::push(const std::vector<Point>& velocities) {
     s.now.velocity[k].y += more.y;
   }
   s.callers_are_old = true;
+  s.is_pushed = true;
   return {};
 }
 

@@ -29,6 +29,7 @@ Parcels parcelsOf(const FluidState& state, const Box& domain) {
   parcels.volume = taken(state.volume, parcels.order);
   parcels.pressure = taken(state.pressure, parcels.order);
   parcels.trend = taken(state.trend, parcels.order);
+  parcels.carried = state.carried;
   parcels.mass = parcels.volume;
   const std::vector<double> density = taken(state.density, parcels.order);
   for (std::size_t i = 0; i < density.size(); ++i) parcels.mass[i] *= density[i];
@@ -37,6 +38,7 @@ Parcels parcelsOf(const FluidState& state, const Box& domain) {
 
 void backFrom(const Parcels& parcels, FluidState& state) {
   state.order = parcels.order;
+  state.carried = parcels.carried;
   putBack(parcels.sites.x, parcels.order, state.sites.x);
   putBack(parcels.sites.y, parcels.order, state.sites.y);
   putBack(parcels.sites.weight, parcels.order, state.sites.weight);

@@ -18,6 +18,7 @@ struct Parcels {
   std::vector<double> volume, mass, pressure;
   std::vector<double> trend;        ///< of weights: by how much they changed last, per time
   std::vector<Point> acceleration;  ///< of springs and gravity, where the sites are now
+  Point carried{0, 0};              ///< as a state has it
 
   [[nodiscard]] std::size_t size() const { return sites.size(); }
 };

@@ -1,10 +1,12 @@
 #include "vorpipe/fluid.h"
 #include "unit/fixtures/cpu_session.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "moving/linear/mass_change.h"
@@ -13,12 +15,17 @@
 namespace vorpipe {
 namespace {
 
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
 /// What a run came to, and what it was on the way.
 struct Ran {
   FluidState state;
   FluidStep first, last;
   double drift = 0, worst = 0;
   std::uint64_t steps = 0;
+  bool has_exploded = false;
+  std::vector<std::string> notes;
 };
 
 Ran runSteps(Session& session, const FluidSetup& setup, std::uint64_t most = UINT64_MAX) {
@@ -36,6 +43,8 @@ Ran runSteps(Session& session, const FluidSetup& setup, std::uint64_t most = UIN
   }
   ran.state = fluid->state();
   ran.last = fluid->last();
+  ran.has_exploded = fluid->hasExploded();
+  ran.notes = fluid->report().notes;
   return ran;
 }
 
@@ -249,6 +258,119 @@ TEST(Fluid, IsAsItWasBeforeAStepThatIsStopped) {
   EXPECT_FALSE(fluid->step().value());
   EXPECT_EQ(fluid->end(), FluidEnd::cancelled);
   EXPECT_EQ(fluid->state().sites.x, before.sites.x);
+}
+
+/// The same fluid in other units: so many of them are a meter, a second and the unit of mass.
+FluidSetup inUnits(FluidSetup setup, double length, double time, double mass) {
+  FluidOptions& options = setup.options;
+  FluidState& state = setup.state;
+  options.domain = {options.domain.xmin * length, options.domain.ymin * length, options.domain.xmax * length,
+                    options.domain.ymax * length};
+  options.gravity.x *= length / (time * time);
+  options.gravity.y *= length / (time * time);
+  options.until *= time;
+  for (double& x : state.sites.x) x *= length;
+  for (double& y : state.sites.y) y *= length;
+  for (Point& v : state.velocity) v = {v.x * length / time, v.y * length / time};
+  for (double& volume : state.volume) volume *= length * length;
+  state.density.resize(state.sites.size(), 1);
+  for (double& density : state.density) density *= mass / (length * length);
+  return setup;
+}
+
+TEST(Fluid, IsTheSameInOtherUnits) {
+  Session session = test::cpuSession();
+  struct Units {
+    double length, time, mass;
+  };
+  for (const FluidCase which : {FluidCase::taylor_green, FluidCase::dam_break, FluidCase::rayleigh_taylor}) {
+    FluidSetup setup = fluidCase(which, 128);
+    setup.options.until = which == FluidCase::rayleigh_taylor ? 0.5 : 0.15;
+    const Ran meters = runSteps(session, setup);
+    for (const auto& [length, time, mass] : {Units{100, 1, 1}, Units{1e-3, 1, 1}, Units{1, 1e3, 1e3}}) {
+      const Ran other = runSteps(session, inUnits(setup, length, time, mass));
+      EXPECT_EQ(other.steps, meters.steps);
+      EXPECT_TRUE(other.notes.empty());
+      for (std::size_t i = 0; i < setup.state.sites.size(); ++i) {
+        EXPECT_NEAR(other.state.sites.x[i] / length, meters.state.sites.x[i], 1e-9);
+        EXPECT_NEAR(other.state.sites.y[i] / length, meters.state.sites.y[i], 1e-9);
+      }
+      const double energy = length * length / (time * time) * mass;
+      EXPECT_NEAR(other.last.kinetic / energy, meters.last.kinetic, 1e-9);
+      EXPECT_NEAR(other.last.spring / energy, meters.last.spring, 1e-9);
+    }
+  }
+}
+
+TEST(Fluid, LosesTheEnergyOfItsFallThroughAPeriod) {
+  Session session = test::cpuSession();
+  for (const auto scheme : {FluidScheme::springs, FluidScheme::projection}) {
+    FluidSetup setup = fluidCase(FluidCase::shear, 64);
+    setup.state.velocity.assign(64, Point{0, 0});
+    setup.options.scheme = scheme;
+    setup.options.gravity = {0.3, -1};
+    setup.options.until = 3;
+    const Ran whole = runSteps(session, setup);
+    EXPECT_GT(whole.last.kinetic, 4);
+    EXPECT_NEAR(whole.last.energy(), whole.first.energy(), 1e-6);
+    // One that goes on knows how far it has fallen.
+    setup.options.until = 2;
+    setup.state = runSteps(session, setup).state;
+    EXPECT_GT(setup.state.carried.y, 0);
+    setup.options.until = 3;
+    EXPECT_NEAR(runSteps(session, setup).last.energy(), whole.first.energy(), 1e-6);
+  }
+}
+
+TEST(Fluid, TellsOfStepsThatSpringsDoNotStand) {
+  Session session = test::cpuSession();
+  FluidSetup setup = fluidCase(FluidCase::taylor_green, 256);
+  setup.options.step = 0.3;
+  setup.options.until = 3;
+  const Ran ran = runSteps(session, setup);
+  EXPECT_TRUE(ran.has_exploded);
+  ASSERT_EQ(ran.notes.size(), 2u);
+  EXPECT_THAT(ran.notes[0], HasSubstr("step: one of 0.3 is longer than springs of epsilon 0.12"));
+  EXPECT_THAT(ran.notes[1], HasSubstr("out of nothing: steps are too long"));
+  setup.options.step = 0;
+  const Ran right = runSteps(session, setup, 20);
+  EXPECT_FALSE(right.has_exploded);
+  EXPECT_TRUE(right.notes.empty());
+}
+
+TEST(Fluid, TellsOfSpringsThatDoNotGoWithItsSpeeds) {
+  Session session = test::cpuSession();
+  const auto notesFor = [&](double epsilon, double speed) {
+    FluidSetup setup = fluidCase(FluidCase::taylor_green, 64);
+    for (Point& v : setup.state.velocity) v = {speed * v.x, speed * v.y};
+    setup.options.epsilon = epsilon;
+    auto fluid = Fluid::begin(session, setup.state, setup.options);
+    EXPECT_TRUE(fluid);
+    return fluid->report().notes;
+  };
+  EXPECT_TRUE(notesFor(0.25, 1).empty());
+  EXPECT_THAT(notesFor(0.25, 100), ElementsAre(HasSubstr("too soft for speeds of ")));
+  EXPECT_THAT(notesFor(0.25, 0.01), ElementsAre(HasSubstr("too stiff for speeds of ")));
+  EXPECT_THAT(notesFor(0, 0), ElementsAre(HasSubstr("nothing moves and nothing pulls")));
+}
+
+TEST(Fluid, TellsOfSitesBeyondWalls) {
+  Session session = test::cpuSession();
+  FluidSetup setup = fluidCase(FluidCase::taylor_green, 64);
+  setup.state.sites.y[5] = -4;
+  auto fluid = Fluid::begin(session, setup.state, setup.options);
+  ASSERT_TRUE(fluid) << fluid.error().message;
+  EXPECT_THAT(fluid->report().notes,
+              ElementsAre(HasSubstr("1 of 64 sites lie beyond the domain, up to 32 spacings")));
+}
+
+TEST(Fluid, NamesSitesAtOnePlace) {
+  Session session = test::cpuSession();
+  FluidSetup setup = fluidCase(FluidCase::shear, 16);
+  setup.state.sites.x[3] = setup.state.sites.x[7] + 1;
+  setup.state.sites.y[3] = setup.state.sites.y[7];
+  EXPECT_THAT(Fluid::begin(session, setup.state, setup.options).error().message,
+              HasSubstr("sites 3 and 7 (counted from 0) are at one place"));
 }
 
 }  // namespace
