@@ -31,6 +31,7 @@ done
 
 folders="--every 2 --size 30 --frames"
 succeeds "folders of a whole run" $vortex --steps 6 $folders out/whole-frames --series out/whole-series
+succeeds "a later state" $vortex --steps 7 --checkpoint out/late.npz
 succeeds "of a part" $vortex --steps 3 $folders out/frames-on --series out/series-on --checkpoint out/part.npz
 succeeds "of the rest" fluid --backend cpu --resume out/part.npz --steps 3 $folders out/frames-on --series out/series-on
 diff -r out/whole-frames out/frames-on || fail "other pictures"
@@ -45,6 +46,26 @@ fails 2 "a foreign folder" 'holds "notes.txt", which is none of a series' \
   fluid --backend cpu --resume out/part.npz --steps 1 --series out/foreign
 succeeds "cells of a free surface" fluid --backend cpu --case dam-break --particles 32 --steps 1 --cells out/free.csv
 awk -F, 'NR > 1 && $5 == "ok" { n++ } END { exit !(n > 25) }' out/free.csv || fail "cells of a free surface are not there"
+
+# A trace goes on, and has its rows as soon as steps are made.
+without_times() { cut -d, -f1-14 "$1"; }
+succeeds "a trace of a whole run" $vortex --steps 6 --trace out/whole-trace.csv
+succeeds "of a part" $vortex --steps 3 --trace out/trace-on.csv --checkpoint out/part.npz
+printf '4,0.5,this row was made after the checkpoint\n' >>out/trace-on.csv
+succeeds "of the rest" fluid --backend cpu --resume out/part.npz --steps 3 --trace out/trace-on.csv
+cmp <(without_times out/whole-trace.csv) <(without_times out/trace-on.csv) || fail "another trace"
+fails 2 "a trace of another run" "--trace: out/whole-trace.csv: its trace has no step 7 at time" \
+  fluid --backend cpu --resume out/late.npz --steps 1 --trace out/whole-trace.csv
+fails 2 "no trace" "--trace: out/whole.csv: it is no trace of a fluid" \
+  fluid --backend cpu --resume out/part.npz --steps 1 --trace out/whole.csv
+
+# -- Steps that are too long ----------------------------------------------------------------------------
+name="an explosion"
+cases=$((cases + 1))
+run 1 fluid --backend cpu --case taylor-green --particles 256 --step 0.3 --time 3 -o out/far.csv
+grep -q '^vorpipe: note: step: one of 0.3 is longer than springs of epsilon 0.12.* stand' log/err || fail "nothing is said before"
+grep -q '^vorpipe: energy has exploded, from ' log/err || fail "nothing is said after"
+[ "$(wc -l <out/far.csv)" -eq 257 ] || fail "the file is not there"
 
 # -- What is refused ------------------------------------------------------------------------------------
 refused() { fails 2 "$1" "$@"; }

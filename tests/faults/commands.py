@@ -46,8 +46,8 @@ def without_times(name, content):
 
 
 class Command:
-    """A run of vorpipe: its arguments, the files that it puts in place together at the end, and folders and
-    checkpoints that it writes on the way."""
+    """A run of vorpipe: its arguments, the files that it puts in place together at the end, and folders,
+    checkpoints and traces that it writes on the way."""
 
     def __init__(self, name, arguments, files, options, piped=None, keeps=False, resumes=False):
         self.name, self.arguments, self.files, self.options = name, arguments, files, options
@@ -69,7 +69,8 @@ def commands(scale):
     cpu = ["--backend", "cpu", "--quiet"]
     sites = lambda count: ["--sites", f"random:{int(count * scale)}"]
     fluid = ["fluid", *cpu, "--every", "4", "--checkpoint", "checkpoint.npz", "--frames", "frames", "--size", "120",
-             "--series", "series"]
+             "--series", "series", "--trace", "trace.csv"]
+    last, last_options = ["sites.csv", "cells.npz", "stats.json"], ["-o", "--cells", "--stats"]
     ends = ["sites.csv", "cells.npz", "trace.csv", "stats.json"]
     options = ["-o", "--cells", "--trace", "--stats"]
     pipe = ["-o", "-", "--format", "csv"]
@@ -79,11 +80,11 @@ def commands(scale):
         Command("transport", ["transport", *cpu, *sites(3000), "--size", "200"],
                 ["sites.csv", "cells.npz", "trace.csv", "stats.json", "a.png"], [*options, "--picture"], pipe, keeps=True),
         Command("fluid", [*fluid, "--case", "taylor-green", "--particles", str(int(400 * scale)), "--steps", "70"],
-                ends, options, ["-o", "{}"], keeps=True, resumes=True),
+                last, last_options, ["-o", "{}"], keeps=True, resumes=True),
         Command("free", [*fluid, "--case", "dam-break", "--particles", str(int(200 * scale)), "--time", "0.15"],
-                ends, options, ["-o", "{}"], keeps=True, resumes=True),
+                last, last_options, ["-o", "{}"], keeps=True, resumes=True),
         Command("projection", [*fluid, "--case", "shear", "--particles", str(int(200 * scale)), "--steps", "40",
-                               "--scheme", "projection"], ends, options, ["-o", "{}"], keeps=True, resumes=True),
+                               "--scheme", "projection"], last, last_options, ["-o", "{}"], keeps=True, resumes=True),
         Command("relax", ["relax", *cpu, *sites(6000), "--iterations", "20"], ends, options, pipe, keeps=True),
         Command("render", ["render", *cpu, *sites(20000), "--color", "area"], ["a.png", "a.svg", "ids.npy", "stats.json"],
                 ["-o", "-o", "--ids", "--stats"], ["-o", "-", "--format", "png"]),

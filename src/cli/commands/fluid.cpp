@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -48,19 +49,21 @@ struct FluidOutcome {
   FluidState state;
   FluidStep first, last;
   double worst = 0, drift = 0;  ///< the largest of all steps
-  std::string trace, timeless;
   RunEnd end = RunEnd::time;
+  bool has_exploded = false;
+  double epsilon = 0;
   Report report;
+  std::vector<std::string> told;  ///< notes that were printed before the first step
 };
 
-void note(const FluidStep& step, FluidOutcome& outcome) {
-  outcome.trace += traceRow(step, true);
-  outcome.timeless += traceRow(step, false);
+Result<void> note(const FluidStep& step, FluidOutcome& outcome, FluidRecord& record) {
+  outcome.last = step;
   outcome.worst = std::max(outcome.worst, step.worst);
   const double scale = std::max(std::abs(outcome.first.energy()), outcome.first.kinetic);
   if (scale > 0) {
     outcome.drift = std::max(outcome.drift, std::abs(step.energy() - outcome.first.energy()) / scale);
   }
+  return record.addRow(step);
 }
 
 /// Whether the options end the run before its next step.
@@ -76,19 +79,28 @@ RunEnd endOf(FluidEnd end) {
   return end == FluidEnd::areas ? RunEnd::areas : RunEnd::time;
 }
 
+/// The report without notes that were printed before.
+Report withoutNotes(Report report, const std::vector<std::string>& told) {
+  std::erase_if(report.notes,
+                [&](const std::string& note) { return std::ranges::find(told, note) != told.end(); });
+  return report;
+}
+
 /// Makes the steps, and writes what is written on the way.
 Result<FluidOutcome> flow(const FluidCommand& command, Session& session, FluidSetup setup,
-                          FluidRecord& record) {
+                          FluidRecord& record, RunLog& log) {
   const Stopwatch watch;
   ProgressBar bar(command.talk.quiet);
-  const FluidOptions options = setup.options;
   const double start = setup.state.time;
-  auto fluid = Fluid::begin(session, std::move(setup.state), options);
+  auto fluid = Fluid::begin(session, std::move(setup.state), std::move(setup.options));
   if (!fluid) return asFluidOption(std::move(fluid.error()), command.choices);
+  const FluidOptions& options = fluid->options();
+  // What is wrong from the beginning is said before a long run.
   FluidOutcome outcome;
-  outcome.first = outcome.last = fluid->last();
-  outcome.trace = outcome.timeless = traceHead();
-  note(outcome.last, outcome);
+  outcome.told = fluid->report().notes;
+  printNotes(command.talk, fluid->report());
+  outcome.first = fluid->last();
+  if (auto noted = note(fluid->last(), outcome, record); !noted) return tl::unexpected(noted.error());
   std::uint64_t recorded = outcome.last.step;
   if (auto added = record.add(session, fluid->state(), options); !added) {
     return tl::unexpected(added.error());
@@ -104,8 +116,7 @@ Result<FluidOutcome> flow(const FluidCommand& command, Session& session, FluidSe
       outcome.end = endOf(fluid->end());
       break;
     }
-    outcome.last = fluid->last();
-    note(outcome.last, outcome);
+    if (auto noted = note(fluid->last(), outcome, record); !noted) return tl::unexpected(noted.error());
     bar.show(fmt::format("fluid, step {}, time {:.4g}", outcome.last.step, outcome.last.time),
              std::isfinite(options.until) ? (outcome.last.time - start) / (options.until - start) : 0);
     if (outcome.last.step % command.targets.every != 0) continue;
@@ -119,8 +130,10 @@ Result<FluidOutcome> flow(const FluidCommand& command, Session& session, FluidSe
       return tl::unexpected(added.error());
     }
   }
-  if (auto finished = record.finish(); !finished) return tl::unexpected(finished.error());
+  if (auto finished = record.finish(log); !finished) return tl::unexpected(finished.error());
   outcome.state = fluid->state();
+  outcome.has_exploded = fluid->hasExploded();
+  outcome.epsilon = options.epsilon;
   outcome.report = fluid->report();
   return outcome;
 }
@@ -128,8 +141,8 @@ Result<FluidOutcome> flow(const FluidCommand& command, Session& session, FluidSe
 /// Refuses options that nothing takes.
 Result<void> checkCommand(const FluidCommand& command, const FluidSetup& setup) {
   const FluidTargets& targets = command.targets;
-  if (targets.paths().empty() && targets.checkpoint.empty() && targets.frames.empty() &&
-      targets.series.empty()) {
+  if (targets.paths().empty() && targets.checkpoint.empty() && targets.trace.empty() &&
+      targets.frames.empty() && targets.series.empty()) {
     return inputError(
         "-o: name what to write, as in -o sites.csv (or give --cells, --trace, --frames, --series, "
         "--checkpoint or --stats)");
@@ -167,12 +180,6 @@ Result<void> writeFiles(const FluidCommand& command, const FluidOptions& options
       return writeCells(to, {outcome.state.sites, cells}, *format);
     });
   }
-  if (!command.targets.trace.empty()) {
-    writers.emplace_back([&](ByteSink& to) {
-      log.noteTimeless(outcome.timeless);
-      return to.write(outcome.trace);
-    });
-  }
   const auto json = [&] {
     Input input{};
     input.sites = outcome.state.sites;
@@ -184,7 +191,8 @@ Result<void> writeFiles(const FluidCommand& command, const FluidOptions& options
                                outcome.first,
                                outcome.last,
                                outcome.worst,
-                               outcome.drift};
+                               outcome.drift,
+                               outcome.epsilon};
     return statsJson(stats);
   };
   return writeOutputs(files, writers, log, json);
@@ -203,6 +211,13 @@ ExitCode exitFor(const FluidOutcome& outcome) {
   if (outcome.end == RunEnd::interrupted) {
     printError(fmt::format("interrupted: the files have the fluid after step {}", outcome.last.step));
     return static_cast<ExitCode>(signalExitCode());
+  }
+  if (outcome.has_exploded) {
+    printError(fmt::format(
+        "energy has exploded, from {:.3g} to {:.3g}: the files have the fluid at time {}; a smaller --step "
+        "is needed",
+        outcome.first.energy(), outcome.last.energy(), outcome.last.time));
+    return exit_different;
   }
   if (outcome.end != RunEnd::areas) return exit_done;
   printError(fmt::format(
@@ -238,10 +253,10 @@ Result<ExitCode> fluid(FluidCommand& command, const Invocation& how) {
   auto record = FluidRecord::open(command.targets, command.picture,
                                   command.choices.resume.empty() ? nullptr : &setup->state);
   if (!record) return tl::unexpected(std::move(record.error()));
-  const auto outcome = flow(command, *session, std::move(*setup), *record);
+  const auto outcome = flow(command, *session, std::move(*setup), *record, log);
   if (!outcome) return tl::unexpected(std::move(outcome.error()));
   takeSignal();
-  printNotes(command.talk, outcome->report);
+  printNotes(command.talk, withoutNotes(outcome->report, outcome->told));
   if (!validationIsSilent(outcome->report)) return exit_device;
   if (auto written = writeFiles(command, options, *session, *outcome, *files, log, *forecast, total);
       !written) {

@@ -71,22 +71,11 @@ Result<Image> drawFluid(Session& session, const FluidState& state, const FluidOp
   return std::move(drawn->image);
 }
 
-std::string traceHead() {
-  return "step,time,length,kinetic,potential,spring,energy,momentum_x,momentum_y,worst,farthest,diagrams,"
-         "linear_iterations,halvings,seconds\n";
-}
-
-std::string traceRow(const FluidStep& step, bool with_times) {
-  const std::string seconds = with_times ? fmt::format("{:.6f}", step.seconds) : std::string();
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", step.step, step.time, step.length,
-                     step.kinetic, step.potential, step.spring, step.energy(), step.momentum.x,
-                     step.momentum.y, step.worst, step.farthest, step.diagrams, step.linear_iterations,
-                     step.halvings, seconds);
-}
-
 Result<FluidRecord> FluidRecord::open(const FluidTargets& targets, const PictureOptions& picture,
                                       const FluidState* resumed) {
-  FluidRecord record(targets, picture);
+  auto trace = FluidTrace::open(targets.trace, resumed);
+  if (!trace) return named("--trace", std::move(trace.error()));
+  FluidRecord record(targets, picture, std::move(*trace));
   if (auto opened = record.openFrames(resumed); !opened) return named("--frames", std::move(opened.error()));
   if (auto opened = record.openSeries(resumed); !opened) return named("--series", std::move(opened.error()));
   return record;
@@ -144,7 +133,10 @@ Result<void> FluidRecord::addToSeries(Session& session, const FluidState& state,
   return list->commit();
 }
 
-Result<void> FluidRecord::finish() { return recorder_ ? recorder_->finish() : Result<void>(); }
+Result<void> FluidRecord::finish(RunLog& log) {
+  if (auto finished = trace_.finish(log); !finished) return finished;
+  return recorder_ ? recorder_->finish() : Result<void>();
+}
 
 Result<void> checkApart(const FluidTargets& targets, std::span<const OutputFile> files) {
   struct Folder {
@@ -163,6 +155,9 @@ Result<void> checkApart(const FluidTargets& targets, std::span<const OutputFile>
   const bool is_film = lowerExtension(targets.frames) == ".mp4";
   if (!targets.checkpoint.empty()) {
     if (auto apart = checkFile("--checkpoint", targets.checkpoint); !apart) return apart;
+  }
+  if (!targets.trace.empty()) {
+    if (auto apart = checkFile("--trace", targets.trace); !apart) return apart;
   }
   if (is_film) {
     if (auto apart = checkFile("--frames", targets.frames); !apart) return apart;

@@ -104,9 +104,7 @@ std::vector<std::string> FluidTargets::paths() const {
   std::vector<std::string> paths;
   for (const Points& target : points) paths.push_back(target.path);
   for (const CellsTarget& target : cells) paths.push_back(target.path);
-  for (const std::string* path : {&trace, &stats}) {
-    if (!path->empty()) paths.push_back(*path);
-  }
+  if (!stats.empty()) paths.push_back(stats);
   return paths;
 }
 
@@ -136,8 +134,11 @@ void addFluidStart(Options& options, FluidChoices& choices, std::string_view usu
       "springs, which pull sites to the centroids of their cells, and have free surfaces; or projection, "
       "with reflection: more exact for smooth flows, in domains that are full [springs]",
       parseScheme, {schemeNames(), {}});
-  addParsed(options, "--epsilon", choices.epsilon, "E",
-            "softness of springs in spacings of the cells [2; 1 with a free surface]", parsePositive);
+  addParsed(
+      options, "--epsilon", choices.epsilon, "E",
+      "softness of springs, a time: they swing in 2 pi of it [2 spacings of cells over the largest first "
+      "speed, or over half of that of a fall from the top; 3 spacings with a free surface]",
+      parsePositive);
   addParsed(options, "--gravity", choices.gravity, "GX,GY", "acceleration [as the case has it]",
             parseGravity);
   addParsed(options, "--tolerance", choices.tolerance, "T",
@@ -165,8 +166,9 @@ void addFluidTargets(Options& options, FluidTargets& targets) {
           "time whole");
   addFile(
       options, "--trace", targets.trace, ".csv",
-      "a row for each step: its time and length, energies, momentum, the worst area, the longest way of a "
-      "site to its centroid in spacings, diagrams, and the seconds since the first");
+      "a row for each step, as soon as it is made: its time and length, energies, momentum, the worst area, "
+      "the longest way of a site to its centroid in spacings, diagrams, and the seconds since the first; "
+      "--resume goes on with it");
   addAnyFile(options, "--frames", targets.frames, {".mp4"},
              "an .mp4, made by ffmpeg, or an empty folder for numbered .png files: a picture every --every "
              "steps");

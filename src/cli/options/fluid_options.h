@@ -36,7 +36,8 @@ struct FluidTargets {
   };
   std::vector<Points> points;
   std::vector<CellsTarget> cells;
-  std::string checkpoint, trace, stats;  ///< files at the end
+  std::string stats;                     ///< a file at the end
+  std::string checkpoint, trace;         ///< files on the way
   std::string frames, series;            ///< a film or a folder; a folder
   std::optional<view::FlowColor> color;  ///< of frames
   std::uint64_t every = 10;              ///< steps between frames, files of the series and checkpoints

@@ -108,6 +108,7 @@ Json transportJson(const TransportFigures& figures) {
 Json fluidJson(const FluidFigures& figures) {
   const FluidStep &first = figures.first, &last = figures.last;
   return {{"scheme", figures.scheme},
+          {"epsilon", figures.scheme == "springs" ? Json(figures.epsilon) : Json(nullptr)},
           {"end", figures.end},
           {"step", {first.step, last.step}},
           {"time", {first.time, last.time}},

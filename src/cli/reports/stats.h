@@ -35,6 +35,7 @@ struct FluidFigures {
   std::string scheme, end;
   FluidStep first, last;
   double worst, drift;  ///< of areas, and of the energy as a part of the first: largest of all steps
+  double epsilon;       ///< of springs
 };
 
 /// What a run in tiles was cut into.
