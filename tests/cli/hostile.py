@@ -117,6 +117,8 @@ def arrays():
     with zipfile.ZipFile(os.path.join(folder, "shape.npz"), "w") as archive:
         archive.writestr("sites.npy", array("(9, 99)", b"\0" * 144))
         archive.writestr("domain.npy", array("(4,)", struct.pack("<4d", 0, 0, 1, 1)))
+    numpy.savez(os.path.join(folder, "columns.npz"), sites=numpy.zeros((9, 3)), domain=[0, 0, 1, 1])
+    numpy.savez(os.path.join(folder, "other.npz"), sites=nine, domain=[0, 0, 1, 1], velocities=nine)
     write("bit.npz", stored.replace(struct.pack("<d", 1), struct.pack("<d", 2), 1))
     write("cut.npz", stored[: len(stored) // 2])
     deflated = io.BytesIO()

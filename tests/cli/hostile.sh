@@ -133,10 +133,12 @@ bad_checkpoint() {
   one_line
   grep -qF -- "vorpipe: in/$1: $2" log/err || fail "the line does not say '$2'"
 }
-bad_checkpoint shape.npz "sites is not of type <f8 with 2 columns"
+bad_checkpoint shape.npz '"sites" is no array that is understood'
+bad_checkpoint columns.npz "sites is float64 (9, 3), not numbers (N, 2)"
+bad_checkpoint other.npz 'a fluid has no array "velocities"; did you mean velocity?'
 bad_checkpoint bit.npz '"domain.npy" is damaged: its checksum is another'
 bad_checkpoint cut.npz "it is no whole .npz file"
-bad_checkpoint deflated.npz '"sites.npy" is compressed'
+bad_checkpoint deflated.npz '"sites" is no array that is understood'
 bad_checkpoint noise.npz "it is no whole .npz file"
 bad_checkpoint time.npz "time is not finite"
 bad_checkpoint length.npz "step: it is not 0 or more"

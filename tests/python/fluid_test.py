@@ -127,6 +127,40 @@ def test_wrong_arguments_are_refused_by_name():
         fluid.push(np.ones((3, 2)))
 
 
+def test_it_begins_with_files_as_numpy_writes_them(tmp_path):
+    points = vorpipe.generate('jitter', 30, domain=(0, 0, 2, 1))
+    velocity = np.tile((1, 0), (30, 1))
+    plain = {'sites': points, 'velocity': velocity.astype(float), 'domain': np.array([0, 0, 2, 1.0]),
+             'periodic': np.array([1], np.uint8), 'scheme': np.array([1], np.uint8)}
+    packed = {'sites': np.asfortranarray(points.astype('>f8')), 'velocity': velocity.astype('i2'), 'domain': [0, 0, 2, 1],
+              'periodic': 'x', 'scheme': 'projection', 'time': 0, 'step': np.int64(0)}
+    np.savez(tmp_path / 'plain.npz', **plain)
+    np.savez_compressed(tmp_path / 'packed.npz', **packed)
+    fluids = [vorpipe.Fluid(tmp_path / name) for name in ('plain.npz', 'packed.npz')]
+    for fluid in fluids:
+        fluid.run(steps=2)
+    assert fluids[1].periodic == 'x' and fluids[1].scheme == 'projection'
+    assert np.array_equal(fluids[0].points, fluids[1].points)
+    np.savez(tmp_path / 'single.npz', **{**plain, 'sites': points.astype('f4')})
+    assert np.allclose(vorpipe.Fluid(tmp_path / 'single.npz').points, points, rtol=1e-6)
+    for more, words in (({'velocities': velocity}, 'did you mean velocity'), ({'viscosity': 0.1}, 'known are sites'),
+                        ({'periodic': 'z'}, 'not one of none, x, y, xy'), ({'step': 1.5}, 'no number of type'),
+                        ({'order': np.full(30, -1)}, 'no number of type'), ({'volume': ['a'] * 30}, 'not numbers')):
+        np.savez(tmp_path / 'wrong.npz', **{**plain, **more})
+        with pytest.raises(vorpipe.InputError, match=words):
+            vorpipe.Fluid(tmp_path / 'wrong.npz')
+
+
+def test_its_report_says_what_should_be_known():
+    assert vorpipe.Fluid('taylor-green', parcels=64).report.notes == []
+    fluid = vorpipe.Fluid('taylor-green', parcels=64, step=1)
+    assert 'is longer than springs of epsilon' in fluid.report.notes[0]
+    points = vorpipe.generate('jitter', 10)
+    points[3] = points[4]
+    with pytest.raises(vorpipe.InputError, match='sites 3 and 4'):
+        vorpipe.Fluid(points, domain=UNIT)
+
+
 def test_cells_of_a_free_surface_end_at_discs():
     points = vorpipe.generate('random', 100)
     found = vorpipe.transport(points, domain=UNIT, fill=0.3)

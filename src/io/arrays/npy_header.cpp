@@ -91,17 +91,20 @@ class Literals {
   std::string_view text_;
 };
 
-/// Of a dtype such as "<f8": kind, size and byte order. False for texts, objects and the like.
+/// Of a dtype such as "<f8": kind, size and byte order. False for objects and the like.
 bool parseType(std::string_view type, NpyHeader& header) {
   constexpr auto none = std::string_view::npos;
   if (type.size() < 3 || std::string_view("<>|=").find(type[0]) == none ||
-      std::string_view("biufc").find(type[1]) == none) {
+      std::string_view("biufcU").find(type[1]) == none) {
     return false;
   }
   header.big_endian = type[0] == '>';
   header.kind = type[1];
   const auto [stop, error] = std::from_chars(type.data() + 2, type.data() + type.size(), header.size);
-  return stop == type.data() + type.size() && error == std::errc() && header.size > 0;
+  constexpr std::size_t most_bytes = std::size_t{1} << 30;
+  if (stop != type.data() + type.size() || error != std::errc() || header.size > most_bytes) return false;
+  if (header.kind == 'U') header.size *= sizeof(char32_t);
+  return header.size > 0 || header.kind == 'U';
 }
 
 bool parseDictionary(std::string_view text, NpyHeader& header, std::string_view& type) {
@@ -142,12 +145,14 @@ std::string typeName(const NpyHeader& header, std::string_view type) {
   const std::string_view kind = header.kind == 'f'   ? "float"
                                 : header.kind == 'i' ? "int"
                                 : header.kind == 'u' ? "uint"
+                                : header.kind == 'b' ? "bool"
                                                      : "";
-  return kind.empty() ? std::string(type) : fmt::format("{}{}", kind, 8 * header.size);
+  if (kind.empty()) return std::string(type);
+  return header.kind == 'b' ? std::string(kind) : fmt::format("{}{}", kind, 8 * header.size);
 }
 
-/// Bytes of all elements; none when that is more than 64 bits hold.
-std::optional<std::uint64_t> dataBytes(const NpyHeader& header) {
+/// Bytes of all elements; none when that is more than 63 bits hold.
+std::optional<std::uint64_t> dataBytesOf(const NpyHeader& header) {
   std::uint64_t bytes = header.size;
   for (const std::uint64_t extent : header.shape) {
     if (extent != 0 && bytes > std::numeric_limits<std::uint64_t>::max() / extent) {
@@ -155,6 +160,7 @@ std::optional<std::uint64_t> dataBytes(const NpyHeader& header) {
     }
     bytes *= extent;
   }
+  if (bytes > std::numeric_limits<std::int64_t>::max()) return std::nullopt;
   return bytes;
 }
 
@@ -210,40 +216,51 @@ Result<std::pair<std::string, std::size_t>> readDictionary(InputFile& file) {
 
 }  // namespace
 
+Result<NpyHeader> parseNpyHeader(std::string_view text, const std::string& name) {
+  NpyHeader header;
+  std::string_view type;
+  if (!parseDictionary(text, header, type)) {
+    return inputError(fmt::format("{}: its .npy header is not understood: {}", name, inQuotes(text)));
+  }
+  if (header.shape.size() > most_axes) {
+    return inputError(fmt::format("{}: its .npy header claims {} axes; {} are the most", name,
+                                  header.shape.size(), most_axes));
+  }
+  if (!parseType(type, header)) {
+    return inputError(
+        fmt::format("{}: holds elements of dtype {}; numbers are needed", name, inQuotes(type)));
+  }
+  header.description = fmt::format("{} ({}{})", typeName(header, type), fmt::join(header.shape, ", "),
+                                   header.shape.size() == 1 ? "," : "");
+  if (!dataBytesOf(header)) {
+    return inputError(
+        fmt::format("{}: its .npy header claims an impossible size: {}", name, header.description));
+  }
+  return header;
+}
+
+std::uint64_t dataBytes(const NpyHeader& header) { return dataBytesOf(header).value_or(0); }
+
 Result<NpyHeader> readNpyHeader(InputFile& file) {
   const auto dictionary = readDictionary(file);
   if (!dictionary) {
     return tl::unexpected(dictionary.error());
   }
   const auto& [text, begin] = *dictionary;
-  NpyHeader header;
-  std::string_view type;
-  if (!parseDictionary(text, header, type)) {
-    return inputError(fmt::format("{}: its .npy header is not understood: {}", file.name(), inQuotes(text)));
+  auto header = parseNpyHeader(text, file.name());
+  if (!header) return header;
+  if (header->kind == 'U') {
+    return inputError(fmt::format("{}: holds {}; numbers are needed", file.name(), header->description));
   }
-  if (header.shape.size() > most_axes) {
-    return inputError(fmt::format("{}: its .npy header claims {} axes; {} are the most", file.name(),
-                                  header.shape.size(), most_axes));
-  }
-  if (!parseType(type, header)) {
-    return inputError(
-        fmt::format("{}: holds elements of dtype {}; numbers are needed", file.name(), inQuotes(type)));
-  }
-  header.description = fmt::format("{} ({}{})", typeName(header, type), fmt::join(header.shape, ", "),
-                                   header.shape.size() == 1 ? "," : "");
-  const auto bytes = dataBytes(header);
-  if (!bytes || *bytes > std::numeric_limits<std::int64_t>::max()) {
-    return inputError(
-        fmt::format("{}: its .npy header claims an impossible size: {}", file.name(), header.description));
-  }
-  if (file.size() && *file.size() != begin + *bytes) {
+  const std::uint64_t bytes = dataBytes(*header);
+  if (file.size() && *file.size() != begin + bytes) {
     return inputError(fmt::format("{}: {}: it holds {} bytes, its header ({}) needs {}", file.name(),
-                                  *file.size() < begin + *bytes ? "is truncated" : "is too long",
-                                  *file.size(), header.description, begin + *bytes));
+                                  *file.size() < begin + bytes ? "is truncated" : "is too long", *file.size(),
+                                  header->description, begin + bytes));
   }
-  if (file.mostBytes() && *file.mostBytes() < *bytes) {
+  if (file.mostBytes() && *file.mostBytes() < bytes) {
     return inputError(
-        fmt::format("{}: is damaged: what is packed in it cannot hold {}", file.name(), header.description));
+        fmt::format("{}: is damaged: what is packed in it cannot hold {}", file.name(), header->description));
   }
   return header;
 }

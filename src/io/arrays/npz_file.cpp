@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
-#include <charconv>
-#include <numeric>
+#include <new>
 #include <utility>
 
-#include "io/arrays/npy_header.h"
 #include "io/files/error.h"
+#include "io/files/inflater.h"
 #include "io/files/input_file.h"
+#include "io/files/memory_room.h"
 #include "io/text/quoted.h"
 
 namespace vorpipe {
@@ -32,28 +32,22 @@ std::uint64_t checksumOf(std::string_view bytes) {
   return crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size());
 }
 
-/// What a .npy header has after a key, up to `end`.
-std::string_view valueOf(std::string_view header, std::string_view key, std::string_view end) {
-  const std::size_t at = header.find(key);
-  if (at == std::string_view::npos) return {};
-  header.remove_prefix(at + key.size());
-  return header.substr(0, header.find(end));
-}
-
-std::optional<std::vector<std::uint64_t>> shapeOf(std::string_view text) {
-  std::vector<std::uint64_t> shape;
-  while (!text.empty()) {
-    if (text.front() == ' ' || text.front() == ',') {
-      text.remove_prefix(1);
-      continue;
-    }
-    std::uint64_t length = 0;
-    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), length);
-    if (error != std::errc()) return std::nullopt;
-    text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
-    shape.push_back(length);
-  }
-  return shape;
+/// What raw deflate's bytes are of; none where they are of another size, or damaged.
+std::optional<std::string> inflated(std::string_view packed, std::size_t size) {
+  if (size / Inflater::largest_ratio > packed.size()) return std::nullopt;
+  std::string bytes(size, '\0');
+  z_stream stream{};
+  // No header, as archives have one of their own.
+  if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) throw std::bad_alloc();
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
+  stream.avail_in = static_cast<uInt>(packed.size());
+  stream.next_out = reinterpret_cast<Bytef*>(bytes.data());
+  stream.avail_out = static_cast<uInt>(size);
+  const int code = inflate(&stream, Z_FINISH);
+  const bool is_whole = code == Z_STREAM_END && stream.avail_out == 0;
+  inflateEnd(&stream);
+  if (code == Z_MEM_ERROR) throw std::bad_alloc();
+  return is_whole ? std::optional(std::move(bytes)) : std::nullopt;
 }
 
 }  // namespace
@@ -69,16 +63,21 @@ Result<NpzFile> NpzFile::read(const std::string& path) {
   auto rest = readText(*file);
   if (!rest) return tl::unexpected(std::move(rest.error()));
   bytes += *rest;
-  NpzFile npz(path, std::move(bytes));
-  if (auto indexed = npz.index(); !indexed) return tl::unexpected(std::move(indexed.error()));
+  NpzFile npz(path);
+  try {
+    const std::string& archive = npz.bytes_.emplace_back(std::move(bytes));
+    if (auto indexed = npz.index(archive); !indexed) return tl::unexpected(std::move(indexed.error()));
+  } catch (const std::bad_alloc&) {
+    return deviceError(path + ": there is not enough memory for its arrays");
+  }
   return npz;
 }
 
 /// Walks the directory at the archive's end (APPNOTE.TXT 4.3.12 and 4.3.16; no Zip64 sizes, which begin at
 /// 4 GiB).
-Result<void> NpzFile::index() {
+Result<void> NpzFile::index(std::string_view bytes) {
   constexpr std::string_view end_mark = "PK\5\6", entry_mark = "PK\1\2";
-  const std::string_view bytes = bytes_;
+  constexpr std::uint64_t stored = 0, deflated = 8;
   const auto broken = [&] { return inputError(fmt::format("{}: it is no whole .npz file", name_)); };
   const std::size_t end = bytes.rfind(end_mark);
   if (end == std::string_view::npos) return broken();
@@ -86,17 +85,24 @@ Result<void> NpzFile::index() {
   std::size_t at = numberAt(bytes, end + 16, 4);
   for (std::uint64_t k = 0; k < count; ++k) {
     if (at + 46 > bytes.size() || bytes.substr(at, 4) != entry_mark) return broken();
-    const std::uint64_t method = numberAt(bytes, at + 10, 2), size = numberAt(bytes, at + 24, 4);
+    const std::uint64_t method = numberAt(bytes, at + 10, 2);
+    const std::uint64_t packed = numberAt(bytes, at + 20, 4), size = numberAt(bytes, at + 24, 4);
     const std::size_t name_size = numberAt(bytes, at + 28, 2);
     const std::size_t local = numberAt(bytes, at + 42, 4);
     const std::string_view name = bytes.substr(at + 46, name_size);
-    if (method != 0) {
-      return inputError(fmt::format("{}: {} is compressed; numpy.savez does not", name_, inQuotes(name)));
+    if (method != stored && method != deflated) {
+      return inputError(fmt::format("{}: {} is compressed otherwise than NumPy does", name_, inQuotes(name)));
     }
     if (local + 30 > bytes.size() || bytes.substr(local, 4) != local_mark) return broken();
     const std::size_t begin = local + 30 + numberAt(bytes, local + 26, 2) + numberAt(bytes, local + 28, 2);
-    if (begin > bytes.size() || size > bytes.size() - begin) return broken();
-    const std::string_view array = bytes.substr(begin, size);
+    if (begin > bytes.size() || packed > bytes.size() - begin) return broken();
+    std::string_view array = bytes.substr(begin, packed);
+    if (method == deflated) {
+      if (auto room = checkRoom(name_, "arrays", size); !room) return room;
+      auto whole = inflated(array, size);
+      if (!whole) return inputError(fmt::format("{}: {} is damaged", name_, inQuotes(name)));
+      array = bytes_.emplace_back(std::move(*whole));
+    }
     if (checksumOf(array) != numberAt(bytes, at + 16, 4)) {
       return inputError(fmt::format("{}: {} is damaged: its checksum is another", name_, inQuotes(name)));
     }
@@ -117,33 +123,49 @@ Result<void> NpzFile::add(std::string_view name, std::string_view array) {
   const std::size_t begin = npy_magic.size() + 2 + length_size;
   const std::size_t length = numberAt(array, npy_magic.size() + 2, length_size);
   if (length > array.size() - begin) return broken();
-  const std::string_view header = array.substr(begin, length);
-  NpzEntry entry;
-  entry.type = valueOf(header, "'descr': '", "'");
-  const auto shape = shapeOf(valueOf(header, "'shape': (", ")"));
-  const bool c_order = valueOf(header, "'fortran_order': ", ",") == "False";
-  if (entry.type.empty() || !shape) return broken();
-  entry.shape = *shape;
-  if (!c_order && entry.shape.size() > 1) return broken();
-  entry.elements = array.substr(begin + length);
-  entries_.insert_or_assign(std::string(name), std::move(entry));
+  auto header = parseNpyHeader(array.substr(begin, length), fmt::format("{}: {}", name_, name));
+  if (!header) return tl::unexpected(std::move(header.error()));
+  const std::string_view elements = array.substr(begin + length);
+  if (dataBytes(*header) != elements.size()) return broken();
+  entries_.insert_or_assign(std::string(name), NpzEntry{std::move(*header), elements});
   return {};
 }
 
-Result<std::string_view> NpzFile::elements(const std::string& name, const std::string& type,
-                                           std::uint64_t columns) const {
+std::vector<std::string> NpzFile::names() const {
+  std::vector<std::string> names;
+  for (const auto& [name, entry] : entries_) names.push_back(name);
+  return names;
+}
+
+Result<const NpzEntry*> NpzFile::entryOf(const std::string& name, std::uint64_t columns) const {
   const auto found = entries_.find(name);
-  if (found == entries_.end()) return std::string_view();
-  const NpzEntry& entry = found->second;
-  const std::uint64_t count =
-      std::accumulate(entry.shape.begin(), entry.shape.end(), std::uint64_t{1}, std::multiplies<>());
-  const std::uint64_t size = static_cast<std::uint64_t>(type.back() - '0');
-  const bool fits = columns == 1 || (entry.shape.size() == 2 && entry.shape[1] == columns);
-  if (entry.type != type || !fits || count != entry.elements.size() / size) {
-    return inputError(fmt::format("{}: {} is not of type {}{}", name_, name, type,
-                                  columns == 1 ? "" : fmt::format(" with {} columns", columns)));
+  if (found == entries_.end()) return nullptr;
+  const NpyHeader& header = found->second.header;
+  const bool fits = columns == 1 || (header.shape.size() == 2 && header.shape[1] == columns);
+  if (!areNumbers(header) || !fits) {
+    return inputError(fmt::format("{}: {} is {}, not numbers{}", name_, name, header.description,
+                                  columns == 1 ? "" : fmt::format(" (N, {})", columns)));
   }
-  return entry.elements;
+  return &found->second;
+}
+
+Error NpzFile::notHeld(const std::string& name, std::uint64_t index, std::string_view type) const {
+  return {ErrorCode::input, fmt::format("{}: {}: element {} (counted from 0) is no number of type {}", name_,
+                                        name, index, type)};
+}
+
+std::optional<std::string> NpzFile::text(const std::string& name) const {
+  const auto found = entries_.find(name);
+  if (found == entries_.end()) return std::nullopt;
+  const auto& [header, elements] = found->second;
+  if (header.kind != 'U' || elements.size() != header.size) return std::nullopt;
+  std::string text;
+  for (std::size_t at = 0; at < elements.size(); at += sizeof(std::uint32_t)) {
+    const auto character = valueOf<std::uint32_t>(elements.data() + at, header.big_endian);
+    // Zeros fill up; what is not ASCII is no name.
+    if (character != 0) text += character < 0x80 ? static_cast<char>(character) : '?';
+  }
+  return text;
 }
 
 }  // namespace vorpipe

@@ -1,7 +1,9 @@
 #include "io/fluid/fluid_state.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -12,6 +14,7 @@
 #include "io/arrays/npz_file.h"
 #include "io/arrays/zip_file.h"
 #include "io/files/error.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe {
 namespace {
@@ -42,6 +45,30 @@ std::vector<Point> pointsOf(const std::vector<double>& numbers) {
   return points;
 }
 
+constexpr std::array<std::string_view, 21> array_names{
+    "sites",   "weights",   "velocity", "volume",   "density",  "pressure", "trend",
+    "order",   "domain",    "gravity",  "carried",  "time",     "until",    "length",
+    "epsilon", "tolerance", "step",     "diagrams", "periodic", "surface",  "scheme"};
+constexpr std::array<std::string_view, 4> periodic_names{"none", "x", "y", "xy"};
+constexpr std::array<std::string_view, 2> surface_names{"none", "free"},
+    scheme_names{"springs", "projection"};
+
+/// A state is all that later steps depend on: an array that is no part of it was meant to be one.
+Result<void> checkNames(const NpzFile& file) {
+  for (const std::string& name : file.names()) {
+    if (std::ranges::find(array_names, name) != array_names.end()) continue;
+    // Plurals among them, and longer words.
+    constexpr std::size_t same = 3;
+    const auto meant = std::ranges::find_if(
+        array_names, [&](std::string_view known) { return name.substr(0, same) == known.substr(0, same); });
+    return inputError(fmt::format("{}: a fluid has no array {}; {}", file.name(), inQuotes(name),
+                                  meant != array_names.end()
+                                      ? fmt::format("did you mean {}?", *meant)
+                                      : fmt::format("known are {}", fmt::join(array_names, ", "))));
+  }
+  return {};
+}
+
 /// Reads arrays one after the other; the first error stays.
 class Reader {
  public:
@@ -68,12 +95,19 @@ class Reader {
     const auto read = several<Number>(name, 1);
     if (!read.empty()) value = read.front();
   }
-  /// The same for one of `count` names.
+  /// The same for one of these names, as text or by its number.
   template <class Name>
-  void name(const char* array, std::uint8_t count, Name& value) {
+  void name(const char* array, std::span<const std::string_view> names, Name& value) {
+    if (const auto text = file_.text(array)) {
+      const auto found = std::ranges::find(names, *text);
+      if (found == names.end())
+        return refuse(fmt::format("{} is {}, not one of {}", array, inQuotes(*text), fmt::join(names, ", ")));
+      value = static_cast<Name>(found - names.begin());
+      return;
+    }
     auto number = static_cast<std::uint8_t>(value);
     single(array, number);
-    if (number >= count) refuse(fmt::format("{} is {}, not below {}", array, number, count));
+    if (number >= names.size()) refuse(fmt::format("{} is {}, not below {}", array, number, names.size()));
     value = static_cast<Name>(number);
   }
   void refuse(const std::string& what) {
@@ -108,6 +142,8 @@ Result<void> writeFluid(ByteSink& sink, const FluidState& state, const FluidOpti
   archive.add<std::uint32_t>("order", spanOf(state.order));
   archive.add<double>("domain", spanOf(domain));
   archive.add<double>("gravity", std::span(&options.gravity.x, 2));
+  if (state.carried.x != 0 || state.carried.y != 0)
+    archive.add<double>("carried", std::span(&state.carried.x, 2));
   archive.add<double>("time", one(state.time));
   archive.add<double>("until", one(options.until));
   archive.add<double>("length", one(options.step));
@@ -130,6 +166,7 @@ Result<FluidSetup> readFluid(const std::string& path) {
   FluidSetup setup{};
   FluidState& state = setup.state;
   FluidOptions& options = setup.options;
+  if (auto known = checkNames(*file); !known) return tl::unexpected(std::move(known.error()));
   Reader read(*file);
   for (const Point place : pointsOf(read.many<double>("sites", 2))) {
     state.sites.x.push_back(place.x);
@@ -143,8 +180,10 @@ Result<FluidSetup> readFluid(const std::string& path) {
   state.trend = read.many<double>("trend");
   state.order = read.many<std::uint32_t>("order");
   const auto domain = read.several<double>("domain", 4), gravity = read.several<double>("gravity", 2);
+  const auto carried = read.several<double>("carried", 2);
   if (!domain.empty()) options.domain = {domain[0], domain[1], domain[2], domain[3]};
   if (!gravity.empty()) options.gravity = {gravity[0], gravity[1]};
+  if (!carried.empty()) state.carried = {carried[0], carried[1]};
   read.single("time", state.time);
   if (!std::isfinite(state.time)) read.refuse("time is not finite");
   read.single("until", options.until);
@@ -153,9 +192,9 @@ Result<FluidSetup> readFluid(const std::string& path) {
   read.single("tolerance", options.tolerance);
   read.single("step", state.step);
   read.single("diagrams", options.diagrams);
-  read.name("periodic", 4, options.periodic);
-  read.name("surface", 2, options.surface);
-  read.name("scheme", 2, options.scheme);
+  read.name("periodic", periodic_names, options.periodic);
+  read.name("surface", surface_names, options.surface);
+  read.name("scheme", scheme_names, options.scheme);
   if (read.error) return tl::unexpected(std::move(*read.error));
   return setup;
 }
