@@ -58,6 +58,16 @@ succeeds "masses of a file" transport --backend cpu --sites in/towns.csv $box --
 succeeds "masses of an attribute" transport --backend cpu --sites in/towns.csv $box --masses @people --normalize --cells out/attribute.csv
 cut -d, -f6 out/attribute.csv | sed 1d | paste -sd' ' | awk '{ exit !($2 / $1 > 1.99999 && $2 / $1 < 2.00001 && $4 / $1 > 3.99999 && $4 / $1 < 4.00001) }' ||
   fail "areas are not as the masses"
+printf 'x,y,people\n0,0,10\n1,0,20\n.5,.5,0\n0,1,30\n1,1,40\n' >in/empty.csv
+name="sites without mass are left out"
+cases=$((cases + 1))
+run 0 transport --backend cpu --sites in/empty.csv $box --masses @people --normalize --skip-zero \
+  --cells out/skipped.csv
+grep -qF 'note: --skip-zero: 1 of 5 sites, whose mass is 0, are left out' log/err || fail "it does not say so"
+cmp out/skipped.csv out/attribute.csv || fail "other cells than those of the others"
+printf '1\n2\n0\n3\n4\n' >in/zero.txt
+succeeds "of a file as well" transport --backend cpu --quiet --sites in/empty.csv $box --masses in/zero.txt --normalize --skip-zero --cells out/zero.csv
+cmp out/zero.csv out/attribute.csv || fail "other cells than those of the others"
 printf '0.1\n0.2\n0.3\n0.4\n' >in/whole.txt
 succeeds "masses that add up" transport --backend cpu --sites random:4 --masses in/whole.txt -o out/whole.csv
 succeeds "a free surface" transport --backend cpu --sites random:200 --fill 0.5 --cells out/free.csv --stats out/free.json --picture out/free.svg \
@@ -106,6 +116,12 @@ wrong "too much" "more than the 9 of the domain; --fill V scales them" \
   --sites in/towns.csv $box --masses in/shares.csv --surface free -o out/old.csv
 masses 1 2 -3
 wrong "a negative mass" '--masses: in/masses.txt:3:1: "-3" is negative' --sites random:3 --masses in/masses.txt -o out/old.csv
+masses 1 0 3
+wrong "no mass" '--masses: in/masses.txt:2:1: "0" is no mass: it must be more than 0; --skip-zero leaves such sites out' \
+  --sites random:3 --masses in/masses.txt -o out/old.csv
+wrong "an attribute as a file" "--masses: people: unknown kind of file for masses; known are .txt, .csv and .npy; @people is the attribute of the sites" \
+  --sites in/towns.csv $box --masses people --normalize -o out/old.csv
+wrong "nothing to leave out" "--skip-zero: is for what --masses names" --sites random:3 --skip-zero -o out/old.csv
 masses 1 nan 3
 wrong "no number" 'in/masses.txt:2:1: "nan" is not a finite number' --sites random:3 --masses in/masses.txt -o out/old.csv
 masses 1 0 3

@@ -186,9 +186,9 @@ Result<ExitCode> transportCells(TransportCommand& command, const Invocation& how
   const auto density = densityOf(command.density);
   if (!density) return tl::unexpected(density.error());
   InputOptions reading = command.input;
-  reading.reading.attributes = command.targets.carryAttributes() || !command.masses.attribute.empty();
-  const auto input = inputUnder(*density, command.density, reading,
-                                planOf(command, density->density.values.size()), command.memory_limit);
+  reading.reading.attributes = command.targets.carryAttributes() || wantsAttributes(command.masses);
+  auto input = inputUnder(*density, command.density, reading, planOf(command, density->density.values.size()),
+                          command.memory_limit);
   if (!input) return tl::unexpected(input.error());
   auto masses = loadMasses(command.masses, *input);
   if (!masses) return tl::unexpected(std::move(masses.error()));
@@ -216,6 +216,9 @@ Result<ExitCode> transportCells(TransportCommand& command, const Invocation& how
   if (!validationIsSilent(found->report)) return exit_device;
   if (auto written = writeFiles(run, *session, *found, *forecast, total); !written) {
     return tl::unexpected(written.error());
+  }
+  if (command.masses.around() == Surface::free && !command.targets.points.empty() && !command.talk.quiet) {
+    printNote("-o: files of sites do not say that air is around their cells: have --surface free read them");
   }
   printSummary(command.talk, paths,
                fmt::format("{}, {}, {}\n", outcomeText(paths, found->sites, found->report), summaryOf(*found),

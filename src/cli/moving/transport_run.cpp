@@ -10,16 +10,55 @@
 
 #include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
+#include "io/files/error.h"
+#include "io/files/extension.h"
 #include "io/weights/masses_file.h"
 #include "vorpipe/masses.h"
 
 namespace vorpipe::cli {
 
-Result<std::vector<double>> loadMasses(const MassOptions& masses, const Input& input) {
+namespace {
+
+/// What may have been meant by masses that could not be read.
+std::string adviceOn(const Error& error, const MassOptions& masses, const Input& input) {
+  const auto has_name = [&](const Attribute& attribute) { return attribute.name() == masses.file; };
+  if (!masses.file.empty() && std::ranges::any_of(input.attributes, has_name)) {
+    return fmt::format("; @{} is the attribute of the sites", masses.file);
+  }
+  return error.message.find("is no mass") == std::string::npos ? "" : "; --skip-zero leaves such sites out";
+}
+
+/// Leaves out the sites whose mass is 0.
+Result<void> skipZero(std::vector<double>& masses, Input& input) {
+  std::vector<bool> kept;
+  for (const double mass : masses) kept.push_back(mass > 0);
+  const auto zeros = std::erase(masses, 0.0);
+  if (zeros == 0) return {};
+  if (masses.empty()) return inputError("--masses: no site has any");
+  input.notes.push_back(
+      fmt::format("--skip-zero: {} of {} sites, whose mass is 0, are left out", zeros, input.sites.size()));
+  keepSites(input, kept);
+  return {};
+}
+
+}  // namespace
+
+bool wantsAttributes(const MassOptions& masses) {
+  return !masses.attribute.empty() || (!masses.file.empty() && inputExtension(masses.file).empty());
+}
+
+Result<std::vector<double>> loadMasses(const MassOptions& masses, Input& input) {
   if (masses.areEqual()) return {};
-  auto read = masses.file.empty() ? massesIn(input.attributes, masses.attribute)
-                                  : readMasses(masses.file, input.sites.size());
-  if (!read) return named("--masses", std::move(read.error()));
+  const ZeroMass zero = masses.skip_zero ? ZeroMass::taken : ZeroMass::refused;
+  auto read = masses.file.empty() ? massesIn(input.attributes, masses.attribute, zero)
+                                  : readMasses(masses.file, input.sites.size(), zero);
+  if (!read) {
+    read.error().message += adviceOn(read.error(), masses, input);
+    return named("--masses", std::move(read.error()));
+  }
+  if (masses.skip_zero) {
+    if (auto skipped = skipZero(*read, input); !skipped) return tl::unexpected(skipped.error());
+  }
   return read;
 }
 

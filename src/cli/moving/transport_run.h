@@ -10,8 +10,13 @@
 
 namespace vorpipe::cli {
 
-/// Reads the masses; none where they are equal. Errors: those of readMasses and massesIn, after the option.
-Result<std::vector<double>> loadMasses(const MassOptions& masses, const Input& input);
+/// Whether attributes are wanted for masses: one is named, or what is named as a file looks like one.
+bool wantsAttributes(const MassOptions& masses);
+
+/// Reads the masses; none where they are equal. Sites without mass are left out of the input, and noted
+/// there, where that is asked for. Errors: those of readMasses and massesIn, after the option; (input) no
+/// site has mass.
+Result<std::vector<double>> loadMasses(const MassOptions& masses, Input& input);
 
 /// Scales the masses of `options`, which has all else, as the options want it. Errors: those of fillDomain.
 Result<void> fitMasses(const MassOptions& masses, std::size_t sites, Session& session,

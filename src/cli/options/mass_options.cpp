@@ -36,6 +36,10 @@ Parsed<Surface> parseSurface(std::string_view text) {
 
 }  // namespace
 
+void addSurface(Options& options, Surface& surface, const std::string& text) {
+  addParsed(options, "--surface", surface, "free", text, parseSurface, {{"free"}, {}});
+}
+
 void addMassOptions(Options& options, MassOptions& masses) {
   options.group("Masses");
   const auto keep = [&masses](MassSource source) {
@@ -46,12 +50,14 @@ void addMassOptions(Options& options, MassOptions& masses) {
       "--masses", parsedValue("FILE", parseMasses, keep, {{"equal", "@"}, {".txt", ".csv", ".npy"}}),
       "the mass of each site's cell, its area where there is no density: a number to a line of a .txt "
       "or .csv, or an .npy; or @NAME, an attribute of the sites; or equal [equal]");
+  options.addFlag("--skip-zero", masses.skip_zero,
+                  "leaves out sites whose mass is 0, which can have no cell, and says how many");
   options.addFlag("--normalize", masses.normalize,
                   "scales the masses so that they add up to what the domain has");
-  addParsed(options, "--surface", masses.surface, "free",
-            "lets the cells end in air: each is cut by a disc around its site, and masses may add up to less "
-            "than the domain has [cells fill it]",
-            parseSurface, {{"free"}, {}});
+  addSurface(
+      options, masses.surface,
+      "lets the cells end in air: each is cut by a disc around its site, and masses may add up to less "
+      "than the domain has [cells fill it]");
   addParsed(options, "--fill", masses.fill, "V",
             "a free surface, and this part of what the domain has for all cells together, 0 to 1: masses are "
             "scaled to it",
@@ -61,6 +67,9 @@ void addMassOptions(Options& options, MassOptions& masses) {
 Result<void> checkMasses(const MassOptions& masses) {
   if (masses.normalize && masses.areEqual()) {
     return inputError("--normalize: scales what --masses names; equal masses add up by themselves");
+  }
+  if (masses.skip_zero && masses.areEqual()) {
+    return inputError("--skip-zero: is for what --masses names; equal masses are more than 0");
   }
   if (masses.normalize && masses.around() == Surface::free) {
     return inputError("--normalize: cells with a free surface do not fill the domain; --fill V scales them");

@@ -12,6 +12,7 @@ namespace vorpipe::cli {
 struct MassOptions {
   std::string file, attribute;  ///< both empty: masses are equal
   bool normalize = false;
+  bool skip_zero = false;  ///< sites without mass are left out
   Surface surface = Surface::none;
   std::optional<double> fill;  ///< part of the domain's mass that the cells have together
 
@@ -19,7 +20,15 @@ struct MassOptions {
   [[nodiscard]] Surface around() const { return fill ? Surface::free : surface; }
 };
 
-/// --masses, --normalize, --surface, --fill
+/// Of --surface, for sites that have their weights.
+inline constexpr const char* surface_text =
+    "the cells end in air: each is cut by a disc around its site, whose squared radius is the weight, as "
+    "transport --fill finds it [cells fill the domain]";
+
+/// --surface free, of which `text` tells
+void addSurface(Options& options, Surface& surface, const std::string& text);
+
+/// --masses, --skip-zero, --normalize, --surface, --fill
 void addMassOptions(Options& options, MassOptions& masses);
 
 /// Refuses options that contradict each other (input).

@@ -109,15 +109,15 @@ Result<Input> loadInput(const InputOptions& options) {
   const Stopwatch watch;
   ReadOptions reading = options.reading;
   if (options.sites == "-") reading.format = options.format.input;
-  auto source = loadSites(options.sites, options.seed, reading);
+  auto source = loadSites(options.sites, options.seed, reading, options.domain.box);
   if (!source) return named("--sites", std::move(source.error()));
   Input input;
   input.sites = std::move(source->table.sites);
   input.attributes = std::move(source->table.attributes);
   input.system = std::move(source->table.system);
   input.notes = std::move(source->table.notes);
-  input.seed = source->seed;
-  input.from = source->seed ? SitesFrom::generator : SitesFrom::file;
+  if (source->generator) input.seed = source->generator->seed;
+  input.from = source->generator ? SitesFrom::generator : SitesFrom::file;
   input.periodic = options.periodic;
   if (auto taken = takeWeights(options, input); !taken) return tl::unexpected(std::move(taken.error()));
   if (auto taken = takeDomain(options, input); !taken) return tl::unexpected(std::move(taken.error()));
@@ -152,6 +152,26 @@ Result<DensityFile> densityOf(const DensityOptions& options) {
 Result<void> placeUnder(const DensityFile& density, const DensityOptions& from, const InputOptions& options,
                         Input& input) {
   return placeDensity(density, from.file, input, domainWords(options));
+}
+
+void keepSites(Input& input, const std::vector<bool>& kept) {
+  const auto keep = [&](std::vector<double>& numbers) {
+    std::size_t to = 0;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (kept[i]) numbers[to++] = numbers[i];
+    }
+    numbers.resize(to);
+  };
+  for (auto* numbers :
+       {&input.sites.x, &input.sites.y, &input.sites.weight, &input.longitudes, &input.latitudes})
+    keep(*numbers);
+  for (Attribute& attribute : input.attributes) {
+    Attribute less(attribute.name(), attribute.type());
+    for (std::size_t i = 0; i < attribute.size(); ++i) {
+      if (kept[i]) less.add(attribute.at(i));
+    }
+    attribute = std::move(less);
+  }
 }
 
 tl::unexpected<Error> named(std::string_view option, Error error) {

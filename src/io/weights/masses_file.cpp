@@ -15,8 +15,8 @@
 namespace vorpipe {
 namespace {
 
-tl::expected<double, std::string> massOf(double number, std::string_view text) {
-  if (number > 0) return number;
+tl::expected<double, std::string> massOf(double number, std::string_view text, ZeroMass zero) {
+  if (number > 0 || (number == 0 && zero == ZeroMass::taken)) return number;
   return tl::unexpected(inQuotes(text) +
                         (number < 0 ? " is negative, and a mass" : " is no mass: it must be more than 0"));
 }
@@ -30,11 +30,13 @@ bool isName(std::string_view line) {
 
 }  // namespace
 
-Result<std::vector<double>> readMasses(const std::string& path, std::uint64_t count) {
-  return readSiteNumbers(path, count, {"mass", "masses", isName, massOf});
+Result<std::vector<double>> readMasses(const std::string& path, std::uint64_t count, ZeroMass zero) {
+  const auto value = [zero](double number, std::string_view text) { return massOf(number, text, zero); };
+  return readSiteNumbers(path, count, {"mass", "masses", isName, value});
 }
 
-Result<std::vector<double>> massesIn(std::span<const Attribute> attributes, std::string_view name) {
+Result<std::vector<double>> massesIn(std::span<const Attribute> attributes, std::string_view name,
+                                     ZeroMass zero) {
   const auto has_name = [&](const Attribute& attribute) { return attribute.name() == name; };
   const auto found = std::ranges::find_if(attributes, has_name);
   if (found == attributes.end()) {
@@ -57,7 +59,7 @@ Result<std::vector<double>> massesIn(std::span<const Attribute> attributes, std:
     if (!text) return wrong("there is no value");
     const auto number = parseNumber(*text);
     if (!number) return wrong(number.error());
-    const auto mass = massOf(*number, trimmed(*text));
+    const auto mass = massOf(*number, trimmed(*text), zero);
     if (!mass) return wrong(mass.error());
     masses.push_back(*mass);
   }
