@@ -7,8 +7,10 @@
 #include "base/stopwatch.h"
 #include "bench/measured/driver_threads.h"
 #include "cli/commands/command.h"
+#include "cli/moving/free_drawing.h"
 #include "cli/options/cells_outputs.h"
 #include "cli/options/density_options.h"
+#include "cli/options/mass_options.h"
 #include "cli/options/options.h"
 #include "cli/reports/stats.h"
 #include "cli/runs/cells_notes.h"
@@ -22,6 +24,7 @@
 #include "io/edges/edges_file.h"
 #include "io/files/error.h"
 #include "io/forecast/forecast_files.h"
+#include "vorpipe/free_surface.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -32,6 +35,7 @@ struct CellsCommand {
   TalkOptions talk;
   SearchOptions search;
   bool check = false;
+  Surface surface = Surface::none;
   CellsTargets targets;
   DensityOptions density;
   std::string stats;
@@ -122,8 +126,8 @@ struct Frame {
 };
 
 bool isTiled(const CellsCommand& command) {
-  return command.targets.only_measures && !command.check && command.density.empty() &&
-         canBeTiled(command.input);
+  return command.targets.only_measures && command.surface == Surface::none && !command.check &&
+         command.density.empty() && canBeTiled(command.input);
 }
 
 void printMissing(const TalkOptions& talk, std::uint64_t sites, const Report& report) {
@@ -185,8 +189,9 @@ PlanRun planBefore(const CellsCommand& command) {
 
 /// What else a run that needs too much memory is told.
 std::string_view adviceOn(const CellsCommand& command) {
-  const bool may_be_tiled = !command.targets.only_measures && !command.check && command.density.empty() &&
-                            command.targets.edges.empty() && canBeTiled(command.input);
+  const bool may_be_tiled = !command.targets.only_measures && command.surface == Surface::none &&
+                            !command.check && command.density.empty() && command.targets.edges.empty() &&
+                            canBeTiled(command.input);
   return may_be_tiled ? "; areas, centroids and numbers of neighbors alone need less: --detail measures" : "";
 }
 
@@ -206,6 +211,14 @@ Result<CellsOptions> cellsOptions(const CellsCommand& command, Input& input) {
   return options;
 }
 
+/// Refuses what cells that end in air do not have.
+Result<void> checkSurface(const CellsCommand& command) {
+  if (command.surface == Surface::none) return {};
+  if (command.check) return inputError("--check: what verifies cells does not know free surfaces");
+  if (command.targets.edges.empty()) return {};
+  return inputError("--edges: cells with a free surface have arcs between them and air; -o has them");
+}
+
 /// Refuses a --format that nothing takes.
 Result<void> checkFormat(const CellsCommand& command) {
   const bool given = !command.input.format.output.empty();
@@ -221,6 +234,7 @@ Result<ExitCode> cells(CellsCommand& command, const Invocation& how) {
   log.threads = command.backend.threads;
   const std::vector<std::string> paths = outputPaths(command);
   if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("cells.csv"));
+  if (auto fits = checkSurface(command); !fits) return tl::unexpected(std::move(fits.error()));
   if (auto used = checkFormat(command); !used) return tl::unexpected(std::move(used.error()));
   if (auto taken = takeFormat(command.targets, command.input.format.output); !taken) {
     return tl::unexpected(std::move(taken.error()));
@@ -237,6 +251,9 @@ Result<ExitCode> cells(CellsCommand& command, const Invocation& how) {
   if (const auto checked = checkInput(command.input, *input, *options, threads); !checked) {
     return tl::unexpected(checked.error());
   }
+  if (command.surface == Surface::free) {
+    if (const auto discs = checkDiscs(input->sites); !discs) return tl::unexpected(discs.error());
+  }
   printNotes(command.talk, *input);
   auto files = openOutputs(paths);
   if (!files) return tl::unexpected(std::move(files.error()));
@@ -252,11 +269,13 @@ Result<ExitCode> cells(CellsCommand& command, const Invocation& how) {
   if (!forecast) return tl::unexpected(forecast.error());
   ProgressBar bar(command.talk.quiet);
   options->progress = bar.callback();
-  auto diagram = session->cells(input->sites, *options);
+  const bool has_air = command.surface == Surface::free;
+  auto diagram =
+      has_air ? freeCells(*session, input->sites, *options) : session->cells(input->sites, *options);
   bar.clear();
   if (!diagram) return asOption(diagram.error(), command.input);
   printNotes(command.talk, diagram->report);
-  printMissingCells(command.talk, *input, diagram->status, diagram->report);
+  if (!has_air) printMissingCells(command.talk, *input, diagram->status, diagram->report);
   if (!validationIsSilent(diagram->report)) return exit_device;
   if (command.check) {
     const auto passed = passesCheck(check(input->sites, *options, *diagram, threads));
@@ -290,6 +309,7 @@ void addCells(CommandLine& line) {
   addCellsTargets(options, command->targets);
   options.group("Cells");
   addDensityOptions(options, command->density, "the mass of each cell and its center");
+  addSurface(options, command->surface, surface_text);
   addBackendChoice(options, command->backend);
   addSearchOptions(options, command->search);
   addRunOptions(options, command->backend, command->memory_limit);

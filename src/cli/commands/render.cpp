@@ -5,6 +5,8 @@
 #include "base/stopwatch.h"
 #include "bench/measured/driver_threads.h"
 #include "cli/commands/command.h"
+#include "cli/moving/free_drawing.h"
+#include "cli/options/mass_options.h"
 #include "cli/options/options.h"
 #include "cli/options/picture_files.h"
 #include "cli/options/picture_options.h"
@@ -30,6 +32,7 @@ struct RenderCommand {
   TalkOptions talk;
   PictureOptions picture;
   bool check = false;
+  Surface surface = Surface::none;
   PictureFiles files;
   std::string stats;
   std::optional<std::uint64_t> memory_limit;
@@ -89,6 +92,14 @@ Result<void> writeFiles(const RenderCommand& command, const Input& input, const 
   return writeOutputs(files, writers, log, json);
 }
 
+/// Refuses what pictures of cells that end in air do not have.
+Result<void> checkSurface(const RenderCommand& command, const Sites& sites, const RenderOptions& options) {
+  if (command.surface == Surface::none) return {};
+  if (command.check) return inputError("--check: what verifies cells does not know free surfaces");
+  if (auto discs = checkDiscs(sites); !discs) return discs;
+  return checkFreePicture("--surface", options, needsOf(command.files));
+}
+
 Result<ExitCode> render(const RenderCommand& command, const Invocation& how) {
   setDriverThreads(command.backend.threads);
   const Stopwatch total;
@@ -114,6 +125,8 @@ Result<ExitCode> render(const RenderCommand& command, const Invocation& how) {
   if (const auto checked = checkInput(command.input, *input, cellsOptions(options), threads); !checked) {
     return tl::unexpected(checked.error());
   }
+  if (const auto fits = checkSurface(command, input->sites, options); !fits)
+    return tl::unexpected(fits.error());
   printNotes(command.talk, *input);
   auto files = openOutputs(paths);
   if (!files) return tl::unexpected(std::move(files.error()));
@@ -125,11 +138,14 @@ Result<ExitCode> render(const RenderCommand& command, const Invocation& how) {
   if (!forecast) return tl::unexpected(forecast.error());
   ProgressBar bar(command.talk.quiet);
   options.progress = bar.callback();
-  const auto drawing = draw(*session, input->sites, options, needsOf(command.files));
+  const bool has_air = command.surface == Surface::free;
+  const auto needs = needsOf(command.files);
+  const auto drawing = has_air ? drawFree(*session, input->sites, options, needs)
+                               : draw(*session, input->sites, options, needs);
   bar.clear();
   if (!drawing) return asOption(drawing.error(), command.input);
   printNotes(command.talk, drawing->report());
-  printMissingCells(command.talk, *input, drawing->status(), drawing->report());
+  if (!has_air) printMissingCells(command.talk, *input, drawing->status(), drawing->report());
   if (const auto note = stretchNote(command.picture, options); !note.empty() && !command.talk.quiet) {
     printError("note: " + note);
   }
@@ -170,6 +186,7 @@ void addRender(CommandLine& line) {
       });
   addInputOptions(options, command->input).required();
   addPictureOptions(options, *command);
+  addSurface(options, command->surface, surface_text);
   addBackendChoice(options, command->backend);
   addSearchOptions(options, command->picture.render.search);
   addRunOptions(options, command->backend, command->memory_limit);

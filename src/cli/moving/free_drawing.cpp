@@ -1,5 +1,7 @@
 #include "cli/moving/free_drawing.h"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "io/files/error.h"
@@ -7,16 +9,22 @@
 
 namespace vorpipe::cli {
 
-Result<void> checkFreePicture(const RenderOptions& options, const DrawingNeeds& needs) {
+Result<void> checkDiscs(const Sites& sites) {
+  if (!sites.weight.empty()) return {};
+  return inputError("--surface: the sites have no weights, which are the squared radii of their discs");
+}
+
+Result<void> checkFreePicture(std::string_view option, const RenderOptions& options,
+                              const DrawingNeeds& needs) {
   if (!needs.pixels) return {};
   const bool over_air = options.legend || options.labels || options.dual || options.show_sites;
   // Colors of pixels are those of cells that fill the domain.
   const bool of_cells = options.color == ColorBy::area || options.color == ColorBy::neighbors;
   if (!over_air && !of_cells) return {};
   return inputError(
-      "--picture: with a free surface, pictures of pixels have no legend, labels, dual, sites or colors by "
-      "area "
-      "and neighbors; .svg and .pdf have them");
+      fmt::format("{}: with a free surface, pictures of pixels have no legend, labels, dual, sites or colors "
+                  "by area and neighbors; .svg and .pdf have them",
+                  option));
 }
 
 Result<Drawing> drawFree(Session& session, const Sites& sites, const RenderOptions& options,

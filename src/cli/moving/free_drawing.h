@@ -1,13 +1,19 @@
 /// Pictures of cells with a free surface.
 #pragma once
 
+#include <string_view>
+
 #include "cli/runs/drawing.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {
 
-/// Refuses (input) what pictures of air and pixels cannot have.
-Result<void> checkFreePicture(const RenderOptions& options, const DrawingNeeds& needs);
+/// Refuses (input) sites without weights, whose discs have no radii.
+Result<void> checkDiscs(const Sites& sites);
+
+/// Refuses (input) what pictures of air and pixels cannot have, in words that begin with the option.
+Result<void> checkFreePicture(std::string_view option, const RenderOptions& options,
+                              const DrawingNeeds& needs);
 
 /// Makes what is needed, as draw() does, of the parts of cells that lie in the discs around their sites.
 /// Errors: those of Session::render, freeCells and takeOutAir.

@@ -59,7 +59,7 @@ Result<void> checkBefore(const ResultJob& job) {
   if (job.targets.pictures.empty()) return {};
   const auto render = pictureOf(job.picture, job.options, job.input);
   if (!render) return tl::unexpected(render.error());
-  return job.surface == Surface::free ? checkFreePicture(*render, needsOf(job.targets.pictures))
+  return job.surface == Surface::free ? checkFreePicture("--picture", *render, needsOf(job.targets.pictures))
                                       : Result<void>();
 }
 
