@@ -193,7 +193,10 @@ tl::expected<Run, int> CommandLine::parse(int count, char** arguments) {
   } catch (const CLI::Success& asked) {
     return tl::unexpected(app.exit(asked));
   } catch (const CLI::ParseError& error) {
-    printError(std::string(error.what()) + "; see vorpipe --help");
+    const auto parsed =
+        std::ranges::find_if(parser_->subcommands, [](const auto& sub) { return sub.app->parsed(); });
+    const std::string page = parsed == parser_->subcommands.end() ? "" : parsed->app->get_name() + " ";
+    printError(fmt::format("{}; see vorpipe {}--help", error.what(), page));
     return tl::unexpected<int>(exit_input);
   }
   const auto chosen =
