@@ -36,7 +36,7 @@ alike() {
 thesis() { draw "$@" --colormap thesis --size 500x500; }
 smooth() { thesis "$@" --edges --antialias 4; }
 
-draw title --sites clusters:3000 --seed 7 --domain 0,0.25,1,0.75 --size 1000x500 --edges --antialias 4
+draw title --sites clusters:3000 --seed 7 --view 0,0.25,1,0.75 --size 1000x500 --edges --antialias 4
 
 smooth random-100 --sites random:100
 smooth random-1000 --sites random:1000

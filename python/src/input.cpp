@@ -50,12 +50,17 @@ Outline outlineOf(const OutlineArrays& arrays) {
   return outline;
 }
 
+Box boxFrom(const std::array<double, 4>& box) { return {box[0], box[1], box[2], box[3]}; }
+
 /// The points of a table, or of an array.
-void takeSites(const GivenPoints& points, const std::optional<SystemArguments>& system, Input& input) {
+void takeSites(const GivenPoints& points, const std::optional<SystemArguments>& system,
+               const DomainArguments& domain, Input& input) {
   if (const auto* const given = std::get_if<std::shared_ptr<Table>>(&points)) {
     const Table& table = **given;
-    input.sites = table.sites;
-    input.from = table.generated ? SitesFrom::generator : SitesFrom::file;
+    // With an outline the box is what pictures show, and the outline has the sites.
+    const bool fills_box = table.generator && domain.box && !domain.outline;
+    input.sites = fills_box ? sitesOf(*table.generator, boxFrom(*domain.box)) : table.sites;
+    input.from = table.generator ? SitesFrom::generator : SitesFrom::file;
     input.system = table.system;
     input.attributes = table.attributes;
     if (table.of_caller) input.from = SitesFrom::caller;
@@ -72,9 +77,11 @@ void takeWeights(const GivenPoints& points, const std::optional<Numbers>& weight
     raiseInput("weights", name + " has weights of its own");
   }
   input.sites.weight = vectorOf(*weights);
+  if (input.sites.weight.size() != input.sites.size()) {
+    raiseInput("weights", fmt::format("{} for the {} points of this domain", input.sites.weight.size(),
+                                      input.sites.size()));
+  }
 }
-
-Box boxFrom(const std::array<double, 4>& box) { return {box[0], box[1], box[2], box[3]}; }
 
 DomainSettings settingsOf(const DomainArguments& arguments) {
   DomainSettings settings;
@@ -179,7 +186,7 @@ std::shared_ptr<Input> inputOf(const GivenPoints& points, const std::optional<Nu
                                const DomainArguments& domain, const std::string& periodic,
                                const std::optional<SystemArguments>& system) {
   auto input = std::make_shared<Input>();
-  takeSites(points, system, *input);
+  takeSites(points, system, domain, *input);
   takeWeights(points, weights, *input);
   input->periodic = chosen("periodic", periodic_choices, periodic);
   takeDomain(domain, points, *input);

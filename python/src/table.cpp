@@ -61,7 +61,7 @@ SharedTable tableFrom(const std::string& spec, std::uint64_t seed, const ReadOpt
   Attributes attributes{std::move(table.attributes)};
   return std::make_shared<Table>(Table{spec == "-" ? "<stdin>" : spec, std::move(table.sites),
                                        std::make_shared<const Attributes>(std::move(attributes)),
-                                       std::move(table.system), source.seed.has_value(), table.skipped,
+                                       std::move(table.system), source.generator, table.skipped,
                                        std::move(table.notes)});
 }
 
@@ -137,7 +137,13 @@ void defineTable(py::module_& module) {
            py::arg("attributes"), py::arg("system"), py::arg("notes"))
       .def("__len__", [](const Table& table) { return table.sites.size(); })
       .def_property_readonly("name", [](const Table& table) { return textOf(table.name); })
-      .def_readonly("generated", &Table::generated)
+      .def_property_readonly("generated", [](const Table& table) { return table.generator.has_value(); })
+      .def(
+          "points_in",
+          [](const Table& table, const std::array<double, 4>& box) {
+            return pointsOf(sitesOf(table.generator.value(), Box{box[0], box[1], box[2], box[3]}));
+          },
+          py::arg("box"))
       .def_readonly("skipped", &Table::skipped)
       .def_property_readonly("notes", [](const Table& table) { return textsOf(table.notes); })
       .def_property_readonly("points", [](const Table& table) { return pointsOf(table.sites); })

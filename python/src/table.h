@@ -4,10 +4,13 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "attributes.h"
 #include "io/attributes/coordinate_system.h"
+#include "io/sites/site_source.h"
 #include "vorpipe.h"
 
 namespace vorpipe::python {
@@ -18,8 +21,8 @@ struct Table {
   Sites sites;
   SharedAttributes attributes;
   CoordinateSystem system{};
-  bool generated = false;
-  std::uint64_t skipped = 0;  ///< rows that were left out
+  std::optional<Generator> generator{};  ///< none of a file
+  std::uint64_t skipped = 0;             ///< rows that were left out
   std::vector<std::string> notes{};
   bool of_caller = false;  ///< a program has it; else it was read
 };

@@ -312,12 +312,13 @@ def forecast(points: Any, weights: Any = None, domain: Any = None, periodic: Uni
     return Forecast(*_vorpipe.forecast_cells(session._session, taken, _scalars.text_of('detail', detail), flag, count))
 
 
-def generate(pattern: str, n: int, seed: int = 1) -> Floats:
-    """About n points in the unit square, (n, 2): "random", "square", "hex", "jitter", "clusters" or "circle".
+def generate(pattern: str, n: int, seed: int = 1, domain: Optional[Sequence[float]] = None) -> Floats:
+    """About n points all over the domain, (n, 2): "random", "square", "hex", "jitter", "clusters" or "circle".
 
-    The same seed gives the same points on every platform, and those of the command line.
+    `domain` is (xmin, ymin, xmax, ymax), None for the unit square. The same seed gives the same points on every
+    platform, and those of the command line.
     """
-    return generated(pattern, n, seed)
+    return generated(pattern, n, seed, domain)
 
 
 def random_weights(low: float, high: float, n: int, seed: int = 1) -> Floats:

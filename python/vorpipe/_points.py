@@ -1,13 +1,14 @@
 """Points that come with what is said of them."""
 from __future__ import annotations
 
+import math
 import os
 from typing import Any, Dict, Iterable, List, Mapping, Optional, Sequence, Union
 
 import numpy.typing as npt
 
 from . import _attributes, _crs, _tables, _vorpipe
-from ._arguments import Floats, PathLike, points_of
+from ._arguments import Floats, PathLike, box_of, points_of
 from ._kept import Kept
 from ._scalars import path_of, refuse, seed_of, text_of, text_or_none, whole_of
 from ._warnings import warn
@@ -117,12 +118,18 @@ def read_points(path: PathLike) -> _vorpipe.Table:
     return _table_of(path, None, None, None, None, 1, False)
 
 
-def generated(pattern: str, count: int, seed: int) -> Floats:
+def generated(pattern: str, count: int, seed: int, box: Optional[Sequence[float]]) -> Floats:
     named = path_of(f'{pattern}:{whole_of("n", count)}', 'pattern')
     table = _vorpipe.read_table(named, seed_of(seed), '', [], '', False, False)
     if not table.generated:
         raise refuse('pattern', f'{pattern!r} is no generator')
-    return table.points
+    into = box_of(box)
+    if into is None:
+        return table.points
+    width, height = into[2] - into[0], into[3] - into[1]
+    if not (0 < width < math.inf and 0 < height < math.inf):
+        raise refuse('domain', f'{into} is not a rectangle: xmin, ymin, xmax, ymax')
+    return table.points_in(into)
 
 
 def given(points: Any) -> Union[Floats, _vorpipe.Table]:

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include "c/failure.h"
@@ -12,6 +14,7 @@
 #include "c/structs.h"
 #include "io/domain/outline_file.h"
 #include "io/files/error.h"
+#include "io/sites/site_source.h"
 
 namespace vorpipe::c {
 namespace {
@@ -43,9 +46,27 @@ Result<Outline> outlineOf(const vorpipe_outline& given) {
   return outline;
 }
 
+/// A pattern fills the box that is set, and else the unit square. Errors (input): it is so another number of
+/// sites, and has weights.
+Result<void> fillBox(vorpipe_input& input, const std::optional<Box>& box) {
+  if (!input.generator) return {};
+  Sites sites = sitesOf(*input.generator, box);
+  const auto& weight = input.sites->weight;
+  if (!weight.empty() && weight.size() != sites.size()) {
+    return inputError(fmt::format("weights: {} for the {} sites of {} in this box; set the box first",
+                                  weight.size(), sites.size(), input.name));
+  }
+  sites.weight = weight;
+  input.sites = std::make_shared<const Sites>(std::move(sites));
+  return {};
+}
+
 /// Takes what cells are clipped to, instead of what was set before; the margin stays, and how it is
 /// projected.
 vorpipe_code setDomain(vorpipe_input& input, DomainSettings domain, Periodic periodic = Periodic::none) {
+  if (input.domain.box || domain.box) {
+    if (auto filled = fillBox(input, domain.box); !filled) return fail(filled.error());
+  }
   domain.margin = input.domain.margin;
   domain.project = input.domain.project;
   domain.repair = input.domain.repair && !domain.outline.empty();

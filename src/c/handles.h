@@ -15,6 +15,7 @@
 #include "io/attributes/attribute.h"
 #include "io/attributes/coordinate_system.h"
 #include "io/domain/site_domain.h"
+#include "io/sites/site_source.h"
 #include "vorpipe.h"
 #include "vorpipe/fluid.h"
 
@@ -58,6 +59,7 @@ struct vorpipe_input {
   vorpipe::CoordinateSystem system{};
   std::string name;  ///< for messages about the sites
   vorpipe::SitesFrom from = vorpipe::SitesFrom::caller;
+  std::optional<vorpipe::Generator> generator{};  ///< of sites that fill the box that is set
   std::uint64_t skipped = 0;
   vorpipe::DomainSettings domain{};
   vorpipe::Periodic periodic = vorpipe::Periodic::none;

@@ -46,7 +46,8 @@ Result<vorpipe_input> inputOf(const std::string& spec, std::uint64_t seed, const
   input.attributes = std::make_shared<const std::vector<Attribute>>(std::move(table.attributes));
   input.system = std::move(table.system);
   input.name = spec;
-  input.from = source->seed ? SitesFrom::generator : SitesFrom::file;
+  input.from = source->generator ? SitesFrom::generator : SitesFrom::file;
+  input.generator = source->generator;
   input.skipped = table.skipped;
   input.notes.assign(table.notes.begin(), table.notes.end());
   return input;

@@ -140,7 +140,9 @@ std::unique_ptr<vorpipe_input> inputOf(const vorpipe_input& input, const PlacedI
   PlacedInput other = placed;
   other.sites = std::make_shared<const Sites>(sites);
   other.given = made->sites;
-  made->from = SitesFrom::caller;  // no longer a pattern to spread over an outline
+  // No longer a pattern to spread over an outline or a box.
+  made->from = SitesFrom::caller;
+  made->generator.reset();
   made->kept = std::make_shared<const PlacedInput>(std::move(other));
   made->placed = made->kept;
   return made;

@@ -107,7 +107,8 @@ succeeds "cells to /dev/stdout" cells --backend cpu --sites clusters:500 -o /dev
 cmp -s log/out out/cells.WKT || fail "not the file"
 name="cells with a place alone"
 cases=$((cases + 1))
-run 0 cells --backend cpu --sites clusters:500 --domain 0,0,.5,1 --only-cells -o out/cells4.geojson -o out/cells4.csv
+cut -d, -f2,3 out/cells1.csv >in/clusters.csv
+run 0 cells --backend cpu --sites in/clusters.csv --domain 0,0,.5,1 --only-cells -o out/cells4.geojson -o out/cells4.csv
 left_out=$(grep -c ',empty,' out/cells4.csv)
 grep -qF "note: $left_out of 500 sites have no cell: they lie outside the domain" log/err || fail "why they have no cell"
 grep -qF "note: --only-cells: $left_out of 500 sites have no cell, and are left out" log/err || fail "what is left out"
@@ -116,6 +117,20 @@ grep -q '"geometry":null' out/cells4.geojson && fail "a record without a cell"
 fails 2 "standard output twice" "-o: standard output" cells --backend cpu --sites random:9 -o - -o /dev/stdout
 fails 2 "standard output of an unknown kind" "--format" cells --backend cpu --sites random:9 -o - --format png
 fails 2 "a kind for nothing" "--format" cells --backend cpu --sites random:9 -o out/old.csv --format csv
+
+# -- Patterns in a box, and what ends in air ------------------------------------------------------------------
+succeeds "a pattern fills the box that is named" cells --backend cpu --sites random:150 --domain 0,0,1.5,1 -o out/box.csv
+awk -F, 'NR > 1 && $2 > 1.2 { n++ } END { exit !(n > 15) }' out/box.csv || fail "nothing is at its end"
+succeeds "a lattice in a box" cells --backend cpu --sites square:150 --domain 0,0,1.5,1 --check -o out/box.csv
+awk -F, 'NR > 1 && ($6 < 0.00999999 || $6 > 0.01000001) { exit 1 }' out/box.csv || fail "its spacings differ"
+succeeds "drops" transport --backend cpu --sites random:60 --fill 0.6 --quiet -o out/drops.csv --cells out/drops-then.csv
+succeeds "drops out of a file" cells --backend cpu --sites out/drops.csv --domain 0,0,1,1 --surface free -o out/drops-now.csv
+cmp out/drops-then.csv out/drops-now.csv || fail "other cells"
+succeeds "a picture of them" render --backend cpu --sites out/drops.csv --domain 0,0,1,1 --surface free --size 50 -o out/drops.png -o out/drops.svg
+grep -q 'A' out/drops.svg || fail "there are no arcs"
+fails 2 "a check of drops" "--check: what verifies cells does not know free surfaces" \
+  cells --backend cpu --sites out/drops.csv --surface free --check -o out/old.csv
+fails 2 "drops without radii" "--surface: the sites have no weights" cells --backend cpu --sites random:9 --surface free -o out/old.csv
 fails 2 "only cells of no features" "--only-cells" cells --backend cpu --sites random:9 --only-cells -o out/old.csv
 fails 2 "edges of an unknown kind" "--edges: out/old.npz" cells --backend cpu --sites random:9 --edges out/old.npz
 

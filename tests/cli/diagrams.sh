@@ -77,8 +77,9 @@ for axes in x y xy; do
 done
 printf 'x,y\n0,0.5\n0.99999999999999,0.5\n' >in/seam.csv
 succeeds "sites beside each other across the border" cells --backend cpu --sites in/seam.csv --domain 0,0,1,1 --periodic x --check --stats out/p.json
+printf 'x,y\n.13,.93\n.85,.22\n.76,.41\n.51,.88\n.06,.67\n' >in/five.csv
 for periodic in "" "--periodic x" "--periodic y" "--periodic xy"; do
-  succeeds "a domain as narrow as ties '$periodic'" cells --backend cpu --sites random:5 --domain 0,0,1,1e-9 $periodic --check --stats out/p.json
+  succeeds "a domain as narrow as ties '$periodic'" cells --backend cpu --sites in/five.csv --domain 0,0,1,1e-9 $periodic --check --stats out/p.json
 done
 for sites in random:1 random:2 random:5 square:4; do
   succeeds "periodic, $sites" cells --backend cpu --sites $sites --periodic xy --check --stats out/p.json

@@ -13,7 +13,7 @@ scenes=(
   "hex          --sites hex:60"
   "clusters     --sites clusters:400 --seed 2"
   "circle       --sites circle:40"
-  "outside      --sites random:80 --domain 0.4,0.4,0.6,0.5"
+  "outside      --sites $here/outside.csv --domain 0.4,0.4,0.6,0.5"
   "collinear    --sites $here/collinear.csv --domain 0,0,1,1"
   "duplicates   --sites $here/duplicates.csv --domain 0,0,1,1"
 )

@@ -64,6 +64,19 @@ def test_generators_fill_the_unit_square():
         vorpipe.generate('stripes', 10)
 
 
+def test_generators_fill_the_box_that_is_named():
+    box = (0, 0, 1.5, 1)
+    sites, points = vorpipe.read('square:150'), vorpipe.generate('square', 150, domain=box)
+    assert points.shape == (150, 2) and len(sites) == 144
+    cells = vorpipe.cells(sites, domain=box)
+    assert np.array_equal(cells.points, points) and np.allclose(cells.areas, 0.01)
+    assert vorpipe.generate('random', 500, domain=(-2, 5, 2, 6)).min(axis=0) == pytest.approx((-2, 5), abs=0.1)
+    with pytest.raises(vorpipe.InputError, match='weights: 144 for the 150 points of this domain'):
+        vorpipe.cells(sites, np.zeros(144), domain=box)
+    with pytest.raises(vorpipe.InputError, match='domain: .* is not a rectangle'):
+        vorpipe.generate('random', 5, domain=(0, 0, 0, 1))
+
+
 def test_weights_of_a_file_are_taken_and_no_others(tmp_path):
     (tmp_path / 'w.csv').write_text('x,y,weight\n0.3,0.5,0.2\n0.8,0.5,0\n')
     sites = vorpipe.read(tmp_path / 'w.csv')

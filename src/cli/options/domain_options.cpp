@@ -42,8 +42,8 @@ void addDomainOptions(Options& options, InputOptions& input, const Option& sites
                 "what is drawn and measured: the box XMIN,YMIN,XMAX,YMAX [0,0,1,1; for files the box of the "
                 "sites and a --margin], a file with its outline, polygons with holes ({}), which are "
                 "dissolved where "
-                "they touch or overlap, or the convex hull of the sites; generators fill the square around "
-                "an outline",
+                "they touch or overlap, or the convex hull of the sites; generators fill the box, or the "
+                "square around an outline",
                 anyOf(outlineExtensions())),
             parseDomain, {{"hull"}, outlineExtensions()})
       .needs(sites);

@@ -6,12 +6,31 @@
 #include <vector>
 
 #include "vorpipe.h"
+#include "vorpipe/patterns.h"
 
 // The same sites on every platform: only operations that IEEE 754 defines to the last bit, and nowhere
 // a product that is added to something, for a compiler may fuse the two; a quotient cannot be fused.
 
 namespace vorpipe {
 namespace {
+
+/// The shape of a box: patterns are made in the unit square, which is stretched over it.
+struct Shape {
+  double aspect = 1;  ///< width over height
+  /// Lengths in the square for one in the box, along each axis, over that for areas.
+  [[nodiscard]] Point squeezed() const { return {std::sqrt(aspect), 1 / std::sqrt(aspect)}; }
+};
+
+/// Columns and rows of a lattice.
+struct Lattice {
+  std::uint64_t columns, rows;
+};
+
+/// How many rows are as far apart as so many columns, at least 1 and at most n.
+std::uint64_t rowsFor(std::uint64_t columns, const Shape& shape, std::uint64_t n) {
+  const double rows = std::round(static_cast<double>(columns) / shape.aspect);
+  return static_cast<std::uint64_t>(std::clamp(rows, 1.0, static_cast<double>(n)));
+}
 
 using Random = std::mt19937_64;  // the standard defines its numbers; it does not define distributions
 
@@ -70,23 +89,33 @@ void generateRandom(Sites& sites, std::uint64_t n, Random& random) {
   }
 }
 
-void generateSquare(Sites& sites, std::uint64_t n) {
-  const std::uint64_t side = floorRoot(n);
-  const auto extent = static_cast<double>(side);
-  for (std::uint64_t row = 0; row < side; ++row) {
-    for (std::uint64_t column = 0; column < side; ++column) {
-      add(sites, {(static_cast<double>(column) + 0.5) / extent, (static_cast<double>(row) + 0.5) / extent});
+/// About the root of n columns, in a square; in all boxes as many more as these are wider than high.
+std::uint64_t columnsFor(std::uint64_t root, std::uint64_t n, const Shape& shape) {
+  if (shape.aspect == 1) return root;
+  const double columns = std::floor(std::sqrt(static_cast<double>(n) * shape.aspect));
+  return static_cast<std::uint64_t>(std::clamp(columns, 1.0, static_cast<double>(n)));
+}
+
+void generateSquare(Sites& sites, std::uint64_t n, const Shape& shape) {
+  const std::uint64_t columns = columnsFor(floorRoot(n), n, shape);
+  const std::uint64_t rows = std::min(rowsFor(columns, shape, n), n / columns);
+  for (std::uint64_t row = 0; row < rows; ++row) {
+    for (std::uint64_t column = 0; column < columns; ++column) {
+      add(sites, {(static_cast<double>(column) + 0.5) / static_cast<double>(columns),
+                  (static_cast<double>(row) + 0.5) / static_cast<double>(rows)});
     }
   }
 }
 
 /// A whole number of columns fills the width; the rows, sqrt(3) / 2 of their distance apart, are
-/// centered in the height.
-void generateHex(Sites& sites, std::uint64_t n) {
+/// centered in the height. In a box that is too thin for such a lattice they are on a line.
+void generateHex(Sites& sites, std::uint64_t n, const Shape& shape) {
   const double row_ratio = std::sqrt(3.0) / 2;
-  const double columns = std::max(1.0, std::round(std::sqrt(static_cast<double>(n) * row_ratio)));
-  const double rows = std::max(1.0, std::round(columns / row_ratio));
-  const double half_rows_per_unit = 2 * columns / row_ratio;
+  const auto most = static_cast<double>(n);
+  const double columns = std::clamp(std::round(std::sqrt(most * row_ratio * shape.aspect)), 1.0, most);
+  const double rows = std::max(1.0, std::round(columns / row_ratio / shape.aspect));
+  if (rows > most) return generateSquare(sites, n, shape);
+  const double half_rows_per_unit = 2 * columns / row_ratio / shape.aspect;
   for (double row = 0; row < rows; ++row) {
     const double shift = std::fmod(row, 2.0) == 0 ? 0.25 : 0.75;
     const double y = 0.5 + (2 * row - (rows - 1)) / half_rows_per_unit;
@@ -97,22 +126,26 @@ void generateHex(Sites& sites, std::uint64_t n) {
 }
 
 /// The smallest lattice with at least n squares; those left empty are spread evenly.
-void generateJitter(Sites& sites, std::uint64_t n, Random& random) {
-  const std::uint64_t side = floorRoot(n - 1) + 1;
-  const auto extent = static_cast<double>(side);
+void generateJitter(Sites& sites, std::uint64_t n, Random& random, const Shape& shape) {
+  const std::uint64_t columns = columnsFor(floorRoot(n - 1) + 1, n, shape);
+  const std::uint64_t rows = std::max(rowsFor(columns, shape, n), (n + columns - 1) / columns);
+  const auto width = static_cast<double>(columns), height = static_cast<double>(rows);
   for (std::uint64_t i = 0; i < n; ++i) {
-    const std::uint64_t square = i * (side * side) / n;
-    const auto row = static_cast<double>(square / side);
-    const auto column = static_cast<double>(square % side);
+    const std::uint64_t square = i * (columns * rows) / n;
+    const auto row = static_cast<double>(square / columns);
+    const auto column = static_cast<double>(square % columns);
     add(sites, drawInside([&] {
-          const double x = (column + uniform(random)) / extent;
-          const double y = (row + uniform(random)) / extent;
+          const double x = (column + uniform(random)) / width;
+          const double y = (row + uniform(random)) / height;
           return Point{x, y};
         }));
   }
 }
 
-void generateClusters(Sites& sites, std::uint64_t n, Random& random) {
+void generateClusters(Sites& sites, std::uint64_t n, Random& random, const Shape& shape) {
+  // In a thin box clusters are flat, or nothing of them would lie in it.
+  constexpr double flattest = 1.0 / 8;
+  const Point squeezed{std::max(shape.squeezed().x, flattest), std::max(shape.squeezed().y, flattest)};
   struct Cluster {
     Point center;
     double per_unit;  ///< 1 / standard deviation
@@ -128,8 +161,8 @@ void generateClusters(Sites& sites, std::uint64_t n, Random& random) {
   for (std::uint64_t i = 0; i < n; ++i) {
     const Cluster& cluster = clusters[random() % count];
     add(sites, drawInside([&] {
-          const double x = cluster.center.x + normal(random) / cluster.per_unit;
-          const double y = cluster.center.y + normal(random) / cluster.per_unit;
+          const double x = cluster.center.x + normal(random) / cluster.per_unit / squeezed.x;
+          const double y = cluster.center.y + normal(random) / cluster.per_unit / squeezed.y;
           return Point{x, y};
         }));
   }
@@ -146,7 +179,8 @@ Point direction(double angle) {
   return {cosine, sine * angle};
 }
 
-void generateCircle(Sites& sites, std::uint64_t n) {
+void generateCircle(Sites& sites, std::uint64_t n, const Shape& shape) {
+  const Point sides{std::max(1.0, shape.aspect), std::max(1.0, 1 / shape.aspect)};  // over the shorter one
   constexpr double eighth_turn = 0x1.921FB54442D18p-1;
   constexpr double per_unit = 2.5;  // 1 / radius
   for (std::uint64_t i = 0; i < n; ++i) {
@@ -164,13 +198,11 @@ void generateCircle(Sites& sites, std::uint64_t n) {
                          : quarter == 1 ? Point{-side, along}
                          : quarter == 2 ? Point{-along, -side}
                                         : Point{side, -along};
-    add(sites, {0.5 + turned.x, 0.5 + turned.y});
+    add(sites, {0.5 + turned.x / sides.x, 0.5 + turned.y / sides.y});
   }
 }
 
-}  // namespace
-
-Sites generate(Pattern pattern, std::uint64_t n, std::uint64_t seed) {
+Sites generateShaped(Pattern pattern, std::uint64_t n, std::uint64_t seed, const Shape& shape) {
   Random random(seed);
   Sites sites;
   sites.x.reserve(n);
@@ -180,21 +212,36 @@ Sites generate(Pattern pattern, std::uint64_t n, std::uint64_t seed) {
       generateRandom(sites, n, random);
       break;
     case Pattern::square:
-      generateSquare(sites, n);
+      generateSquare(sites, n, shape);
       break;
     case Pattern::hex:
-      generateHex(sites, n);
+      generateHex(sites, n, shape);
       break;
     case Pattern::jitter:
-      generateJitter(sites, n, random);
+      generateJitter(sites, n, random, shape);
       break;
     case Pattern::clusters:
-      generateClusters(sites, n, random);
+      generateClusters(sites, n, random, shape);
       break;
     case Pattern::circle:
-      generateCircle(sites, n);
+      generateCircle(sites, n, shape);
       break;
   }
+  return sites;
+}
+
+}  // namespace
+
+Sites generate(Pattern pattern, std::uint64_t n, std::uint64_t seed) {
+  return generateShaped(pattern, n, seed, {});
+}
+
+Sites generate(Pattern pattern, std::uint64_t n, std::uint64_t seed, const Box& box) {
+  const double width = box.xmax - box.xmin, height = box.ymax - box.ymin;
+  Sites sites = generateShaped(pattern, n, seed, {width / height});
+  // Rounding may lead beyond the far ends.
+  for (double& x : sites.x) x = std::min(box.xmin + x * width, box.xmax);
+  for (double& y : sites.y) y = std::min(box.ymin + y * height, box.ymax);
   return sites;
 }
 

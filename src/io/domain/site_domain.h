@@ -41,7 +41,7 @@ struct DomainWords {
 enum class SitesFrom : std::uint8_t {
   caller,    ///< a program's arrays
   file,      ///< a map of something
-  generator  ///< a pattern that fills the unit square
+  generator  ///< a pattern that fills the box, or the unit square
 };
 
 /// Sites with the domain that they have cells in; with a projection both are in its plane.

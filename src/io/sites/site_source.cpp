@@ -5,6 +5,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <new>
 #include <string_view>
@@ -14,6 +15,7 @@
 #include "io/files/error.h"
 #include "io/sites/sites_file.h"
 #include "io/text/quoted.h"
+#include "vorpipe/patterns.h"
 
 namespace vorpipe {
 namespace {
@@ -48,20 +50,27 @@ std::optional<std::uint64_t> countOf(std::string_view text) {
 }
 
 Result<SiteSource> generateSites(Pattern pattern, std::string_view spec, std::string_view count,
-                                 std::uint64_t seed) {
+                                 std::uint64_t seed, const std::optional<Box>& box) {
   const auto n = countOf(count);
   if (!n) {
     return inputError(fmt::format("{}: {} is not a number of sites; it must be a whole number from 1 to {}",
                                   spec, inQuotes(count), max_sites));
   }
   try {
-    return SiteSource{SiteTable{generate(pattern, *n, seed)}, seed};
+    const Generator generator{pattern, *n, seed};
+    return SiteSource{SiteTable{sitesOf(generator, box)}, generator};
   } catch (const std::bad_alloc&) {
     return deviceError(fmt::format("{}: there is not enough memory for so many sites", spec));
   }
 }
 
 }  // namespace
+
+Sites sitesOf(const Generator& generator, const std::optional<Box>& box) {
+  const auto isSide = [](double length) { return length > 0 && std::isfinite(length); };
+  const bool fills = box && isSide(box->xmax - box->xmin) && isSide(box->ymax - box->ymin);
+  return generate(generator.pattern, generator.count, generator.seed, fills ? *box : Box{0, 0, 1, 1});
+}
 
 std::vector<std::string_view> patternNames() {
   std::vector<std::string_view> names;
@@ -77,12 +86,13 @@ std::optional<std::uint64_t> generatedCount(std::string_view spec) {
   return countOf(spec.substr(colon + 1));
 }
 
-Result<SiteSource> loadSites(const std::string& spec, std::uint64_t seed, const ReadOptions& options) {
+Result<SiteSource> loadSites(const std::string& spec, std::uint64_t seed, const ReadOptions& options,
+                             const std::optional<Box>& box) {
   const std::string_view text = spec;
   const std::size_t colon = text.find(':');
   const auto pattern = patternNamed(text.substr(0, colon));
   if (pattern && colon != std::string_view::npos) {
-    return generateSites(*pattern, text, text.substr(colon + 1), seed);
+    return generateSites(*pattern, text, text.substr(colon + 1), seed, box);
   }
   auto table = readSites(spec, options);
   if (!table && pattern) {

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <utility>
 
 #include "vorpipe.h"
+#include "vorpipe/patterns.h"
 
 namespace vorpipe::test {
 namespace {
@@ -151,4 +153,62 @@ TEST(Generate, ClustersAreDense) {
 }
 
 }  // namespace
+TEST(Generate, InTheUnitSquareBoxesMakeNoDifference) {
+  for (const Pattern pattern : all_patterns) {
+    for (const std::uint64_t n : {1u, 10u, 143u, 1000u}) {
+      EXPECT_EQ(hash(generate(pattern, n, 7, {0, 0, 1, 1})), hash(generate(pattern, n, 7)));
+    }
+  }
+}
+
+/// Each quarter of the width and of the height has its part.
+TEST(Generate, SitesAreAllOverTheBox) {
+  for (const Box& box : {Box{0, 0, 1.5, 1}, Box{-3, 10, -2, 40}, Box{5, 5, 1005, 6}}) {
+    for (const Pattern pattern : {Pattern::random, Pattern::square, Pattern::hex, Pattern::jitter}) {
+      const Sites sites = generate(pattern, 4000, 1, box);
+      EXPECT_NEAR(static_cast<double>(sites.size()), 4000, 200);
+      std::array<int, 4> across{}, up{};
+      for (std::size_t i = 0; i < sites.size(); ++i) {
+        const double x = (sites.x[i] - box.xmin) / (box.xmax - box.xmin);
+        const double y = (sites.y[i] - box.ymin) / (box.ymax - box.ymin);
+        ASSERT_TRUE(x >= 0 && x <= 1 && y >= 0 && y <= 1);
+        ++across.at(static_cast<std::size_t>(std::min(3.0, 4 * x)));
+        ++up.at(static_cast<std::size_t>(std::min(3.0, 4 * y)));
+      }
+      for (const auto& parts : {across, up}) {
+        EXPECT_GT(*std::ranges::min_element(parts), pattern == Pattern::random ? 900 : 500);
+      }
+    }
+  }
+}
+
+TEST(Generate, LatticesHaveEqualSpacingsInABox) {
+  const Sites square = generate(Pattern::square, 150, 1, {0, 0, 1.5, 1});
+  ASSERT_EQ(square.size(), 150u);
+  EXPECT_NEAR(square.x[1] - square.x[0], 0.1, 1e-15);
+  EXPECT_NEAR(square.y[15] - square.y[0], 0.1, 1e-15);
+  const Sites hex = generate(Pattern::hex, 1000, 1, {0, 0, 3, 1});
+  const double side = hex.x[1] - hex.x[0];
+  const auto next = static_cast<std::size_t>(std::ranges::count(hex.y, hex.y[0]));
+  EXPECT_NEAR(std::hypot(hex.x[next] - hex.x[0], hex.y[next] - hex.y[0]), side, 1e-12);
+}
+
+TEST(Generate, TheCircleStaysOne) {
+  const Sites sites = generate(Pattern::circle, 50, 1, {0, 0, 4, 2});
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    EXPECT_NEAR(std::hypot(sites.x[i] - 2, sites.y[i] - 1), 0.8, 1e-12);
+  }
+}
+
+/// Clusters that were as wide as a thin box is long would have next to nothing in it.
+TEST(Generate, ThinBoxesAreFilled) {
+  for (const Box& box : {Box{0, 0, 1e9, 1e-3}, Box{0, 0, 1e-9, 1}}) {
+    for (const Pattern pattern : all_patterns) {
+      const Sites sites = generate(pattern, 100, 1, box);
+      EXPECT_GE(sites.size(), 50u);
+      EXPECT_LE(sites.size(), 200u);
+    }
+  }
+}
+
 }  // namespace vorpipe::test

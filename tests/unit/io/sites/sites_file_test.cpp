@@ -145,14 +145,14 @@ TEST_F(SitesFile, LoadSitesTakesGeneratorsAndFiles) {
   const auto generated = loadSites("random:7", 3);
   ASSERT_TRUE(generated) << generated.error().message;
   EXPECT_EQ(generated->table.sites.size(), 7u);
-  EXPECT_EQ(generated->seed, 3u);
+  EXPECT_EQ(generated->generator->seed, 3u);
   EXPECT_EQ(generated->table.sites.x, generate(Pattern::random, 7, 3).x);
   for (const char* spec : {"square:9", "hex:9", "jitter:9", "clusters:9", "circle:9"}) {
     EXPECT_TRUE(loadSites(spec, 1)) << spec;
   }
   const auto read = loadSites(write("a.csv", "x,y\n1,2\n"), 3);
   ASSERT_TRUE(read) << read.error().message;
-  EXPECT_FALSE(read->seed);
+  EXPECT_FALSE(read->generator);
 }
 
 TEST_F(SitesFile, LoadSitesRefusesNumbersOfSites) {
