@@ -532,7 +532,7 @@ typedef struct vorpipe_color_key {
   vorpipe_color color; /* VORPIPE_BY_SITE: for nothing, and there are no ticks */
   vorpipe_color_scale scale;
   double low, high;    /* of the first and the last color */
-  vorpipe_array ticks; /* 2 doubles: a place along the colors, in [0, 1], and its value */
+  vorpipe_array ticks; /* 2 doubles: a place along the colors, in [0, 1], and its value; 1 if all are equal */
 } vorpipe_color_key;
 VORPIPE_API vorpipe_code vorpipe_picture_key(const vorpipe_picture* picture, vorpipe_color_key* key);
 

@@ -31,7 +31,7 @@ PictureSize sizeFor(const Box& domain, int longer_side);
 
 enum class ColorBy : std::uint8_t { site, area, neighbors, weight };
 
-/// How values become colors.
+/// How values become colors. Those that differ by no more than 1e-9 of their size are equal.
 enum class ColorScale : std::uint8_t {
   automatic,  ///< quantile by area and by weight, linear by neighbors
   linear,
@@ -74,7 +74,7 @@ struct RenderOptions {
   std::optional<Box> view{};
   bool fill = true;        ///< cells have colors; else they are white
   int antialias = 1;       ///< as many rows and columns of places in each pixel, 1 to 8, have its mean color
-  bool dual = false;       ///< lines between sites whose cells have a common edge: the Delaunay triangulation
+  bool dual = false;       ///< lines between sites whose cells have a common edge in the domain
   bool labels = false;     ///< the index of each site, where there is room for it
   double label_size = 10;  ///< the height of digits, in pixels, 5 to 200
 };
@@ -84,7 +84,7 @@ struct ColorKey {
   ColorBy color = ColorBy::area;
   ColorScale scale = ColorScale::linear;  ///< never automatic
   ColorRange range{};                     ///< low is high where all values are equal
-  /// Places along the colors in [0, 1], ascending, with their values: 0 and 1 are among them.
+  /// Places along the colors in [0, 1], ascending, and their values, each once: one where all are equal.
   std::vector<std::pair<double, double>> ticks{};
 };
 

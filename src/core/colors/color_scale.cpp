@@ -14,6 +14,14 @@ namespace {
 
 constexpr std::size_t last_color = 255;
 
+/// What rounding, and solvers that stop, leave of equal values; no eye sees it.
+constexpr double same_part = 1e-9;
+
+/// Whether a value is one with a lesser one.
+bool isOne(double least, double value) {
+  return value - least <= same_part * std::max(std::abs(least), std::abs(value));
+}
+
 std::uint8_t roundedColor(double place) {
   return static_cast<std::uint8_t>(std::lround(static_cast<double>(last_color) * place));
 }
@@ -77,18 +85,32 @@ Result<ColorPlaces> ColorPlaces::of(const Coloring& coloring, std::vector<double
     key.range = *coloring.range;
   } else if (!values.empty()) {
     const auto [least, greatest] = std::ranges::minmax(values);
-    key.range = {least, greatest};
+    key.range = {least, isOne(least, greatest) ? least : greatest};
   }
   if (key.scale == ColorScale::quantile) {
     parallelSort(values, threads);
     places.ranked_ = std::move(values);
+    places.joinRanked();
     places.findFirsts();
   }
   key.ticks = ticksOf(key, places.ranked_);
   return places;
 }
 
+/// Each value becomes the least that it is one with. These are one with no other least, so that nothing is
+/// drawn along a row of values of which each is near to the next.
+void ColorPlaces::joinRanked() {
+  double least = ranked_.empty() ? 0 : ranked_.front();
+  for (double& value : ranked_) {
+    if (!isOne(least, value)) least = value;
+    value = least;
+  }
+  if (!ranked_.empty()) key_.range.high = ranked_.back();
+}
+
 double ColorPlaces::rankOf(double value) const {
+  const auto after = std::ranges::upper_bound(ranked_, value);
+  if (after != ranked_.begin() && isOne(*(after - 1), value)) value = *(after - 1);
   const auto [first, last] = std::equal_range(ranked_.begin(), ranked_.end(), value);
   if (first == last) return value < key_.range.low ? 0 : 1;
   const auto before = static_cast<double>(first - ranked_.begin());
@@ -113,6 +135,7 @@ std::uint8_t ColorPlaces::colorOf(double value) const {
 
 double ColorPlaces::operator()(double value) const {
   const auto [low, high] = key_.range;
+  if (key_.scale != ColorScale::quantile && value > high && isOne(high, value)) value = high;
   switch (key_.scale) {
     case ColorScale::quantile:
       return rankOf(value);

@@ -16,7 +16,8 @@ struct Coloring {
   std::optional<ColorRange> range;
 };
 
-/// The places along the colors, from 0 to 1, of values.
+/// The places along the colors, from 0 to 1, of values. Values that differ by rounding alone, 1e-9 of
+/// their size, are one.
 class ColorPlaces {
  public:
   /// `values` are those of the sites that have a cell, finite, in any order. Where a range is named,
@@ -32,11 +33,13 @@ class ColorPlaces {
   [[nodiscard]] const ColorKey& key() const { return key_; }
 
  private:
+  void joinRanked();
   [[nodiscard]] double rankOf(double value) const;
   void findFirsts();
 
   ColorKey key_;
-  std::vector<double> ranked_;  ///< the values inside the range, ascending; by quantile alone
+  /// The values inside the range, ascending, of those that are one the least; by quantile alone.
+  std::vector<double> ranked_;
   /// By color from the second on: the least of the ranked values that has it or a later one. A search among
   /// all that are ranked would be a cache miss for each step.
   std::vector<double> firsts_;

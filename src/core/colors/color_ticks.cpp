@@ -74,17 +74,35 @@ double quantileOf(std::span<const double> ranked, double part, bool whole) {
   return low * (1 - rest) + high * rest;
 }
 
+/// Of ticks that name one value one is left, where the values that it names are.
+void joinEqual(std::vector<std::pair<double, double>>& ticks, std::span<const double> ranked) {
+  std::vector<std::pair<double, double>> joined;
+  for (const auto& tick : ticks) {
+    if (joined.empty() || joined.back().second != tick.second) {
+      joined.push_back(tick);
+      continue;
+    }
+    const auto equal = std::ranges::equal_range(ranked, tick.second);
+    const auto first = equal.begin() - ranked.begin(), last = equal.end() - ranked.begin() - 1;
+    if (first <= last) {
+      joined.back().first = static_cast<double>(first + last) / 2 / static_cast<double>(ranked.size() - 1);
+    }
+  }
+  ticks = std::move(joined);
+}
+
 }  // namespace
 
 std::vector<std::pair<double, double>> ticksOf(const ColorKey& key, std::span<const double> ranked) {
   const auto [low, high] = key.range;
+  if (!(low < high)) return {{0.5, low}};
   std::vector<std::pair<double, double>> ticks{{0, low}};
   const bool whole = key.color == ColorBy::neighbors;
   if (key.scale == ColorScale::quantile) {
     for (const double part : {0.25, 0.5, 0.75}) {
-      if (low < high) ticks.emplace_back(part, std::clamp(quantileOf(ranked, part, whole), low, high));
+      ticks.emplace_back(part, std::clamp(quantileOf(ranked, part, whole), low, high));
     }
-  } else if (low < high) {
+  } else {
     const bool log = key.scale == ColorScale::log;
     for (const double number :
          log ? roundNumbersOfLogarithm(low, high, whole) : roundNumbers(low, high, whole)) {
@@ -94,6 +112,7 @@ std::vector<std::pair<double, double>> ticksOf(const ColorKey& key, std::span<co
     }
   }
   ticks.emplace_back(1, high);
+  joinEqual(ticks, ranked);
   return ticks;
 }
 

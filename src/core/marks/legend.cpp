@@ -16,8 +16,8 @@ constexpr std::uint32_t panel_color = 0xE0FFFFFFu, line_color = 0xFF303030u;
 constexpr int line_height = 11;
 constexpr int margin = 3, padding = 5, title_gap = 9, bottom_gap = 3;
 constexpr int bar_width = 10, bar_height = 84, tick_length = 2, label_gap = 5;
-constexpr int label_distance = 11;  ///< of two baselines
-constexpr std::size_t longest_label = 10;
+constexpr int label_distance = 11;         ///< of two baselines
+constexpr std::size_t longest_label = 10;  ///< that fits into every picture
 
 struct Label {
   double place;  ///< along the colors
@@ -56,13 +56,24 @@ void joinLines(std::vector<std::string>& title) {
   for (; title.size() > 1; title.pop_back()) title[title.size() - 2] += ", " + title.back();
 }
 
-std::vector<Label> labelsOf(const ColorKey& key) {
+/// As long as it takes to tell them apart, where a picture of that width has room; of those that read the
+/// same nevertheless one stays, an end before others.
+std::vector<Label> labelsOf(const ColorKey& key, int width) {
   if (!(key.range.low < key.range.high)) return {{0.5, numberText(key.range.low, 6)}};
   std::vector<double> values;
   for (const auto& [place, value] : key.ticks) values.push_back(value);
-  auto texts = numberTexts(values, longest_label);
+  const int digit = unitsOf("00") - unitsOf("0");
+  const int room = (width - 2 * (margin + padding) - bar_width - label_gap) / digit;
+  auto texts = numberTexts(values, std::max(longest_label, static_cast<std::size_t>(std::max(0, room))));
   std::vector<Label> labels;
-  for (std::size_t i = 0; i < values.size(); ++i) labels.push_back({key.ticks[i].first, std::move(texts[i])});
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    Label label{key.ticks[i].first, std::move(texts[i])};
+    if (labels.empty() || labels.back().text != label.text) {
+      labels.push_back(std::move(label));
+    } else if (i + 1 == values.size() && labels.size() > 1) {
+      labels.back() = std::move(label);
+    }
+  }
   return labels;
 }
 
@@ -125,7 +136,7 @@ namespace vorpipe {
 using namespace core;
 
 Legend legendOf(const ColorKey& key, const std::string& colormap, int width, int height) {
-  Contents contents{titleOf(key), labelsOf(key)};
+  Contents contents{titleOf(key), labelsOf(key, width)};
   Contents in_one_line = contents;
   joinLines(in_one_line.title);
   if (in_one_line.width() + 2 * margin <= width) contents = std::move(in_one_line);

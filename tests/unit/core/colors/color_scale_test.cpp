@@ -84,6 +84,38 @@ TEST(ColorScale, WhereAllValuesAreEqualTheyHaveTheMiddle) {
   }
 }
 
+TEST(ColorScale, ValuesThatDifferByRoundingAloneShareAColorAndATick) {
+  const std::vector<double> noisy{0.01 - 3e-18, 0.01, 0.01 + 2e-18, 0.01 + 9e-12};
+  for (const auto scale : {ColorScale::linear, ColorScale::log, ColorScale::quantile}) {
+    const ColorPlaces places = placesOf(scale, noisy);
+    for (const double value : noisy) {
+      EXPECT_EQ(places(value), 0.5);
+      EXPECT_EQ(places.colorOf(value), 128);
+    }
+    EXPECT_EQ(places.key().range.low, places.key().range.high);
+    EXPECT_EQ(places.key().ticks, (std::vector<std::pair<double, double>>{{0.5, noisy[0]}}));
+  }
+}
+
+TEST(ColorScale, RoundingAmongOtherValuesTakesNoRanks) {
+  const std::vector<double> values{1, 2 - 4e-16, 2, 2 + 1e-9, 3};
+  const ColorPlaces places = placesOf(ColorScale::quantile, values);
+  for (std::size_t i = 1; i < 4; ++i) {
+    EXPECT_EQ(places(values[i]), 0.5);
+    EXPECT_EQ(places.colorOf(values[i]), 128);
+  }
+  EXPECT_EQ(places.key().ticks, (std::vector<std::pair<double, double>>{{0, 1}, {0.5, values[1]}, {1, 3}}));
+}
+
+TEST(ColorScale, ValuesThatDifferByMoreHaveColorsOfTheirOwnHoweverManyThereAre) {
+  std::vector<double> values;
+  for (int k = 0; k < 256; ++k) values.push_back(1 + k * 1.5e-9);
+  for (const auto scale : {ColorScale::linear, ColorScale::quantile}) {
+    const ColorPlaces places = placesOf(scale, values);
+    for (int k = 0; k < 256; ++k) EXPECT_EQ(places.colorOf(values[static_cast<std::size_t>(k)]), k);
+  }
+}
+
 TEST(ColorScale, LogarithmsGiveValuesThatHaveNoneTheFirstColor) {
   const ColorPlaces places = placesOf(ColorScale::log, {0, -5, 1, 10, 100});
   EXPECT_EQ(places(0), 0);
@@ -129,14 +161,16 @@ TEST(ColorScale, TicksAreRoundNumbersBetweenTheEnds) {
 
 TEST(ColorScale, TicksAscendAndAreFiniteForAnyRange) {
   constexpr double most = std::numeric_limits<double>::max();
-  for (const ColorRange range :
-       {ColorRange{-most, most}, {1, std::nextafter(1, 2)}, {0, 5e-324}, {1e300, 2e300}}) {
+  for (const ColorRange range : {ColorRange{-most, most}, {1, 1 + 2e-9}, {0, 5e-324}, {1e300, 2e300}}) {
     const ColorPlaces places = placesOf(ColorScale::linear, {range.low, range.high});
     double before = -1;
+    double last = std::numeric_limits<double>::lowest();
     for (const auto& [place, value] : places.key().ticks) {
       EXPECT_GT(place, before);
       EXPECT_TRUE(std::isfinite(value));
+      EXPECT_TRUE(value > last || before < 0);
       before = place;
+      last = value;
     }
     EXPECT_EQ(places.key().ticks.front().first, 0);
     EXPECT_EQ(places.key().ticks.back().first, 1);

@@ -49,6 +49,22 @@ TEST(Legend, LiesInsideThePictureAndItsTextsDoNotOverlap) {
   }
 }
 
+TEST(Legend, LabelsNeverReadTheSame) {
+  for (const auto& [low, high] :
+       {std::pair{0.0123456789, 0.0123456789 * (1 + 2e-9)}, {-1e-8, -1e-8 + 1e-16}}) {
+    for (const int width : {100, 150, 1000}) {
+      const Legend legend =
+          legendOf(keyOf(ColorScale::linear, ColorBy::area, low, high), "viridis", width, 600);
+      std::vector<std::string> texts;
+      for (const LegendText& text : legend.texts) texts.push_back(text.text);
+      std::ranges::sort(texts);
+      EXPECT_EQ(std::ranges::adjacent_find(texts), texts.end()) << *std::ranges::adjacent_find(texts);
+      // The title, and both ends where there is room.
+      EXPECT_GE(texts.size(), width > 100 ? 3U : 2U);
+    }
+  }
+}
+
 TEST(Legend, NamesBothEndsAndWhatIsShown) {
   const Legend legend = legendOf(keyOf(ColorScale::log, ColorBy::area, 0.012, 350), "magma", 800, 600);
   std::vector<std::string> texts;
