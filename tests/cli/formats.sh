@@ -61,7 +61,7 @@ printf 'x,y\n-120,50\n130,-40\n' >in/world.csv
 says "degrees" "in/world.csv: coordinates look like degrees" --sites in/world.csv -o out/w.csv
 printf 'x,y\n1,2\n,3\n4,5\n' >in/m.csv
 says "missing rows" "in/m.csv: 1 row without a place or a weight is left out" --sites in/m.csv --missing skip -o out/w.csv
-fails 2 "missing fields" "--sites: in/m.csv:3:1: empty field (column x)" cells --backend cpu --sites in/m.csv -o out/old.csv
+fails 2 "missing fields" "--sites: in/m.csv:3:1: empty field; --missing skip leaves such rows out (column x)" cells --backend cpu --sites in/m.csv -o out/old.csv
 
 # -- What cannot be -------------------------------------------------------------------------------------------
 refuses "columns" '--columns: "x,,y"' --sites in/a.csv --columns x,,y

@@ -93,10 +93,10 @@ class CsvSites {
     return number->value;
   }
 
-  /// The first of the columns that a site needs whose field is empty, if there is one.
-  [[nodiscard]] std::optional<std::size_t> emptyColumn() const {
+  /// The first of the columns that a site needs whose field has no value, if there is one.
+  [[nodiscard]] std::optional<std::size_t> missingColumn() const {
     for (const auto& column : {columns_.x, columns_.y, columns_.geometry, columns_.weight}) {
-      if (column && trimmed(csv_.field(*column)).empty()) return column;
+      if (column && isMissingValue(csv_.field(*column))) return column;
     }
     return std::nullopt;
   }
@@ -107,8 +107,10 @@ class CsvSites {
                           fmt::format("the row has {} field{}, the header {}", csv_.fields(),
                                       csv_.fields() == 1 ? "" : "s", names_.size()));
     }
-    if (const auto empty = emptyColumn()) {
-      if (table_.addMissing("empty field")) return wrong(*empty, "empty field");
+    if (const auto missing = missingColumn()) {
+      if (const auto problem = table_.addMissingValue(trimmed(csv_.field(*missing)))) {
+        return wrong(*missing, *problem);
+      }
       return {};
     }
     std::optional<double> weight;

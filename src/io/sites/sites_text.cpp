@@ -137,9 +137,11 @@ class TextSites {
       const std::string_view field = fields_[columns_[i]];
       const auto number = parseNumber(field);
       if (!number) {
-        if (field.empty() && !table_.addMissing(number.error())) return {};
+        const auto missing =
+            isMissingValue(field) ? table_.addMissingValue(field) : RowProblem(number.error());
+        if (!missing) return {};
         const auto column = static_cast<std::size_t>(field.data() - line.data()) + 1;
-        return lines_.errorAt(column, fmt::format("{} (column {})", number.error(), site_numbers[i]));
+        return lines_.errorAt(column, fmt::format("{} (column {})", *missing, site_numbers[i]));
       }
       value[i] = *number;
     }

@@ -10,6 +10,7 @@
 #include "io/files/memory_room.h"
 #include "io/sites/degrees.h"
 #include "io/sites/sites_file.h"
+#include "io/text/quoted.h"
 
 namespace vorpipe {
 namespace {
@@ -65,6 +66,11 @@ RowProblem TableBuilder::addMissing(std::string_view what) {
   attributes_.endRow(0);
   ++table_.skipped;
   return {};
+}
+
+RowProblem TableBuilder::addMissingValue(std::string_view field) {
+  return addMissing(fmt::format("{}; --missing skip leaves such rows out",
+                                field.empty() ? "empty field" : inQuotes(field) + " is no value"));
 }
 
 void TableBuilder::note(std::string_view what) { table_.notes.push_back(fmt::format("{}: {}", name_, what)); }

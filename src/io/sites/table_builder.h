@@ -34,6 +34,9 @@ class TableBuilder {
   /// Ends a row that lacks something: `what` is wrong, unless such rows are to be left out.
   RowProblem addMissing(std::string_view what);
 
+  /// The same for a field of which isMissingValue holds.
+  RowProblem addMissingValue(std::string_view field);
+
   /// "FILE: what" is said once.
   void note(std::string_view what);
   /// Positions have more than x and y.

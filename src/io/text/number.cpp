@@ -1,6 +1,7 @@
 #include "io/text/number.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <string>
@@ -41,6 +42,14 @@ std::string_view trimmed(std::string_view text) {
   const std::size_t first = std::min(text.find_first_not_of(blanks), text.size());
   text.remove_prefix(first);
   return text.substr(0, text.find_last_not_of(blanks) + 1);
+}
+
+bool isMissingValue(std::string_view text) {
+  constexpr std::array<std::string_view, 8> spellings{"", "NA", "N/A", "nan", "NaN", "NULL", "-", "."};
+  text = trimmed(text);
+  // Nearly all fields are numbers.
+  if (text.size() > 4 || (!text.empty() && text[0] >= '0' && text[0] <= '9')) return false;
+  return std::ranges::find(spellings, text) != spellings.end();
 }
 
 namespace {

@@ -11,6 +11,10 @@ namespace vorpipe {
 /// `text` without blanks and tabs at both ends.
 std::string_view trimmed(std::string_view text);
 
+/// Whether a field says that there is no value, as people, R and NumPy write it: it is empty, NA, N/A, nan,
+/// NaN, NULL, a minus or a point.
+bool isMissingValue(std::string_view text);
+
 /// Reads a finite decimal number, blanks around it and a leading + allowed, to the nearest double; what
 /// is too small for a double becomes 0. On failure the error is what is wrong with the text, in words
 /// that continue "FILE:LINE:COLUMN: ".

@@ -95,9 +95,9 @@ TEST_F(Csv, RefusesNumbersWithFileLineAndColumn) {
   EXPECT_EQ(bad("x,y\r\n1,0x10\r\n"), "2:3: \"0x10\" is not a number (column y)");
   EXPECT_EQ(bad("x,y\n1,+-2\n"), "2:3: \"+-2\" is not a number (column y)");
   EXPECT_EQ(bad("x,y\n1,1e\n"), "2:3: \"1e\" is not a number (column y)");
-  EXPECT_EQ(bad("x,y\n1,\n"), "2:3: empty field (column y)");
-  EXPECT_EQ(bad("x,y\n,1\n"), "2:1: empty field (column x)");
-  EXPECT_EQ(bad("x,y\n12,nan\n"), "2:4: \"nan\" is not a finite number (column y)");
+  EXPECT_EQ(bad("x,y\n1,\n"), "2:3: empty field; --missing skip leaves such rows out (column y)");
+  EXPECT_EQ(bad("x,y\n,1\n"), "2:1: empty field; --missing skip leaves such rows out (column x)");
+  EXPECT_EQ(bad("x,y\n12,nan\n"), "2:4: \"nan\" is no value; --missing skip leaves such rows out (column y)");
   EXPECT_EQ(bad("x,y\n-inf,1\n"), "2:1: \"-inf\" is not a finite number (column x)");
   EXPECT_EQ(bad("x,y\n1e999,1\n"), "2:1: \"1e999\" is out of the range of a double (column x)");
   EXPECT_EQ(bad("x,y\n1,-1" + std::string(309, '0') + "\n"),

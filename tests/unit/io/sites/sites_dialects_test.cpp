@@ -169,7 +169,7 @@ TEST_F(SiteTables, whatIsNotKeptIsSaid) {
 
 TEST_F(SiteTables, missingFieldsAreErrorsOrLeftOut) {
   const std::string bytes = "x,y,weight,n\n1,2,3,a\n,2,3,b\n4,,5,c\n4,5, ,d\n6,7,8,\n";
-  EXPECT_EQ(bad("a.csv", bytes), "3:1: empty field (column x)");
+  EXPECT_EQ(bad("a.csv", bytes), "3:1: empty field; --missing skip leaves such rows out (column x)");
   const SiteTable table = good("a.csv", bytes, skipping());
   EXPECT_THAT(table.sites.x, ElementsAre(1, 6));
   EXPECT_THAT(table.sites.weight, ElementsAre(3, 8));
@@ -179,6 +179,19 @@ TEST_F(SiteTables, missingFieldsAreErrorsOrLeftOut) {
   EXPECT_EQ(bad("a.csv", "x,y\n1,\n", skipping()),
             " holds no sites: what a site needs is missing in every row");
   EXPECT_EQ(bad("a.csv", "x,y\n1,\n2,b\n", skipping()), "3:3: \"b\" is not a number (column y)");
+}
+
+TEST_F(SiteTables, missingValuesAreThoseThatRAndNumPyWrite) {
+  for (const std::string missing : {"NA", "N/A", "nan", "NaN", "NULL", "-", "."}) {
+    const std::string what = "\"" + missing + "\" is no value; --missing skip leaves such rows out (column ";
+    const std::string table = "x,y,weight\n1,2,3\n4,5," + missing + "\n" + missing + ",7,8\n";
+    EXPECT_EQ(bad("a.csv", table), "3:5: " + what + "weight)");
+    EXPECT_THAT(good("a.csv", table, skipping()).sites.x, ElementsAre(1));
+    const std::string text = "1 2\n3 " + missing + "\n5 6\n";
+    EXPECT_EQ(bad("a.txt", text), "2:3: " + what + "y)");
+    EXPECT_THAT(good("a.txt", text, skipping()).sites.x, ElementsAre(1, 5));
+  }
+  EXPECT_EQ(bad("a.csv", "x,y\n1,na\n", skipping()), "2:3: \"na\" is not a number (column y)");
 }
 
 TEST_F(SiteTables, commentsAreCounted) {

@@ -82,11 +82,12 @@ TEST_F(SitesFile, TheSystemBesideAFileIsItsOwn) {
 TEST_F(SitesFile, RefusesTextWithFileLineAndColumn) {
   EXPECT_THAT(bad("a.txt", "here there\n1 2\n"), testing::StartsWith("1:1: "));
   EXPECT_EQ(bad("a.txt", "1 2\n3  four\n"), "2:4: \"four\" is not a number (column y)");
-  EXPECT_EQ(bad("a.txt", "1 2\n# x\n nan 4\n"), "3:2: \"nan\" is not a finite number (column x)");
+  EXPECT_EQ(bad("a.txt", "1 2\n# x\n nan 4\n"),
+            "3:2: \"nan\" is no value; --missing skip leaves such rows out (column x)");
   EXPECT_EQ(bad("a.txt", "1 2 1e999\n"), "1:5: \"1e999\" is out of the range of a double (column weight)");
-  EXPECT_EQ(bad("a.txt", "1,,2\n"), "1:3: empty field (column y)");
-  EXPECT_EQ(bad("a.txt", "1, #2\n"), "1:3: empty field (column y)");
-  EXPECT_EQ(bad("a.txt", ",1\n"), "1:1: empty field (column x)");
+  EXPECT_EQ(bad("a.txt", "1,,2\n"), "1:3: empty field; --missing skip leaves such rows out (column y)");
+  EXPECT_EQ(bad("a.txt", "1, #2\n"), "1:3: empty field; --missing skip leaves such rows out (column y)");
+  EXPECT_EQ(bad("a.txt", ",1\n"), "1:1: empty field; --missing skip leaves such rows out (column x)");
   EXPECT_EQ(bad("a.txt", "1\n"), "1:1: the row has 1 field; x y or x y weight is needed, or --columns");
   EXPECT_EQ(bad("a.txt", "1 2 3 4\n"),
             "1:1: the row has 4 fields; x y or x y weight is needed, or --columns");
