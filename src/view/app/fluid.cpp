@@ -26,6 +26,8 @@ std::string endText(FluidEnd end, const FluidStep& last) {
 /// What the pointer has changed.
 void Viewer::changed(Changed by) {
   if (by == Changed::stroke) return stir();
+  // What was said of sites that rest is not about others.
+  if ((by == Changed::sites || by == Changed::drag) && settings_.motion == Motion::rests) step_.reset();
   if (by != Changed::refused) return want(by);
   message_ = "Cells of a fluid are not added, removed or weighted.";
 }

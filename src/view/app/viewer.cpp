@@ -104,6 +104,7 @@ void Viewer::undoOrRedo(Action action) {
   pointer_.release();
   settings_.motion = Motion::rests;
   strokes_.clear();
+  step_.reset();
   action == Action::undo ? document_.undo() : document_.redo();
   if (!isEqual(before, document_.opened().domain)) camera_.setDomain(document_.opened().domain);
   want(Changed::sites);
@@ -112,7 +113,9 @@ void Viewer::undoOrRedo(Action action) {
 void Viewer::change(const Settings& settings) {
   const bool moves_otherwise = settings.motion != settings_.motion || settings.method != settings_.method ||
                                settings.density_path != settings_.density_path;
-  if (settings.motion == Motion::rests) document_.settle();
+  // Each frame comes here: what rests already ends no drag, and no turns of the wheel.
+  const bool pauses = settings.motion == Motion::rests && settings_.motion != Motion::rests;
+  if (pauses) document_.settle();
   if (!settings.compared) wipe_.release();
   if (settings.density_path.empty()) density_.reset();
   if (moves_otherwise || !drawTheSame(settings, settings_)) want(Changed::sites);

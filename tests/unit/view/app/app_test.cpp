@@ -168,6 +168,25 @@ TEST_F(AppTest, UndoesAndRelaxes) {
   EXPECT_NE(shot("a.png").rgba, shot("d.png").rgba);
 }
 
+TEST_F(AppTest, TakesBackADragAndTheTurnsOfAWheelAsOneStep) {
+  const auto end =
+      play("wait\nmove " + at(0.5, 0.5) + "\npress left\nrelease left\nwait\n" +  //
+           "press left\nmove " + at(0.55, 0.6) + "\nwait\nmove " + at(0.58, 0.7) + "\nwait\nmove " +
+           at(0.6, 0.8) + "\nrelease left\nwait\nkey e control\nwait\nkey z control\n" +
+           "wait\nkey e control\nwait\nscroll 1 control\nwait\nscroll 1 control\nwait\n" +
+           "key e control\nwait\nkey z control\nwait\nkey e control\nwait\nclose\n");
+  ASSERT_TRUE(end) << end.error().message;
+  const auto saved = [this](const std::string& name) {
+    auto sites = readSites(path(name));
+    EXPECT_TRUE(sites) << sites.error().message;
+    return sites ? std::move(sites->sites) : Sites{};
+  };
+  EXPECT_THAT(saved("sites.csv").y, ElementsAre(0.5, ::testing::DoubleNear(0.8, 1e-4), 0.5));
+  EXPECT_THAT(saved("sites-2.csv").y, ElementsAre(0.5, 0.5, 0.5));
+  EXPECT_THAT(saved("sites-3.csv").weight, SizeIs(3));
+  EXPECT_THAT(saved("sites-4.csv").weight, SizeIs(0));
+}
+
 TEST_F(AppTest, ResizesMinimizesAndShowsThePanel) {
   const auto end = play(
       "wait\nresize 200 100\nwait\nscreenshot a.png\nminimize\nwait\nrestore\nwait\n"
