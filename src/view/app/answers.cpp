@@ -8,6 +8,7 @@
 #include "view/app/viewer.h"
 #include "view/document/keys.h"
 #include "view/document/same_settings.h"
+#include "vorpipe/legend.h"
 
 namespace vorpipe::view {
 namespace {
@@ -194,6 +195,12 @@ PanelInput Viewer::panelInput(const std::string& presenter, double present_milli
   input.fluid = fluidShown();
   if (settings_.compared && frame_ && frame_->compared) {
     input.compared = Compared{frame_->differing, frame_->compared->rgba.size(), frame_->compared_by};
+  }
+  if (frame_ && frame_->picture.legend && frame_->rendering->key) {
+    const RenderOptions& drawn = frame_->picture;
+    const Legend legend = legendOf(*frame_->rendering->key, drawn.colormap, drawn.width, drawn.height);
+    const LegendBox& box = legend.boxes.front();
+    input.legend = Placement{box.left, box.top, box.width, box.height};
   }
   input.scale = scale_;
   input.can_undo = document_.canUndo();

@@ -67,7 +67,8 @@ Result<void> App::begin() {
     player_ =
         std::make_unique<Player>(std::move(*options_.script), screen_, viewer_, stage_, recorder_.get());
   }
-  return {};
+  // The first picture stands beside the panel.
+  return stage_.draw();
 }
 
 void App::takeEvents() {

@@ -39,6 +39,7 @@ Result<void> Stage::draw() {
   const PanelAnswer answer =
       panel_.draw(viewer_.panelInput(screen_.presenter().name(), present_milliseconds_), triangles);
   viewer_.change(answer.settings);
+  if (answer.covers) viewer_.setCovered(answer.covers->first, answer.covers->second);
   for (const Action action : answer.actions) viewer_.act(action);
   if (answer.flows_by) viewer_.flowBy(*answer.flows_by);
   if (answer.begins) viewer_.beginFluid(*answer.begins);

@@ -164,6 +164,12 @@ void Viewer::resize(int width, int height) {
   want(Changed::sites);
 }
 
+void Viewer::setCovered(double left, double right) {
+  const Box before = camera_.view();
+  camera_.setCovered(left, right);
+  if (!isEqual(before, camera_.view())) want(Changed::view);
+}
+
 void Viewer::setScale(double scale) {
   scale_ = scale;
   pointer_.setScale(scale);

@@ -51,6 +51,8 @@ class Viewer {
   /// The fluid goes on by other options.
   void flowBy(const FluidOptions& options);
   void resize(int width, int height);
+  /// How many pixels of the window the panel covers, from its left and from its right edge.
+  void setCovered(double left, double right);
   /// Of letters, and of what the pointer reaches.
   void setScale(double scale);
   /// Draws the same again, or takes the next step.

@@ -30,8 +30,23 @@ void Camera::resize(int width, int height) {
 void Camera::fit() {
   middle_ = {domain_.xmin + (domain_.xmax - domain_.xmin) / 2,
              domain_.ymin + (domain_.ymax - domain_.ymin) / 2};
-  scale_ = margin * std::max((domain_.xmax - domain_.xmin) / width_, (domain_.ymax - domain_.ymin) / height_);
+  const bool beside = width_ - covered_left_ - covered_right_ >= width_ / 2.0;
+  const double left = beside ? covered_left_ : 0, right = beside ? covered_right_ : 0;
+  const double wide = domain_.xmax - domain_.xmin, high = domain_.ymax - domain_.ymin;
+  scale_ = margin * std::max(wide / (width_ - left - right), high / height_);
   fitted_ = true;
+  if (left == 0 && right == 0) return;
+  // No farther from the window's middle than it takes.
+  const double reach = margin * wide / scale_ / 2, free = width_ / 2.0;
+  middle_.x -= scale_ * std::max(0.0, reach - (free - left));
+  middle_.x += scale_ * std::max(0.0, reach - (free - right));
+}
+
+void Camera::setCovered(double left, double right) {
+  if (left == covered_left_ && right == covered_right_) return;
+  covered_left_ = left;
+  covered_right_ = right;
+  if (fitted_) fit();
 }
 
 void Camera::setDomain(const Box& domain) {

@@ -17,7 +17,11 @@ class Camera {
 
   /// Of the window, in pixels. What fitted fits again; else the middle and the scale stay.
   void resize(int width, int height);
-  /// Shows all of the domain, and a little more.
+  /// How many pixels of the window something covers, from its left and from its right edge. What fitted fits
+  /// again, beside that.
+  void setCovered(double left, double right);
+  /// Shows all of the domain, and a little more: in the middle of the window, or beside what covers it, if
+  /// that leaves half of its width.
   void fit();
   /// Of what was opened; shows all of it.
   void setDomain(const Box& domain);
@@ -39,6 +43,7 @@ class Camera {
  private:
   Box domain_;
   int width_, height_;
+  double covered_left_ = 0, covered_right_ = 0;
   Point middle_{0, 0};
   double scale_ = 1;  ///< units of the plane to a pixel
   bool fitted_ = true;

@@ -67,9 +67,11 @@ void drawNumbers(PanelFrame& frame) {
   const FluidShown& fluid = *frame.input.fluid;
   const FluidStep& last = fluid.last;
   widgets.row("Time");
-  const std::string rate =
-      fluid.steps_per_second > 0 ? fmt::format(", {:.3g} steps/s", fluid.steps_per_second) : "";
-  widgets.value(fmt::format("{:.4f}, step {}{}", last.time, last.step, rate), look::text);
+  widgets.value(fmt::format("{:.4f}, step {}", last.time, last.step), look::text);
+  widgets.row("Speed");
+  const bool flows = fluid.steps_per_second > 0;
+  widgets.value(flows ? fmt::format("{:.3g} steps/s", fluid.steps_per_second) : "\u2013",
+                flows ? look::text : look::dim);
   widgets.row("Energy");
   widgets.value(fmt::format("{:.6g}", last.energy()), look::text);
   widgets.tooltip(fmt::format("kinetic {:.6g}\npotential {:.6g}\nof springs {:.6g}", last.kinetic,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "view/panel/panel.h"
@@ -28,6 +29,9 @@ void drawRelax(PanelFrame& frame, const std::vector<float>& energies);
 void drawFluid(PanelFrame& frame);   ///< the fluid, or how to begin one
 void drawDevice(PanelFrame& frame);  ///< what computes
 void drawTimes(PanelFrame& frame);   ///< what frames take
+
+/// What of the window's width the panel leaves free beside it, on the side where that is more.
+std::pair<float, float> freeOf(const PanelFrame& frame);
 
 /// The cell under the pointer, beside it.
 void drawTip(PanelFrame& frame);

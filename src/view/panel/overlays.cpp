@@ -15,7 +15,8 @@ constexpr ImGuiWindowFlags fixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFl
                                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing;
 
-/// What of the window's width the panel leaves free beside it, on the side where that is more.
+}  // namespace
+
 std::pair<float, float> freeOf(const PanelFrame& frame) {
   float left = 0, right = static_cast<float>(frame.input.width);
   if (const auto panel = frame.widgets.places.find("Panel"); panel != frame.widgets.places.end()) {
@@ -25,8 +26,6 @@ std::pair<float, float> freeOf(const PanelFrame& frame) {
   }
   return {left, right};
 }
-
-}  // namespace
 
 void drawTip(PanelFrame& frame) {
   const std::optional<Hovered>& cell = frame.input.hovered;
@@ -60,13 +59,19 @@ void drawHelp(PanelFrame& frame) {
   ImGui::Begin("##help", nullptr, fixed & ~ImGuiWindowFlags_NoScrollbar);
   ImGui::PopStyleVar();
   widgets.cover();
+  widgets.places.insert_or_assign("Keys", widgets.covered.back());
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Keys and pointer");
   ImGui::SameLine(right - side);
   if (widgets.button("Close help", "\u00d7", side)) frame.answer.settings.help = false;
   ImGui::Separator();
   ImGui::Dummy({0, 1});
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2{0, widgets.px(5)});
+  // Lines move together before they have to be scrolled.
+  const float room = window.y - widgets.px(20) - padding.y - ImGui::GetCursorPosY();
+  const float between =
+      room / static_cast<float>(std::max<std::size_t>(1, input.keys.size())) - ImGui::GetTextLineHeight();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                      ImVec2{0, std::clamp(std::floor(between), widgets.px(1), widgets.px(5))});
   for (const auto& [key, meaning] : input.keys) {
     const ImVec2 at = ImGui::GetCursorScreenPos(), size = ImGui::CalcTextSize(key.c_str());
     ImGui::GetWindowDrawList()->AddRectFilled({at.x, at.y - 1},
@@ -76,6 +81,7 @@ void drawHelp(PanelFrame& frame) {
     ImGui::TextUnformatted(key.c_str());
     ImGui::SameLine(second);
     Widgets::dim(meaning);
+    widgets.note("Keys/" + key);
   }
   ImGui::PopStyleVar();
   ImGui::End();

@@ -136,7 +136,13 @@ void Panel::State::drawWindow(PanelFrame& frame) {
   const float margin = widgets.px(10);
   const float width = std::min(widgets.px(284), std::max(1.0F, window.x));
   place.apply(window, width, margin);
-  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(1.0F, window.y - 2 * margin)});
+  // Where the panel would hide the legend it ends above it, if that leaves it some room.
+  float height = window.y - 2 * margin;
+  if (const auto& legend = frame.input.legend; legend && place.left() < legend->left + legend->width) {
+    const float above = static_cast<float>(legend->top) - margin - place.top();
+    if (above >= window.y / 4) height = std::min(height, above);
+  }
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(1.0F, height)});
   // Its scroll bar lies beside what it scrolls, where there is always room for it.
   ImGui::Begin("##panel", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoSavedSettings |
@@ -168,6 +174,10 @@ void Panel::State::drawFrame(const PanelInput& input, PanelAnswer& answer) {
   widgets.closes_list = escapes && list_open;
   escapes = false;
   if (answer.settings.panel) drawWindow(frame);
+  if (pressed == 0) {
+    const auto [left, right] = freeOf(frame);
+    answer.covers = {left, static_cast<double>(input.width) - right};
+  }
   help_open = answer.settings.help;
   if (help_open) drawHelp(frame);
   if (!input.message.empty()) drawMessage(frame);

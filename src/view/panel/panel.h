@@ -65,6 +65,7 @@ struct PanelInput {
   std::optional<RelaxStep> relaxed{};  ///< the last step
   std::optional<FluidShown> fluid{};   ///< none: sites are no fluid's
   std::optional<Compared> compared{};
+  std::optional<Placement> legend{};  ///< of the picture, which the panel is not to hide
   bool can_undo = false, can_redo = false;
   int width = 0, height = 0;  ///< of the window
   double scale = 1;           ///< of letters and all else: 2 where pixels are half as large as usual
@@ -79,6 +80,9 @@ struct PanelAnswer {
   std::optional<FluidCase> begins{};               ///< is to take the place of all sites
   std::optional<FluidOptions> flows_by{};          ///< are the fluid's from now on
   bool takes_pointer = false, takes_keys = false;  ///< the window is not to have them
+  /// How many pixels of the window the panel covers, from the left and from the right, up to what it leaves
+  /// free on its wider side; none while a button is held, which may move it.
+  std::optional<std::pair<double, double>> covers{};
   bool new_texture = false;  ///< another scale: the presenter needs texture() before this frame is shown
 };
 

@@ -13,6 +13,8 @@ class PanelPlace {
   void apply(ImVec2 window, float width, float margin);
   /// After it began.
   void follow();
+  [[nodiscard]] float left() const { return at_.x; }
+  [[nodiscard]] float top() const { return at_.y; }
   /// To the other edge.
   void swap() { side_ = side_ == Side::right ? Side::left : Side::right; }
 

@@ -15,20 +15,21 @@ void drawCell(PanelFrame& frame) {
   const std::optional<Hovered>& cell = frame.input.hovered;
   if (!widgets.group("Cell")) return;
   // As many rows with a cell as without, so that nothing below moves.
-  const auto pair = [&](const char* label, const std::string& text, float left) {
+  const auto pair = [&](const char* label, const std::string& text, float left, float value) {
     ImGui::SetCursorPosX(ImGui::GetStyle().WindowPadding.x + widgets.px(left));
     Widgets::dim(label);
-    ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + widgets.px(left + 62));
+    ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + widgets.px(value));
     ImGui::TextUnformatted(cell ? text.c_str() : "\u2013");
+    widgets.note(std::string("Cell/") + label);
   };
   const Hovered shown = cell.value_or(Hovered{});
-  pair("site", fmt::format("{}", shown.site), 0);
+  pair("site", fmt::format("{}", shown.site), 0, 42);
   ImGui::SameLine();
-  pair("neighbors", fmt::format("{}", shown.neighbors), 136);
-  pair("area", fmt::format("{:.4g}", shown.area), 0);
+  pair("neighbors", fmt::format("{}", shown.neighbors), 114, 176);
+  pair("area", fmt::format("{:.4g}", shown.area), 0, 42);
   ImGui::SameLine();
-  pair("weight", fmt::format("{:.4g}", shown.weight), 136);
-  pair("place", fmt::format("{:.6g}, {:.6g}", shown.place.x, shown.place.y), 0);
+  pair("weight", fmt::format("{:.4g}", shown.weight), 114, 176);
+  pair("place", fmt::format("{:.6g}, {:.6g}", shown.place.x, shown.place.y), 0, 42);
 }
 
 namespace {
@@ -63,7 +64,8 @@ void drawShow(PanelFrame& frame) {
   ImGui::SameLine();
   widgets.toggle("Sites", Widgets::share(1), picture.show_sites);
   widgets.toggle("Dual", third, picture.dual);
-  widgets.tooltip("Lines between the sites of neighbors: the Delaunay triangulation");
+  widgets.tooltip(
+      "Lines between the sites of neighbors: those of the Delaunay triangulation that meet in the domain");
   ImGui::SameLine();
   widgets.toggle("Labels", third, picture.labels);
   widgets.tooltip("The number of each site, where there is room for it");

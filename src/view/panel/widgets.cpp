@@ -70,13 +70,17 @@ void Widgets::row(const char* label) {
 void Widgets::value(std::string_view text, ImU32 color) {
   const float room = ImGui::GetContentRegionAvail().x;
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const ImVec2 size = ImGui::CalcTextSize(text.data(), endOf(text));
-  const float height = ImGui::GetFrameHeight();
-  ImGui::Dummy({std::min(size.x, room), height});
-  const ImVec4 clip{at.x, at.y, at.x + room, at.y + height};
-  ImGui::GetWindowDrawList()->AddText(nullptr, 0, {at.x, at.y + ImGui::GetStyle().FramePadding.y}, color,
-                                      text.data(), endOf(text), 0, &clip);
-  if (size.x > room) tooltip(text);
+  const auto wide = [](std::string_view of) { return ImGui::CalcTextSize(of.data(), endOf(of)).x; };
+  std::string shown(text);
+  for (std::size_t kept = text.size(); kept > 0 && wide(shown) > room;) {
+    // Not within a character.
+    do --kept;
+    while (kept > 0 && (static_cast<unsigned char>(text[kept]) & 0xC0U) == 0x80U);
+    shown = std::string(text.substr(0, kept)) + "\u2026";
+  }
+  ImGui::Dummy({std::min(wide(shown), room), ImGui::GetFrameHeight()});
+  ImGui::GetWindowDrawList()->AddText({at.x, at.y + ImGui::GetStyle().FramePadding.y}, color, shown.c_str());
+  if (shown != text) tooltip(text);
 }
 
 void Widgets::dim(std::string_view text) {

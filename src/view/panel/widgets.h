@@ -32,7 +32,7 @@ class Widgets {
   bool group(const char* name, std::string_view summary = "");
   /// Begins a row: what it is about; its items follow in the column on the right.
   void row(const char* label);
-  /// Text in a row, cut off at its end, which the tooltip has whole.
+  /// Text in a row; where it is too long it ends in three dots, and the tooltip has it whole.
   void value(std::string_view text, ImU32 color);
   /// A line of what is less important.
   static void dim(std::string_view text);

@@ -133,6 +133,35 @@ TEST(Camera, ShowsAllOfTheDomainWithTheWindowsAspect) {
   EXPECT_NEAR(camera.view().ymax - camera.view().ymin, 4 * (camera.view().xmax - camera.view().xmin), 1e-12);
 }
 
+TEST(Camera, FitsADomainBesideThePanel) {
+  const Box wide{-1, 0, 3, 1}, square{0, 0, 1, 1};
+  for (const auto& [left, right] : {std::pair{294.0, 0.0}, {0.0, 294.0}, {100.0, 200.0}}) {
+    Camera camera(wide, 1280, 720);
+    camera.setCovered(left, right);
+    EXPECT_GE(camera.placeOf({wide.xmin, 0}).x, left);
+    EXPECT_LE(camera.placeOf({wide.xmax, 0}).x, 1280 - right);
+    EXPECT_NEAR(camera.placeOf({wide.xmax, 0}).x - camera.placeOf({wide.xmin, 0}).x,
+                (1280 - left - right) / 1.04, 1e-9);
+    // What is beside it anyway stays in the middle; else it goes no farther than it has to.
+    camera.setDomain(square);
+    EXPECT_NEAR(camera.placeOf({0.5, 0.5}).x, 640, 1e-9);
+    camera.resize(1000, 720);
+    EXPECT_GE(camera.placeOf({0, 0}).x, left);
+    EXPECT_LE(camera.placeOf({1, 0}).x, 1000 - right);
+    EXPECT_NEAR(camera.placeOf({1, 0}).x - camera.placeOf({0, 0}).x,
+                std::min((1000 - left - right), 720.0) / 1.04, 1e-9);
+    // Half of a window is the least that is used.
+    camera.resize(500, 720);
+    EXPECT_NEAR(camera.placeOf({0.5, 0.5}).x, 250, 1e-9);
+    camera.resize(1280, 720);
+    camera.setCovered(0, 0);
+    EXPECT_NEAR(camera.placeOf({0.5, 0.5}).x, 640, 1e-9);
+    camera.pan(10, 0);
+    camera.setCovered(left, right);
+    EXPECT_NEAR(camera.placeOf({0.5, 0.5}).x, 650, 1e-9) << "what was moved by hand stays";
+  }
+}
+
 TEST(Camera, ZoomsToThePointerAndPans) {
   Camera camera({0, 0, 1, 1}, 400, 400);
   const Place pointer{100, 50};

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "view/document/keys.h"
+
 namespace vorpipe::view {
 namespace {
 
@@ -399,6 +401,42 @@ TEST_F(PanelTest, ItIsMovedAndStaysAtItsEdge) {
   EXPECT_EQ(left(), 210);
   drag({at.x + 200, at.y}, 290);
   EXPECT_EQ(left(), 800 - 284 - 10) << "near the edge it is at the edge";
+}
+
+TEST_F(PanelTest, ItTellsWhatItCoversUnlessItIsHeld) {
+  EXPECT_EQ(draw().covers, (std::pair{294.0, 0.0}));
+  EXPECT_EQ(click("Other side").covers, (std::pair{0.0, 294.0}));
+  const Placement at = panel_.places().at("Panel");
+  take({at.left + 20, at.top + 20}, true);
+  EXPECT_FALSE(draw().covers);
+  take({at.left + 20, at.top + 20}, false);
+  EXPECT_TRUE(draw().covers);
+  input_.settings.panel = false;
+  EXPECT_EQ(draw().covers, (std::pair{0.0, 0.0}));
+}
+
+TEST_F(PanelTest, ItEndsAboveALegend) {
+  input_.height = 720;
+  draw();
+  input_.legend = Placement{6, 480, 120, 234};
+  draw();
+  const auto bottom = [&] { return panel_.places().at("Panel").top + panel_.places().at("Panel").height; };
+  EXPECT_LE(bottom(), 480);
+  EXPECT_GT(bottom(), 400);
+  click("Other side");
+  EXPECT_GT(bottom(), 480) << "there the legend is seen";
+}
+
+TEST_F(PanelTest, TheListOfKeysFitsIntoTheUsualWindow) {
+  input_.height = 720;
+  input_.keys.clear();
+  for (const HelpLine& line : helpLines()) input_.keys.emplace_back(line.keys, line.what);
+  input_.settings.help = true;
+  draw();
+  const Placement list = panel_.places().at("Keys");
+  const Placement last = panel_.places().at("Keys/" + input_.keys.back().first);
+  EXPECT_GE(list.top, 0);
+  EXPECT_LT(last.top + last.height, list.top + list.height);
 }
 
 TEST_F(PanelTest, ASmallWindowScrolls) {
