@@ -17,6 +17,7 @@
 #include "cli/terminal/progress.h"
 #include "io/files/error.h"
 #include "io/files/extension.h"
+#include "io/files/read_log.h"
 #include "io/pictures/npy_ids.h"
 #include "io/pictures/png_file.h"
 
@@ -107,6 +108,7 @@ Result<void> writePicture(const std::string& path, const Picture& picture) {
 }
 
 Result<ExitCode> diff(const DiffCommand& command) {
+  const ReadLog reads(ReadLog::Notes::names);
   const bool ids = namesIds(command.a);
   if (ids != namesIds(command.b)) {
     return inputError(

@@ -10,6 +10,8 @@
 
 #include "cli/terminal/error_line.h"
 #include "cli/terminal/progress.h"
+#include "io/files/error.h"
+#include "io/files/read_log.h"
 
 namespace vorpipe::cli {
 namespace {
@@ -54,7 +56,19 @@ Result<bool> passesCheck(const Result<std::vector<std::string>>& broken) {
   return broken->empty();
 }
 
+Result<void> checkNotRead(std::span<const std::string> paths) {
+  const ReadLog* const reads = ReadLog::current();
+  for (const std::string& path : paths) {
+    const std::string* const name = reads != nullptr ? reads->nameOf(path) : nullptr;
+    if (name == nullptr) continue;
+    return inputError(fmt::format("{}: is an input of this run{}, and would be replaced; name another file",
+                                  path, *name == path ? "" : fmt::format(", read as {}", *name)));
+  }
+  return {};
+}
+
 Result<std::vector<OutputFile>> openOutputs(std::span<const std::string> paths) {
+  if (auto apart = checkNotRead(paths); !apart) return tl::unexpected(std::move(apart.error()));
   stopOnSignals();
   return createOutputs(paths);
 }

@@ -32,8 +32,11 @@ void printNotes(const TalkOptions& talk, const Input& input);
 /// Prints what check() found, in one line; whether all promises hold. Error: check()'s.
 Result<bool> passesCheck(const Result<std::vector<std::string>>& broken);
 
+/// Refuses (input) paths that lead to files which this run has read, as ReadLog::current() has noted them.
+Result<void> checkNotRead(std::span<const std::string> paths);
+
 /// Creates the output files of a run that from now on stops, and leaves none of them, when a signal asks it
-/// to. Errors: those of vorpipe::createOutputs.
+/// to. Call when all inputs were read. Errors: those of checkNotRead and vorpipe::createOutputs.
 Result<std::vector<OutputFile>> openOutputs(std::span<const std::string> paths);
 
 /// Writes one file.

@@ -22,27 +22,24 @@ class HashingSink final : public ByteSink {
 
 }  // namespace
 
-RunLog::RunLog(const Invocation& invocation, bool stats_wanted) : invocation_(invocation) {
-  if (stats_wanted || invocation.stats != nullptr) reads_.emplace();
-}
+RunLog::RunLog(const Invocation& invocation, bool stats_wanted)
+    : invocation_(invocation),
+      hashes_(stats_wanted || invocation.stats != nullptr),
+      reads_(hashes_ ? ReadLog::Notes::contents : ReadLog::Notes::names) {}
 
 void RunLog::noteTimeless(std::string_view text) {
-  if (!reads_) return;
+  if (!hashes_) return;
   ContentHash hash;
   hash.add(text);
   timeless_ = hash.contents().xxh128;
 }
 
 Result<void> RunLog::noteOutput(ByteSink& to, const std::function<Result<void>(ByteSink&)>& write) {
-  if (!reads_) return write(to);
+  if (!hashes_) return write(to);
   HashingSink hashing(to);
   auto written = write(hashing);
   if (written) outputs_.push_back({{to.name(), hashing.contents()}, std::exchange(timeless_, {})});
   return written;
-}
-
-std::vector<LoggedFile> RunLog::inputs() const {
-  return reads_ ? reads_->files() : std::vector<LoggedFile>();
 }
 
 }  // namespace vorpipe::cli

@@ -20,8 +20,8 @@ struct WrittenFile {
   std::string timeless{};  ///< hash of what times leave of it; empty where it holds none
 };
 
-/// Begins before a run reads anything. Hashes files only where somebody will read of it: `--stats` was given,
-/// or another run of this process wants to know.
+/// Begins before a run reads anything, so that openOutputs knows what it has read. Hashes files only where
+/// somebody will read of it: `--stats` was given, or another run of this process wants to know.
 class RunLog {
  public:
   RunLog(const Invocation& invocation, bool stats_wanted);
@@ -33,7 +33,7 @@ class RunLog {
   Result<void> noteOutput(ByteSink& to, const std::function<Result<void>(ByteSink&)>& write);
 
   [[nodiscard]] const Invocation& invocation() const { return invocation_; }
-  [[nodiscard]] std::vector<LoggedFile> inputs() const;
+  [[nodiscard]] std::vector<LoggedFile> inputs() const { return reads_.files(); }
   [[nodiscard]] const std::vector<WrittenFile>& outputs() const { return outputs_; }
 
   SearchOptions search{};
@@ -42,7 +42,8 @@ class RunLog {
 
  private:
   const Invocation& invocation_;
-  std::optional<ReadLog> reads_;
+  bool hashes_;
+  ReadLog reads_;
   std::vector<WrittenFile> outputs_;
   std::string timeless_;  ///< of the file that is being written
 };

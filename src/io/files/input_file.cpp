@@ -67,13 +67,7 @@ Result<InputFile> InputFile::open(const std::string& path) {
   if (S_ISREG(status.st_mode) && !standard) {
     file.size_ = file.stored_size_ = static_cast<std::uint64_t>(status.st_size);
   }
-  if (ReadLog* log = ReadLog::current()) {
-    if (file.size_) {
-      log->note(path);
-    } else {
-      file.hash_ = log->noteStream(path);
-    }
-  }
+  if (ReadLog* log = ReadLog::current()) file.hash_ = log->note(path, status, /*is_stream=*/!file.size_);
   return file;
 }
 

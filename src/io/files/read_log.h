@@ -1,6 +1,9 @@
 /// Which files are read, and what is in them.
 #pragma once
 
+#include <sys/stat.h>
+
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,7 +21,9 @@ struct LoggedFile {
 /// that is made later takes over until it is gone.
 class ReadLog {
  public:
-  ReadLog();
+  /// To hash files takes time.
+  enum class Notes : std::uint8_t { names, contents };
+  explicit ReadLog(Notes notes = Notes::contents);
   ~ReadLog();
   ReadLog(const ReadLog&) = delete;
   ReadLog& operator=(const ReadLog&) = delete;
@@ -38,14 +43,16 @@ class ReadLog {
     ReadLog* log_;
   };
 
-  /// Notes a file that stays where it is, with what is in it now. One that cannot be read is left out: its
-  /// reader says why.
-  void note(const std::string& path);
-  /// Notes what can be read only once: the reader adds every byte to the hash.
-  std::shared_ptr<ContentHash> noteStream(const std::string& path);
+  /// Notes what was opened. Of a file that stays where it is contents are those that it has now; one that
+  /// cannot be read is left out: its reader says why. Where what `is_stream` can be read only once, the
+  /// reader adds every byte to the hash that is returned, if there is one.
+  std::shared_ptr<ContentHash> note(const std::string& path, const struct stat& status, bool is_stream);
 
-  /// What was noted, in the order in which it was opened; a file that was opened twice stands once.
+  /// Contents that were noted, in the order in which they were opened; a file that was opened twice stands
+  /// once.
   [[nodiscard]] std::vector<LoggedFile> files() const;
+  /// The name by which a regular file was opened that is the one `path` leads to; null: none was.
+  [[nodiscard]] const std::string* nameOf(const std::string& path) const;
 
  private:
   struct Entry {
@@ -53,7 +60,14 @@ class ReadLog {
     Contents contents;
     std::shared_ptr<ContentHash> stream;  ///< none: the contents are known
   };
+  struct File {
+    std::string path;
+    dev_t device;
+    ino_t number;
+  };
+  Notes notes_;
   std::vector<Entry> entries_;
+  std::vector<File> opened_;
   ReadLog* before_;
 };
 

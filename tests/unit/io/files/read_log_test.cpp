@@ -1,6 +1,7 @@
 #include "io/files/read_log.h"
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <string>
 #include <thread>
@@ -70,6 +71,21 @@ TEST_F(ReadLogs, HashGzipAsItIs) {
   readAll(write("abc.gz", packed));
   ASSERT_EQ(log.files().size(), 1U);
   EXPECT_EQ(log.files()[0].contents.bytes, packed.size());
+}
+
+TEST_F(ReadLogs, KnowAFileByEachOfItsNamesAndHashNothingForThat) {
+  const ReadLog log(ReadLog::Notes::names);
+  const std::string abc = write("abc", "abc"), other = write("other", "abc");
+  readAll(abc);
+  ASSERT_EQ(::link(abc.c_str(), path("hard").c_str()), 0);
+  ASSERT_EQ(::symlink("hard", path("soft").c_str()), 0);
+  for (const std::string& name : {abc, path("hard"), path("soft"), path("./abc")}) {
+    ASSERT_NE(log.nameOf(name), nullptr) << name;
+    EXPECT_EQ(*log.nameOf(name), abc);
+  }
+  EXPECT_EQ(log.nameOf(other), nullptr);
+  EXPECT_EQ(log.nameOf(path("absent")), nullptr);
+  EXPECT_TRUE(log.files().empty());
 }
 
 TEST_F(ReadLogs, LeaveTheFilesOfAnInnerRunToItsLog) {
