@@ -23,6 +23,7 @@
 #include "cli/terminal/progress.h"
 #include "io/domain/density_file.h"
 #include "io/files/error.h"
+#include "io/files/read_log.h"
 #include "io/text/quoted.h"
 #include "view/app/app.h"
 #include "view/app/window_screen.h"
@@ -53,8 +54,8 @@ Parsed<view::WindowApi> parseWindow(std::string_view text) {
   return tl::unexpected(fmt::format("{} is not {}", inQuotes(text), anyOf(windowNames())));
 }
 
-/// By what is asked for; else by the backend's own, or the first that works.
-Result<view::Window> openWindow(const ViewCommand& command) {
+/// By what is asked for; else by the backend's own, or the first that works. `shown_by` becomes its name.
+Result<view::Window> openWindow(const ViewCommand& command, std::string& shown_by) {
   view::WindowOptions options;
   options.width = command.size.width;
   options.height = command.size.height;
@@ -62,12 +63,14 @@ Result<view::Window> openWindow(const ViewCommand& command) {
   options.validation = command.backend.validation;
   const bool of_opengl = command.backend.name == "opengl";
   options.api = command.window.value_or(of_opengl ? view::WindowApi::opengl : view::WindowApi::vulkan);
+  shown_by = windowNames()[static_cast<std::size_t>(options.api)];
   auto window = view::Window::open(options);
   if (window || command.window || of_opengl) return window;
   options.api = view::WindowApi::opengl;
   auto other = view::Window::open(options);
-  if (other) return other;
-  return window;
+  if (!other) return window;
+  shown_by = "opengl";
+  return other;
 }
 
 PlanRun planOf(const ViewCommand& command) {
@@ -155,6 +158,8 @@ Result<view::AppOptions> appOf(const ViewCommand& command) {
   options.viewer.settings.picture = command.picture.render;
   if (command.picture.edge_width) options.viewer.settings.picture.edge_width = *command.picture.edge_width;
   options.viewer.settings.cells = !command.picture.no_fill;
+  // A picture without the panel is not to stand beside one.
+  options.viewer.settings.panel = command.screenshot.empty();
   options.viewer.settings.backend = command.backend;
   if (const auto& fluid = options.viewer.opened.fluid) {
     options.viewer.settings.flow_color =
@@ -176,8 +181,19 @@ Result<view::AppOptions> appOf(const ViewCommand& command) {
   return options;
 }
 
+/// The files that a window writes without looking for a free name.
+std::vector<std::string> namedOutputs(const view::AppOptions& options) {
+  std::vector<std::string> paths{options.record, options.screenshot};
+  if (!options.script) return paths;
+  for (const view::ScriptLine& line : options.script->lines) {
+    if (const auto* const shot = std::get_if<view::Screenshot>(&line.event)) paths.push_back(shot->path);
+  }
+  return paths;
+}
+
 Result<ExitCode> runView(const ViewCommand& command) {
   setDriverThreads(command.backend.threads);
+  const ReadLog reads(ReadLog::Notes::names);
   if (auto checked = checkFluid(command); !checked) return tl::unexpected(checked.error());
   if (!command.input.sites.empty()) {
     const auto fits = forecastGenerated(command.input, planOf(command), command.memory_limit);
@@ -185,8 +201,9 @@ Result<ExitCode> runView(const ViewCommand& command) {
   }
   auto options = appOf(command);
   if (!options) return tl::unexpected(std::move(options.error()));
+  if (auto apart = checkNotRead(namedOutputs(*options)); !apart) return tl::unexpected(apart.error());
   endOnLostDisplay(exit_device);
-  auto window = openWindow(command);
+  auto window = openWindow(command, options->viewer.shown_by);
   if (!window) return tl::unexpected(std::move(window.error()));
   view::WindowScreen screen(std::move(*window));
   const std::string& name = isFluid(command) ? options->viewer.opened.fluid_name : command.input.sites;

@@ -39,6 +39,14 @@ void Viewer::saveWhatIsSettled() {
                 extension == ".npz" ? document_.fluid() : frame_->fluid, frame_->flow_color});
 }
 
+/// The backend as the command line has it, where `auto` comes to another one.
+BackendOptions Viewer::drawnBy() const {
+  BackendOptions backend = settings_.backend;
+  const bool otherwise = device_ && device_->type == "cpu" && device_->backend != "cpu";
+  if (backend.name == "auto" && backend.device.empty() && otherwise) backend.name = device_->backend;
+  return backend;
+}
+
 /// Where sites are not those of a file, they are written first.
 void Viewer::copyCommand() {
   if (document_.fluid()) return copyFluidCommand();
@@ -57,7 +65,7 @@ void Viewer::copyCommand() {
       return;
     }
   }
-  command_ = shellLine(commandFor(document_, picture(), settings_.backend, files));
+  command_ = shellLine(commandFor(document_, picture(), drawnBy(), files));
   if (is_file || is_written) return tellCommand();
   command_revision_ = document_.revision();
   command_waits_ = true;
@@ -69,7 +77,7 @@ void Viewer::copyCommand() {
 void Viewer::copyFluidCommand() {
   const bool is_written = !command_sites_.empty() && command_revision_ == document_.revision();
   if (!is_written) command_sites_ = freeName("vorpipe-fluid", ".npz");
-  command_ = shellLine(commandForFluid(command_sites_, picture(), settings_.flow_color, settings_.backend));
+  command_ = shellLine(commandForFluid(command_sites_, picture(), settings_.flow_color, drawnBy()));
   if (is_written) return tellCommand();
   command_revision_ = document_.revision();
   command_waits_ = true;

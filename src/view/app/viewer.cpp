@@ -207,6 +207,9 @@ void Viewer::wish() {
   }
   if (std::exchange(wanted_, Wanted::nothing) == Wanted::other) ++gesture_;
   Wish wish{++wished_, gesture_, document_.sites(), picture(), settings_.backend};
+  // Without a GPU `auto` comes to cpu, which is slow where cells have weights (decision D133).
+  const bool weighs = document_.fluid() || !document_.sites()->weight.empty();
+  if (settings_.backend.name == "auto" && weighs) wish.not_cpu = given_.shown_by;
   wish.compared = settings_.compared;
   wish.motion = pointer_.holdsSite() ? Motion::rests : settings_.motion;
   wish.method = settings_.method;

@@ -31,6 +31,7 @@ struct ViewerOptions {
   Opened opened{};
   Settings settings{};  ///< colors and marks; its domain, outline, period, size and view are not read
   std::shared_ptr<const Density> density{};
+  std::string shown_by{};                           ///< the backend whose driver the window has open
   Load load{};                                      ///< what is dropped
   std::function<void(const std::string&)> copy{};   ///< to the clipboard
   std::function<void(const std::string&)> print{};  ///< a command line
@@ -92,6 +93,7 @@ class Viewer {
 
   void want(Changed changed);
   [[nodiscard]] RenderOptions picture() const;
+  [[nodiscard]] BackendOptions drawnBy() const;
   void accept(Answer& answer);
   void accept(Frame& frame);
   bool acceptFluid(const Frame& frame);

@@ -47,7 +47,7 @@ Progress Painter::progress() const {
 
 Result<void> Painter::open(const Wish& wish, Answer& answer) {
   if (!wish.compared) compared_.close();
-  const auto opened = main_.open(wish.backend, [this] {
+  const auto opened = main_.open(wish.backend, wish.not_cpu, [this] {
     relaxation_.reset();
     fluid_.reset();
   });

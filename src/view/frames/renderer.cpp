@@ -33,14 +33,23 @@ Rendering empty(const RenderOptions& options) {
 
 }  // namespace
 
-Result<bool> Renderer::open(const BackendOptions& backend, const std::function<void()>& end) {
-  if (session_ && isSame(backend, backend_)) return false;
+Result<bool> Renderer::open(const BackendOptions& backend, const std::string& not_cpu,
+                            const std::function<void()>& end) {
+  const bool is_open = session_ && isSame(backend, backend_);
+  const bool may_do_better = is_open && session_->device().backend == "cpu" && not_cpu != not_cpu_;
+  if (is_open && (not_cpu.empty() || !may_do_better)) return false;
   auto session = Session::open(backend);
+  if (session && !not_cpu.empty() && session->device().backend == "cpu") {
+    BackendOptions other = backend;
+    other.name = not_cpu;
+    if (auto better = Session::open(other)) session = std::move(better);
+  }
   if (!session) return tl::unexpected(std::move(session.error()));
   if (end) end();
   close();
   session_ = std::make_unique<Session>(std::move(*session));
   backend_ = backend;
+  not_cpu_ = not_cpu;
   return true;
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "view/document/document.h"
 #include "vorpipe.h"
@@ -13,8 +14,10 @@ namespace vorpipe::view {
 class Renderer {
  public:
   /// Whether another backend was opened, in place of the one before, after `end` has ended what uses that:
-  /// the one that is open already stays, as it does where the other does not work here.
-  Result<bool> open(const BackendOptions& backend, const std::function<void()>& end = {});
+  /// the one that is open already stays, as it does where the other does not work here. `not_cpu` names a
+  /// backend that is taken where `backend` comes to `cpu`, if it works; empty: none.
+  Result<bool> open(const BackendOptions& backend, const std::string& not_cpu = {},
+                    const std::function<void()>& end = {});
 
   void close();
 
@@ -30,6 +33,7 @@ class Renderer {
 
  private:
   BackendOptions backend_{};
+  std::string not_cpu_{};             ///< that was tried
   std::unique_ptr<Session> session_;  ///< outlives what follows
   std::optional<KeptSites> kept_;
   FixedSites kept_of_{};

@@ -24,6 +24,7 @@ struct Wish {
   FixedSites sites{};
   RenderOptions picture{};  ///< with all that is drawn: domain, view, size; its progress is not read
   BackendOptions backend{};
+  std::string not_cpu{};  ///< the backend that is taken where that comes to `cpu`; empty: none
   std::optional<BackendOptions> compared{};  ///< draws the same picture, to compare with
   /// Milliseconds of a sharp picture, above which a preview comes before it while something is dragged.
   double longest_without_preview = 60;

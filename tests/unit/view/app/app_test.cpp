@@ -308,6 +308,31 @@ TEST_F(FluidAppTest, FlowsIsStirredAndBeginsAgain) {
   EXPECT_NE(shot("d.png").rgba, shot("g.png").rgba) << "none";
 }
 
+TEST_F(FluidAppTest, WithoutAGpuIsDrawnByTheDriverThatTheWindowHasOpen) {
+  const auto backendOf = [](const char* name) {
+    BackendOptions named;
+    named.name = name;
+    const auto session = Session::open(named);
+    return session ? session->device().backend : std::string();
+  };
+  const std::string vulkan = backendOf("vulkan");
+  if (backendOf("auto") != "cpu" || vulkan.empty()) GTEST_SKIP() << "no software driver alone";
+  options.viewer.settings.backend.name = "auto";
+  options.viewer.shown_by = "vulkan";
+  const auto end = play("wait\nkey c control\nwait\nclose\n");
+  ASSERT_TRUE(end) << end.error().message;
+  EXPECT_THAT(end->computed_by, StartsWith(vulkan));
+  EXPECT_THAT(screen.copied, HasSubstr("--backend " + vulkan));
+  // Sites without weights are the processor's, up to the first weight.
+  options.viewer.opened = {{{0.25, 0.5, 0.75}, {0.5, 0.5, 0.5}, {}}, {0, 0, 1, 1}};
+  const auto plain = play("wait\nclose\n");
+  ASSERT_TRUE(plain) << plain.error().message;
+  EXPECT_THAT(plain->computed_by, StartsWith("cpu"));
+  const auto weighted = play("wait\nmove 200 150\nscroll 1 control\nwait\nclose\n");
+  ASSERT_TRUE(weighted) << weighted.error().message;
+  EXPECT_THAT(weighted->computed_by, StartsWith(vulkan));
+}
+
 TEST_F(FluidAppTest, IsSavedAndGoesOn) {
   const auto end = play(
       "wait\nkey n\nwait\nkey e control shift\nkey e control\nkey s control shift\nwait\nkey c "
