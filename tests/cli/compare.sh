@@ -57,6 +57,7 @@ fails 2 "compare with one backend" "--backends" compare --backends cpu --sites r
 fails 2 "diff of a picture and ids" "out/a.npy" diff out/a.png out/a.npy
 fails 2 "diff with sites of pictures" "--sites" diff out/a.png out/b.png --sites random:300
 fails 2 "diff of a missing file" "out/nothing.npy" diff out/a.npy out/nothing.npy
+fails 2 "ids of more sites than there are" "--sites has 9, from 0 on" diff out/a.npy out/b.npy --sites random:9
 fails 2 "diff of one file" "B" diff out/a.npy
 
 if [ -n "${VORPIPE_EXPECTED_BACKENDS:-}" ]; then

@@ -40,6 +40,16 @@ struct DiffOutcome {
 
 bool namesIds(const std::string& path) { return lowerExtension(path) == ".npy"; }
 
+/// Refuses ids of other sites: nothing can be told of their ties.
+Result<void> checkIds(const std::string& path, const Image& image, const Sites& sites) {
+  const auto names_none = [&](std::uint32_t id) { return id != no_site && id >= sites.size(); };
+  const auto found = std::ranges::find_if(image.ids, names_none);
+  if (found == image.ids.end()) return {};
+  const auto pixel = found - image.ids.begin();
+  return inputError(fmt::format("{}: row {}, column {}: there is no site {}: --sites has {}, from 0 on", path,
+                                pixel / image.width, pixel % image.width, *found, sites.size()));
+}
+
 Result<IdDiff> idDiff(const DiffCommand& command, const Image& a, const Image& b) {
   if (command.input.sites.empty()) return diffIds(a.ids, b.ids, a.width, a.height);
   const auto planDiff = [](MemoryPlan& plan, const Workload& work) {
@@ -49,6 +59,8 @@ Result<IdDiff> idDiff(const DiffCommand& command, const Image& a, const Image& b
   const auto input = loadInput(command.input);
   if (!input) return tl::unexpected(input.error());
   printNotes(command.talk, *input);
+  if (auto checked = checkIds(command.a, a, input->sites); !checked) return tl::unexpected(checked.error());
+  if (auto checked = checkIds(command.b, b, input->sites); !checked) return tl::unexpected(checked.error());
   RenderOptions options{};
   options.domain = input->domain;
   options.periodic = input->periodic;
