@@ -112,7 +112,8 @@ def render(points: Any, weights: Any = None, domain: Any = None, size: Optional[
             aspect, with NO_SITE beside it. None for "letterbox" of `Sites` from a file, "stretch" of arrays.
         antialias: each pixel has the mean color of as many rows and columns of places, 1 to 8; ids stay those of the
             pixels' centers.
-        dual: lines between points whose cells have a common edge: the Delaunay triangulation.
+        dual: lines between points whose cells have a common edge in the domain: of the Delaunay triangulation, what
+            does not meet beyond; a larger `margin` has more of it, `Diagram.triangles` all.
         labels: the index of each point, in its cell where it has room.
         label_size: how high the digits are, 5 to 200 pixels.
         fill: cells have colors; else they are white.

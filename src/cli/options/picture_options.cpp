@@ -119,7 +119,8 @@ void addMarkOptions(Options& options, PictureOptions& picture) {
   RenderOptions& render = picture.render;
   options.addFlag("--edges", render.edges, "darkens the edges of the cells");
   options.addFlag("--dual", render.dual,
-                  "draws lines between sites whose cells have a common edge: the Delaunay triangulation");
+                  "draws lines between sites whose cells have a common edge in the domain: of the Delaunay "
+                  "triangulation, what does not meet beyond; a larger --margin has more of it");
   addParsed(options, "--edge-width", picture.edge_width, "PX",
             fmt::format("how wide edges and lines of --dual are, 1 to {} pixels; edges in a .png without "
                         "--antialias have a whole number of them [1]",
