@@ -19,7 +19,8 @@
 #include "support/hard/hard_random.h"
 #include "support/hard/stepped_outline.h"
 
-namespace vorpipe::test {
+/// Names of its own, since sources are compiled together.
+namespace vorpipe::test::outlined {
 namespace {
 
 constexpr std::uint64_t seed = 20261127;
@@ -246,4 +247,4 @@ TEST(ExactOutlines, ofAFewShapesAreKnown) {
 }
 
 }  // namespace
-}  // namespace vorpipe::test
+}  // namespace vorpipe::test::outlined

@@ -29,6 +29,11 @@ double alongEdge(const Edge& edge, Point p) {
   return dot(p - edge.a, edge.b - edge.a) / length(edge.b - edge.a);
 }
 
+Point placeAlong(const Edge& edge, double along) {
+  const double part = along / length(edge.b - edge.a);
+  return {edge.a.x + part * (edge.b.x - edge.a.x), edge.a.y + part * (edge.b.y - edge.a.y)};
+}
+
 /// Calls take(k, from, to) for each edge of the outline along which the way from p to q runs, with the inside
 /// to the left of both, and for the part of it along which it does: mostly for one, but rounding may have
 /// joined some that lie on a line.
@@ -40,11 +45,7 @@ void eachAlong(const CheckedOutline& outline, Point p, Point q, double slack, co
     const double from = std::clamp(alongEdge(edge, p), 0.0, all),
                  to = std::clamp(alongEdge(edge, q), 0.0, all);
     if (!(from < to)) return;
-    const auto isNear = [&](double along) {
-      const double part = along / all;
-      return distance({edge.a.x + part * (edge.b.x - edge.a.x), edge.a.y + part * (edge.b.y - edge.a.y)}, p,
-                      q) <= slack;
-    };
+    const auto isNear = [&](double along) { return distance(placeAlong(edge, along), p, q) <= slack; };
     if (isNear(from) && isNear(to)) take(k, from, to);
   });
 }
@@ -228,7 +229,8 @@ class Border {
       }
       eachAlong(outline_, p, q, rounding, [&](std::size_t side, double from, double to) {
         if (const auto wall = wallOf(walls_, edge(side), rounding_)) {
-          addTo(outline_.edges().size() + *wall, p, q, slack);
+          addTo(outline_.edges().size() + *wall, placeAlong(edge(side), from), placeAlong(edge(side), to),
+                slack);
         } else {
           had_.push_back({side, from, to, slack});
         }
@@ -242,9 +244,7 @@ class Border {
 
   /// Whether the domain is no wider there than rounding is: another side runs along, the other way.
   [[nodiscard]] bool isThin(std::size_t side, double along) const {
-    const auto& [a, b] = edge(side);
-    const double part = along / length(b - a);
-    const Point p{a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)}, way = b - a;
+    const Point p = placeAlong(edge(side), along), way = edge(side).b - edge(side).a;
     bool thin = false;
     outline_.eachNear(p, 4 * rounding_, [&](std::uint32_t k) {
       const Edge& other = outline_.edges()[k];
@@ -259,11 +259,9 @@ class Border {
   }
 
   [[nodiscard]] std::string said(std::size_t side, double from, double to, std::string_view who) const {
-    const auto& [a, b] = edge(side);
-    const auto at = [&, a = a, b = b](double along) {
-      const double part = along / length(b - a);
-      return fmt::format("({}, {})", (a.x + part * (b.x - a.x)) / run_.scale,
-                         (a.y + part * (b.y - a.y)) / run_.scale);
+    const auto at = [&](double along) {
+      const Point p = placeAlong(edge(side), along);
+      return fmt::format("({}, {})", p.x / run_.scale, p.y / run_.scale);
     };
     return fmt::format("{} the part from {} to {}", who, at(from), at(to));
   }

@@ -12,7 +12,8 @@
 #include "unit/fixtures/checked_runs.h"
 #include "unit/fixtures/outlines.h"
 
-namespace vorpipe::test {
+/// Names of its own, since sources are compiled together.
+namespace vorpipe::test::outlined {
 namespace {
 
 using testing::Contains;
@@ -301,4 +302,4 @@ TEST(BoxTree, findsTheBoxesThatMeetOne) {
 }
 
 }  // namespace
-}  // namespace vorpipe::test
+}  // namespace vorpipe::test::outlined
