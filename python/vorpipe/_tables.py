@@ -8,6 +8,7 @@ import numpy as np
 from . import _arguments, _attributes, _crs, _vorpipe
 from ._errors import InputError
 from ._scalars import refuse
+from ._warnings import warn
 
 Columns = Mapping[Any, Any]
 
@@ -38,6 +39,7 @@ def places_of(value: Any, system: _crs.System) -> _arguments.Floats:
         names = _vorpipe.differing_systems(table.system, system)
         if names is not None:
             raise refuse('places', f'they are in {names[0]}, the diagram in {names[1]}; take them to its system')
+        warn(table.notes)
         return table.points[0] if is_one else table.points
     array = _arguments.array_of('places', value)
     return _arguments.numbers('places', array) if array.shape == (2,) else _arguments.points_of(array, 'places')
@@ -152,7 +154,7 @@ def _pairs(x: Any, y: Any) -> _arguments.Floats:
 
 def _numbers(column: Any) -> _arguments.Floats:
     """A column; NaN for what is missing in one of objects."""
-    array = np.asarray(column)
+    array = _arguments.array_of('points', column)
     if array.dtype.kind == 'O':
         array = _attributes.objects([np.nan if _attributes.is_missing(value) else value for value in array])
     return _arguments.numbers('points', array)

@@ -103,6 +103,20 @@ def test_what_names_do_not_tell_is_refused(table, columns, message):
     assert caught.value.subject == 'points' and '--' not in str(caught.value)
 
 
+def test_two_columns_of_one_name_are_refused():
+    pandas = pytest.importorskip('pandas')
+    with pytest.raises(vorpipe.InputError, match="^points: two columns are called 'n'"):
+        vorpipe.cells(pandas.DataFrame([[1, 2, 3, 4]], columns=['n', 'x', 'y', 'n']))
+
+
+def test_masked_columns_are_refused():
+    masked = np.ma.array(np.array([(1.0, 2.0), (3.0, 4.0)], dtype=[('x', float), ('y', float)]),
+                         mask=[(False, False), (True, False)])
+    with pytest.raises(vorpipe.InputError, match='^points: some elements are masked'):
+        vorpipe.cells(masked)
+    assert vorpipe.cells(masked[:1]).points.tolist() == [[1, 2]]
+
+
 def test_columns_of_other_lengths_are_refused():
     with pytest.raises(vorpipe.InputError, match=r'^points: columns of the shapes \(2,\) and \(1,\)'):
         vorpipe.cells({'x': [1, 2], 'y': [1]})
