@@ -60,6 +60,8 @@ struct FluidState {
   /// Sum of mass times the ways by which periods have put sites back against gravity: what they fell there is
   /// potential energy that is gone.
   Point carried{0, 0};
+  double epsilon =
+      0;  ///< of springs, as it was chosen at first, where the options leave it open; 0: it is not
   double time = 0;
   std::uint64_t step = 0;
 };

@@ -17,7 +17,6 @@ Result<view::Opened> openFluidForView(const FluidChoices& choices, const Backend
   if (!session) return tl::unexpected(std::move(session.error()));
   const auto fluid = Fluid::begin(*session, std::move(setup->state), setup->options);
   if (!fluid) return asFluidOption(fluid.error(), choices);
-  setup->options.epsilon = fluid->options().epsilon;
   auto begun = std::make_shared<view::Flowing>();
   begun->setup = {fluid->state(), setup->options};
   begun->last = fluid->last();

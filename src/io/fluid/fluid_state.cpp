@@ -147,7 +147,8 @@ Result<void> writeFluid(ByteSink& sink, const FluidState& state, const FluidOpti
   archive.add<double>("time", one(state.time));
   archive.add<double>("until", one(options.until));
   archive.add<double>("length", one(options.step));
-  archive.add<double>("epsilon", one(options.epsilon));
+  const double epsilon = options.epsilon != 0 ? options.epsilon : state.epsilon;
+  archive.add<double>("epsilon", one(epsilon));
   archive.add<double>("tolerance", one(options.tolerance));
   archive.add<std::uint64_t>("step", one(state.step));
   archive.add<std::uint64_t>("diagrams", one(options.diagrams));

@@ -301,6 +301,7 @@ Fluid& Fluid::operator=(Fluid&&) noexcept = default;
 Fluid::~Fluid() = default;
 
 Result<Fluid> Fluid::begin(Session& session, FluidState state, FluidOptions options) {
+  if (options.epsilon == 0) options.epsilon = state.epsilon;
   if (auto checked = checkOptions(options); !checked) return tl::unexpected(std::move(checked.error()));
   CellsOptions cells{};
   cells.domain = options.domain;
@@ -317,6 +318,7 @@ Result<Fluid> Fluid::begin(Session& session, FluidState state, FluidOptions opti
   }
   const bool is_chosen = options.epsilon == 0;
   if (is_chosen) options.epsilon = usualEpsilon(state, options);
+  state.epsilon = options.epsilon;
   auto notes = notesBefore(state, options, is_chosen);
   Fluid fluid;
   fluid.state_ = std::make_unique<State>(session, std::move(options), std::move(state));

@@ -44,8 +44,6 @@ Result<void> FluidRun::begin(Session& session, const FixedFluid& from, const Pro
   auto begun = Fluid::begin(session, from->setup.state, std::move(options));
   if (!begun) return tl::unexpected(std::move(begun.error()));
   fluid_ = std::move(*begun);
-  // Where it goes on as another one, its springs are not chosen anew.
-  setup_.options.epsilon = fluid_->options().epsilon;
   now_ = from;
   if (!from->is_begun) take({}, from->stirred);
   return {};
