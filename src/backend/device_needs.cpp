@@ -63,7 +63,7 @@ constexpr DeviceNeeds ofDevice() {
 
 DeviceNeeds ofCompute() {
   DeviceNeeds needs = ofDevice();
-  needs.program = 90 * million;
+  needs.program = 90 * million + newer_driver_bytes;
   needs.compiling = 25 * million;
   needs.slice = std::uint64_t{1} << 18;
   needs.drawn_slice = std::uint64_t{1} << 17;
@@ -75,7 +75,7 @@ DeviceNeeds ofCompute() {
 DeviceNeeds ofGeometry(int threads) {
   constexpr int most_devices = 8;
   DeviceNeeds needs = ofDevice();
-  needs.program = 103 * million;
+  needs.program = 103 * million + newer_driver_bytes;
   needs.rasterizing = 48 * million;
   needs.compiling = 12 * million;
   needs.answer += word;  // the word is copied to the host's
@@ -92,7 +92,7 @@ DeviceNeeds ofGeometry(int threads) {
 DeviceNeeds ofOpenGl() {
   constexpr std::uint64_t status = 24 * (EDGES_FAST - 2);
   DeviceNeeds needs = ofDevice();
-  needs.program = 97 * million + feedback_bytes;
+  needs.program = 97 * million + newer_driver_bytes + feedback_bytes;
   needs.compiling = 6 * million;
   needs.passing_site = sizeof(SiteTexel);
   needs.slice = feedback_bytes / needs.answer;

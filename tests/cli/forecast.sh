@@ -5,16 +5,18 @@ unset VORPIPE_VALIDATION LVP_POISON_MEMORY
 
 figure() { grep -oP "\"$1\": \K[0-9]+" out/stats.json; }
 
-# measures PERCENT NAME ARGUMENT...: the run takes no more than its forecast says, and no less than PERCENT of it.
+# measures PERCENT NAME ARGUMENT...: the run takes no more than its forecast says, and no less than PERCENT of it, but for
+# what newer drivers take.
 measures() {
-  local least=$1 what=$2 forecast peak
+  local least=$1 what=$2 newer=17000000 forecast peak
   shift 2
+  [[ " $* " != *" --backend cpu "* ]] || newer=0
   succeeds "$what" "$@" --quiet --stats out/stats.json
   forecast=$(figure forecast_memory_bytes)
   peak=$(figure peak_memory_bytes)
   printf '%-44s %5d MB, %5d MB forecast, %3d %%\n' "$what" $((peak / 1000000)) $((forecast / 1000000)) $((100 * peak / forecast))
   [ "$peak" -le "$forecast" ] || fail "took $peak bytes, the forecast was $forecast"
-  [ $((100 * peak)) -ge $((least * forecast)) ] || fail "took $peak bytes, the forecast was $forecast: too much"
+  [ $((100 * (peak + newer))) -ge $((least * forecast)) ] || fail "took $peak bytes, the forecast was $forecast: too much"
 }
 
 # Even sites: within 10 %, and where there may be triangles within a fifth: all of them are made anew where a tie hides
