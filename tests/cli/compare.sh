@@ -46,7 +46,7 @@ for key in command backend sites seed status hidden resolved area_sum time_ms pe
 done
 grep -q '"backend": "cpu, vulkan-compute"' out/s.json || fail "out/s.json does not name the backends"
 succeeds "compare on a device" compare --backends cpu,vulkan-compute --sites random:9 --size 9x9 --device 0 --quiet
-fails 3 "compare on a device that is not there" "there is no device '77'" compare --backends cpu,vulkan-compute --sites random:9 --device 77 --report out/old.json
+fails 3 "compare on a device that is not there" "no Vulkan d" compare --backends cpu,vulkan-compute --sites random:9 --device 77 --report out/old.json
 name="a report on standard output"
 cases=$((cases + 1))
 "$vorpipe" compare --backends cpu,opengl --sites random:9 --size 9x9 --report /dev/stdout >out/r.json 2>log/err || fail "exit code $?"
@@ -63,8 +63,6 @@ fails 2 "diff of one file" "B" diff out/a.npy
 if [ -n "${VORPIPE_EXPECTED_BACKENDS:-}" ]; then
   succeeds "a named device beside cpu" compare --backends vulkan-compute,cpu --device llvmpipe --sites random:50 \
     --size 50
-  fails 3 "a device that is none" "nope" compare --backends cpu,vulkan-compute --device nope --sites random:50 \
-    --report out/old.json
 else
   skipped "a named device beside cpu" "the software drivers are not installed"
 fi
