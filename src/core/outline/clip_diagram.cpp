@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <optional>
 
 #include "base/parallel.h"
 #include "base/refusal.h"
@@ -45,23 +45,6 @@ Result<void> checkAreas(const ScaledDiagram& cells, const Rings& rings, const Di
       refusalOf(Subject::outline, fmt::format("the areas of all cells add up to {} of that inside it, beyond "
                                               "what rounding explains",
                                               sum / area)));
-}
-
-/// Rings and their index.
-struct IndexedRings {
-  explicit IndexedRings(Rings from) : rings(std::move(from)), index(rings) {}
-  Rings rings;
-  OutlineIndex index;
-};
-
-/// The rings of an outline, with the places where they touch as points of all that touch there.
-Result<std::unique_ptr<IndexedRings>> indexedRings(const Outline& outline, const ClippedRun& run) {
-  auto rings = ringsOf(outline, run.exponent);
-  if (!rings) return tl::unexpected(rings.error());
-  auto indexed = std::make_unique<IndexedRings>(std::move(*rings));
-  auto touching = touchingCorners(indexed->index, run.threads);
-  if (touching.empty()) return indexed;
-  return std::make_unique<IndexedRings>(withNodes(indexed->rings, std::move(touching)));
 }
 
 /// What is known after every cell was clipped for itself.
@@ -118,22 +101,23 @@ void moveVertices(const ScaledDiagram& cells, std::uint32_t site, std::span<cons
 void clipAtContacts(const ClippedRun& run, const ScaledDiagram& cells, const OutlineIndex& index,
                     FirstPass& first, ClippedCells& clipped, Diagram& diagram) {
   auto& [near, contacts] = first;
-  const bool on_edges = !contacts.moved.empty() || !contacts.nodes.empty();
-  const auto& which = on_edges ? near : contacts.cells;
-  if (which.empty()) return;
   const auto moved = agreed(std::move(contacts.moved));
+  const auto& which = moved.empty() && contacts.nodes.empty() ? contacts.cells : near;
+  if (which.empty()) return;
   if (!moved.empty()) {
     parallelFor(near.size(), again_grain, run.threads, [&](std::size_t begin, std::size_t end) {
       for (auto k = begin; k < end; ++k) moveVertices(cells, cells.siteOf(near[k]), moved, diagram);
     });
   }
   for (auto& node : contacts.nodes) node.at = movedPlace(moved, node.at);
-  std::unique_ptr<IndexedRings> refined;
+  Rings refined;
+  std::optional<OutlineIndex> of_refined;
   if (!contacts.nodes.empty()) {
-    refined = std::make_unique<IndexedRings>(withNodes(index.rings(), std::move(contacts.nodes)));
+    refined = withNodes(index.rings(), std::move(contacts.nodes));
+    of_refined.emplace(refined);
   }
   parallelFor(which.size(), again_grain, run.threads, [&](std::size_t begin, std::size_t end) {
-    GroupClipper clipper(run, cells, refined ? refined->index : index, clipped);
+    GroupClipper clipper(run, cells, of_refined ? *of_refined : index, clipped);
     for (auto k = begin; k < end; ++k) clipper.again(which[k]);
   });
 }
@@ -141,9 +125,9 @@ void clipAtContacts(const ClippedRun& run, const ScaledDiagram& cells, const Out
 }  // namespace
 
 Result<OwnParts> clipToOutline(const ClippedRun& run, const Outline& outline, Diagram& diagram) {
-  const auto indexed = indexedRings(outline, run);
-  if (!indexed) return tl::unexpected(indexed.error());
-  const auto& [rings, index] = **indexed;
+  const auto rings = ringsOf(outline, run.exponent);
+  if (!rings) return tl::unexpected(rings.error());
+  const OutlineIndex index(*rings);
   const ScaledDiagram cells(run, diagram);
   ClippedCells clipped(run.sites.size());
   FirstPass first = clipAll(run, cells, index, clipped);
@@ -151,7 +135,7 @@ Result<OwnParts> clipToOutline(const ClippedRun& run, const Outline& outline, Di
   writeClipped(cells, clipped, diagram);
   OwnParts parts = measureOwnParts(run, index, clipped, first.near, diagram);
   countCells(diagram);
-  if (auto right = checkAreas(cells, rings, diagram); !right) return tl::unexpected(right.error());
+  if (auto right = checkAreas(cells, *rings, diagram); !right) return tl::unexpected(right.error());
   return parts;
 }
 

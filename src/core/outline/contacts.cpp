@@ -12,6 +12,9 @@
 namespace vorpipe::core {
 namespace {
 
+/// From as many on, the index is faster than to go through all.
+constexpr std::size_t many_edges = 64;
+
 /// Whether p is nearer than `margin` along both axes to the box of a and b.
 bool isNearBox(Point a, Point b, double margin, Point p) {
   return p.x >= std::min(a.x, b.x) - margin && p.x <= std::max(a.x, b.x) + margin &&
@@ -87,6 +90,7 @@ void ContactFinder::findCorner(const CellSides& sides, Point corner, Contacts& f
   for (std::size_t k = 0; k < sides.size(); ++k) {
     if (sides.from(k) == corner) {
       meets = true;
+      found.moved.push_back({corner, corner, true});
     } else if (isVertex(sides, k, corner)) {
       found.moved.push_back({sides.from(k), corner, true});
     } else {
@@ -94,6 +98,19 @@ void ContactFinder::findCorner(const CellSides& sides, Point corner, Contacts& f
     }
   }
   if (meets && (found.cells.empty() || found.cells.back() != sides.cell)) found.cells.push_back(sides.cell);
+}
+
+/// Finds edges in the middle of which a corner of another one lies: rings may touch in points.
+void ContactFinder::findTouching(Point corner, std::span<const std::uint32_t> near, Contacts& found) {
+  if (near.size() > many_edges) {
+    index_.edgesIn({corner.x, corner.y, corner.x, corner.y}, at_corner_);
+    near = at_corner_;
+  }
+  for (const auto edge : near) {
+    const Point p = rings_.points[edge], q = rings_.points[rings_.next(edge)];
+    if (!isNearBox(p, q, 0, corner) || p == corner || q == corner) continue;
+    if (orientation(p, q, corner) == 0) found.nodes.push_back({edge, corner});
+  }
 }
 
 void ContactFinder::findOnEdge(const CellSides& sides, std::uint32_t edge, Contacts& found) const {
@@ -117,6 +134,7 @@ void ContactFinder::find(const CellSides& sides, std::span<const std::uint32_t> 
     const Point corner = rings_.points[edge];
     if (isNearBox({box.xmin, box.ymin}, {box.xmax, box.ymax}, margin_, corner)) {
       findCorner(sides, corner, found);
+      findTouching(corner, near, found);
     }
     findOnEdge(sides, edge, found);
   }

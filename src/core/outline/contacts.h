@@ -37,15 +37,15 @@ struct MovedVertex {
 
 struct Contacts {
   std::vector<MovedVertex> moved;
-  std::vector<EdgeNode> nodes;       ///< vertices on edges, where they were before they moved
+  std::vector<EdgeNode> nodes;       ///< vertices on edges, before they moved, and corners on other edges
   std::vector<std::uint32_t> cells;  ///< of the set, with a corner of the outline on a side or at a vertex
 };
 
 /// Finds the contacts of one cell after the other. For one thread; keeps references.
 class ContactFinder {
  public:
-  ContactFinder(const ClippedRun& run, const Rings& rings, double margin)
-      : run_(run), rings_(rings), margin_(margin) {}
+  ContactFinder(const ClippedRun& run, const OutlineIndex& index, double margin)
+      : run_(run), index_(index), rings_(index.rings()), margin_(margin) {}
 
   /// Adds what a cell has in common with the edges `near`: all whose boxes come as near to it as `margin`.
   void find(const CellSides& sides, std::span<const std::uint32_t> near, Contacts& found);
@@ -57,6 +57,7 @@ class ContactFinder {
 
  private:
   void findCorner(const CellSides& sides, Point corner, Contacts& found) const;
+  void findTouching(Point corner, std::span<const std::uint32_t> near, Contacts& found);
   void findOnEdge(const CellSides& sides, std::uint32_t edge, Contacts& found) const;
   [[nodiscard]] bool isNearLine(Point a, Point b, Point p) const;
   [[nodiscard]] bool isOnSide(const CellSides& sides, std::size_t k, Point p) const;
@@ -68,9 +69,11 @@ class ContactFinder {
   [[nodiscard]] WeightedPoint site(std::int32_t cell) const;
 
   const ClippedRun& run_;
+  const OutlineIndex& index_;
   const Rings& rings_;
   double margin_;
   std::vector<Point> corners_, on_side_;
+  std::vector<std::uint32_t> at_corner_;
 };
 
 /// Moves that are one for each vertex, whatever the order in which cells found them; ascending by where from.

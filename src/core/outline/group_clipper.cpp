@@ -14,7 +14,7 @@ GroupClipper::GroupClipper(const ClippedRun& run, const ScaledDiagram& cells, co
       clip_(index),
       out_(out),
       margin_(farthest_moved * shorterSide(cells.domain())),
-      finder_(run, index.rings(), margin_) {}
+      finder_(run, index, margin_) {}
 
 void GroupClipper::group(std::size_t first, std::size_t last, std::vector<std::uint32_t>& near,
                          Contacts& found) {

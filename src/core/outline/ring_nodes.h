@@ -11,9 +11,6 @@ struct EdgeNode {
   Point at;
 };
 
-/// Where rings touch themselves or each other: corners that lie in the middle of other edges.
-std::vector<EdgeNode> touchingCorners(const OutlineIndex& index, int threads);
-
 /// The rings with these points in their edges, each once; one at an end of its edge is there already.
 Rings withNodes(const Rings& rings, std::vector<EdgeNode> nodes);
 
