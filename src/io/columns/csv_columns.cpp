@@ -22,15 +22,15 @@ struct Synonym {
   CoordinateKind kind;
 };
 
-constexpr auto plane = CoordinateKind::plane, geographic = CoordinateKind::degrees;
+constexpr auto of_plane = CoordinateKind::plane, of_degrees = CoordinateKind::degrees;
 constexpr std::array<Synonym, 6> x_names = {{{"x", CoordinateKind::unknown},
-                                             {"lon", geographic},
-                                             {"lng", geographic},
-                                             {"long", geographic},
-                                             {"longitude", geographic},
-                                             {"easting", plane}}};
+                                             {"lon", of_degrees},
+                                             {"lng", of_degrees},
+                                             {"long", of_degrees},
+                                             {"longitude", of_degrees},
+                                             {"easting", of_plane}}};
 constexpr std::array<Synonym, 4> y_names = {
-    {{"y", CoordinateKind::unknown}, {"lat", geographic}, {"latitude", geographic}, {"northing", plane}}};
+    {{"y", CoordinateKind::unknown}, {"lat", of_degrees}, {"latitude", of_degrees}, {"northing", of_plane}}};
 constexpr std::array<std::string_view, 4> geometry_names = {"wkt", "geometry", "geom", "the_geom"};
 
 tl::unexpected<ColumnProblem> problem(std::size_t column, std::string what) {
