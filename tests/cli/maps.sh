@@ -64,13 +64,13 @@ steps() {
     printf "%d ", most + 0.5 }'
 }
 notes "cells around the north pole" "4 %" $cells -o out/n.wkt -o out/n.geojson -o out/edges.geojson --sites in/cap.csv --domain=-180,60,180,90 --project auto
-[ "$(steps n.wkt)" = "5 5 5 5 5 5 5 5 360 " ] || fail "longitudes jump: $(steps n.wkt)"
+[ "$(steps n.wkt)" = "45 45 45 45 45 45 45 45 360 " ] || fail "longitudes jump: $(steps n.wkt)"
 sed -n 6p out/n.wkt | grep -q '202.[45]' || fail "the cell of 180 does not reach 202.5: $(sed -n 6p out/n.wkt)"
 sed -n 10p out/n.wkt | grep -q ', 180 90, -180 90, ' || fail "the pole's cell does not hold it: $(sed -n 10p out/n.wkt)"
 notes "cells around the south pole" "4 %" $cells -o out/n.wkt --sites in/south.csv --domain=-180,-90,180,-60 --project auto
-[ "$(steps n.wkt)" = "5 5 5 5 5 5 5 5 360 " ] || fail "longitudes jump: $(steps n.wkt)"
+[ "$(steps n.wkt)" = "45 45 45 45 45 45 45 45 360 " ] || fail "longitudes jump: $(steps n.wkt)"
 sed -n 10p out/n.wkt | grep -q ', -180 -90, 180 -90, ' || fail "the pole's cell does not hold it: $(sed -n 10p out/n.wkt)"
-printf 'lon,lat,name\n9.19,45.46,Mi\n12.5,41.9,Ro\n14.25,40.85,Na\n' >in/cities.csv
+printf 'x,y,name\n9.19,45.46,Mi\n12.5,41.9,Ro\n14.25,40.85,Na\n' >in/cities.csv
 printf '50\n80\n10\n' >in/trade.txt
 succeeds "transport leaves sites where they are" transport --backend cpu --sites in/cities.csv --domain "$italy" --project auto \
   --masses in/trade.txt --normalize -o out/t.csv --cells out/tc.csv
@@ -139,7 +139,9 @@ refuses "sites in another system" "--domain: in/country.geojson is in EPSG:4326,
   --sites in/mercator.geojson --domain in/country.geojson
 refuses "in another system to be projected" "is in EPSG:4326, in/mercator.geojson in EPSG:3857" \
   --sites in/mercator.geojson --domain in/country.geojson --project auto
-refuses "an outline of a plane to be projected" "--domain: in/mercator.geojson: " --sites in/towns.geojson --domain in/mercator.geojson --project auto
+geojson "$(crs 25832)" "$ring" >in/utm.geojson
+refuses "an outline of a plane to be projected" "--project: in/utm.geojson says that its coordinates are those of a plane" \
+  --sites in/three.csv --domain in/utm.geojson --project auto
 notes "degrees that are near to each other" "in/etrs.geojson is in EPSG:4258, in/towns.geojson in EPSG:4326, which is the same" \
   $cells --sites in/towns.geojson --domain in/etrs.geojson --project auto
 printf 'x,y\n731641,6902454\n507024,6850045\n' >in/unnamed.csv
