@@ -35,9 +35,10 @@ bool crossesAntimeridian(Point a, Point b) {
   return apart > whole_turn / 2 && apart < whole_turn;
 }
 
-/// Whether a ring ends a turn from where it began, as parallels do: then it is closed.
+/// Whether a ring ends a turn from where it began, as parallels do: then it is closed. At a pole that is one
+/// place, to which the ring was led.
 bool goesAround(Point last, Point first) {
-  return std::abs(first.x - last.x) == whole_turn && first.y == last.y;
+  return std::abs(first.x - last.x) == whole_turn && first.y == last.y && std::abs(first.y) != quarter_turn;
 }
 
 /// Whether the rings are some in degrees: none crosses the antimeridian or goes around a pole.

@@ -196,6 +196,21 @@ TEST(Maps, longitudesAreContinuousAlongRingsAroundEitherPole) {
   }
 }
 
+TEST(Maps, ringsThatAreLedToAPoleMayBeginAnywhere) {
+  std::vector<Point> ring{{-180, -90}, {-180, -70}, {-90, -72}, {0, -68}, {90, -66}, {180, -70}, {180, -90}};
+  double first = 0;
+  for (std::size_t turn = 0; turn < ring.size(); ++turn) {
+    const Outline degrees{ring, {0, ring.size()}, {0, 1}};
+    const auto plane = mendedToPlane(Projection::around({0, -90}).value(), degrees, false);
+    ASSERT_TRUE(plane) << turn << ": " << plane.error().message;
+    const double area = outlineArea(plane->outline);
+    if (turn == 0) first = area;
+    EXPECT_NEAR(area, first, 1e-9 * first) << turn;
+    std::ranges::rotate(ring, ring.begin() + 1);
+  }
+  EXPECT_GT(first, 1e7);
+}
+
 TEST(Maps, cellsOnBothSidesOfTheMeridianShareTheirVerticesInThePlane) {
   const Box box{-180, 60, 180, 90};
   const Sites sites = randomSites(box, 40, 5);
