@@ -145,11 +145,18 @@ struct Members<Attributes> {
 static_assert(has_all_members<Attributes>());
 
 template <>
+struct Members<Generator> {
+  static constexpr auto all = named(member("pattern", &Generator::pattern),
+                                    member("count", &Generator::count), member("seed", &Generator::seed));
+};
+static_assert(has_all_members<Generator>());
+
+template <>
 struct Members<Table> {
   static constexpr auto all =
       named(member("name", &Table::name), member("sites", &Table::sites),
             member("attributes", &Table::attributes), member("system", &Table::system),
-            member("generated", &Table::generated), member("skipped", &Table::skipped),
+            member("generator", &Table::generator), member("skipped", &Table::skipped),
             member("notes", &Table::notes), member("of_caller", &Table::of_caller));
 };
 static_assert(has_all_members<Table>());
