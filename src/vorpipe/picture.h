@@ -31,7 +31,7 @@ PictureSize sizeFor(const Box& domain, int longer_side);
 
 enum class ColorBy : std::uint8_t { site, area, neighbors, weight };
 
-/// How values become colors. Those that differ by no more than 1e-9 of their size are equal.
+/// How values become colors. Those that differ by no more than 1e-7 of their size are equal.
 enum class ColorScale : std::uint8_t {
   automatic,  ///< quantile by area and by weight, linear by neighbors
   linear,

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::size_t last_color = 255;
 
-/// What rounding, and solvers that stop, leave of equal values; no eye sees it.
-constexpr double same_part = 1e-9;
+/// What rounding leaves of equal values, and `transport`, which ends at 1e-8; no eye sees it.
+constexpr double same_part = 1e-7;
 
 /// Whether a value is one with a lesser one.
 bool isOne(double least, double value) {

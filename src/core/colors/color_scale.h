@@ -16,7 +16,7 @@ struct Coloring {
   std::optional<ColorRange> range;
 };
 
-/// The places along the colors, from 0 to 1, of values. Values that differ by rounding alone, 1e-9 of
+/// The places along the colors, from 0 to 1, of values. Values that differ by rounding alone, 1e-7 of
 /// their size, are one.
 class ColorPlaces {
  public:
