@@ -21,6 +21,13 @@ py::dict timesOf(const Report& report) {
   return stages;
 }
 
+/// Name and milliseconds of each.
+std::vector<std::pair<std::string, double>> pipelinesOf(const Report& report) {
+  std::vector<std::pair<std::string, double>> pipelines;
+  for (const PipelineTime& made : report.pipelines) pipelines.emplace_back(made.name, made.milliseconds);
+  return pipelines;
+}
+
 }  // namespace
 
 void defineReport(py::module_& module) {
@@ -37,6 +44,8 @@ void defineReport(py::module_& module) {
       .def_readonly("exact", &Report::exact, "Cells that were found in exact arithmetic.")
       .def_readonly("pixels", &Report::pixels, "Pixels that got their nearest site in double.")
       .def_property_readonly("time_ms", &timesOf, "Milliseconds by stage.")
+      .def_property_readonly("pipelines", &pipelinesOf,
+                             "Pipelines of shaders that were made for it: name and milliseconds of each.")
       .def_readonly("notes", &Report::notes, "What did not go as it began, a line each.")
       .def_readonly("validation_messages", &Report::validation_messages)
       .def(pickles<Report>());

@@ -210,6 +210,9 @@ class Backend {
   /// read: software devices, and those without timestamps.
   [[nodiscard]] virtual double deviceSeconds() const { return -1; }
 
+  /// The pipelines that were made since the last call.
+  virtual std::vector<PipelineTime> pipelinesMade() { return {}; }
+
   /// What the validation layers said since the last call.
   virtual std::vector<std::string> validationMessages() { return {}; }
 };

@@ -39,6 +39,7 @@ class ForwardingBackend : public Backend {
     return real_.compute(operands, out);
   }
   [[nodiscard]] double deviceSeconds() const override { return real_.deviceSeconds(); }
+  std::vector<PipelineTime> pipelinesMade() override { return real_.pipelinesMade(); }
   std::vector<std::string> validationMessages() override { return real_.validationMessages(); }
 
  private:

@@ -6,6 +6,7 @@
 #include <exception>
 #include <new>
 
+#include "bench/measured/driver_threads.h"
 #include "cli/commands/command.h"
 #include "cli/kept_memory.h"
 #include "cli/manual/examples.h"

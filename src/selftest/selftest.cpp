@@ -80,6 +80,7 @@ BackendOptions optionsOf(SelftestDevice& device, const SelftestOptions& options)
   opened.device = std::to_string(device.index);
   opened.threads = options.threads;
   opened.mask = options.mask;
+  opened.waiting = options.waiting;
   if (!device.info.backend.starts_with("vulkan")) return opened;
   opened.validation = true;
   const auto with = Session::open(opened);

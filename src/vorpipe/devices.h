@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -25,12 +27,16 @@ std::vector<std::string> backendNames();
 std::vector<std::string> featureNames();
 std::vector<std::string> limitNames();
 
+/// Called from any thread with what a run has been waiting for, for seconds: one line.
+using Waiting = std::function<void(std::string_view what)>;
+
 struct BackendOptions {
   std::string name = "auto";  ///< auto, vulkan, vulkan-geometry, vulkan-compute, opengl, cpu
   std::string device;         ///< empty: the best; else an index or a part of a name, as devices() lists
   int threads = 0;            ///< CPU threads; 0: all
   Mask mask;
   bool validation = false;  ///< Vulkan validation layers, core and synchronization
+  Waiting waiting{};        ///< null: nobody is told
 };
 
 /// One device of one backend, usable or not.

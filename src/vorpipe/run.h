@@ -36,6 +36,12 @@ struct Times {
   double order = -1, upload = -1, search = -1, cells = -1, draw = -1, download = -1;
 };
 
+/// A pipeline of shaders, and how long the device's driver took to make it.
+struct PipelineTime {
+  std::string name;  ///< of the module that does the work, as in "neighbors_grid_fast"
+  double milliseconds = 0;
+};
+
 /// What a run did, for --stats.
 struct Report {
   std::string backend, device, driver;
@@ -50,6 +56,7 @@ struct Report {
   /// Pixels that no cell of the device covered, and that got their nearest site in double.
   std::uint64_t pixels = 0;
   Times time_ms;
+  std::vector<PipelineTime> pipelines;  ///< that this run was the first to need, in the order of their making
   /// What did not go as it began, a line each: a device refused memory and got less at a time, or failed, and
   /// the next one took over. `backend` and `device` are those that the result is from.
   std::vector<std::string> notes;

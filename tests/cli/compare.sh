@@ -63,6 +63,8 @@ fails 2 "diff of one file" "B" diff out/a.npy
 if [ -n "${VORPIPE_EXPECTED_BACKENDS:-}" ]; then
   succeeds "a named device beside cpu" compare --backends vulkan-compute,cpu --device llvmpipe --sites random:50 \
     --size 50
+  fails 3 "a device that is none" "nope" compare --backends cpu,vulkan-compute --device nope --sites random:50 \
+    --report out/old.json
 else
   skipped "a named device beside cpu" "the software drivers are not installed"
 fi

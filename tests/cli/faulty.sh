@@ -80,6 +80,28 @@ for backend in vulkan-compute vulkan-geometry; do
   notes "at a time"
 done
 
+# -- A driver that compiles for long --------------------------------------------------------------------
+compileFor() {
+  "$vorpipe" cells --backend vulkan-compute --sites random:10 -o out/slow.csv >log/out 2>log/err </dev/null &
+  local pid=$! tries
+  for ((tries = 0; tries < 300; tries++)); do
+    if grep -q compiling log/err; then break; fi
+    sleep 0.1
+  done
+  kill -INT "$pid"
+  wait "$pid"
+  code=$?
+}
+name="a wait that is said, and ended by Ctrl-C" cases=$((cases + 1))
+started=$SECONDS
+faulty COMPILES_FOR=120 -- compileFor
+[ "$code" -eq 130 ] || fail "exit code $code, not 130"
+[ $((SECONDS - started)) -lt 100 ] || fail "it waited for the driver"
+head -1 log/err | grep -q '^vorpipe: note: the driver of .* has been compiling the shader polygon_vert for 3 s' ||
+  fail "the wait is not said"
+[ "$(tail -n +2 log/err)" = "vorpipe: interrupted" ] || fail "more is said"
+[ -e out/slow.csv ] && fail "a file was written"
+
 # -- Few sub-pixel bits ---------------------------------------------------------------------------------
 name="few sub-pixel bits" cases=$((cases + 1))
 faulty SUBPIXEL_BITS=4 -- run 0 devices

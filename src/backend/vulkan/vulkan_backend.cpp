@@ -27,6 +27,7 @@ Result<vulkan::Physical> chooseDevice(const vulkan::Instance& instance, const Ba
   if (device && drivers == Drivers::hardware && device->info.type == "cpu") {
     return vulkan::deviceError(device->info.name + " is a software driver");
   }
+  if (device) device->waiting = options.waiting;
   return device;
 }
 

@@ -274,7 +274,7 @@ void addBench(CommandLine& line) {
   addAnyFile(options, "--json", command->json, {".json"}, "every figure with all its samples, in JSON");
   addAnyFile(options, "--markdown", command->markdown, {".md"}, "what is printed, in a file");
   addFile(options, "--plot", command->plot, ".svg", "the curves");
-  addTalkOptions(options, command->talk);
+  addTalkOptions(options, command->talk, command->backend.waiting);
 }
 
 }  // namespace vorpipe::cli

@@ -319,7 +319,7 @@ void addCells(CommandLine& line) {
       "verifies areas, neighbors, polygons and nearest sites; exit code 1 if a promise is broken");
   options.group("Output");
   addStats(options, command->stats);
-  addTalkOptions(options, command->talk);
+  addTalkOptions(options, command->talk, command->backend.waiting);
 }
 
 }  // namespace vorpipe::cli

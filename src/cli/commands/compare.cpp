@@ -236,7 +236,7 @@ void addCompare(CommandLine& line) {
   options.addFlag(
       "--check", command->check,
       "verifies what render and cells verify, of each backend; exit code 1 if a promise is broken");
-  addTalkOptions(options, command->talk);
+  addTalkOptions(options, command->talk, command->backend.waiting);
 }
 
 }  // namespace vorpipe::cli

@@ -289,7 +289,7 @@ void addFluid(CommandLine& line) {
   addRunOptions(options, command->backend, command->memory_limit);
   options.group("Output");
   addStats(options, command->targets.stats);
-  addTalkOptions(options, command->talk);
+  addTalkOptions(options, command->talk, command->backend.waiting);
 }
 
 }  // namespace vorpipe::cli

@@ -196,7 +196,7 @@ void addRender(CommandLine& line) {
                   "a promise is broken");
   options.group("Output");
   addStats(options, command->stats);
-  addTalkOptions(options, command->talk);
+  addTalkOptions(options, command->talk, command->backend.waiting);
 }
 
 }  // namespace vorpipe::cli

@@ -101,7 +101,7 @@ void addSelftest(CommandLine& line) {
   options.group("Output");
   addAnyFile(options, "--json", command->json, {".json"},
              "everything that was found, with each scene: what a bug report wants");
-  addTalkOptions(options, command->talk);
+  addTalkOptions(options, command->talk, wanted.waiting);
 }
 
 }  // namespace vorpipe::cli

@@ -265,7 +265,7 @@ void addTransport(CommandLine& line) {
   addRunOptions(options, command->backend, command->memory_limit);
   options.group("Output");
   addStats(options, command->stats);
-  addTalkOptions(options, command->talk);
+  addTalkOptions(options, command->talk, command->backend.waiting);
 }
 
 }  // namespace vorpipe::cli

@@ -269,7 +269,7 @@ void addView(CommandLine& line) {
   addBackendChoice(options, command->backend);
   addSearchOptions(options, command->picture.render.search);
   addRunOptions(options, command->backend, command->memory_limit);
-  addTalkOptions(options, command->talk);
+  addTalkOptions(options, command->talk, command->backend.waiting);
 }
 
 }  // namespace vorpipe::cli

@@ -9,6 +9,7 @@
 
 #include "cli/options/domain_options.h"
 #include "cli/options/reading_options.h"
+#include "cli/terminal/error_line.h"
 #include "io/sites/site_source.h"
 #include "io/sites/sites_file.h"
 #include "io/text/lower_case.h"
@@ -155,6 +156,13 @@ void addTalkOptions(Options& options, TalkOptions& talk) {
   options.group("Run");
   const Option quiet = options.addFlag("--quiet", talk.quiet, "prints nothing but errors");
   options.addFlag("--verbose", talk.verbose, "also says why a backend was taken").excludes(quiet);
+}
+
+void addTalkOptions(Options& options, TalkOptions& talk, Waiting& waiting) {
+  addTalkOptions(options, talk);
+  waiting = [&talk](std::string_view what) {
+    if (!talk.quiet) printNote(what);
+  };
 }
 
 Result<bool> validationAskedByEnvironment() {

@@ -90,6 +90,8 @@ void addSearchOptions(Options& options, SearchOptions& search);
 void addStats(Options& options, std::string& path);
 /// --quiet, --verbose
 void addTalkOptions(Options& options, TalkOptions& talk);
+/// The same; `waiting` becomes a note unless --quiet. It refers to `talk`.
+void addTalkOptions(Options& options, TalkOptions& talk, Waiting& waiting);
 
 /// Whether VORPIPE_VALIDATION turns validation layers on. Error (input): it is neither a yes nor a no.
 Result<bool> validationAskedByEnvironment();

@@ -92,6 +92,7 @@ void addRun(const Report& run, Report& sum) {
   sum.in_double += run.in_double;
   sum.exact += run.exact;
   sum.pixels += run.pixels;
+  sum.pipelines.insert(sum.pipelines.end(), run.pipelines.begin(), run.pipelines.end());
   for (const auto stage :
        {&Times::order, &Times::upload, &Times::search, &Times::cells, &Times::draw, &Times::download}) {
     const double ms = run.time_ms.*stage;

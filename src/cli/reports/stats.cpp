@@ -184,6 +184,9 @@ std::string statsJson(const Stats& stats) {
       {"read", time(stats.input.read_ms)}, {"order", time(times.order)},    {"upload", time(times.upload)},
       {"search", time(times.search)},      {"cells", time(times.cells)},    {"draw", time(times.draw)},
       {"download", time(times.download)},  {"write", time(stats.write_ms)}, {"total", time(stats.total_ms)}};
+  json["pipelines"] = Json::array();
+  for (const PipelineTime& made : report.pipelines)
+    json["pipelines"].push_back({{"name", made.name}, {"time_ms", made.milliseconds}});
   json["forecast_memory_bytes"] = stats.forecast;
   json["peak_memory_bytes"] = peakMemoryBytes();
   return jsonText(json, 2);

@@ -16,12 +16,14 @@ struct Machine {
   const std::uint64_t* uploads = nullptr;
 };
 
-/// Says in a report which device did the work, and what the validation layers said to it.
+/// Says in a report which device did the work, which pipelines it needed, and what the validation layers
+/// said.
 inline void nameDevice(Backend& backend, Report& report) {
   const auto& device = backend.info().device;
   report.backend = device.backend;
   report.device = device.name;
   report.driver = device.driver;
+  for (auto& made : backend.pipelinesMade()) report.pipelines.push_back(std::move(made));
   for (auto& message : backend.validationMessages()) report.validation_messages.push_back(std::move(message));
 }
 

@@ -45,6 +45,7 @@ struct MovingCells::State {
   Result<void> findInBox(const Sites& sites, bool unless_empty);
   Result<void> findPolygons(const Sites& sites);
   void takePolygons(FoundCells cells);
+  void takeReport(Report of_update);
   void weigh(const OwnCorners& cells);
 };
 
@@ -62,11 +63,18 @@ Result<void> MovingCells::State::findInBox(const Sites& sites, bool unless_empty
     return Done{std::move(*made)};
   });
   if (!done) return tl::unexpected(done.error());
-  report = std::move(done->report);
+  takeReport(std::move(done->report));
   if (!found.cells) return {};
   const Prepared& prepared = found.run->prepared;
   weigh({prepared.set, found.cells->rows, Unscale(prepared.exponent), sites, session->threads});
   return {};
+}
+
+/// Of the last update, but for pipelines, which are made once for all.
+void MovingCells::State::takeReport(Report of_update) {
+  auto& made = of_update.pipelines;
+  made.insert(made.begin(), report.pipelines.begin(), report.pipelines.end());
+  report = std::move(of_update);
 }
 
 /// Gives cells their masses under the density.
@@ -88,7 +96,7 @@ Result<void> MovingCells::State::findPolygons(const Sites& sites) {
     return Done{std::move(*made), std::move(made_report)};
   });
   if (!done) return tl::unexpected(done.error());
-  report = std::move(done->report);
+  takeReport(std::move(done->report));
   auto placed = wrapped(sites, options.domain, options.periodic, session->threads);
   if (!placed) return tl::unexpected(placed.error());
   places = std::move(*placed);

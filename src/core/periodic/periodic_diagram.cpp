@@ -65,10 +65,12 @@ class Runs {
     auto found = boxDiagramOn(machine_, *run, imaged.sites, options_);
     if (!found) return tl::unexpected(found.error());
     if (purpose_ == ImagesFor::cells) run.reset();
-    auto messages = std::move(diagram.report.validation_messages);
+    const Report before = std::move(diagram.report);
     diagram = std::move(*found);
     auto& said = diagram.report.validation_messages;
-    said.insert(said.begin(), messages.begin(), messages.end());
+    said.insert(said.begin(), before.validation_messages.begin(), before.validation_messages.end());
+    auto& made = diagram.report.pipelines;
+    made.insert(made.begin(), before.pipelines.begin(), before.pipelines.end());
     addTimes(diagram.report.time_ms, times);
     return {};
   }

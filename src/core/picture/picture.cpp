@@ -51,6 +51,7 @@ void beginReport(const KeptPicture& kept, Report& report) {
   report.in_double = cells.in_double;
   report.exact = cells.exact;
   report.time_ms = cells.time_ms;
+  report.pipelines = cells.pipelines;
   report.validation_messages = cells.validation_messages;
 }
 

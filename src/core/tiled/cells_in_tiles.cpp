@@ -49,6 +49,7 @@ void addReport(const Report& from, Report& to) {
   to.exact += from.exact;
   to.time_ms.upload = std::max(to.time_ms.upload, 0.0) + std::max(from.time_ms.upload, 0.0);
   to.time_ms.search = std::max(to.time_ms.search, 0.0) + std::max(from.time_ms.search, 0.0);
+  to.pipelines.insert(to.pipelines.end(), from.pipelines.begin(), from.pipelines.end());
   to.notes.insert(to.notes.end(), from.notes.begin(), from.notes.end());
   to.validation_messages.insert(to.validation_messages.end(), from.validation_messages.begin(),
                                 from.validation_messages.end());

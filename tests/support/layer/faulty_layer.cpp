@@ -3,10 +3,12 @@
 //   VORPIPE_LAYER_LARGEST_ALLOCATION=N    it refuses allocations of more than N bytes
 //   VORPIPE_LAYER_LOST_AT=K               it is lost at the K-th submission of the process, and stays lost
 //   VORPIPE_LAYER_ALL_LOST=1              from then on all devices are lost
+//   VORPIPE_LAYER_COMPILES_FOR=N          it takes N seconds for the first pipeline of the process
 //   VORPIPE_LAYER_THREADS_FILE=FILE       LP_NUM_THREADS is written to FILE when a device is opened
 #include <vulkan/vk_layer.h>
 #include <vulkan/vulkan.h>
 
+#include <chrono>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -16,6 +18,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <thread>
 
 namespace {
 
@@ -33,6 +36,7 @@ struct NextDevice {
   PFN_vkGetDeviceProcAddr proc;
   PFN_vkAllocateMemory allocate_memory;
   PFN_vkQueueSubmit queue_submit;
+  PFN_vkCreateGraphicsPipelines create_graphics;
 };
 
 std::mutex mutex;
@@ -113,9 +117,10 @@ VKAPI_ATTR VkResult VKAPI_CALL createDevice(VkPhysicalDevice physical, const VkD
   }
   const VkResult result = nextOfInstance(physical).create_device(physical, info, how, device);
   if (result != VK_SUCCESS) return result;
-  NextDevice next{*device, proc, nullptr, nullptr};
+  NextDevice next{*device, proc, nullptr, nullptr, nullptr};
   ask(proc, *device, "vkAllocateMemory", next.allocate_memory);
   ask(proc, *device, "vkQueueSubmit", next.queue_submit);
+  ask(proc, *device, "vkCreateGraphicsPipelines", next.create_graphics);
   const std::lock_guard lock(mutex);
   devices[keyOf(*device)] = next;
   lost.erase(keyOf(*device));
@@ -162,6 +167,17 @@ VKAPI_ATTR VkResult VKAPI_CALL queueSubmit(VkQueue queue, std::uint32_t count, c
   return nextOfDevice(queue).queue_submit(queue, count, infos, fence);
 }
 
+// A backend makes one of these when it is opened.
+VKAPI_ATTR VkResult VKAPI_CALL createGraphics(VkDevice device, VkPipelineCache cache, std::uint32_t count,
+                                              const VkGraphicsPipelineCreateInfo* infos,
+                                              const VkAllocationCallbacks* how, VkPipeline* pipelines) {
+  static std::once_flag first;
+  std::call_once(first, [] {
+    std::this_thread::sleep_for(std::chrono::seconds(setting("VORPIPE_LAYER_COMPILES_FOR", 0)));
+  });
+  return nextOfDevice(device).create_graphics(device, cache, count, infos, how, pipelines);
+}
+
 template <class Function>
 PFN_vkVoidFunction plain(Function function) {
   return reinterpret_cast<PFN_vkVoidFunction>(function);
@@ -174,6 +190,7 @@ PFN_vkVoidFunction ownOfDevice(std::string_view name) {
   if (name == "vkGetDeviceProcAddr") return plain(&deviceProc);
   if (name == "vkAllocateMemory") return plain(&allocateMemory);
   if (name == "vkQueueSubmit") return plain(&queueSubmit);
+  if (name == "vkCreateGraphicsPipelines") return plain(&createGraphics);
   return nullptr;
 }
 

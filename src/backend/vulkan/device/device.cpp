@@ -34,6 +34,7 @@ Result<Device> Device::open(const Physical& physical, std::span<const char* cons
   vkGetPhysicalDeviceMemoryProperties(physical.handle, &device.memory_);
   device.largest_allocation_ = physical.capabilities.max_memory_allocation_size;
   device.unrolled_ = physical.capabilities.unrolled_shaders;
+  device.pipelines_ = std::make_unique<PipelineLog>(physical.info.name, physical.waiting);
   VORPIPE_TRY(device.prepare(physical.queue_family));
   // A software device's timestamps come from its rasterizer, which other work does not pass through; the host
   // waits for such a device while it works, and knows how long that took.
@@ -51,6 +52,7 @@ Device::Device(Device&& other) noexcept
       memory_(other.memory_),
       largest_allocation_(other.largest_allocation_),
       unrolled_(other.unrolled_),
+      pipelines_(std::move(other.pipelines_)),
       queue_(other.queue_),
       pool_(std::move(other.pool_)),
       done_(std::move(other.done_)),

@@ -13,6 +13,7 @@
 #include "backend/vulkan/device/clock.h"
 #include "backend/vulkan/device/handle.h"
 #include "backend/vulkan/device/physical.h"
+#include "backend/vulkan/device/pipeline_log.h"
 #include "vorpipe.h"
 
 namespace vorpipe::vulkan {
@@ -39,6 +40,8 @@ class Device {
   [[nodiscard]] const VkPhysicalDeviceMemoryProperties& memory() const { return memory_; }
   /// Whether it gets shaders with unrolled loops.
   [[nodiscard]] bool unrolled() const { return unrolled_; }
+  /// Every pipeline of the device is made through this.
+  [[nodiscard]] PipelineLog& pipelines() const { return *pipelines_; }
   /// In bytes; what is more need not be asked for.
   [[nodiscard]] std::uint64_t largestAllocation() const { return largest_allocation_; }
 
@@ -58,6 +61,7 @@ class Device {
   VkPhysicalDeviceMemoryProperties memory_{};
   std::uint64_t largest_allocation_ = 0;
   bool unrolled_ = false;
+  std::unique_ptr<PipelineLog> pipelines_;
   VkQueue queue_ = VK_NULL_HANDLE;
   Handle<VkCommandPool> pool_;
   Handle<VkFence> done_;

@@ -150,15 +150,20 @@ class DevicePool final : public Backend {
     return devices_[0]->compute(operands, out);
   }
 
-  std::vector<std::string> validationMessages() override {
-    std::vector<std::string> all;
+  std::vector<PipelineTime> pipelinesMade() override { return ofAll(&Backend::pipelinesMade); }
+  std::vector<std::string> validationMessages() override { return ofAll(&Backend::validationMessages); }
+
+ private:
+  /// What each device has to say, one after the other.
+  template <class Said>
+  std::vector<Said> ofAll(std::vector<Said> (Backend::*said)()) {
+    std::vector<Said> all;
     for (const auto& device : devices_) {
-      for (auto& message : device->validationMessages()) all.push_back(std::move(message));
+      for (Said& one : ((*device).*said)()) all.push_back(std::move(one));
     }
     return all;
   }
 
- private:
   /// Calls work(lane) for the first `count` devices at the same time; returns the first device's error.
   template <class Work>
   Result<void> each(std::size_t count, const Work& work) {

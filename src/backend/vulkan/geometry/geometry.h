@@ -44,6 +44,7 @@ class GeometryBackend final : public Backend {
   Result<void> read(std::span<std::uint32_t> rgba, std::span<std::uint32_t> ids) override;
   Result<void> compute(std::span<const Operands> operands, std::span<Computed> out) override;
   [[nodiscard]] double deviceSeconds() const override { return device_.seconds(); }
+  std::vector<PipelineTime> pipelinesMade() override { return device_.pipelines().take(); }
   std::vector<std::string> validationMessages() override { return instance_.messages().take(); }
 
  private:

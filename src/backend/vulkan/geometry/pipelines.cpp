@@ -205,8 +205,10 @@ Result<Handle<VkPipeline>> Pipelines::build(const Device& device, VkPipelineLayo
   info.layout = layout;
   info.renderPass = stages.pass;
   VkPipeline pipeline = VK_NULL_HANDLE;
-  const VkResult made =
-      device.api().vkCreateGraphicsPipelines(device.handle(), cache_.get(), 1, &info, nullptr, &pipeline);
+  const VkResult made = device.pipelines().time(stages.geometry.name, [&] {
+    return device.api().vkCreateGraphicsPipelines(device.handle(), cache_.get(), 1, &info, nullptr,
+                                                  &pipeline);
+  });
   VORPIPE_TRY(check(made, "vkCreateGraphicsPipelines"));
   return Handle<VkPipeline>(device.handle(), pipeline, device.api().vkDestroyPipeline);
 }

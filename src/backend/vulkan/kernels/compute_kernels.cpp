@@ -27,7 +27,9 @@ Result<Handle<VkPipeline>> build(const Device& device, VkPipelineCache cache, Vk
   const VkSpecializationInfo constants{1, &entry, sizeof(value), &value};
   info.stage.pSpecializationInfo = &constants;
   VkPipeline pipeline = VK_NULL_HANDLE;
-  const VkResult made = api.vkCreateComputePipelines(device.handle(), cache, 1, &info, nullptr, &pipeline);
+  const VkResult made = device.pipelines().time(code.name, [&] {
+    return api.vkCreateComputePipelines(device.handle(), cache, 1, &info, nullptr, &pipeline);
+  });
   VORPIPE_TRY(check(made, "vkCreateComputePipelines"));
   return Handle<VkPipeline>(device.handle(), pipeline, api.vkDestroyPipeline);
 }

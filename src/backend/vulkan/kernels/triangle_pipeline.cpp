@@ -73,8 +73,10 @@ Result<Handle<VkPipeline>> createTrianglePipeline(const Device& device, VkPipeli
   info.layout = layout;
   info.renderPass = pass;
   VkPipeline pipeline = VK_NULL_HANDLE;
-  const VkResult made =
-      device.api().vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr, &pipeline);
+  const VkResult made = device.pipelines().time(parts.vertex.name, [&] {
+    return device.api().vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &info, nullptr,
+                                                  &pipeline);
+  });
   VORPIPE_TRY(check(made, "vkCreateGraphicsPipelines"));
   return Handle<VkPipeline>(device.handle(), pipeline, device.api().vkDestroyPipeline);
 }
