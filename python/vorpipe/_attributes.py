@@ -66,7 +66,9 @@ def objects(values: List[Any]) -> npt.NDArray[Any]:
 
 
 def _add(columns: _vorpipe.Attributes, name: str, given: Any, count: int) -> None:
-    values = np.asarray(given) if hasattr(given, 'dtype') else objects(list(given))
+    # Types of pandas' own become floats in newer versions, where something is missing.
+    is_array = isinstance(getattr(given, 'dtype', None), np.dtype)
+    values = np.asarray(given) if is_array else objects(list(given))
     if values.shape != (count,):
         raise refuse('attributes', f'{name!r} has the shape {values.shape}, must be ({count},): one for each point')
     kind = values.dtype.kind
