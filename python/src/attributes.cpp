@@ -120,7 +120,10 @@ void addReals(Attributes& attributes, const std::string& name, const py::array_t
                  raiseInput("attributes",
                             fmt::format("'{}' of point {} is infinite, which files cannot say", name, i));
                }
-               if (!std::isnan(value)) fmt::format_to(std::back_inserter(text), "{:#}", value);
+               if (std::isnan(value)) return;
+               text = fmt::format("{}", value);
+               // A whole number is of reals, too. fmt's "#" ends it with a bare point since version 10.
+               if (text.find_first_of(".e") == std::string::npos) text += ".0";
              });
 }
 
