@@ -158,6 +158,7 @@ void toDegrees(const Projection& projection, const Sites& degrees, Diagram& diag
   };
   convert(diagram.centroid, ofSite);
   convert(diagram.mass_centroid, ofSite);
+  if (diagram.vertices.empty()) return;
   parallelFor(diagram.size(), places_grain, threadCount(threads), [&](std::size_t begin, std::size_t end) {
     for (auto i = begin; i < end; ++i) core::joinTurns(degrees.x[i], i, diagram);
   });
