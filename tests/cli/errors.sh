@@ -80,7 +80,8 @@ fails 2 "a picture that is no .png" "-o" render --backend cpu --sites random:9 -
 
 # -- Outputs over inputs --------------------------------------------------------------------------------
 mkdir in/own
-printf 'x,y,n\n0,0,1\n1,1,2\n' >in/own/s.csv
+printf 'x,y\n0,0\n1,1\n' >in/own/s.csv
+printf 'x,y,n\n0,0,1\n1,1,2\n' >in/own/m.csv
 ln in/own/s.csv in/own/hard.csv
 ln -s s.csv in/own/link.csv
 printf '1\n2\n' >in/own/w.csv
@@ -88,6 +89,7 @@ printf '{"type":"Polygon","coordinates":[[[-1,-1],[2,-1],[2,2],[-1,2],[-1,-1]]]}
 succeeds "a picture for a density" render --backend cpu --sites random:9 --size 9x9 -o in/own/d.png
 succeeds "ids" render --backend cpu --sites random:9 --size 9x9 --ids in/own/i.npy
 succeeds "a fluid" fluid --backend cpu --case shear --particles 64 --steps 1 --checkpoint in/own/f.npz
+ln in/own/f.npz in/own/f.csv
 before=$(cksum in/own/*)
 while read -r options; do
   fails 2 "$options" "is an input of this run" $options
@@ -100,11 +102,11 @@ cells --backend cpu --sites in/own/s.csv --weights in/own/w.csv -o in/own/w.csv
 cells --backend cpu --sites in/own/s.csv --domain in/own/land.geojson -o in/own/land.geojson
 render --backend cpu --sites in/own/s.csv --domain in/own/land.geojson -o in/own/d.png --stats in/own/land.geojson
 relax --backend cpu --sites in/own/s.csv -o in/own/s.csv
-relax --backend cpu --sites random:9 --density in/own/d.png -o in/own/d.png
+relax --backend cpu --sites random:9 --density in/own/d.png --picture in/own/d.png
 transport --backend cpu --sites in/own/s.csv --masses in/own/w.csv --normalize --save-weights in/own/w.csv
-transport --backend cpu --sites in/own/s.csv --masses @n --normalize --trace in/own/hard.csv
+transport --backend cpu --sites in/own/m.csv --masses @n --normalize --trace in/own/../own/m.csv
 compare --backends cpu,vulkan-compute --sites in/own/s.csv --report in/own/s.csv
-fluid --backend cpu --resume in/own/f.npz --steps 1 -o in/own/f.npz
+fluid --backend cpu --resume in/own/f.npz --steps 1 -o in/own/f.csv
 diff in/own/d.png in/own/d.png -o in/own/d.png
 view --sites in/own/s.csv --density in/own/d.png --screenshot in/own/d.png
 END
@@ -114,6 +116,7 @@ name="standard input"
 grep -q "is an input of this run, read as -, and would be replaced" log/err || fail "standard input is replaced"
 [ "$before" = "$(cksum in/own/*)" ] || fail "an input changed"
 succeeds "a checkpoint goes on in its file" fluid --backend cpu --resume in/own/f.npz --steps 1 --checkpoint in/own/f.npz
+rm -r in/own
 
 # -- Bad files ------------------------------------------------------------------------------------------
 for number in nan inf 1e999 text ""; do

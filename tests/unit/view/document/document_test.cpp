@@ -143,8 +143,10 @@ TEST(Camera, FitsADomainBesideThePanel) {
     EXPECT_NEAR(camera.placeOf({wide.xmax, 0}).x - camera.placeOf({wide.xmin, 0}).x,
                 (1280 - left - right) / 1.04, 1e-9);
     // What is beside it anyway stays in the middle; else it goes no farther than it has to.
-    camera.setDomain(square);
+    camera.setDomain({0, 0, 1, 2});
     EXPECT_NEAR(camera.placeOf({0.5, 0.5}).x, 640, 1e-9);
+    camera.setDomain(square);
+    EXPECT_NEAR(camera.placeOf({0.5, 0.5}).x, 640, 14 + 1e-9);
     camera.resize(1000, 720);
     EXPECT_GE(camera.placeOf({0, 0}).x, left);
     EXPECT_LE(camera.placeOf({1, 0}).x, 1000 - right);
