@@ -170,14 +170,22 @@ struct Members<Times> {
 static_assert(has_all_members<Times>());
 
 template <>
+struct Members<PipelineTime> {
+  static constexpr auto all =
+      named(member("name", &PipelineTime::name), member("milliseconds", &PipelineTime::milliseconds));
+};
+static_assert(has_all_members<PipelineTime>());
+
+template <>
 struct Members<Report> {
-  static constexpr auto all = named(
-      member("backend", &Report::backend), member("device", &Report::device),
-      member("driver", &Report::driver), member("ok", &Report::ok), member("empty", &Report::empty),
-      member("duplicate", &Report::duplicate), member("hidden", &Report::hidden),
-      member("retried", &Report::retried), member("in_double", &Report::in_double),
-      member("exact", &Report::exact), member("pixels", &Report::pixels), member("time_ms", &Report::time_ms),
-      member("notes", &Report::notes), member("validation_messages", &Report::validation_messages));
+  static constexpr auto all =
+      named(member("backend", &Report::backend), member("device", &Report::device),
+            member("driver", &Report::driver), member("ok", &Report::ok), member("empty", &Report::empty),
+            member("duplicate", &Report::duplicate), member("hidden", &Report::hidden),
+            member("retried", &Report::retried), member("in_double", &Report::in_double),
+            member("exact", &Report::exact), member("pixels", &Report::pixels),
+            member("time_ms", &Report::time_ms), member("pipelines", &Report::pipelines),
+            member("notes", &Report::notes), member("validation_messages", &Report::validation_messages));
 };
 static_assert(has_all_members<Report>());
 

@@ -60,7 +60,7 @@ void fuzzDensity(std::string_view bytes, std::string_view extension) {
   const auto density = readDensity(path);
   if (!density) return requireTold(density.error(), path);
   requirePixels(density->density.values.size(), density->density.width, density->density.height);
-  for (const double value : density->values)
+  for (const double value : density->density.values)
     require(std::isfinite(value) && value >= 0, "a density is 0 or more");
 }
 

@@ -127,6 +127,7 @@ static void patterns_that_moved(vorpipe_session* session) {
   vorpipe_input_free(input);
 }
 
+#ifndef HEADER_OF_0_1
 /* An outline in another system than the sites, and a density with a place. */
 static void systems_and_places(vorpipe_session* session) {
   const double x[] = {1, 2, 3}, y[] = {1, 2, 1}, corners[] = {0, 0, 4, 0, 4, 2, 0, 2};
@@ -166,6 +167,7 @@ static void systems_and_places(vorpipe_session* session) {
   vorpipe_diagram_free(cells);
   vorpipe_input_free(input);
 }
+#endif
 
 /* Weights and sites out of files; the default domain is the box of the sites, grown by 5 %. */
 static void files(vorpipe_session* session) {
@@ -190,6 +192,8 @@ void input_promises(vorpipe_session* session) {
   outlines(session);
   domains_of_moved(session);
   patterns_that_moved(session);
+#ifndef HEADER_OF_0_1
   systems_and_places(session);
+#endif
   files(session);
 }
