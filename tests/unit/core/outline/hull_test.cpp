@@ -37,14 +37,29 @@ TEST(Hull, growsByItsMarginOnEverySide) {
   EXPECT_DOUBLE_EQ(box.ymax, 1.5);
 }
 
-TEST(Hull, ofSitesOnALineThereIsNone) {
-  for (const Sites& sites : {Sites{{1}, {1}, {}}, Sites{{1, 2}, {1, 2}, {}}, Sites{{1, 2, 3}, {1, 2, 3}, {}},
-                             Sites{{5, 5, 5, 5}, {5, 5, 5, 5}, {}}}) {
+TEST(Hull, ofSitesOnALineTakesAMargin) {
+  for (const Sites& sites : {Sites{{1, 2}, {1, 2}, {}}, Sites{{1, 2, 3}, {1, 2, 3}, {}}}) {
+    const auto line = hullOf(sites, 0);
+    ASSERT_FALSE(line);
+    EXPECT_EQ(line.error().subject, Subject::outline);
+    EXPECT_THAT(line.error().message, testing::HasSubstr("no area"));
+    const auto grown = hullOf(sites, 1);
+    ASSERT_TRUE(grown) << grown.error().message;
+    const double length = std::hypot(sites.x.back() - sites.x.front(), sites.y.back() - sites.y.front());
+    EXPECT_NEAR(std::abs(ringArea(grown->points)), 2 * (length + 2), 1e-12);
+  }
+}
+
+TEST(Hull, inOnePlaceThereIsNone) {
+  for (const Sites& sites : {Sites{{1}, {1}, {}}, Sites{{5, 5, 5, 5}, {5, 5, 5, 5}, {}}}) {
     const auto hull = hullOf(sites, 1);
     ASSERT_FALSE(hull);
     EXPECT_EQ(hull.error().subject, Subject::outline);
     EXPECT_THAT(hull.error().message, testing::HasSubstr("no area"));
   }
+}
+
+TEST(Hull, isRefusedWhereNumbersAreNone) {
   EXPECT_FALSE(hullOf(Sites{{0, 1, 0}, {0, 0, 1}, {}}, -1));
   EXPECT_FALSE(hullOf(Sites{{0, 1, std::nan("")}, {0, 0, 1}, {}}, 0));
 }
