@@ -61,12 +61,12 @@ function(vorpipe_read_rooms folder all_may)
   set(may_include ${may_include} PARENT_SCOPE)
 endfunction()
 vorpipe_read_rooms(
-  core "vorpipe(/(free_surface|shapes|tiled))?\\.h|base/.*|geos\\.h|backend/(backend|collect|device_needs|exact_tier|forwarding_backend|precision|registry/registry|tie)\\.h")
+  core "vorpipe(/(free_surface|patterns|shapes|tiled))?\\.h|base/.*|geos\\.h|backend/(backend|collect|device_needs|exact_tier|forwarding_backend|precision|registry/registry|tie)\\.h")
 vorpipe_read_rooms(backend/cpu "vorpipe\\.h|base/.*|backend/[^/]*\\.h|(layout|bins|cell|grid|list)\\.glsl")
 vorpipe_read_rooms(backend/vulkan "vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl|shaders\\.h")
 vorpipe_read_rooms(backend/opengl "vorpipe\\.h|base/.*|backend/[^/]*\\.h|layout\\.glsl|shaders\\.h")
 vorpipe_read_rooms(moving "vorpipe\\.h|vorpipe/(fluid|free_surface|masses|stipple)\\.h|base/.*|core/outline/edge_tree\\.h")
-vorpipe_read_rooms(io "vorpipe(/(fluid|free_surface|shapes|tiled))?\\.h|geos\\.h|base/parallel\\.h")
+vorpipe_read_rooms(io "vorpipe(/(fluid|free_surface|patterns|shapes|tiled))?\\.h|geos\\.h|base/parallel\\.h")
 vorpipe_read_rooms(
   bench "vorpipe\\.h|base/.*|io/(text/json_text|sites/site_source)\\.h|core/(cells/cells_run|picture/picture)\\.h|backend/(backend|exact_tier|forwarding_backend|registry/registry)\\.h")
 vorpipe_read_rooms(

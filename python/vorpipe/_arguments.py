@@ -79,6 +79,8 @@ def box_of(value: Any, argument: str = 'domain') -> Optional[Tuple[float, float,
     if isinstance(value, str):
         either = 'neither "hull" nor' if argument == 'domain' else 'not'
         raise refuse(argument, f'{value!r} is {either} 4 numbers: xmin, ymin, xmax, ymax')
+    if hasattr(value, '__geo_interface__'):
+        raise refuse(argument, f'a {type(value).__name__} is no box: a shape to clip cells to is an outline')
     array = numbers(argument, value)
     if array.shape != (4,):
         raise refuse(argument, f'shape {array.shape}, must be 4 numbers: xmin, ymin, xmax, ymax')

@@ -195,7 +195,9 @@ def _places_of(geometries: Any) -> Tuple[_arguments.Floats, List[int]]:
 
 def _points_in(geometry: Any, row: int) -> List[Tuple[float, float]]:
     """Points and MultiPoints; x and y of each."""
-    if getattr(geometry, 'geom_type', '') == 'Point' and not geometry.is_empty:
+    if getattr(geometry, 'is_empty', False):
+        return []
+    if getattr(geometry, 'geom_type', '') == 'Point':
         return [(geometry.x, geometry.y)]
     shape = geometry if isinstance(geometry, Mapping) else geometry.__geo_interface__
     kind = shape['type']

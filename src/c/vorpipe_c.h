@@ -182,8 +182,8 @@ typedef struct vorpipe_outline {
 
 /* Sites of the caller's; or of a file or generator, as the program's --sites names it: "stations.csv",
  * "random:1000" with `seed`. The domain is the box of the sites, grown on every side by 5 % of its longer
- * side; that of a generator is the unit square. Setting a box has a generator fill it: of lattices that may be
- * another number of sites. */
+ * side; that of a generator is the unit square. Setting a box has a generator fill it: of lattices that may
+ * be another number of sites. */
 VORPIPE_API vorpipe_code vorpipe_input_create(const vorpipe_sites* sites, vorpipe_input** input);
 VORPIPE_API vorpipe_code vorpipe_input_read(const char* sites, uint64_t seed, vorpipe_input** input);
 VORPIPE_API void vorpipe_input_free(vorpipe_input* input);

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <new>
 
-#include "bench/measured/driver_threads.h"
 #include "cli/commands/command.h"
 #include "cli/kept_memory.h"
 #include "cli/manual/examples.h"
@@ -38,14 +36,6 @@ int afterOutput(int code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
   printError("standard output: writing failed");
   return exit_device;
-}
-
-/// Where LP_NATIVE_VECTOR_WIDTH sets the lanes of Mesa's software drivers, keeps these from their cache of
-/// machine code, unless the user decides about that: they look things up there whatever the lanes, and code
-/// for eight lanes writes past the end of vertices for four (decision D122).
-void keepLanesApart() {
-  constexpr int keep = 0;
-  if (std::getenv("LP_NATIVE_VECTOR_WIDTH") != nullptr) setenv("MESA_SHADER_CACHE_DISABLE", "true", keep);
 }
 
 int runSubcommand(const Run& run, const Invocation& how) {
@@ -85,7 +75,6 @@ int parseAndRun(int count, char** arguments) {
 int main(int count, char** arguments) {
   using namespace vorpipe::cli;
   vorpipe::keepFreedMemory();
-  keepLanesApart();
   try {
     openStandardStreams();
     endOnSignals();

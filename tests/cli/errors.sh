@@ -102,6 +102,7 @@ cells --backend cpu --sites in/own/s.csv --weights in/own/w.csv -o in/own/w.csv
 cells --backend cpu --sites in/own/s.csv --domain in/own/land.geojson -o in/own/land.geojson
 render --backend cpu --sites in/own/s.csv --domain in/own/land.geojson -o in/own/d.png --stats in/own/land.geojson
 relax --backend cpu --sites in/own/s.csv -o in/own/s.csv
+fluid --backend cpu --case in/own/f.npz --steps 1 --checkpoint in/own/f.npz
 relax --backend cpu --sites random:9 --density in/own/d.png --picture in/own/d.png
 transport --backend cpu --sites in/own/s.csv --masses in/own/w.csv --normalize --save-weights in/own/w.csv
 transport --backend cpu --sites in/own/m.csv --masses @n --normalize --trace in/own/../own/m.csv

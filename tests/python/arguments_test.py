@@ -1,5 +1,6 @@
 """What is taken, and what is refused with the argument's name."""
 import pickle
+import types
 
 import numpy as np
 import pytest
@@ -64,6 +65,7 @@ WRONG = [
     ('weights', r'shape \(2,\), must be \(3,\)', {'weights': [1, 2]}),
     ('weights', 'not finite', {'weights': [1, 2, np.nan]}),
     ('domain', 'must be 4 numbers', {'domain': (0, 1)}),
+    ('domain', 'is an outline', {'domain': types.SimpleNamespace(__geo_interface__={})}),
     ('domain', '', {'domain': (1, 0, 0, 1)}),
     ('domain', 'a domain that repeats must be named', {'periodic': 'x'}),
     ('periodic', "'z' is none of none, x, y, xy", {'periodic': 'z', 'domain': (0, 0, 1, 1)}),

@@ -262,3 +262,10 @@ def test_one_place_is_located_as_one_number():
         diagram.locate((1, 2, 3))
     with pytest.raises(vorpipe.InputError, match='^places: geometry 0 is a Polygon'):
         diagram.locate([Shape('Polygon', [CITIES])])
+
+
+def test_a_geometry_without_a_place_is_refused_by_its_row():
+    shapely = pytest.importorskip('shapely.geometry')
+    geopandas = pytest.importorskip('geopandas')
+    with pytest.raises(vorpipe.InputError, match='geometry 1 has no place'):
+        vorpipe.cells(geopandas.GeoSeries([shapely.Point(1, 2), shapely.Point(), shapely.Point(2, 3)]))

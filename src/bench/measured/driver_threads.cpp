@@ -21,6 +21,10 @@ int threadsFor(int processors) {
 }  // namespace
 
 void setDriverThreads(int processors) {
+  // Decision D122. Drivers look machine code up in their cache whatever its lanes, and code for eight lanes
+  // writes past the end of vertices for four.
+  constexpr int keep = 0;
+  if (std::getenv("LP_NATIVE_VECTOR_WIDTH") != nullptr) setenv("MESA_SHADER_CACHE_DISABLE", "true", keep);
   static const bool is_users = std::getenv(variable) != nullptr;
   constexpr int replace = 1;
   if (!is_users) setenv(variable, std::to_string(threadsFor(processors)).c_str(), replace);

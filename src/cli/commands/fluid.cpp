@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <span>
+#include <string>
 
 #include "base/stopwatch.h"
 #include "bench/measured/driver_threads.h"
@@ -244,6 +246,12 @@ Result<ExitCode> fluid(FluidCommand& command, const Invocation& how) {
   auto files = openOutputs(command.targets.paths());
   if (!files) return tl::unexpected(std::move(files.error()));
   if (auto apart = checkApart(command.targets, *files); !apart) return tl::unexpected(apart.error());
+  // What is resumed from may be where the checkpoints go.
+  if (command.choices.resume.empty()) {
+    for (const std::string& path : {command.targets.checkpoint, command.targets.trace}) {
+      if (auto apart = checkNotRead(std::span(&path, 1)); !apart) return tl::unexpected(apart.error());
+    }
+  }
   awaitResultOnSignals();
   auto session = Session::open(command.backend);
   if (!session) return tl::unexpected(std::move(session.error()));

@@ -89,7 +89,10 @@ std::string nameOf(const CoordinateSystem& system) {
 SystemsAre compared(const CoordinateSystem& a, const CoordinateSystem& b) {
   using enum SystemsAre;
   const auto unknown = CoordinateKind::unknown;
-  if (a.kind != b.kind && a.kind != unknown && b.kind != unknown) return different;
+  if (a.kind != b.kind && a.kind != unknown && b.kind != unknown) {
+    // A plane without a name may be that of the other: files of degrees are written of any coordinates.
+    return hasName(a.kind == CoordinateKind::plane ? a : b) ? different : unclear;
+  }
   if (!hasName(a) || !hasName(b)) return one;
   if (hasCode(a) && hasCode(b)) {
     if (usualCode(a.code) == usualCode(b.code)) return one;

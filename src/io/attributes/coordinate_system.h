@@ -50,7 +50,7 @@ std::string nameOf(const CoordinateSystem& system);
 enum class SystemsAre : std::uint8_t {
   one,      ///< the same, or nothing says otherwise
   near,     ///< degrees that are within some two meters of each other
-  unclear,  ///< planes with names that cannot be compared without a database of all systems
+  unclear,  ///< planes without names, or with some that only a database of all systems can compare
   different
 };
 SystemsAre compared(const CoordinateSystem& a, const CoordinateSystem& b);

@@ -35,8 +35,8 @@ std::string upperCase(std::string text) {
 /// Whether a column of this type holds bytes: further geometries do, whose types have the names of theirs.
 bool isBinary(const std::string& type) {
   constexpr std::array<std::string_view, 11> geometries = {
-      "POINT",      "LINESTRING",    "POLYGON",      "MULTIPOINT", "MULTILINESTRING", "MULTIPOLYGON",
-      "MULTICURVE", "CURVEPOLYGON",  "MULTISURFACE", "CURVE",      "SURFACE"};
+      "POINT",      "LINESTRING",   "POLYGON",      "MULTIPOINT", "MULTILINESTRING", "MULTIPOLYGON",
+      "MULTICURVE", "CURVEPOLYGON", "MULTISURFACE", "CURVE",      "SURFACE"};
   return type.empty() || type.starts_with("BLOB") || type.find("GEOM") != std::string::npos ||
          std::ranges::find(geometries, type) != geometries.end();
 }
@@ -178,8 +178,7 @@ Result<void> FeatureLayer::chooseLayer(const std::string& name, LayerOf kind) {
   }
   if (chosen.size() > 1) {
     return inputError(fmt::format("{}: has several layers of {}: {}; {} says which", path_, what,
-                                  listed(chosen),
-                                  kind == LayerOf::points ? "--layer" : "--domain-layer"));
+                                  listed(chosen), kind == LayerOf::points ? "--layer" : "--domain-layer"));
   }
   name_ = chosen[0].name;
   geometry_column_ = chosen[0].geometry_column;

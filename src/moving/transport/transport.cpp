@@ -84,7 +84,8 @@ Result<Transported> transport(Session& session, Sites sites, const TransportOpti
     done.cost = costOf(at, moments, session.threads());
     done.cells = back(order, moments);
   }
-  done.sites = std::move(*places);
+  // Along periodic axes places are rounded; sites stay where the caller has them.
+  done.sites = std::move(options.periodic == Periodic::none ? *places : sites);
   done.sites.weight = back(order, at.weight);
   return done;
 }

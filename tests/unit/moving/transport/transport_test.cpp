@@ -264,6 +264,7 @@ TEST(Transport, sitesBeyondAWallOfTheAxisThatDoesNotRepeatGetTheirShares) {
                              Sites{{0.1, 1.2, 2.9, 2.9}, {-3, -3.5, 0.2, 0.21}, {}}}) {
     const Transported done = transported(sites, options);
     EXPECT_EQ(done.end, TransportEnd::converged);
+    EXPECT_EQ(done.sites.x, sites.x);
     const double share = 1.5 / static_cast<double>(sites.size());
     EXPECT_LE(worstOf(done.cells.mass, std::vector<double>(sites.size(), share)), 1e-9);
   }
