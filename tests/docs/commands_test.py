@@ -41,6 +41,7 @@ NOT_RUN = {
     'VORPIPE_TEST_DATA=~/sites ./test -R real': 'it is what runs this',
     'build/dev/tests/fuzz/fuzz_replay build/fuzz/corpus 200 cells': 'the inputs are those that libFuzzer has found',
     'tests/fuzz/run.sh --seconds 3600': 'it takes hours, and a compiler of its own; the test fuzz runs the targets',
+    'tests/aarch64/run.sh': 'it takes an hour',
     './run bench': 'it takes minutes; the test cli_bench runs each table',
     './run bench all --json all.json --plot all.svg': 'it takes an hour; the test cli_bench runs each table',
     './run selftest --quick': SELFTEST,
