@@ -16,7 +16,7 @@ install(EXPORT vorpipe NAMESPACE vorpipe:: FILE vorpipe-targets.cmake DESTINATIO
 configure_package_config_file(src/package/vorpipe-config.cmake.in package/vorpipe-config.cmake
                               INSTALL_DESTINATION ${vorpipe_cmake_dir})
 # Versions with the same SONAME.
-write_basic_package_version_file(package/vorpipe-config-version.cmake COMPATIBILITY SameMinorVersion)
+write_basic_package_version_file(package/vorpipe-config-version.cmake COMPATIBILITY SameMajorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/package/vorpipe-config.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/package/vorpipe-config-version.cmake
         DESTINATION ${vorpipe_cmake_dir} COMPONENT development)

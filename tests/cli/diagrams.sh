@@ -79,7 +79,7 @@ printf 'x,y\n0,0.5\n0.99999999999999,0.5\n' >in/seam.csv
 succeeds "sites beside each other across the border" cells --backend cpu --sites in/seam.csv --domain 0,0,1,1 --periodic x --check --stats out/p.json
 printf 'x,y\n.13,.93\n.85,.22\n.76,.41\n.51,.88\n.06,.67\n' >in/five.csv
 for periodic in "" "--periodic x" "--periodic y" "--periodic xy"; do
-  succeeds "a domain as narrow as ties '$periodic'" cells --backend cpu --sites in/five.csv --domain 0,0,1,1e-9 $periodic --check --stats out/p.json
+  succeeds "a domain as narrow as ties '$periodic'" cells --quiet --backend cpu --sites in/five.csv --domain 0,0,1,1e-9 $periodic --check --stats out/p.json
 done
 for sites in random:1 random:2 random:5 square:4; do
   succeeds "periodic, $sites" cells --backend cpu --sites $sites --periodic xy --check --stats out/p.json
@@ -143,14 +143,14 @@ np.save("in/tall.npy", np.ones((300000, 1), dtype=np.uint8))
 np.save("in/line.npy", np.ones(5))
 np.save("in/negative.npy", -np.ones((2, 2)))
 np.save("in/nan.npy", np.full((2, 2), np.nan))'
-  succeeds "a density" cells --backend cpu --sites random:300 --density in/density.npy --check -o out/m.csv -o out/m.npz --stats out/m.json
+  succeeds "a density" cells --quiet --backend cpu --sites random:300 --density in/density.npy --check -o out/m.csv -o out/m.npz --stats out/m.json
   head -n 1 out/m.csv | grep -q ',neighbors,mass,mass_centroid_x,mass_centroid_y$' || fail "no columns of the mass"
   grep -Eq '"mass_sum": (5\.5|5\.50000000000|5\.49999999999)' out/m.json || fail "mass_sum is not 5.5: $(grep mass_sum out/m.json)"
   succeeds "a density of 1" cells --backend cpu --sites random:300 --density in/one.npy --check -o out/m.csv
   awk -F, 'NR > 1 && ($6 - $12 > 1e-12 || $12 - $6 > 1e-12) { bad = 1 } END { exit bad }' out/m.csv || fail "the mass is not the area"
   succeeds "a density with weights in an outline" cells --backend cpu --sites random:300 --random-weights 0,0.01 --domain in/hole.wkt --density in/one.npy --check --stats out/m.json
   grep -Eq '"mass_sum": (0\.84|0\.840000000000|0\.839999999999)' out/m.json || fail "mass_sum is not 0.84: $(grep mass_sum out/m.json)"
-  succeeds "a density of many rows" cells --backend cpu --sites square:1 --density in/tall.npy --check --stats out/m.json
+  succeeds "a density of many rows" cells --quiet --backend cpu --sites square:1 --density in/tall.npy --check --stats out/m.json
   grep -Eq '"mass_sum": (1\.0|0\.9999999999)' out/m.json || fail "mass_sum is not 1: $(grep mass_sum out/m.json)"
   for file in line.npy negative.npy nan.npy; do
     fails 2 "a density, $file" "--density: in/$file" cells --backend cpu --sites random:9 --density in/$file -o out/old.csv
@@ -158,7 +158,7 @@ np.save("in/nan.npy", np.full((2, 2), np.nan))'
 else
   skipped "densities of .npy" "there is no python3 with NumPy"
 fi
-succeeds "a picture as density" cells --backend cpu --sites random:300 --density out/a.png --check --stats out/m.json
+succeeds "a picture as density" cells --quiet --backend cpu --sites random:300 --density out/a.png --check --stats out/m.json
 fails 2 "a missing density" "--density: in/missing.png" cells --backend cpu --sites random:9 --density in/missing.png -o out/old.csv
 fails 2 "a density of an unknown kind" "--density: in/good.csv" cells --backend cpu --sites random:9 --density in/good.csv -o out/old.csv
 fails 2 "a damaged density" "--density: in/text.png" cells --backend cpu --sites random:9 --density in/text.png -o out/old.csv

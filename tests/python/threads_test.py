@@ -189,7 +189,7 @@ def test_the_self_test_runs_and_can_be_stopped():
 def test_modules_for_helpers_are_imported_when_they_are_used():
     ended = run('''
         import sys
-        import vorpipe, vorpipe.compat
+        import vorpipe
         vorpipe.cells([[0, 0], [1, 1]])
         print([name for name in ('scipy', 'matplotlib', 'shapely', 'geopandas', 'pandas') if name in sys.modules])
     ''')

@@ -123,7 +123,7 @@ Result<void> NpzFile::add(std::string_view name, std::string_view array) {
   const std::size_t begin = npy_magic.size() + 2 + length_size;
   const std::size_t length = numberAt(array, npy_magic.size() + 2, length_size);
   if (length > array.size() - begin) return broken();
-  auto header = parseNpyHeader(array.substr(begin, length), fmt::format("{}: {}", name_, name));
+  auto header = parseNpyHeader(array.substr(begin, length), fmt::format("{}: {}", name_, printable(name)));
   if (!header) return tl::unexpected(std::move(header.error()));
   const std::string_view elements = array.substr(begin + length);
   if (dataBytes(*header) != elements.size()) return broken();
