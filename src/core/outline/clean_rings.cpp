@@ -32,6 +32,25 @@ bool comesFirst(Point a, Point p, Point b, Point c) {
   return of_b != of_c ? of_b < of_c : orientation(p, b, c) < 0;
 }
 
+/// Whether a closed walk goes counter-clockwise; one to a point and back is a shell without width. Ties may
+/// have turned the tip of a narrow cell around, so that it crosses itself: then the area tells, and no corner
+/// does.
+bool isShell(std::span<const Point> walk) {
+  if (walk.size() < 3) return true;
+  const Point origin = walk.front();
+  Point a = walk.back();
+  double area = 0, terms = 0;
+  for (const Point b : walk) {
+    const double left = (a.x - origin.x) * (b.y - origin.y), right = (a.y - origin.y) * (b.x - origin.x);
+    area += left - right;
+    terms += std::abs(left) + std::abs(right);
+    a = b;
+  }
+  const auto steps = static_cast<double>(walk.size() + 8);
+  if (std::abs(area) > steps * std::numeric_limits<double>::epsilon() * terms) return area > 0;
+  return isCounterClockwise(walk);
+}
+
 struct Loop {
   std::vector<std::uint32_t> edges;
   std::vector<Point> points;  ///< where they begin
@@ -71,7 +90,15 @@ class RingTracer {
     }
   }
 
-  /// Of edges with the same two ends keeps as many as run more often one way than the other.
+  /// Whether two edges with the same ends are a cell, or a part of one, that ties have left no width: it lies
+  /// between two others, which have edges with it and not with each other.
+  [[nodiscard]] bool areApart(std::uint32_t e, std::uint32_t f) const {
+    const auto a = cell_.neighbors[e], b = cell_.neighbors[f];
+    return a >= 0 && b >= 0 && a != b;
+  }
+
+  /// Of edges with the same two ends keeps as many as run more often one way than the other, and two that are
+  /// apart.
   void dropOpposites() {
     std::vector<std::uint32_t> order(ends_.size());
     for (std::uint32_t e = 0; e < order.size(); ++e) order[e] = e;
@@ -84,6 +111,8 @@ class RingTracer {
       const auto last = std::find_if(first, order.end(), [&](auto e) { return key(e) != key(*first); });
       const auto middle = std::find_if(first, last, forward);  // those before it run backward
       const auto backward_count = middle - first, forward_count = last - middle;
+      if (backward_count == 1 && forward_count == 1 && areApart(*first, *middle))
+        kept_.insert(kept_.end(), first, last);
       if (backward_count > forward_count) kept_.insert(kept_.end(), first + forward_count, middle);
       if (forward_count > backward_count) kept_.insert(kept_.end(), middle + backward_count, last);
       first = last;
@@ -150,11 +179,10 @@ class RingTracer {
   }
 
   void addLoop(std::span<const std::uint32_t> edges) {
-    if (edges.size() < 3) return;
     Loop loop{{edges.begin(), edges.end()}, {}, {}};
     for (const auto e : edges) loop.points.push_back(from(e));
     loop.box = boxOf(loop.points);
-    (isCounterClockwise(loop.points) ? shells_ : holes_).push_back(std::move(loop));
+    (isShell(loop.points) ? shells_ : holes_).push_back(std::move(loop));
   }
 
   /// The shell that a hole lies in, of several the innermost; their number if there is none.
