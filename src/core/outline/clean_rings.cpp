@@ -199,17 +199,33 @@ class RingTracer {
     return found;
   }
 
+  /// Whether other cells, and not the outline, bound most of a loop: narrower than ties, a part may have been
+  /// turned around by them as a whole.
+  [[nodiscard]] bool isBesideCells(const Loop& loop) const {
+    double cells = 0, border = 0;
+    for (const auto e : loop.edges) {
+      (cell_.neighbors[e] >= 0 ? cells : border) += std::hypot(to(e).x - from(e).x, to(e).y - from(e).y);
+    }
+    return cells > 3 * border;
+  }
+
   void write() {
     std::vector<std::vector<std::size_t>> holes_of(shells_.size());
+    std::vector<std::size_t> turned;
     for (std::size_t h = 0; h < holes_.size(); ++h) {
-      // What lies in none is the gap of rounding beside an edge.
-      if (const auto s = shellAround(holes_[h]); s < shells_.size()) holes_of[s].push_back(h);
+      // What lies in none is a part turned around, or the gap of rounding beside an edge.
+      if (const auto s = shellAround(holes_[h]); s < shells_.size()) {
+        holes_of[s].push_back(h);
+      } else if (isBesideCells(holes_[h])) {
+        turned.push_back(h);
+      }
     }
     ClippedCell clean;
     for (std::size_t s = 0; s < shells_.size(); ++s) {
       append(shells_[s], /*hole=*/false, clean);
       for (const auto h : holes_of[s]) append(holes_[h], /*hole=*/true, clean);
     }
+    for (const auto h : turned) append(holes_[h], /*hole=*/false, clean);
     cell_ = std::move(clean);
   }
 

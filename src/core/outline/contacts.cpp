@@ -156,8 +156,7 @@ bool ContactFinder::insertCorners(const CellSides& sides, std::span<const std::u
     for (const Point corner : corners_) {
       if (isOnSide(sides, k, corner)) on_side_.push_back(corner);
     }
-    std::ranges::sort(on_side_.begin() + 1, on_side_.end(), {},
-                      [&](Point p) { return std::tuple(alongWay(a, b, p), p.x, p.y); });
+    std::ranges::sort(on_side_.begin() + 1, on_side_.end(), {}, [&](Point p) { return placeAlong(a, b, p); });
     on_side_.erase(std::unique(on_side_.begin(), on_side_.end()), on_side_.end());
     vertices.insert(vertices.end(), on_side_.begin(), on_side_.end());
     neighbors.resize(vertices.size(), sides.neighbors[k]);

@@ -1,14 +1,14 @@
 #include "core/outline/ring_nodes.h"
 
 #include <algorithm>
-#include <tuple>
+#include <utility>
 
 namespace vorpipe::core {
 
 Rings withNodes(const Rings& rings, std::vector<EdgeNode> nodes) {
   std::ranges::sort(nodes, {}, [&](const EdgeNode& node) {
     const Point p = rings.points[node.edge], q = rings.points[rings.next(node.edge)];
-    return std::tuple(node.edge, alongWay(p, q, node.at), node.at.x, node.at.y);
+    return std::pair(node.edge, placeAlong(p, q, node.at));
   });
   Rings refined;
   refined.outer = rings.outer;

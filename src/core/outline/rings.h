@@ -1,6 +1,7 @@
 /// An outline made ready for clipping.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -15,6 +16,12 @@ inline bool isLess(Point a, Point b) { return a.x < b.x || (a.x == b.x && a.y < 
 /// How far p is along the way from a to b, times the length of that.
 inline double alongWay(Point a, Point b, Point p) {
   return (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y);
+}
+
+/// What ascends along the way from a to b, even where points are nearer to each other than the length of the
+/// way shows.
+inline std::array<double, 3> placeAlong(Point a, Point b, Point p) {
+  return {alongWay(a, b, p), b.x < a.x ? -p.x : p.x, b.y < a.y ? -p.y : p.y};
 }
 
 /// Whether a point on or beside the line through a and b lies between them, and is neither.

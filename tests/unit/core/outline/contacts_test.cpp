@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -181,6 +182,38 @@ TEST(OutlineContacts, cornersMayBeVerticesOfTheDiagram) {
   }
   const Outline diamond = outlineOf({{{{2, 0}, {4, 2}, {2, 4}, {0, 2}}, {{2, 1}, {1, 2}, {2, 3}, {3, 2}}}});
   inAllDirections(lattice, diamond, [](const Diagram& d, double) { EXPECT_EQ(d.report.ok, 12U); });
+}
+
+/// The middle cell is narrower than ties: one edge with each of the others, and no width.
+TEST(OutlineContacts, aCellWithoutWidthStaysBetweenItsNeighbors) {
+  const Sites sites{{0.25, 0.5, 0.75}, {0.5, 0.5, 0.5}, {0, -0.0625 + 1e-9, 0}};
+  for (const Outline& outline :
+       {outlineOf({{rectangle(0, 0, 1, 1)}}), outlineOf({{rectangle(0, 0.25, 1, 1)}}),
+        outlineOf({{{{0, 0.5}, {0.5, 0}, {1, 0.5}, {0.5, 1}}}})}) {
+    const auto options = inside(outline, {0, 0, 1, 1});
+    const Diagram d = cellsOf(sites, options);
+    EXPECT_THAT(*check(sites, options, d), testing::IsEmpty());
+    const double height = lengthsOf(d, 0)[1];
+    EXPECT_GT(height, 0.7);
+    EXPECT_EQ(lengthsOf(d, 1), (std::map<std::int64_t, double>{{0, height}, {2, height}}));
+    EXPECT_EQ(lengthsOf(d, 2)[1], height);
+  }
+}
+
+/// The tip of the second cell, 2e-9 wide, crosses itself after ties. It is no hole.
+TEST(OutlineContacts, aCellWithATipThatTiesTurnAroundIsThere) {
+  const Sites sites{{0.11056996679643934, 0.11047353040022681, 0.11067536060935518, 0.11055270966730217,
+                     0.1106243525689229, 0.11046526881090962, 0.6288865270161137, 0.627059321708436},
+                    {0.15293900231134808, 0.15293893973623066, 0.15293915052794418, 0.15293898598571692,
+                     0.1529390683838752, 0.15293893762160332, 0.891980808440052, 0.8915295397781926},
+                    {0.11403435585575507, 0.11408435126671086, 0.11397970334208818, 0.11404330330512957,
+                     0.11400615556563615, 0.11408863377143337, 0.34011809760445666, 0.3387026122432226}};
+  const auto options = inside(outlineOf({{rectangle(0, 0, 1, 1)}}), {0, 0, 1, 1});
+  const Diagram d = cellsOf(sites, options);
+  EXPECT_THAT(*check(sites, options, d), testing::IsEmpty());
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    EXPECT_EQ(d.perimeter[i] > 0, d.area[i] > 1e-20) << "site " << i;
+  }
 }
 
 /// A country of boxes whose corners are whole numbers, and sites at halves of them: their bisectors run along
