@@ -23,6 +23,7 @@ struct RingEdge {
   Point a, b;
   std::size_t ring, next;  ///< the edge that follows it
   std::int64_t neighbor;
+  bool is_place;  ///< its ends differ by less than counts
 };
 
 bool isBefore(Point p, Point q) { return std::tie(p.x, p.y) < std::tie(q.x, q.y); }
@@ -66,9 +67,12 @@ class CellShape {
   CellShape(const CheckedCells& run, const CheckedOutline& outline, std::size_t i)
       : run_(run), outline_(outline), cell_(i), rings_(run, i) {
     for (std::size_t r = 0; r < rings_.size(); ++r) {
-      for (std::size_t e = rings_.begin(r); e < rings_.end(r); ++e)
-        edges_.push_back({counted(e), counted(rings_.next(r, e)), r, rings_.next(r, e) - run.begin(i),
-                          run.diagram.neighbors[e]});
+      for (std::size_t e = rings_.begin(r); e < rings_.end(r); ++e) {
+        const std::size_t next = rings_.next(r, e);
+        const bool is_place = counted(e) == counted(next) && run.vertex(e) != run.vertex(next);
+        edges_.push_back(
+            {counted(e), counted(next), r, next - run.begin(i), run.diagram.neighbors[e], is_place});
+      }
     }
   }
 
@@ -113,11 +117,19 @@ class CellShape {
     std::string text;
     for (std::size_t e = 0; e < edges_.size() && text.empty(); ++e) {
       const RingEdge& edge = edges_[e];
+      if (edge.is_place) continue;
       tree_->eachMeeting(boxAround(edge.a, edge.b), [&](std::size_t f) {
-        if (f > e && text.empty()) text = wrongCommon(e, f);
+        if (f > e && text.empty() && !edges_[f].is_place) text = wrongCommon(e, f);
       });
     }
     return text;
+  }
+
+  /// The edge that follows e, but for those that are places.
+  [[nodiscard]] std::size_t after(std::size_t e) const {
+    std::size_t next = edges_[e].next;
+    while (next != e && edges_[next].is_place) next = edges_[next].next;
+    return next;
   }
 
   std::string wrongCommon(std::size_t e, std::size_t f) {
@@ -129,7 +141,7 @@ class CellShape {
       touches_.push_back({edge.ring, other.ring, p});
       return {};
     }
-    const bool follows = (edge.next == f && p == edge.b) || (other.next == e && p == edge.a);
+    const bool follows = (after(e) == f && p == edge.b) || (after(f) == e && p == edge.a);
     if ((follows && !common.more) || isBlurred(edge, other, common)) return {};
     return common.more ? fmt::format("edges {} and {} cross or overlap {}", e, f, at(p))
                        : fmt::format("a ring touches itself {}", at(p));
@@ -250,7 +262,7 @@ class CellShape {
     std::vector<std::size_t> crossed;
     constexpr double farthest = std::numeric_limits<double>::infinity();
     tree_->eachMeeting({p.x, p.y, farthest, p.y}, [&](std::size_t f) {
-      const auto& [a, b, ring, next, neighbor] = edges_[f];
+      const auto& [a, b, ring, next, neighbor, is_place] = edges_[f];
       if (ring == r || (a.y > p.y) == (b.y > p.y)) return;
       if ((orientation(a, b, p) > 0) != (b.y > a.y)) return;
       around[ring] ^= 1;
