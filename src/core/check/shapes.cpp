@@ -64,8 +64,8 @@ struct Touch {
 /// The rings of a cell as polygons.
 class CellShape {
  public:
-  CellShape(const CheckedCells& run, const CheckedOutline& outline, std::size_t i)
-      : run_(run), outline_(outline), cell_(i), rings_(run, i) {
+  CellShape(const CheckedCells& run, const CheckedOutline& outline, std::size_t i, double reach)
+      : run_(run), outline_(outline), cell_(i), slack_(run.rounding(i) + run.ties(reach)), rings_(run, i) {
     for (std::size_t r = 0; r < rings_.size(); ++r) {
       for (std::size_t e = rings_.begin(r); e < rings_.end(r); ++e) {
         const std::size_t next = rings_.next(r, e);
@@ -81,7 +81,6 @@ class CellShape {
       if (!std::isfinite(e.a.x) || !std::isfinite(e.a.y)) return "have a vertex that is no place";
     }
     if (isConvex()) return {};
-    slack_ = run_.rounding(cell_) + run_.ties(run_.reach(cell_));
     std::vector<Box> boxes;
     for (const RingEdge& e : edges_) boxes.push_back(boxAround(e.a, e.b));
     tree_.emplace(std::move(boxes));
@@ -280,7 +279,7 @@ class CellShape {
   const CheckedCells& run_;
   const CheckedOutline& outline_;
   std::size_t cell_;
-  double slack_ = 0;
+  double slack_;
   CellRings rings_;
   std::vector<RingEdge> edges_;
   std::optional<BoxTree> tree_;  ///< of the edges
@@ -292,7 +291,8 @@ class CellShape {
 
 std::string wrongShape(const CheckedCells& run, const CheckedOutline& outline, std::size_t i) {
   if (run.edges(i) == 0) return {};
-  const std::string wrong = CellShape(run, outline, i).wrong();
+  const std::string wrong =
+      run.wrongAtAnyReach(i, [&](double reach) { return CellShape(run, outline, i, reach).wrong(); });
   return wrong.empty() ? wrong : fmt::format("of site {}: {}", i, wrong);
 }
 
