@@ -154,10 +154,17 @@ ScaledDiagram::ScaledDiagram(const ClippedRun& run, const Diagram& diagram)
 
 void ScaledDiagram::appendCell(std::size_t site, std::vector<Point>& vertices,
                                std::vector<std::int64_t>& neighbors) const {
-  for (std::size_t e = begin(site); e < end(site); ++e) {
-    if (isPoint(site, e)) continue;
-    vertices.push_back(vertex(e));
-    neighbors.push_back(diagram_.neighbors[e]);
+  const std::size_t first = begin(site), last = end(site);
+  if (first == last) return;
+  Point here = vertex(first);
+  const Point start = here;
+  for (std::size_t e = first; e < last; ++e) {
+    const Point next = e + 1 < last ? vertex(e + 1) : start;
+    if (here != next) {
+      vertices.push_back(here);
+      neighbors.push_back(diagram_.neighbors[e]);
+    }
+    here = next;
   }
 }
 

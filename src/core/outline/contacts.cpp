@@ -1,6 +1,7 @@
 #include "core/outline/contacts.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <tuple>
 
@@ -32,8 +33,10 @@ WeightedPoint ContactFinder::site(std::int32_t cell) const {
 std::int32_t ContactFinder::inSet(std::uint32_t cell, std::int64_t neighbor) const {
   if (neighbor < 0) return static_cast<std::int32_t>(neighbor);
   const auto row = run_.rows.edges(cell);
-  return *std::ranges::find_if(row,
-                               [&](std::int32_t other) { return outsideIndex(run_.set, other) == neighbor; });
+  const auto found = std::ranges::find_if(
+      row, [&](std::int32_t other) { return outsideIndex(run_.set, other) == neighbor; });
+  assert(found != row.end());  // a cell has edges with those of its row, and ties only take some away
+  return *found;
 }
 
 /// A filter: whether ties may have moved p, or the line, off each other.
