@@ -81,6 +81,14 @@ bool ContactFinder::isOnLine(const CellSides& sides, std::size_t k, Point p, Poi
                         {swapped(beside), beside.weight}, wall);
 }
 
+/// Whether p lies in each wall that the vertex lies in. Ties may have joined a vertex to a wall beside it,
+/// off which it must not move.
+bool ContactFinder::keepsWalls(Point vertex, Point p) const {
+  const Box& box = run_.set.domain;
+  return (vertex.x == p.x || (vertex.x != box.xmin && vertex.x != box.xmax)) &&
+         (vertex.y == p.y || (vertex.y != box.ymin && vertex.y != box.ymax));
+}
+
 /// Where the vertex k is without ties, rounded.
 Point ContactFinder::placeOf(const CellSides& sides, std::size_t k) const {
   return positionOf(cornerPosition(run_.set, static_cast<std::int32_t>(sides.cell),
@@ -94,7 +102,7 @@ void ContactFinder::findCorner(const CellSides& sides, Point corner, Contacts& f
     if (sides.from(k) == corner) {
       meets = true;
       found.moved.push_back({corner, corner, true});
-    } else if (isVertex(sides, k, corner)) {
+    } else if (keepsWalls(sides.from(k), corner) && isVertex(sides, k, corner)) {
       found.moved.push_back({sides.from(k), corner, true});
     } else {
       meets = meets || isOnSide(sides, k, corner);
@@ -125,8 +133,10 @@ void ContactFinder::findOnEdge(const CellSides& sides, std::uint32_t edge, Conta
     if (orientation(p, q, vertex) == 0) {
       found.nodes.push_back({edge, vertex});
     } else if (isOnLine(sides, k, p, q)) {
+      const Point place = placeOf(sides, k);
+      if (!keepsWalls(vertex, place)) continue;
       found.nodes.push_back({edge, vertex});
-      found.moved.push_back({vertex, placeOf(sides, k), false});
+      found.moved.push_back({vertex, place, false});
     }
   }
 }

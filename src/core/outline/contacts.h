@@ -64,6 +64,7 @@ class ContactFinder {
   [[nodiscard]] bool isOnBorder(const CellSides& sides, std::int64_t neighbor, Point p) const;
   [[nodiscard]] bool isVertex(const CellSides& sides, std::size_t k, Point p) const;
   [[nodiscard]] bool isOnLine(const CellSides& sides, std::size_t k, Point p, Point q) const;
+  [[nodiscard]] bool keepsWalls(Point vertex, Point p) const;
   [[nodiscard]] Point placeOf(const CellSides& sides, std::size_t k) const;
   [[nodiscard]] std::int32_t inSet(std::uint32_t cell, std::int64_t neighbor) const;
   [[nodiscard]] WeightedPoint site(std::int32_t cell) const;
