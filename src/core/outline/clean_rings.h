@@ -9,9 +9,9 @@ namespace vorpipe::core {
 bool touchesItself(const ClippedCell& cell);
 
 /// Rewrites the rings of a cell, whose inside lies to their left but where they enclose nothing. What runs to
-/// and fro between two points is taken away. What is one of the edges `near` of `outline` belongs to it.
-/// Rings then touch themselves nowhere, and each other in single points; parts that meet in points have rings
-/// of their own. No ring may be left.
+/// and fro between two points is taken away, unless it lies between two neighbors: ties left it no width.
+/// What is one of the edges `near` of `outline` belongs to it. Rings then touch themselves nowhere, and each
+/// other in single points; parts that meet in points have rings of their own. No ring may be left.
 void cleanRings(const Rings& outline, std::span<const std::uint32_t> near, ClippedCell& cell);
 
 }  // namespace vorpipe::core

@@ -184,19 +184,32 @@ TEST(OutlineContacts, cornersMayBeVerticesOfTheDiagram) {
   inAllDirections(lattice, diamond, [](const Diagram& d, double) { EXPECT_EQ(d.report.ok, 12U); });
 }
 
-/// The middle cell is narrower than ties: one edge with each of the others, and no width.
+/// The last cell is narrower than ties: one edge with each of the others, and no width.
 TEST(OutlineContacts, aCellWithoutWidthStaysBetweenItsNeighbors) {
-  const Sites sites{{0.25, 0.5, 0.75}, {0.5, 0.5, 0.5}, {0, -0.0625 + 1e-9, 0}};
-  for (const Outline& outline :
-       {outlineOf({{rectangle(0, 0, 1, 1)}}), outlineOf({{rectangle(0, 0.25, 1, 1)}}),
-        outlineOf({{{{0, 0.5}, {0.5, 0}, {1, 0.5}, {0.5, 1}}}})}) {
+  const Sites sites{{0.6822196843652429, 0.28530892237026456, 0.6309501123479289},
+                    {0.8405956736205962, 0.09871046610385265, 0.7447652232589582},
+                    {0.24597633515414558, 0.12115750519812743, 0.15022070118926067}};
+  const RingPoints box =
+      rectangle(-4.378220163210653, -3.2093247974687023, 5.607401876818541, 4.637699483769552);
+  const auto options = inside(outlineOf({{box}}), boxOf(box));
+  const Diagram d = cellsOf(sites, options);
+  EXPECT_THAT(*check(sites, options, d), testing::IsEmpty());
+  const double length = lengthsOf(d, 0)[2];
+  EXPECT_NEAR(length, 5.61, 0.01);
+  EXPECT_EQ(lengthsOf(d, 2), (std::map<std::int64_t, double>{{0, length}, {1, length}}));
+  EXPECT_EQ(lengthsOf(d, 1)[2], length);
+}
+
+TEST(OutlineContacts, cornersNearerThanTheirSideShowsKeepTheirOrder) {
+  for (const double tiny : {1e-20, 1e-60, 1e-200}) {
+    const Outline outline = outlineOf({{{{0, 0}, {1, 0}, {1, 1}, {tiny, 1}, {tiny / 100, 1}, {0, 1}}}});
     const auto options = inside(outline, {0, 0, 1, 1});
-    const Diagram d = cellsOf(sites, options);
-    EXPECT_THAT(*check(sites, options, d), testing::IsEmpty());
-    const double height = lengthsOf(d, 0)[1];
-    EXPECT_GT(height, 0.7);
-    EXPECT_EQ(lengthsOf(d, 1), (std::map<std::int64_t, double>{{0, height}, {2, height}}));
-    EXPECT_EQ(lengthsOf(d, 2)[1], height);
+    const Sites site{{0.5}, {0.5}, {}};
+    const Diagram d = cellsOf(site, options);
+    EXPECT_THAT(*check(site, options, d), testing::IsEmpty()) << tiny;
+    const auto at = std::ranges::find(d.vertices, Point{tiny, 1}) - d.vertices.begin();
+    ASSERT_LT(static_cast<std::size_t>(at) + 1, d.vertices.size()) << tiny;
+    EXPECT_EQ(d.vertices[static_cast<std::size_t>(at) + 1], (Point{tiny / 100, 1})) << tiny;
   }
 }
 
