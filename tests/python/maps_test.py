@@ -146,7 +146,7 @@ def test_different_systems_are_refused_by_name(degrees, tmp_path):
     with pytest.raises(vorpipe.InputError, match='city.geojson is in EPSG:25832, points in EPSG:4326') as caught:
         vorpipe.cells(degrees, outline=outline, crs='EPSG:4326')
     assert caught.value.subject == 'outline'
-    with pytest.warns(vorpipe.InputWarning, match='outline: no site lies in the box 0.0?,0.0?,900000'):
+    with pytest.warns(vorpipe.InputWarning, match='outline: no site lies in the box 0,0,900000,900000'):
         vorpipe.cells(-degrees, outline=outline)
 
     class Frame:
