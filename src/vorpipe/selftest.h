@@ -56,7 +56,7 @@ struct SelftestOptions {
   int threads = 0;  ///< CPU threads; 0: all
   Mask mask;        ///< for all runs; some lower more limits
   Progress progress;
-  Waiting waiting;  ///< as BackendOptions has it
+  Waiting waiting;  ///< told when a pipeline takes seconds; BackendOptions::waiting
   /// Called with what is known so far: once before the first scene, then after each group of scenes.
   std::function<void(const SelftestReport&, std::string_view group)> group_done;
 };

@@ -1,4 +1,4 @@
-/// What a driver without a GPU is told by the environment.
+/// Variables of the environment that set the threads and lanes of software drivers.
 #pragma once
 
 namespace vorpipe {

@@ -16,9 +16,9 @@ namespace vorpipe::cli {
 /// steps that it made.
 class FluidTrace {
  public:
-  /// Of a run that goes on with a checkpoint the file is that of the run before, as far as the checkpoint;
-  /// where there is none, or no path, it begins. Nothing is written yet. Errors: those of reading; (input) it
-  /// is no trace, or none that has this step.
+  /// Opens the trace at `path`; an empty path makes none. With `resumed`, the state of a checkpoint, a file
+  /// that is there is kept up to the step of that state; else the trace begins anew. Writes nothing yet.
+  /// Errors: those of reading; the file is no trace, or has no such step (input).
   static Result<FluidTrace> open(const std::string& path, const FluidState* resumed);
   FluidTrace(FluidTrace&& other) noexcept;
   FluidTrace& operator=(FluidTrace&& other) = delete;

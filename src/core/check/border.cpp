@@ -22,7 +22,7 @@ using Edge = CheckedOutline::Edge;
 struct Stretch {
   std::size_t side;
   double from, to;
-  double slack;  ///< of the cell that has it: how far rounding and ties may have moved its ends
+  double slack;  ///< how far rounding and ties may have moved the ends `from` and `to`
 };
 
 double alongEdge(const Edge& edge, Point p) {

@@ -56,8 +56,8 @@ void joinLines(std::vector<std::string>& title) {
   for (; title.size() > 1; title.pop_back()) title[title.size() - 2] += ", " + title.back();
 }
 
-/// As long as it takes to tell them apart, where a picture of that width has room; of those that read the
-/// same nevertheless one stays, an end before others.
+/// The labels of the ticks of `key`, with as many digits as tell them apart, if a picture of this width has
+/// room for them. Of labels that still read the same one stays, rather that of an end.
 std::vector<Label> labelsOf(const ColorKey& key, int width) {
   if (!(key.range.low < key.range.high)) return {{0.5, numberText(key.range.low, 6)}};
   std::vector<double> values;

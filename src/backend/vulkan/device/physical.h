@@ -26,7 +26,7 @@ struct Physical {
   std::uint32_t queue_family = 0;
   bool portability_subset = false;
   bool swapchain = false;  ///< has VK_KHR_swapchain
-  Waiting waiting{};       ///< as BackendOptions has it
+  Waiting waiting{};       ///< told when a pipeline takes seconds; BackendOptions::waiting
 };
 
 /// How many things of `bytes` a device has room for: one allocation holds all of them, and half of its memory

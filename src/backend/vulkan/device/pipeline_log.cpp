@@ -24,7 +24,7 @@ class Watch {
         if (!stop.stop_requested()) late();
       });
     } catch (const std::system_error&) {
-      // Without a thread nobody is told; the pipeline is made all the same.
+      // The system refused a thread: `late` is not called, and the pipeline is made all the same.
     }
   }
 

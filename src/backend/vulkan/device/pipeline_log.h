@@ -16,7 +16,8 @@ namespace vorpipe::vulkan {
 
 class PipelineLog {
  public:
-  /// Of the device of this name. `waiting` is told once, of the first pipeline that takes seconds.
+  /// `device` is the name of the device in messages. `waiting` is called once, for the first pipeline that
+  /// takes more than three seconds.
   PipelineLog(std::string device, Waiting waiting)
       : device_(std::move(device)), waiting_(std::move(waiting)) {}
 
