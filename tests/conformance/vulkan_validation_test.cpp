@@ -61,12 +61,12 @@ TEST_F(VulkanValidation, IsSilentWhenNothingIsWrong) {
 
 TEST_F(VulkanValidation, ReportsAnInvalidCall) {
   auto info = structure<VkBufferCreateInfo>(VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO);
-  info.size = 16;  // and no usage
+  info.usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT;  // and no size
   VkBuffer buffer = VK_NULL_HANDLE;
   if (device_->api().vkCreateBuffer(device_->handle(), &info, nullptr, &buffer) == VK_SUCCESS) {
     device_->api().vkDestroyBuffer(device_->handle(), buffer, nullptr);
   }
-  EXPECT_TRUE(said("VUID-VkBufferCreateInfo-usage"));
+  EXPECT_TRUE(said("VUID-VkBufferCreateInfo-size-00912"));
 }
 
 TEST_F(VulkanValidation, ReportsAMissingBarrier) {
@@ -104,6 +104,8 @@ class VulkanWatchedShaders : public VulkanValidation {
     if (const char* before = std::getenv(variable)) before_ = before;
     setenv(variable, "VK_VALIDATION_FEATURE_ENABLE_GPU_ASSISTED_EXT", 1);
     VulkanValidation::SetUp();
+    // Which features the layer takes for itself.
+    if (instance_) instance_->messages().take();
   }
   void TearDown() override {
     if (before_) setenv(variable, before_->c_str(), 1);

@@ -65,7 +65,12 @@ Result<void> findValidationLayer() {
 VKAPI_ATTR VkBool32 VKAPI_CALL keepMessage(VkDebugUtilsMessageSeverityFlagBitsEXT,
                                            VkDebugUtilsMessageTypeFlagsEXT,
                                            const VkDebugUtilsMessengerCallbackDataEXT* data, void* log) {
-  static_cast<MessageLog*>(log)->add(data->pMessage);
+  // Newer layers' text (1.4.309) no longer begins with the identifier, which is what people search for.
+  std::string message = data->pMessage;
+  if (data->pMessageIdName != nullptr && message.find(data->pMessageIdName) == std::string::npos) {
+    message = std::string(data->pMessageIdName) + ": " + message;
+  }
+  static_cast<MessageLog*>(log)->add(std::move(message));
   return VK_FALSE;
 }
 
