@@ -167,7 +167,7 @@ def relax(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
 
     Args:
         density: as in `cells`: points gather where it is high.
-        method: "lbfgs", which comes as far in 35 diagrams as Lloyd's steps in 200; or "lloyd", each point to its
+        method: "lbfgs", which comes as far in 30 diagrams as Lloyd's steps in 200; or "lloyd", each point to its
             centroid.
         iterations: the most diagrams after the first.
         tolerance: ends when no point would move by this part of the spacing; 0: never.

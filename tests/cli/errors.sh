@@ -29,6 +29,10 @@ END
 refuses "a color that was meant" '"aera" is not one of site, area, neighbors, weight; did you mean area?' --sites random:9 --color aera
 refuses "a backend that was meant" 'did you mean vulkan-compute?' --sites random:9 --backend vulkan-comp
 refuses "a colormap that was meant" 'did you mean viridis?' --sites random:9 --colormap Virids
+fails 2 "an option twice" "--size: is given 2 times; once is enough" render --sites random:9 --size 4 --size=5 -o out/old.png
+fails 2 "sites of other subcommands" "density:N is for relax and transport" cells --sites density:9 -o out/old.csv
+fails 2 "memory of some bytes" "1000 bytes are allowed by --memory-limit; without any site it needs " \
+  cells --backend cpu --sites random:9 --memory-limit 1KB -o out/old.csv
 fails 2 "no sites" "--sites" render -o out/old.png
 fails 2 "nothing to write" "-o" render --sites random:9 --backend cpu
 refuses "no value" "--size" --sites random:9 --size

@@ -77,6 +77,13 @@ refused '--scheme: projection is for domains that are full; springs have free su
 refused '--legend: colors by --flow-color have none' $vortex --frames out/none --steps 1 --flow-color speed --legend
 refused '--flow-color: "heat" is not ' $vortex --frames out/none --flow-color heat
 refused '--particles: needs about' $vortex --memory-limit 1MB -o out/a.csv
+# Each case is forecast as it is: what it needs is enough, but for what its sites and the device tell afterwards.
+for case in shear dam-break; do
+  name="what $case needs is enough"
+  run 2 fluid --backend cpu --case $case --particles 20000 --steps 1 --memory-limit 1MB -o out/needed.csv
+  needs=$(sed -n 's/.*needs about \([0-9]*\) MB.*/\1/p' log/err)
+  run 0 fluid --backend cpu --case $case --particles 20000 --steps 1 --memory-limit "$((needs + needs / 16))MB" -o out/needed.csv
+done
 refused '--frames: out/frames: the folder holds something' $vortex --frames out/frames
 refused '--checkpoint: out/./k.npz: is the same output file as out/k.npz' \
   $vortex --steps 1 --checkpoint out/./k.npz --cells out/k.npz

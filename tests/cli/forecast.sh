@@ -90,7 +90,7 @@ for size in 0 -1 x 1XB "" 1e; do refuses "the size $size" "--memory-limit" --sit
 for size in 5MB 5MiB 5000000 5e6 4.8MiB; do
   refuses "a picture within $size" "allowed by --memory-limit" --sites in/two.csv --memory-limit "$size"
 done
-refuses "a large picture" "a smaller --size" --sites random:9 --size 9000x9000 --memory-limit 200MB
+refuses "a large picture" "; without any site it needs " --sites random:9 --size 9000x9000 --memory-limit 200MB
 fails 2 "many cells within 1GB" "sites would fit" cells --backend cpu --sites random:100000000 --memory-limit 1GB -o out/old.csv
 grep -qE -- '--sites: needs about [0-9.]+ GB of memory, 1.0 GB are allowed by --memory-limit; some [0-9]+ sites would fit; areas, centroids and numbers of neighbors alone need less: --detail measures$' log/err ||
   fail "the line says something else"

@@ -76,7 +76,7 @@ succeeds "transport leaves sites where they are" transport --backend cpu --sites
   --masses in/trade.txt --normalize -o out/t.csv --cells out/tc.csv
 cut -d, -f1,2 out/t.csv | tail -n +2 | cmp -s - <(cut -d, -f1,2 in/cities.csv | tail -n +2) || fail "transport moved the sites"
 cut -d, -f2,3 out/tc.csv | tail -n +2 | cmp -s - <(cut -d, -f1,2 in/cities.csv | tail -n +2) || fail "transport moved the sites of cells"
-refuses "the world" "--project: the domain reaches 180 degrees" --sites "$navaids" --project auto
+refuses "the world" "--project: the domain may reach 90 degrees from the center of the projection, and reaches 180; the center is " --sites "$navaids" --project auto
 refuses "a center on the other side" "name one that is nearer" --sites "$navaids" --domain "$italy" --project 190,-40
 refuses "a latitude that is none" "--project: site 1 at 13, 95" --sites in/bad.csv --project auto
 refuses "a domain that is no box of degrees" "--domain" --sites in/three.csv --project auto --domain 0,0,1,91

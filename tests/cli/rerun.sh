@@ -35,6 +35,9 @@ succeeds "why a backend was taken" render --sites random:9 --search flann --size
 [[ $(key out/b.json choice) == '"autotook'* ]] || fail "it is not there"
 grep -q '"search": "flann:30",' out/b.json || fail "another search"
 
+run 0 cells --backend cpu --sites random:9 --stats in/told.json
+succeeds "a run that wrote nothing else" rerun in/told.json
+
 # -- The same bytes -------------------------------------------------------------------------------------
 cp out/a.json in/a.json
 cp out/a.npz in/a.npz

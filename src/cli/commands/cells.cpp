@@ -233,7 +233,8 @@ Result<ExitCode> cells(CellsCommand& command, const Invocation& how) {
   log.search = command.search;
   log.threads = command.backend.threads;
   const std::vector<std::string> paths = outputPaths(command);
-  if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("cells.csv"));
+  if (paths.empty() && !command.check && how.stats == nullptr)
+    return tl::unexpected(nothingToDo("cells.csv"));
   if (auto fits = checkSurface(command); !fits) return tl::unexpected(std::move(fits.error()));
   if (auto used = checkFormat(command); !used) return tl::unexpected(std::move(used.error()));
   if (auto taken = takeFormat(command.targets, command.input.format.output); !taken) {

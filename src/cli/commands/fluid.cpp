@@ -141,10 +141,10 @@ Result<FluidOutcome> flow(const FluidCommand& command, Session& session, FluidSe
 }
 
 /// Refuses options that nothing takes.
-Result<void> checkCommand(const FluidCommand& command, const FluidSetup& setup) {
+Result<void> checkCommand(const FluidCommand& command, const FluidSetup& setup, const Invocation& how) {
   const FluidTargets& targets = command.targets;
   if (targets.paths().empty() && targets.checkpoint.empty() && targets.trace.empty() &&
-      targets.frames.empty() && targets.series.empty()) {
+      targets.frames.empty() && targets.series.empty() && how.stats == nullptr) {
     return inputError(
         "-o: name what to write, as in -o sites.csv (or give --cells, --trace, --frames, --series, "
         "--checkpoint or --stats)");
@@ -239,7 +239,7 @@ Result<ExitCode> fluid(FluidCommand& command, const Invocation& how) {
   if (auto fits = forecastCase(plan); !fits) return tl::unexpected(fits.error());
   auto setup = setupOf(command.choices);
   if (!setup) return tl::unexpected(std::move(setup.error()));
-  if (auto checked = checkCommand(command, *setup); !checked) return tl::unexpected(checked.error());
+  if (auto checked = checkCommand(command, *setup, how); !checked) return tl::unexpected(checked.error());
   setup->options.search = command.search;
   setup->options.progress = untilSignal();
   const FluidOptions options = setup->options;

@@ -192,8 +192,8 @@ Result<void> writeFiles(RelaxRun& run, Session& session, const Relaxed& relaxed,
 }
 
 /// Refuses options that nothing takes, and gives standard output its format.
-Result<void> checkCommand(RelaxCommand& command) {
-  if (outputPaths(command).empty()) {
+Result<void> checkCommand(RelaxCommand& command, const Invocation& how) {
+  if (outputPaths(command).empty() && how.stats == nullptr) {
     return inputError(
         "-o: name what to write, as in -o sites.csv (or give --cells, --picture, --trace or --stats)");
   }
@@ -209,7 +209,7 @@ Result<ExitCode> relax(RelaxCommand& command, const Invocation& how) {
   RunLog log(how, !command.stats.empty());
   log.search = command.search;
   log.threads = command.backend.threads;
-  if (auto checked = checkCommand(command); !checked) return tl::unexpected(std::move(checked.error()));
+  if (auto checked = checkCommand(command, how); !checked) return tl::unexpected(std::move(checked.error()));
   const auto density = densityOf(command.density);
   if (!density) return tl::unexpected(density.error());
   InputOptions reading = command.input;

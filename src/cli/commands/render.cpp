@@ -107,7 +107,8 @@ Result<ExitCode> render(const RenderCommand& command, const Invocation& how) {
   log.search = command.picture.render.search;
   log.threads = command.backend.threads;
   const std::vector<std::string> paths = outputPaths(command);
-  if (paths.empty() && !command.check) return tl::unexpected(nothingToDo("picture.png"));
+  if (paths.empty() && !command.check && how.stats == nullptr)
+    return tl::unexpected(nothingToDo("picture.png"));
   RenderOptions options = command.picture.render;
   const PictureSize known = sizeBefore(command.picture.size);
   options.width = known.width;

@@ -81,8 +81,8 @@ PlanRun planOf(const TransportCommand& command, std::uint64_t density_pixels,
 }
 
 /// Refuses options that nothing takes, and gives standard output its format.
-Result<void> checkCommand(TransportCommand& command) {
-  if (outputPaths(command).empty()) {
+Result<void> checkCommand(TransportCommand& command, const Invocation& how) {
+  if (outputPaths(command).empty() && how.stats == nullptr) {
     return inputError(
         "-o: name what to write, as in -o sites.csv (or give --save-weights, --cells, --picture, --trace or "
         "--stats)");
@@ -182,7 +182,7 @@ Result<ExitCode> transportCells(TransportCommand& command, const Invocation& how
   RunLog log(how, !command.stats.empty());
   log.search = command.search;
   log.threads = command.backend.threads;
-  if (auto checked = checkCommand(command); !checked) return tl::unexpected(std::move(checked.error()));
+  if (auto checked = checkCommand(command, how); !checked) return tl::unexpected(std::move(checked.error()));
   const auto density = densityOf(command.density);
   if (!density) return tl::unexpected(density.error());
   InputOptions reading = command.input;

@@ -241,10 +241,12 @@ constexpr std::array<Row, 5> exit_statuses = {
     {{"0", "Done, and everything is certified."},
      {"1",
       "A comparison found a difference, or a promise is broken; `rerun` came to other bytes, `transport` not "
-      "to the tolerance."},
+      "to the tolerance; areas of a `fluid` could not be found, or its energy exploded."},
      {"2",
       "The command line or an input file is wrong; the message names the option, or file, line and column."},
-     {"3", "There is no such device or backend here, or it failed; the message says what would help."},
+     {"3",
+      "There is no such device or backend here, or it failed; or memory, a display or ffmpeg is missing. The "
+      "message says what would help."},
      {"130, 143", "Interrupted: 128 and the signal's number."}}};
 
 constexpr std::array<Row, 5> variables = {

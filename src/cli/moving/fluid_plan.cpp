@@ -19,7 +19,7 @@ namespace {
 /// of Newton's steps and the levels of its solver; by projection how areas change with velocities, and discs.
 constexpr std::uint64_t of_springs = 920, of_periodic = 1300, of_projection = 1300, of_surface = 1850;
 /// What the smallest takes.
-constexpr std::uint64_t of_any = 8'000'000;
+constexpr std::uint64_t of_any = 12'000'000;
 
 std::uint64_t bytesOf(FluidScheme scheme, Surface surface, Periodic periodic) {
   if (surface == Surface::free) return of_surface;
@@ -62,12 +62,16 @@ Result<std::uint64_t> allowed(const FluidPlan& plan, std::uint64_t bytes) {
 }  // namespace
 
 Result<void> forecastCase(const FluidPlan& plan) {
-  if (!plan.choices.resume.empty() || !fluidCaseOf(plan.choices.begin)) return {};
+  const auto which = fluidCaseOf(plan.choices.begin);
+  if (!plan.choices.resume.empty() || !which) return {};
+  // What a case is does not depend on how many parcels it has.
+  const FluidOptions options = fluidCase(*which, 64).options;
   Workload work;
   work.sites = plan.choices.particles;
-  const auto scheme = plan.choices.scheme.value_or(FluidScheme::springs);
-  return allowed(plan, peakOf(plan, work, bytesOf(scheme, Surface::none, Periodic::none), {}))
-      .map([](std::uint64_t) {});
+  work.periodic = options.periodic != Periodic::none;
+  const auto of_fluid =
+      bytesOf(plan.choices.scheme.value_or(options.scheme), options.surface, options.periodic);
+  return allowed(plan, peakOf(plan, work, of_fluid, options.domain)).map([](std::uint64_t) {});
 }
 
 Result<std::uint64_t> forecastFluid(const FluidPlan& plan, const FluidSetup& setup, const DeviceInfo& device,

@@ -149,6 +149,21 @@ struct CommandLine::Parser {
   }
 };
 
+namespace {
+
+/// What CLI11 says, but for an option that is given again.
+std::string messageOf(const CLI::ParseError& error, std::span<char* const> arguments) {
+  std::string message = error.what();
+  const std::string name = message.substr(0, message.find(':'));
+  const auto times = std::ranges::count_if(arguments, [&](std::string_view argument) {
+    return argument == name || argument.starts_with(name + "=");
+  });
+  if (error.get_name() != "ArgumentMismatch" || times < 2) return message;
+  return fmt::format("{}: is given {} times; once is enough", name, times);
+}
+
+}  // namespace
+
 CommandLine::CommandLine(const std::string& program, const std::string& description,
                          const std::string& version_line)
     : parser_(new Parser{CLI::App(description, program), version_line, {}, {}}) {
@@ -196,7 +211,7 @@ tl::expected<Run, int> CommandLine::parse(int count, char** arguments) {
     const auto parsed =
         std::ranges::find_if(parser_->subcommands, [](const auto& sub) { return sub.app->parsed(); });
     const std::string page = parsed == parser_->subcommands.end() ? "" : parsed->app->get_name() + " ";
-    printError(fmt::format("{}; see vorpipe {}--help", error.what(), page));
+    printError(fmt::format("{}; see vorpipe {}--help", messageOf(error, given), page));
     return tl::unexpected<int>(exit_input);
   }
   const auto chosen =

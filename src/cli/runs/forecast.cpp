@@ -16,6 +16,7 @@ namespace {
 std::string sizeText(std::uint64_t bytes) {
   constexpr double gigabyte = 1e9, megabyte = 1e6;
   const auto size = static_cast<double>(bytes);
+  if (size < megabyte) return fmt::format("{} bytes", bytes);
   return size < gigabyte ? fmt::format("{:.0f} MB", size / megabyte)
                          : fmt::format("{:.1f} GB", size / gigabyte);
 }
@@ -63,7 +64,7 @@ std::string adviceFor(const InputOptions& options, const Workload& work, const P
   }
   other = work;
   other.sites = other.images = 0;
-  if (needs(other) > limit) return "a smaller --size, or another backend, needs less";
+  if (needs(other) > limit) return fmt::format("without any site it needs {}", sizeText(needs(other)));
   std::uint64_t fits = 0, fails = work.sites;
   while (fails - fits > fails / 100 + 1) {
     other.sites = fits + (fails - fits) / 2;

@@ -103,9 +103,9 @@ Result<double> reachOf(std::span<const Point> kilometers) {
   const double reach = 2 * std::asin(half) / degree;
   if (reach <= quarter_turn) return reach;
   return tl::unexpected(
-      refusal(Subject::domain, fmt::format("the domain reaches {:.0f} degrees from the center of the "
-                                           "projection; {} are the most",
-                                           reach, quarter_turn)));
+      refusal(Subject::domain, fmt::format("the domain may reach {} degrees from the center of the "
+                                           "projection, and reaches {:.0f}",
+                                           quarter_turn, reach)));
 }
 
 }  // namespace

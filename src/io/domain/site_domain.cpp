@@ -205,10 +205,10 @@ Result<void> checkReach(const Request& request) {
   const Point center = placed.projection->center();
   const auto reach = placed.outline.empty() ? reachOf(placed.domain) : reachOf(placed.outline);
   if (!reach) {
-    return inputError(
-        fmt::format("{}: {}, which is {}, {}; name {} by {}", words.project, reach.error().message, center.x,
-                    center.y, settings.project->center ? "one that is nearer" : "a smaller part of the Earth",
-                    settings.project->center ? words.project_around : words.domain));
+    return inputError(fmt::format(
+        "{}: {}; the center is {}, {}: name {} by {}", words.project, reach.error().message, center.x,
+        center.y, settings.project->center ? "one that is nearer" : "a smaller part of the Earth",
+        settings.project->center ? words.project_around : words.domain));
   }
   if (*reach > far) {
     request.note(

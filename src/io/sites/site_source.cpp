@@ -101,7 +101,8 @@ Result<SiteSource> loadSites(const std::string& spec, std::uint64_t seed, const 
   if (!table) {
     if (colon != std::string_view::npos && !std::filesystem::exists(spec)) {
       return inputError(
-          fmt::format("{}: is neither a file nor a generator ({})", spec, fmt::join(patternNames(), ", ")));
+          fmt::format("{}: is neither a file nor a generator ({}{})", spec, fmt::join(patternNames(), ", "),
+                      text.starts_with("density:") ? "; density:N is for relax and transport" : ""));
     }
     return tl::unexpected(std::move(table.error()));
   }
