@@ -38,7 +38,7 @@ struct FluidOptions {
   double step = 0;  ///< of time; 0: each as long as the sites' speeds and the springs allow
   /// A time: springs swing in 2 pi of it. 0: 2 spacings, the roots of the mean volume, over the largest first
   /// speed, or over half of that with which what is highest reaches the lowest corner of the domain; with a
-  /// free surface 3 spacings.
+  /// free surface 3 spacings. By projection no step that is chosen is longer than half of it.
   double epsilon = 0;
   double until = std::numeric_limits<double>::infinity();  ///< time at which it ends, with a shorter step
   double tolerance = 1e-6;       ///< no area differs from its volume by more than this part of it

@@ -214,7 +214,8 @@ Result<bool> Flow::advance(Parcels& parcels, double length) {
 }
 
 /// A site goes no farther than a part of the spacing, and springs swing in no less than 8 pi steps, with
-/// which the energy keeps to 1e-3.
+/// which the energy keeps to 1e-3. By projection epsilon is a time as well: what slows down makes no longer
+/// steps than the spacing over its usual speed.
 double Flow::length(const Parcels& parcels) const {
   if (options_.step > 0) return options_.step;
   const bool free = options_.surface == Surface::free;
@@ -222,7 +223,7 @@ double Flow::length(const Parcels& parcels) const {
   double fastest = 0;
   for (const Point& v : parcels.velocity) fastest = std::max(fastest, square(v));
   const double pull = std::hypot(options_.gravity.x, options_.gravity.y);
-  double length = options_.scheme == FluidScheme::springs ? options_.epsilon / 4 : spacing_;
+  double length = options_.epsilon / (options_.scheme == FluidScheme::springs ? 4 : 2);
   if (fastest > 0) length = std::min(length, part / std::sqrt(fastest));
   if (pull > 0) length = std::min(length, std::sqrt(part / pull) / 2);
   return length;
