@@ -63,7 +63,7 @@ fails 2 "no trace" "--trace: out/whole.csv: it is no trace of a fluid" \
 name="an explosion"
 cases=$((cases + 1))
 run 1 fluid --backend cpu --case taylor-green --particles 256 --step 0.3 --time 3 -o out/far.csv
-grep -q '^vorpipe: note: step: one of 0.3 is longer than springs of epsilon 0.12.* stand' log/err || fail "nothing is said before"
+grep -q '^vorpipe: note: --step: one of 0.3 is longer than springs of epsilon 0.12.* stand' log/err || fail "nothing is said before"
 grep -q '^vorpipe: energy has exploded, from ' log/err || fail "nothing is said after"
 [ "$(wc -l <out/far.csv)" -eq 257 ] || fail "the file is not there"
 

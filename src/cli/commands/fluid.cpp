@@ -81,10 +81,13 @@ RunEnd endOf(FluidEnd end) {
   return end == FluidEnd::areas ? RunEnd::areas : RunEnd::time;
 }
 
-/// The report without notes that were printed before.
-Report withoutNotes(Report report, const std::vector<std::string>& told) {
+/// The report with notes that were not printed before, in the words of the command line.
+Report withNewNotes(Report report, const std::vector<std::string>& told) {
   std::erase_if(report.notes,
                 [&](const std::string& note) { return std::ranges::find(told, note) != told.end(); });
+  for (std::string& note : report.notes) {
+    if (note.starts_with("step:") || note.starts_with("epsilon:")) note.insert(0, "--");
+  }
   return report;
 }
 
@@ -99,8 +102,8 @@ Result<FluidOutcome> flow(const FluidCommand& command, Session& session, FluidSe
   const FluidOptions& options = fluid->options();
   // What is wrong from the beginning is said before a long run.
   FluidOutcome outcome;
+  printNotes(command.talk, withNewNotes(fluid->report(), {}));
   outcome.told = fluid->report().notes;
-  printNotes(command.talk, fluid->report());
   outcome.first = fluid->last();
   if (auto noted = note(fluid->last(), outcome, record); !noted) return tl::unexpected(noted.error());
   std::uint64_t recorded = outcome.last.step;
@@ -264,7 +267,7 @@ Result<ExitCode> fluid(FluidCommand& command, const Invocation& how) {
   const auto outcome = flow(command, *session, std::move(*setup), *record, log);
   if (!outcome) return tl::unexpected(std::move(outcome.error()));
   takeSignal();
-  printNotes(command.talk, withoutNotes(outcome->report, outcome->told));
+  printNotes(command.talk, withNewNotes(outcome->report, outcome->told));
   if (!validationIsSilent(outcome->report)) return exit_device;
   if (auto written = writeFiles(command, options, *session, *outcome, *files, log, *forecast, total);
       !written) {

@@ -324,6 +324,9 @@ Result<Fluid> Fluid::begin(Session& session, FluidState state, FluidOptions opti
   fluid.state_ = std::make_unique<State>(session, std::move(options), std::move(state));
   State& s = *fluid.state_;
   s.notes = std::move(notes);
+  // Of springs that are too soft from the first it was told.
+  s.is_outgrown = areTooSoft(s.options.epsilon, usualSpeed(s.callers, s.options),
+                             meanSpacing(s.callers.volume), s.options.surface);
   const auto placed = s.flow->place(s.now);
   if (!placed) return tl::unexpected(placed.error());
   if (!*placed) return refuse("volume: areas of the first cells could not be found");

@@ -362,6 +362,14 @@ TEST(Fluid, TellsOfSpringsThatDoNotGoWithItsSpeeds) {
   EXPECT_THAT(notesFor(0, 0), ElementsAre(HasSubstr("nothing moves and nothing pulls")));
 }
 
+TEST(Fluid, TellsOnceOfSpringsThatAreTooSoft) {
+  Session session = test::cpuSession();
+  FluidSetup setup = fluidCase(FluidCase::taylor_green, 64);
+  setup.options.epsilon = 25;
+  setup.options.step = 0.01;
+  EXPECT_THAT(runSteps(session, setup, 2).notes, ElementsAre(HasSubstr("too soft for speeds of ")));
+}
+
 TEST(Fluid, TellsOfSitesBeyondWalls) {
   Session session = test::cpuSession();
   FluidSetup setup = fluidCase(FluidCase::taylor_green, 64);
