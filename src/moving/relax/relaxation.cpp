@@ -307,6 +307,9 @@ Result<Relaxation> Relaxation::begin(Session& session, Sites sites, RelaxOptions
   Relaxation relaxation;
   relaxation.state_ = std::make_unique<State>(session, std::move(options), std::move(sites));
   State& state = *relaxation.state_;
+  // Along periodic axes places are rounded; sites that do not move stay where the caller has them.
+  const bool repeats = state.options.periodic != Periodic::none;
+  Sites given = repeats ? state.sites : Sites{};
   auto places = state.placed(std::move(state.sites));
   if (!places) return tl::unexpected(std::move(places.error()));
   if (!state.options.density.values.empty()) {
@@ -322,8 +325,9 @@ Result<Relaxation> Relaxation::begin(Session& session, Sites sites, RelaxOptions
     if (auto told = state.cells.update(*places); !told) return tl::unexpected(std::move(told.error()));
   }
   if (!measured) return tl::unexpected(std::move(measured.error()));
-  state.callers = std::move(*places);
   state.keep(std::move(ordered), std::move(*measured));
+  state.callers = std::move(repeats ? given : *places);
+  state.callers_are_old = false;
   return relaxation;
 }
 

@@ -319,6 +319,16 @@ TEST(Relaxation, SitesStayInTheOutline) {
   EXPECT_NEAR(near.y, 0.2, 1e-8);
 }
 
+TEST(Relaxation, SitesThatDoNotMoveAreThoseThatWereGiven) {
+  RelaxOptions options = relaxOptions(RelaxMethod::lbfgs, 0);
+  options.domain = {0, 0, 3, 0.7};
+  options.periodic = Periodic::xy;
+  const Sites sites{{0.1, 1.2, -2.9, 7.3}, {0.1, 0.6, 0.3, 1.1}, {}};
+  const Relaxed done = relaxed(sites, options);
+  EXPECT_EQ(done.sites.x, sites.x);
+  EXPECT_EQ(done.sites.y, sites.y);
+}
+
 TEST(Relaxation, Ends) {
   const Sites sites = generate(Pattern::random, 40, 1);
   RelaxOptions options = relaxOptions(RelaxMethod::lbfgs, 2000);
