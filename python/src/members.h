@@ -68,7 +68,7 @@ struct Members<CoordinateSystem> {
       named(member("kind", &CoordinateSystem::kind), member("organization", &CoordinateSystem::organization),
             member("code", &CoordinateSystem::code), member("definition", &CoordinateSystem::definition),
             member("equal_area_center", &CoordinateSystem::equal_area_center),
-            member("middle", &CoordinateSystem::middle));
+            member("from_plane_around", &CoordinateSystem::from_plane_around));
 };
 static_assert(has_all_members<CoordinateSystem>());
 

@@ -77,7 +77,7 @@ Result<PlacedInput> keptFor(const vorpipe_input& input) {
   }
   if (placed.domain.projection) {
     if (system.kind != CoordinateKind::degrees) system = wgs84();
-    system.middle = placed.domain.projection->center().x;
+    system.from_plane_around = placed.domain.projection->center();
   }
   Sites sites = *placed.sites;
   sites.weight = input.sites->weight;

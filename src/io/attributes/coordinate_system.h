@@ -25,9 +25,9 @@ struct CoordinateSystem {
   /// Of a plane that --project makes: the longitude and latitude that Lambert's azimuthal equal-area
   /// projection of WGS 84 is centered at; lengths are kilometers.
   std::optional<Point> equal_area_center{};
-  /// Of degrees that come back from such a plane: the longitude of its center. A ring around a pole has all
-  /// longitudes within 180 degrees of it, and one edge from the last to the first.
-  std::optional<double> middle{};
+  /// Of degrees that come back from such a plane, where edges are straight: its center. A ring around a pole
+  /// has all longitudes within 180 degrees of that, and one edge from the last to the first.
+  std::optional<Point> from_plane_around{};
 };
 
 /// WGS 84, longitude before latitude: that of GeoJSON.

@@ -237,7 +237,7 @@ Result<void> projectSites(const Request& request, const Projection& projection) 
   placed.latitudes = std::exchange(placed.sites.y, std::move(sites->y));
   if (placed.system.kind != CoordinateKind::degrees) placed.system = wgs84();
   placed.degrees = std::exchange(placed.system, {CoordinateKind::plane, {}, 0, {}, projection.center()});
-  placed.degrees.middle = projection.center().x;
+  placed.degrees.from_plane_around = projection.center();
   if (!placed.sites.weight.empty()) {
     request.note(fmt::format("{}: weights are square kilometers", words.project));
   }

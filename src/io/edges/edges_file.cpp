@@ -50,7 +50,7 @@ EdgeLine edgeLine(const EdgesOutput& output, std::size_t edge) {
   const Cell cell = diagram.cell(static_cast<std::size_t>(site_a));
   EdgeLine line{diagram.vertices[entry], diagram.vertices[endEntry(cell, entry)], site_a, site_b,
                 diagram.edge_lengths[entry]};
-  if (output.system.middle) {
+  if (output.system.from_plane_around) {
     // Around a pole one edge leads from the last longitude to the first.
     constexpr double whole_turn = 360;
     line.end.x += whole_turn * std::round((line.begin.x - line.end.x) / whole_turn);

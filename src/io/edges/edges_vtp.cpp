@@ -11,7 +11,7 @@ namespace {
 Result<void> writeVtpEdges(ByteSink& sink, const EdgesOutput& output) {
   const Topology& topology = output.topology;
   const std::size_t count = topology.edge_entry.size();
-  const bool apart = !output.diagram.neighbor_shifts.empty() || output.system.middle;
+  const bool apart = !output.diagram.neighbor_shifts.empty() || output.system.from_plane_around;
   const std::size_t points = apart ? 2 * count : topology.vertices.size();
   const auto ends = [&, apart](std::size_t k) -> std::size_t {
     return apart ? k : topology.edge_vertices[k / 2][k % 2];
