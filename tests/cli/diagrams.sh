@@ -123,7 +123,7 @@ refuses_file_of_domain() {
   refuses "an outline, $1" "--domain: in/$1" --sites random:9 --domain "in/$1"
   grep -qF -- "$2" log/err || fail "the line does not say '$2'"
 }
-refuses "an outline that crosses itself" "--domain: Self-intersection at (0.5, 0.5)" --sites random:9 --domain in/crossing.geojson
+refuses "an outline that crosses itself" "--domain: in/crossing.geojson: Self-intersection at (0.5, 0.5)" --sites random:9 --domain in/crossing.geojson
 printf '{"type":"Polygon","coordinates":[[[0,0],[1,' >in/cut.geojson
 printf '{"type":"Point","coordinates":[0,0]}' >in/point.json
 printf 'POLYGON ((0 0, 1 0' >in/cut.wkt

@@ -166,11 +166,11 @@ printf '1\n1e300\n' >in/heavy.txt
 unusable "a weight of a file too large" "--weights: the weight of site 1" --domain 0,0,1,1 --weights in/heavy.txt
 refuses "random weights too large" "--random-weights: the weight of site 0" --sites random:9 --random-weights 0,1e300
 printf 'POLYGON ((0 0, 1 1, 1 0, 0 1, 0 0))' >in/crossing.wkt
-unusable "an outline that crosses itself" "--domain: Self-intersection at (0.5, 0.5)" --domain in/crossing.wkt
+unusable "an outline that crosses itself" "--domain: in/crossing.wkt: Self-intersection at (0.5, 0.5)" --domain in/crossing.wkt
 for size in 1e-200 1e200 1e308; do
   printf 'POLYGON ((-%s 0, %s 0, %s %s, -%s 0))' $size $size $size $size $size >in/size.wkt
   unusable "an outline of size $size" "has no area that a double can hold" --domain in/size.wkt
-  grep -q -- '--domain: its box' log/err || fail "the line does not name --domain"
+  grep -q -- '--domain: in/size.wkt: its box' log/err || fail "the line does not name --domain"
 done
 printf 'x,y\n0.2,0\n0.2,1e-26\n' >in/near.csv
 near="sites 0 and 1: 0.2, 0 and 0.2, 1e-26 are not equal"

@@ -121,7 +121,7 @@ notes "districts" "--domain: in/touch.wkt: 2 polygons that touch dissolved into 
 area 1.9999 2.0001
 notes "districts that overlap" "the area of all was 8, without overlaps it is 7" $cells --sites random:50 --domain in/overlap.wkt
 area 6.9999 7.0001
-refuses "a bow-tie" "Self-intersection at (0.5, 0.5)" --sites random:9 --domain in/bow.wkt
+refuses "a bow-tie" "--domain: in/bow.wkt: Self-intersection at (0.5, 0.5)" --sites random:9 --domain in/bow.wkt
 grep -q -- '--repair mends it' log/err || fail "the line does not say what helps"
 notes "a bow-tie repaired" "1 of 1 polygons repaired" $cells --sites random:50 --domain in/bow.wkt --repair
 area 0.4999 0.5001

@@ -1,6 +1,7 @@
 /// Outlines as GEOS has them, and back.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -18,9 +19,10 @@ GeosGeometry geometryOf(const Geos& geos, const Outline& outline);
 /// False: GEOS refused.
 bool addPolygons(const Geos& geos, const GEOSGeometry* geometry, Outline& outline);
 
-/// What makes a geometry invalid, and where: "Self-intersection at (0.5, 0.5)"; nothing if it is valid. Error
-/// (input): GEOS could not tell, or the geometry is none.
-Result<std::optional<std::string>> faultOf(const Geos& geos, const GEOSGeometry* geometry);
+/// What makes a geometry invalid, and where: "Self-intersection at (0.5, 0.5)", or where `place` takes it;
+/// nothing if it is valid. Error (input): GEOS could not tell, or the geometry is none.
+Result<std::optional<std::string>> faultOf(const Geos& geos, const GEOSGeometry* geometry,
+                                           const std::function<Point(Point)>& place = {});
 
 /// The part of checkOutline before that: offsets, numbers of points, and their size. The outline is not
 /// empty.

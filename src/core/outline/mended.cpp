@@ -91,11 +91,12 @@ Outline withoutSlivers(const Outline& outline, std::size_t& slivers) {
 /// Mends one outline.
 class Mending {
  public:
-  Mending(const Outline& outline, bool repair) : outline_(outline), repair_(repair) {}
+  Mending(const Outline& outline, bool repair, const OutlineWords& words)
+      : outline_(outline), repair_(repair), words_(words) {}
 
   Result<MendedOutline> run() {
     const GeosGeometry whole = geometryOf(geos_, outline_);
-    const auto fault = faultOf(geos_, whole.get());
+    const auto fault = faultOf(geos_, whole.get(), words_.place);
     if (!fault) return tl::unexpected(fault.error());
     if (!*fault) return MendedOutline{outline_, {}};
     if (auto checked = checkEach(); !checked) return tl::unexpected(std::move(checked.error()));
@@ -111,7 +112,7 @@ class Mending {
   Result<void> checkEach() {
     for (std::size_t p = 0; p + 1 < outline_.polygon_offsets.size(); ++p) {
       GeosGeometry polygon = polygonOf(geos_, outline_, p);
-      const auto fault = faultOf(geos_, polygon.get());
+      const auto fault = faultOf(geos_, polygon.get(), words_.place);
       if (!fault) return tl::unexpected(fault.error());
       if (*fault) {
         if (!repair_) {
@@ -172,9 +173,9 @@ class Mending {
     if (repaired_ > 0) {
       text = fmt::format(
           "{} of {} polygons repaired, the first for a {}: their rings were {} and are {}, "
-          "their area was {:.6g} and is {:.6g}",
+          "their area was {:.6g} and is {:.6g}{}",
           repaired_, outline_.polygon_offsets.size() - 1, first_fault_, rings_before_, rings_after_,
-          area_before_, area_after_);
+          area_before_, area_after_, words_.unit_of_area);
     }
     const std::size_t left = after.polygon_offsets.size() - 1;
     constexpr double rounding = 1e-9;
@@ -184,7 +185,8 @@ class Mending {
       text += fmt::format("{}{} polygons that {} dissolved into {}", text.empty() ? "" : "; ", parts,
                           overlap ? "overlap" : "touch", left);
       if (overlap)
-        text += fmt::format(", the area of all was {:.6g}, without overlaps it is {:.6g}", sum_, area);
+        text += fmt::format(", the area of all was {:.6g}, without overlaps it is {:.6g}{}", sum_, area,
+                            words_.unit_of_area);
     }
     if (slivers > 0) text += fmt::format("; slivers without area left out: {}", slivers);
     return text;
@@ -193,6 +195,7 @@ class Mending {
   Geos geos_;
   const Outline& outline_;
   bool repair_;
+  const OutlineWords& words_;
   std::vector<GeosGeometry> parts_;  ///< by polygon
   double sum_ = 0;                   ///< of the areas of parts
   std::size_t repaired_ = 0, parts_made_ = 0, rings_before_ = 0, rings_after_ = 0;
@@ -205,11 +208,11 @@ class Mending {
 
 namespace vorpipe {
 
-Result<MendedOutline> mended(const Outline& outline, bool repair) {
+Result<MendedOutline> mended(const Outline& outline, bool repair, const OutlineWords& words) {
   if (outline.empty()) return MendedOutline{};
   try {
     if (auto checked = core::checkRings(outline); !checked) return tl::unexpected(std::move(checked.error()));
-    return core::Mending(outline, repair).run();
+    return core::Mending(outline, repair, words).run();
   } catch (const std::bad_alloc&) {
     return tl::unexpected(Error{ErrorCode::device, "there is not enough memory to mend the outline"});
   }

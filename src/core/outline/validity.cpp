@@ -17,13 +17,15 @@ namespace {
 constexpr std::size_t most_points = std::numeric_limits<std::int32_t>::max();
 
 /// A number with the digits that it needs, to find the place in a file.
-std::string placeOf(const Geos& geos, const GEOSGeometry* location) {
-  double x = 0, y = 0;
-  if (location == nullptr || GEOSGeomGetX_r(geos.handle(), location, &x) != 1 ||
-      GEOSGeomGetY_r(geos.handle(), location, &y) != 1) {
+std::string placeOf(const Geos& geos, const GEOSGeometry* location,
+                    const std::function<Point(Point)>& place) {
+  Point at{0, 0};
+  if (location == nullptr || GEOSGeomGetX_r(geos.handle(), location, &at.x) != 1 ||
+      GEOSGeomGetY_r(geos.handle(), location, &at.y) != 1) {
     return {};
   }
-  return fmt::format(" at ({}, {})", x, y);
+  if (place) at = place(at);
+  return fmt::format(" at ({}, {})", at.x, at.y);
 }
 
 Result<void> checkPolygons(const Outline& outline) {
@@ -74,7 +76,8 @@ Result<void> checkSize(const Outline& outline) {
 
 }  // namespace
 
-Result<std::optional<std::string>> faultOf(const Geos& geos, const GEOSGeometry* geometry) {
+Result<std::optional<std::string>> faultOf(const Geos& geos, const GEOSGeometry* geometry,
+                                           const std::function<Point(Point)>& place) {
   const auto failed = [&] {
     return refuseOutline(fmt::format("GEOS could not check it: {}", geos.message()));
   };
@@ -86,7 +89,7 @@ Result<std::optional<std::string>> faultOf(const Geos& geos, const GEOSGeometry*
   const GeosGeometry location_owner = owned(geos, location);
   if (valid == 1) return std::nullopt;
   if (valid != 0) return failed();
-  return (reason != nullptr ? reason : "not valid") + placeOf(geos, location);
+  return (reason != nullptr ? reason : "not valid") + placeOf(geos, location, place);
 }
 
 Result<void> checkRings(const Outline& outline) {

@@ -183,7 +183,15 @@ Result<MendedOutline> mendedToPlane(const Projection& projection, const Outline&
   if (!first) return first;
   const auto plane = toPlane(projection, first->outline);
   if (!plane) return tl::unexpected(plane.error());
-  auto second = mended(*plane, repair || is_outline);
+  // The caller has degrees, of which so many digits are no rounding.
+  constexpr double digits = 1e9;
+  const OutlineWords words{
+      [&](Point kilometers) {
+        const Point at = projection.toDegrees(kilometers);
+        return Point{std::round(at.x * digits) / digits, std::round(at.y * digits) / digits};
+      },
+      " km2"};
+  auto second = mended(*plane, repair || is_outline, words);
   if (!second) return second;
   if (!first->changes.empty() && !second->changes.empty()) first->changes += "; ";
   second->changes = first->changes + second->changes;

@@ -131,7 +131,9 @@ Result<Outline> mendedBy(const Mend& mend, const Request& request) {
       result.error().message +=
           fmt::format("; {} {} it", words.repair, points > few_points ? "may mend" : "mends");
     }
-    return renamed(words.domain, std::move(result.error()));
+    const bool named = !settings.outline.empty() && !settings.outline_name.empty();
+    return renamed(named ? fmt::format("{}: {}", words.domain, settings.outline_name) : words.domain,
+                   std::move(result.error()));
   }
   if (!result->changes.empty() && !settings.outline.empty()) {
     const std::string_view colon = settings.outline_name.empty() ? "" : ": ";

@@ -281,6 +281,12 @@ TEST(Maps, ringsMayCrossTheAntimeridianEndAtItOrGoAlongItToAPole) {
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().message, testing::HasSubstr("at (0.5, 0.5)"));
   EXPECT_TRUE(mendedToPlane(projectionAmid(bow).value(), bow, true));
+  // One across the antimeridian as well, which is looked at in the plane.
+  const Outline across = outlineOf({{{{170, 80}, {-170, 82}, {-170, 80}, {170, 82}}}});
+  EXPECT_THAT(mendedToPlane(projectionAmid(across).value(), across, false).error().message,
+              testing::HasSubstr("at (180, 8"));
+  EXPECT_THAT(mendedToPlane(projectionAmid(across).value(), across, true)->changes,
+              testing::AllOf(testing::HasSubstr("at (180, 8"), testing::HasSubstr(" km2")));
 }
 
 TEST(Maps, domainsReachAQuarterOfTheEarthAtMost) {
