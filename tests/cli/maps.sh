@@ -154,6 +154,13 @@ refuses "a system that is none" "--sites: in/unnamed.prj: is no coordinate syste
 printf 'lon,lat\n12,42\n13,89\n14,-80\n' >in/polar.csv
 notes "a box of degrees ends at the poles" "it ends at 90" $cells --sites in/polar.csv
 grep -q '"domain": \[' out/s.json && tr -d ' \n' <out/s.json | grep -q ',90.0\],\|,90\],' || fail "the domain goes beyond the pole"
+printf 'x,y\n-120,42\n130,89\n14,-70\n' >in/polar.csv
+notes "a box of what looks like degrees ends there as well" "would reach latitude 101.5: it ends at 90" $cells --sites in/polar.csv
+printf 'lon,lat\n0,60\n20,60\n10,80\n' >in/north.csv
+notes "a hull of degrees ends at the poles" "with its margin the hull of the sites would reach latitude" \
+  $cells -o out/north.wkt --sites in/north.csv --domain hull --margin 20
+grep -oE '[-0-9.]+ [-0-9.]+[,)]' out/north.wkt | tr -d ',)' | awk '$2 > 90 { exit 1 } $2 == 90 { seen = 1 } END { exit !seen }' ||
+  fail "the hull does not end at 90"
 
 # -- Files with outlines ------------------------------------------------------------------------------
 printf '{"type":"Polygon","coordinates":[[[0,0],[2,0],[2,1],[0,1],[0,0]]]}\n{"type":"Polygon","coordinates":[[[2,0],[3,0],[3,1],[2,1],[2,0]]]}\n' >in/parts.geojsonl
@@ -172,6 +179,8 @@ refuses "a layer of no GeoPackage" "has no layers" --sites random:9 --domain in/
 refuses "a layer of no file" "--domain-layer" --sites random:9 --domain-layer a
 refuses "across the antimeridian" "--domain: xmin 177 is not below xmax -177; in degrees, across the antimeridian, xmax is 183" \
   --sites random:9 --domain 177,-20,-177,-15
+fails 2 "a box that is none" "xmin 3 is not below xmax 1" cells --sites random:5 --domain 3,0,1,1 -o out/a.csv
+grep -q 'in degrees' log/err && fail "it speaks of degrees"
 
 # -- Places of densities ------------------------------------------------------------------------------
 printf '\223NUMPY\001\000\166\000%-117s\n\001\002\003\004\005\006\007\010' "{'descr': '|u1', 'fortran_order': False, 'shape': (2, 4), }" >in/d.npy

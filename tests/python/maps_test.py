@@ -46,6 +46,7 @@ def test_the_center_can_be_named(degrees):
     ({'domain': 'hull', 'outline': SQUARE}, 'domain', 'another is given'),
     ({'margin': 'wide'}, 'margin', '10%'), ({'margin': -1}, 'margin', ''),
     ({'margin': 1, 'domain': BOX}, 'margin', 'give one of them'),
+    ({'domain': (177, -20, -177, -15)}, 'domain', 'in degrees, across the antimeridian, xmax is 183'),
     ({'repair': True}, 'repair', 'there is none'), ({'outline': BOWTIE}, 'outline', 'repair mends it')])
 def test_what_contradicts_itself_is_refused(degrees, arguments, argument, message):
     if arguments.get('crs'):

@@ -11,6 +11,7 @@
 #include "cli/options/suggestion.h"
 #include "io/domain/outline_file.h"
 #include "io/files/extension.h"
+#include "io/sites/degrees.h"
 #include "io/text/number.h"
 #include "io/text/quoted.h"
 
@@ -63,15 +64,6 @@ auto valueIn(const Table& table, std::string_view text) -> Parsed<decltype(table
   });
 }
 
-/// What helps where a box of degrees across the antimeridian was meant; else nothing.
-std::string hintAcrossAntimeridian(std::string_view text) {
-  constexpr double half_turn = 180, whole_turn = 360;
-  const auto parts = split(text, ',');
-  const auto west = parseNumber(parts.front()), east = parseNumber(parts[2]);
-  if (!west || !east || !(*west > *east) || *west > half_turn || *east < -half_turn) return {};
-  return fmt::format("; in degrees, across the antimeridian, xmax is {}", *east + whole_turn);
-}
-
 }  // namespace
 
 std::string anyOf(std::span<const std::string> words) {
@@ -117,12 +109,14 @@ Parsed<DomainChoice> parseDomain(std::string_view text) {
   if (std::ranges::find(outlines, inputExtension(std::string(text))) != outlines.end()) {
     return DomainChoice{std::nullopt, std::string(text), /*hull=*/false};
   }
-  if (split(text, ',').size() != 4) {
+  const auto parts = split(text, ',');
+  if (parts.size() != 4) {
     return bad(fmt::format("{} is neither XMIN,YMIN,XMAX,YMAX nor hull nor a {} file", inQuotes(text),
                            anyOf(outlines)));
   }
   auto box = parseBox(text);
-  if (!box) return bad(box.error() + hintAcrossAntimeridian(text));
+  const auto west = parseNumber(parts.front()), east = parseNumber(parts[2]);
+  if (!box) return bad(box.error() + (west && east ? hintAcrossAntimeridian(*west, *east) : std::string()));
   return DomainChoice{*box, {}, /*hull=*/false};
 }
 

@@ -153,6 +153,39 @@ tl::unexpected<Error> tooFarApart(const Request& request) {
       fmt::format("{}: the sites reach too far for a default, name what to draw", request.words.domain));
 }
 
+/// Whether the sites stand in degrees, as far as can be told.
+bool areInDegrees(const PlacedSites& placed) {
+  return placed.from != SitesFrom::generator && looksLikeDegrees(placed.sites, placed.system);
+}
+
+/// Cuts what a margin adds to sites in degrees beyond the poles: `ymin` and `ymax` are how far it reaches.
+void endAtPoles(const Request& request, std::string_view what, double& ymin, double& ymax) {
+  constexpr double pole = 90;
+  if (!areInDegrees(request.placed) || (ymin >= -pole && ymax <= pole)) return;
+  request.note(fmt::format("{}: with its margin the {} of the sites would reach latitude {}: it ends at {}",
+                           request.words.domain, what, ymin < -pole ? ymin : ymax,
+                           ymin < -pole ? -pole : pole));
+  ymin = std::max(ymin, -pole);
+  ymax = std::min(ymax, pole);
+}
+
+/// A convex ring without what lies beyond two parallels, which leave some of it.
+std::vector<Point> between(double ymin, double ymax, std::vector<Point> ring) {
+  for (const auto& [side, up] : {std::pair(ymin, 1.0), std::pair(-ymax, -1.0)}) {
+    std::vector<Point> kept;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Point a = ring[k], b = ring[k + 1 < ring.size() ? k + 1 : 0];
+      const double above_a = a.y * up - side, above_b = b.y * up - side;
+      if (above_a >= 0) kept.push_back(a);
+      if ((above_a < 0 && above_b > 0) || (above_a > 0 && above_b < 0)) {
+        kept.push_back({a.x + (b.x - a.x) * (above_a / (above_a - above_b)), side * up});
+      }
+    }
+    ring = std::move(kept);
+  }
+  return ring;
+}
+
 Result<void> takeHull(const Request& request, const Margin& margin) {
   const Sites& sites = request.placed.sites;
   const Box box = domainOf(sites, Margin{0, false});
@@ -160,22 +193,15 @@ Result<void> takeHull(const Request& request, const Margin& margin) {
   if (!std::isfinite(longer)) return tooFarApart(request);
   auto hull = hullOf(sites, margin.relative ? margin.value * longer : margin.value);
   if (!hull) return renamed(request.words.domain, std::move(hull.error()));
+  auto [xmin, ymin, xmax, ymax] = boxOf(hull->points);
+  const double lowest = ymin, highest = ymax;
+  endAtPoles(request, "hull", ymin, ymax);
+  if (ymin > lowest || ymax < highest) {
+    hull->points = between(ymin, ymax, std::move(hull->points));
+    hull->ring_offsets = {0, hull->points.size()};
+  }
   takeOutline(request.placed, std::move(*hull));
   return {};
-}
-
-/// Cuts what a margin adds to a box of degrees beyond the poles.
-void endAtPoles(const Request& request) {
-  constexpr double pole = 90;
-  const auto& [settings, placed, words] = request;
-  Box& box = placed.domain;
-  const bool beyond = box.ymin < -pole || box.ymax > pole;
-  if (placed.system.kind != CoordinateKind::degrees || !beyond) return;
-  request.note(fmt::format("{}: with its margin the box of the sites would reach latitude {}: it ends at {}",
-                           words.domain, box.ymin < -pole ? box.ymin : box.ymax,
-                           box.ymin < -pole ? -pole : pole));
-  box.ymin = std::max(box.ymin, -pole);
-  box.ymax = std::min(box.ymax, pole);
 }
 
 /// The domain that the sites themselves have.
@@ -184,7 +210,7 @@ Result<void> takeDomainOfSites(const Request& request) {
   const Margin margin = settings.margin.value_or(Margin{settings.hull ? 0 : Margin{}.value});
   if (settings.hull) return takeHull(request, margin);
   placed.domain = domainOf(placed.sites, margin);
-  endAtPoles(request);
+  endAtPoles(request, "box", placed.domain.ymin, placed.domain.ymax);
   const auto [xmin, ymin, xmax, ymax] = placed.domain;
   if (!std::isfinite(xmax - xmin) || !std::isfinite(ymax - ymin)) return tooFarApart(request);
   if (settings.margin && !(xmin < xmax && ymin < ymax)) {
@@ -263,9 +289,7 @@ Result<void> project(const Request& request) {
 /// Says so where cells are to be those of a plane of degrees.
 void noteDegrees(const Request& request) {
   const auto& [settings, placed, words] = request;
-  if (placed.from == SitesFrom::generator || settings.project ||
-      !looksLikeDegrees(placed.sites, placed.system))
-    return;
+  if (settings.project || !areInDegrees(placed)) return;
   request.note(
       fmt::format("{}: coordinates look like degrees of longitude and latitude; cells are those of the plane "
                   "of degrees; {} makes a local plane where areas and distances are right",
@@ -322,6 +346,9 @@ Result<void> foundDomain(const Request& request) {
   }
   if (settings.box) {
     placed.domain = *settings.box;
+    const auto [xmin, ymin, xmax, ymax] = *settings.box;
+    if (const auto hint = hintAcrossAntimeridian(xmin, xmax); !hint.empty())
+      return inputError(fmt::format("{}: xmin {} is not below xmax {}{}", words.domain, xmin, xmax, hint));
     return {};
   }
   // Generators fill the unit square.

@@ -1,5 +1,7 @@
 #include "io/sites/degrees.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +15,12 @@ bool looksLikeDegrees(const Sites& sites, const CoordinateSystem& system) {
   const auto [south, north] = std::ranges::minmax(sites.y);
   return west >= -half_turn && west < -quarter && east > quarter && east <= half_turn && south >= -quarter &&
          north <= quarter;
+}
+
+std::string hintAcrossAntimeridian(double west, double east) {
+  constexpr double half_turn = 180, whole_turn = 360;
+  if (!(west > 0 && west <= half_turn && east < 0 && east >= -half_turn)) return {};
+  return fmt::format("; in degrees, across the antimeridian, xmax is {}", east + whole_turn);
 }
 
 std::string_view settleDegrees(const Sites& sites, CoordinateSystem& system) {
