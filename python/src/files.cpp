@@ -9,6 +9,7 @@
 
 #include "arrays.h"
 #include "errors.h"
+#include "input.h"
 #include "io/domain/density_file.h"
 #include "io/domain/outline_file.h"
 #include "io/sites/sites_file.h"
@@ -37,10 +38,10 @@ py::tuple outlineFrom(const std::string& path) {
       arrayOf<std::uint64_t>(std::move(outline.polygon_offsets)), py::bytes(path), argumentsOf(system));
 }
 
-py::tuple densityFrom(const std::string& path) {
-  auto [density, system] = readBy([&] { return readDensity(path); });
+py::tuple densityFrom(const std::string& path, std::optional<std::array<double, 4>> box) {
+  const auto place = box ? std::optional(boxFrom(*box)) : std::nullopt;
+  auto [density, system] = readBy([&] { return readDensity(path, place); });
   const py::array values = arrayOf<double>(std::move(density.values));
-  std::optional<std::array<double, 4>> box;
   if (density.box) box = {density.box->xmin, density.box->ymin, density.box->xmax, density.box->ymax};
   return py::make_tuple(values.attr("reshape")(density.height, density.width), box, py::bytes(path),
                         argumentsOf(system));
@@ -55,7 +56,7 @@ py::array weightsFrom(const std::string& path, std::uint64_t count) {
 void defineFiles(py::module_& module) {
   module.def("read_weights", &weightsFrom, py::arg("path"), py::arg("count"));
   module.def("read_outline", &outlineFrom, py::arg("path"));
-  module.def("read_density", &densityFrom, py::arg("path"));
+  module.def("read_density", &densityFrom, py::arg("path"), py::arg("box"));
   module.def(
       "random_weights",
       [](double low, double high, std::uint64_t count, std::uint64_t seed) {

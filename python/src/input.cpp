@@ -50,8 +50,6 @@ Outline outlineOf(const OutlineArrays& arrays) {
   return outline;
 }
 
-Box boxFrom(const std::array<double, 4>& box) { return {box[0], box[1], box[2], box[3]}; }
-
 /// The points of a table, or of an array.
 void takeSites(const GivenPoints& points, const std::optional<SystemArguments>& system,
                const DomainArguments& domain, Input& input) {
@@ -154,6 +152,8 @@ py::array givenPoints(const Input& input) {
 
 Sites sitesOf(const Numbers& points) {
   Sites sites;
+Box boxFrom(const std::array<double, 4>& box) { return {box[0], box[1], box[2], box[3]}; }
+
   takePoints(points, sites.x, sites.y);
   if (sites.size() == 0) raiseInput("points", "there are none");
   refuseNotFinite(sites);

@@ -58,6 +58,9 @@ std::shared_ptr<Input> inputOf(const GivenPoints& points, const std::optional<Nu
 
 /// Points (N, 2) by their index, whatever the strides. Errors: none, or not finite.
 Sites sitesOf(const Numbers& points);
+/// From xmin, ymin, xmax, ymax.
+Box boxFrom(const std::array<double, 4>& box);
+
 
 /// A density: values of shape (height, width), rows from the top; where they lie; the file that they are of,
 /// empty where there is none; the coordinate system of that place.

@@ -159,8 +159,7 @@ def density_of(value: Any, box: Optional[Sequence[float]] = None) -> Optional[De
             raise refuse('density_box', 'places a density, and there is none')
         return None
     if isinstance(value, (str, os.PathLike)):
-        values, beside, name, system = _vorpipe.read_density(path_of(value, 'density'))
-        return (values, beside, name, system) if place is None else (values, place, name, None)
+        return _vorpipe.read_density(path_of(value, 'density'), place)
     array = numbers('density', value)
     if array.ndim != 2 or array.size == 0:
         raise refuse('density', f'shape {array.shape}, must be (H, W): one value for each pixel')

@@ -38,7 +38,8 @@ def cells(points: Any, weights: Any = None, domain: Any = None, periodic: Union[
             else that of the points, grown on every side by 5 % of its longer side.
         periodic: "x", "y" or "xy" (or True): the axes along which the domain repeats itself; it must be named then.
         density: (H, W), mass per unit of area, over the domain, row 0 at the top; or the path of a .png or .npy
-            file, which a world file beside it (.pgw, .tfw, .wld) may place. Brings `mass` and `mass_centroids`.
+            file, which a world file (.pgw, .tfw, .wld) or GDAL's .aux.xml beside it may place. Brings `mass` and
+            `mass_centroids`.
         outline: what cells are clipped to besides: a ring (M, 2), a list of rings (a polygon, then its holes), a
             list of such polygons, GeoJSON, what has a __geo_interface__ (as shapely's polygons), or a path. Polygons
             that touch or overlap are dissolved.

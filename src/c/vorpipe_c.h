@@ -268,7 +268,8 @@ VORPIPE_API vorpipe_code vorpipe_input_set_density(vorpipe_input* input, const d
                                                    int32_t height);
 VORPIPE_API vorpipe_code vorpipe_input_read_density(vorpipe_input* input, const char* path);
 /* Where the pixels of the density that is set lie, in the unit of the domain as runs have it; beyond it there
- * is nothing. Else they are where a world file beside the density's says, or cover the domain. */
+ * is nothing. Else they are where a world file or GDAL's .aux.xml beside the density's says, or cover the
+ * domain. */
 VORPIPE_API vorpipe_code vorpipe_input_set_density_box(vorpipe_input* input, double xmin, double ymin,
                                                        double xmax, double ymax);
 

@@ -209,7 +209,14 @@ refuses_density() { fails 2 "$1" "$2" cells --backend cpu --sites random:9 -o ou
 refuses_density "a box of no density" "--density-box" --density-box 0,0,1,1
 refuses_density "a box that is none" "--density-box: xmin 1 is not below" --density in/d.npy --density-box 1,0,1,1
 refuses_density "a place that repeats itself" "--density: has a place of its own" --density in/d.npy --periodic x
+for what in "cells -o out/t.csv" "relax -o out/t.csv" "transport -o out/t.csv"; do
+  fails 2 "$what of pixels that lie elsewhere" \
+    "--density: in/d.npy: its pixels lie in 10,10,14,12, and nothing of the domain 0,0,1,1 does" \
+    $what --backend cpu --sites random:9 --density in/d.npy --density-box 10,10,14,12
+done
 printf '1\n0\n0\n' >in/d.wld
+succeeds "a box in place of a world file" $cells --sites random:50 --domain 0,0,4,2 --density in/d.npy --density-box 0,0,4,2
+mass 35.9999 36.0001
 refuses_density "a world file that is none" "--density: in/d.wld: has 3 numbers" --density in/d.npy
 
 finish

@@ -116,6 +116,13 @@ def test_a_density_lies_where_its_box_says(random, tmp_path):
     np.save(tmp_path / 'a.npy', density)
     with pytest.warns(vorpipe.InputWarning, match='a.npy: its 4 x 2 pixels are stretched .* density_box='):
         vorpipe.cells(points, domain=(0, 0, 2, 2), density=tmp_path / 'a.npy')
+    with pytest.warns(vorpipe.InputWarning, match='^density: its 4 x 2 pixels are stretched .* density_box='):
+        vorpipe.cells(points, domain=(0, 0, 2, 2), density=density)
+    with pytest.raises(vorpipe.InputError, match='^density: its pixels lie in 5,5,6,6, and nothing of the domain'):
+        vorpipe.transport(points, domain=(0, 0, 2, 2), density=density, density_box=(5, 5, 6, 6))
+    (tmp_path / 'a.wld').write_text('1\n')
+    whole = vorpipe.cells(points, domain=(0, 0, 4, 2), density=tmp_path / 'a.npy', density_box=(0, 0, 4, 2))
+    assert whole.mass.sum() == pytest.approx(density.sum())
     (tmp_path / 'a.wld').write_text('1\n0\n0\n-1\n1.5\n1.5\n')
     placed = vorpipe.cells(points, domain=(1, 0, 3, 2), density=tmp_path / 'a.npy')
     assert placed.mass.sum() == pytest.approx(density[:, :2].sum())

@@ -139,13 +139,9 @@ Result<Input> inputAround(const InputOptions& options, Sites corners) {
 
 Result<DensityFile> densityOf(const DensityOptions& options) {
   if (options.empty()) return {};
-  auto read = readDensity(options.file);
+  // A box that is named is in the unit of the domain, whatever lies beside the file.
+  auto read = readDensity(options.file, options.box);
   if (!read) return named("--density", std::move(read.error()));
-  // A box that is named is in the unit of the domain.
-  if (options.box) {
-    read->density.box = options.box;
-    read->system = {};
-  }
   return read;
 }
 

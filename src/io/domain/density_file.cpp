@@ -9,8 +9,7 @@
 
 #include "io/arrays/npy_elements.h"
 #include "io/arrays/npy_header.h"
-#include "io/attributes/system_beside.h"
-#include "io/domain/world_file.h"
+#include "io/domain/place_beside.h"
 #include "io/files/error.h"
 #include "io/files/extension.h"
 #include "io/files/input_file.h"
@@ -66,7 +65,7 @@ Result<Density> readNpy(const std::string& path) {
 
 }  // namespace
 
-Result<DensityFile> readDensity(const std::string& path) {
+Result<DensityFile> readDensity(const std::string& path, const std::optional<Box>& box) {
   const std::string extension = lowerExtension(path);
   try {
     if (extension != ".png" && extension != ".npy") {
@@ -79,13 +78,12 @@ Result<DensityFile> readDensity(const std::string& path) {
     auto density = extension == ".png" ? readPngDarkness(path) : readNpy(path);
     if (!density) return tl::unexpected(std::move(density.error()));
     DensityFile read{std::move(*density)};
-    auto box = boxBeside(path, read.density.width, read.density.height);
-    if (!box) return tl::unexpected(std::move(box.error()));
-    read.density.box = *box;
-    if (read.density.box) {
-      if (auto beside = readSystemBeside(path, read.system); !beside)
-        return tl::unexpected(std::move(beside.error()));
-    }
+    read.density.box = box;
+    if (box) return read;
+    auto place = placeBeside(path, read.density.width, read.density.height);
+    if (!place) return tl::unexpected(std::move(place.error()));
+    read.density.box = place->box;
+    read.system = std::move(place->system);
     return read;
   } catch (const std::bad_alloc&) {
     return deviceError(path + ": there is not enough memory for its pixels");

@@ -1,6 +1,7 @@
 /// Densities out of a file of any known kind.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "io/attributes/coordinate_system.h"
@@ -10,14 +11,14 @@ namespace vorpipe {
 
 struct DensityFile {
   Density density{};          ///< with a box where a file beside says where it lies
-  CoordinateSystem system{};  ///< of that box, as a .prj beside says
+  CoordinateSystem system{};  ///< of that box, as a file beside says
 };
 
 /// Reads a density by the path's extension, the top row first: .png, whose darkness it is (readPngDarkness),
 /// as stippling wants it; or .npy, an array of shape (H, W) of numbers that areNumbers() takes, whose
-/// elements it is. Its place is that of the world file beside it: .pgw, .pngw, .tfw or .wld in the place of
-/// its extension. Errors: a path or data that is wrong, a negative element or one that is not finite, a world
-/// file that is none or turns the pixels (input); reading failed or memory ran out (device).
-Result<DensityFile> readDensity(const std::string& path);
+/// elements it is. Its place is `box`, or where there is none that of placeBeside(). Errors: a path or data
+/// that is wrong, a negative element or one that is not finite, those of placeBeside() (input); reading
+/// failed or memory ran out (device).
+Result<DensityFile> readDensity(const std::string& path, const std::optional<Box>& box = {});
 
 }  // namespace vorpipe

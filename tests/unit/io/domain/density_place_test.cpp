@@ -6,6 +6,7 @@
 namespace vorpipe::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -28,13 +29,16 @@ std::vector<std::string> notesOn(const DensityFile& density, const std::string& 
   return placed.notes;
 }
 
-TEST(DensityPlace, pixelsThatAreStretchedAreNotedWhereAFileHasThem) {
+TEST(DensityPlace, pixelsThatAreStretchedAreNoted) {
   EXPECT_THAT(notesOn(pixelsIn(4, 4), "a.png"), IsEmpty());
   EXPECT_THAT(
       notesOn(pixelsIn(4, 3), "a.png"),
       ElementsAre(HasSubstr("density: a.png: its 4 x 3 pixels are stretched over the domain, and come "
                             "out 1.33 times as high as wide")));
-  EXPECT_THAT(notesOn(pixelsIn(4, 3), ""), IsEmpty());
+  EXPECT_THAT(
+      notesOn(pixelsIn(4, 3), ""),
+      ElementsAre("density: its 4 x 3 pixels are stretched over the domain, and come out 1.33 times as "
+                  "high as wide; a density box says where they lie"));
 }
 
 TEST(DensityPlace, whatAPlaceLeavesEmptyIsSaid) {
@@ -44,7 +48,25 @@ TEST(DensityPlace, whatAPlaceLeavesEmptyIsSaid) {
       notesOn(pixelsIn(4, 3, Box{5, 0, 20, 10}), ""),
       ElementsAre("density: its pixels lie in 5,0,20,10 and cover 50 % of the domain 0,0,10,10; it is 0 "
                   "elsewhere"));
-  EXPECT_THAT(notesOn(pixelsIn(4, 3, Box{50, 0, 60, 10}), ""), ElementsAre(HasSubstr("cover 0 %")));
+}
+
+TEST(DensityPlace, aPlaceThatIsElsewhereIsRefused) {
+  PlacedSites placed = inSquare();
+  EXPECT_EQ(placeDensity(pixelsIn(4, 3, Box{50, 0, 60, 10}), "a.png", placed).error().message,
+            "density: a.png: its pixels lie in 50,0,60,10, and nothing of the domain 0,0,10,10 does");
+  EXPECT_THAT(placed.notes, IsEmpty());
+}
+
+TEST(DensityPlace, degreesAreNoPlaceInAPlaneAlsoWhereNothingSaysThatTheyAre) {
+  PlacedSites placed = inSquare();
+  placed.domain = {-80, -60, 80, 60};
+  placed.projection = Projection::around({10, 50}).value();
+  placed.longitudes = {9, 11};
+  placed.latitudes = {49.5, 50.5};
+  EXPECT_THAT(
+      placeDensity(pixelsIn(4, 3, Box{9, 49, 11, 51}), "a.png", placed).error().message,
+      AllOf(HasSubstr("a.png: its place 9,49,11,51 is in degrees"), HasSubstr("+lon_0=10 +lat_0=50")));
+  EXPECT_TRUE(placeDensity(pixelsIn(4, 3, Box{-90, -90, 90, 90}), "a.png", placed));
 }
 
 TEST(DensityPlace, aPlaceInAnotherSystemIsRefused) {

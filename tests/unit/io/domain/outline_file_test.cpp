@@ -207,7 +207,41 @@ TEST_F(DensityFile, aWorldFileBesideItSaysWhereItsPixelsLie) {
   EXPECT_THAT(refused("100\n0\n0\n50\n0\n0\n"), HasSubstr("rows count from the top"));
   EXPECT_THAT(refused("100\n0\n0\n"), EndsWith("has 3 numbers; a world file has 6"));
   EXPECT_THAT(refused("100\n0\nx\n"), HasSubstr("a.wld:3:1: "));
+  // A box that is named stands for what lies beside.
+  EXPECT_EQ(readDensity(file, Box{1, 2, 3, 4})->density.box->xmin, 1);
   EXPECT_THAT(readDensity(path("a.tif")).error().message, HasSubstr("gdal_translate"));
+}
+
+TEST_F(DensityFile, whatGdalWritesBesideItSaysWhereItsPixelsLie) {
+  const std::string file = eightPixels("b.npy");
+  const std::string head = "<PAMDataset>\n  <PAMRasterBand band=\"1\"><SRSX/></PAMRasterBand>\n";
+  const auto withAux = [&](const std::string& text) {
+    write("b.npy.aux.xml", head + text + "</PAMDataset>\n");
+    return readDensity(file);
+  };
+  EXPECT_FALSE(withAux("")->density.box);
+  const std::string transform =
+      "<GeoTransform>  1.0e+03,  1e+02, 0.0,\n 2.0e+03, 0.0, -5.0e+01</GeoTransform>";
+  const auto placed = withAux(
+      "<SRS dataAxisToSRSAxisMapping=\"1,2\">PROJCS[&quot;ETRS89 / UTM zone "
+      "32N&quot;,GEOGCS[&quot;ETRS89&quot;],"
+      "AUTHORITY[&quot;EPSG&quot;,&quot;25832&quot;]]</SRS>" +
+      transform);
+  ASSERT_TRUE(placed) << placed.error().message;
+  ASSERT_TRUE(placed->density.box);
+  const auto [xmin, ymin, xmax, ymax] = *placed->density.box;
+  EXPECT_EQ((std::array{xmin, ymin, xmax, ymax}), (std::array{1000.0, 1900.0, 1400.0, 2000.0}));
+  EXPECT_EQ(placed->system.code, 25832);
+  EXPECT_THAT(withAux(transform + "<SRS>apples</SRS>").error().message,
+              HasSubstr("b.npy.aux.xml: its SRS: \"apples\" is no system"));
+  EXPECT_THAT(withAux("<GeoTransform>1,1,0</GeoTransform>").error().message,
+              HasSubstr("b.npy.aux.xml: its GeoTransform: empty field"));
+  EXPECT_THAT(withAux("<GeoTransform>1,1,0.5,1,0,-1</GeoTransform>").error().message,
+              HasSubstr("turns the pixels"));
+  // A world file is what people make; the system is GDAL's all the same.
+  write("b.wld", "1\n0\n0\n-1\n0.5\n1.5\n");
+  EXPECT_EQ(withAux("<SRS>EPSG:25832</SRS>" + transform)->density.box->xmax, 4);
+  EXPECT_EQ(readDensity(file)->system.code, 25832);
 }
 
 TEST_F(DensityFile, darkPixelsAreDense) {
