@@ -130,7 +130,26 @@ masses 1 2
 wrong "too few masses" "ends after 2 masses, there are 3 sites" --sites random:3 --masses in/masses.txt -o out/old.csv
 wrong "no attribute" '--masses: there is no attribute "size"; known are people' --sites in/towns.csv --masses @size -o out/old.csv
 printf 'x,y,people\n0,0,10\n1,0,\n0,1,30\n' >in/gap.csv
-wrong "a gap" '"people": site 1 (counted from 0): there is no value' --sites in/gap.csv --masses @people -o out/old.csv
+wrong "a gap" '--sites: in/gap.csv:3:5: empty field; --missing skip leaves such rows out (column people)' --sites in/gap.csv --masses @people -o out/old.csv
+printf 'x,y,people\n0,0,10\n1,0,NA\n0,1,-3\n' >in/negative.csv
+wrong "a mass that is negative" '--sites: in/negative.csv:4:5: "-3" is negative, and a mass (column people)' \
+  --sites in/negative.csv --missing skip --masses @people -o out/old.csv
+printf 'x,y,people\n0,0,10\n1,0,0\n' >in/none.csv
+wrong "no mass of an attribute" 'in/none.csv:3:5: "0" is no mass: it must be more than 0; --skip-zero leaves such sites out (column people)' \
+  --sites in/none.csv --masses @people -o out/old.csv
+printf '{"type":"FeatureCollection","features":[%s,%s,%s]}' \
+  '{"type":"Feature","properties":{},"geometry":{"type":"Point","coordinates":[0,0]}}' \
+  '{"type":"Feature","properties":{"people":2},"geometry":{"type":"Point","coordinates":[0,1]}}' \
+  '{"type":"Feature","properties":{"people":null},"geometry":{"type":"Point","coordinates":[1,1]}}' >in/gap.geojson
+wrong "a gap at first" 'has "people", and those before it have none' --sites in/gap.geojson --masses @people -o out/old.csv
+name="gaps are left out"
+printf 'x;y;people\n0;0;1,5\n1;0;None\n0;1;2,25\n2;2;NA\n' >in/gaps.csv
+run 0 transport --backend cpu --sites in/gaps.csv --missing skip --masses @people --normalize -o out/gaps.csv
+grep -qF 'in/gaps.csv: 2 rows without a place or a weight or "people" are left out' log/err || fail "it does not say so"
+[ "$(wc -l <out/gaps.csv)" -eq 3 ] || fail "not two sites"
+run 0 transport --backend cpu --sites in/gap.geojson --domain 0,0,1,1 --missing skip --masses @people --normalize -o out/gap.csv
+[ "$(wc -l <out/gap.csv)" -eq 2 ] || fail "not one site"
+rm out/gaps.csv out/gap.csv
 printf 'x,y\n0,0\n1,0\n0,0\n' >in/twice.csv
 wrong "two sites at one place" "sites 0 and 2 (counted from 0)" --sites in/twice.csv -o out/old.csv
 wrong "nothing to scale" "--normalize: scales what --masses names" --sites random:9 --normalize -o out/old.csv

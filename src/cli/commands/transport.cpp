@@ -187,6 +187,7 @@ Result<ExitCode> transportCells(TransportCommand& command, const Invocation& how
   if (!density) return tl::unexpected(density.error());
   InputOptions reading = command.input;
   reading.reading.attributes = command.targets.carryAttributes() || wantsAttributes(command.masses);
+  reading.reading.needed = neededFor(command.masses);
   auto input = inputUnder(*density, command.density, reading, planOf(command, density->density.values.size()),
                           command.memory_limit);
   if (!input) return tl::unexpected(input.error());

@@ -19,13 +19,19 @@ namespace vorpipe::cli {
 
 namespace {
 
+constexpr std::string_view skip_advice = "; --skip-zero leaves such sites out";
+
+bool isOfZero(std::string_view message) { return message.find("is no mass") != std::string_view::npos; }
+
+ZeroMass zeroOf(const MassOptions& masses) { return masses.skip_zero ? ZeroMass::taken : ZeroMass::refused; }
+
 /// What may have been meant by masses that could not be read.
 std::string adviceOn(const Error& error, const MassOptions& masses, const Input& input) {
   const auto has_name = [&](const Attribute& attribute) { return attribute.name() == masses.file; };
   if (!masses.file.empty() && std::ranges::any_of(input.attributes, has_name)) {
     return fmt::format("; @{} is the attribute of the sites", masses.file);
   }
-  return error.message.find("is no mass") == std::string::npos ? "" : "; --skip-zero leaves such sites out";
+  return isOfZero(error.message) ? std::string(skip_advice) : "";
 }
 
 /// Leaves out the sites whose mass is 0.
@@ -47,9 +53,18 @@ bool wantsAttributes(const MassOptions& masses) {
   return !masses.attribute.empty() || (!masses.file.empty() && inputExtension(masses.file).empty());
 }
 
+std::optional<NeededAttribute> neededFor(const MassOptions& masses) {
+  if (masses.attribute.empty()) return std::nullopt;
+  return NeededAttribute{masses.attribute, [zero = zeroOf(masses)](std::string_view text) {
+                           return checkMass(text, zero).map_error([](std::string what) {
+                             return isOfZero(what) ? what.append(skip_advice) : what;
+                           });
+                         }};
+}
+
 Result<std::vector<double>> loadMasses(const MassOptions& masses, Input& input) {
   if (masses.areEqual()) return {};
-  const ZeroMass zero = masses.skip_zero ? ZeroMass::taken : ZeroMass::refused;
+  const ZeroMass zero = zeroOf(masses);
   auto read = masses.file.empty() ? massesIn(input.attributes, masses.attribute, zero)
                                   : readMasses(masses.file, input.sites.size(), zero);
   if (!read) {

@@ -1,6 +1,7 @@
 /// A transport as `vorpipe transport` runs it: its masses, and what is told of its steps.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,9 @@ namespace vorpipe::cli {
 
 /// Whether attributes are wanted for masses: one is named, or what is named as a file looks like one.
 bool wantsAttributes(const MassOptions& masses);
+
+/// The attribute that has masses, so that readers name the place of one that is wrong; none where none has.
+std::optional<NeededAttribute> neededFor(const MassOptions& masses);
 
 /// Reads the masses; none where they are equal. Sites without mass are left out of the input, and noted
 /// there, where that is asked for. Errors: those of readMasses and massesIn, after the option; (input) no

@@ -60,6 +60,17 @@ void AttributeColumns::add(const Value& value, std::string_view text, std::size_
   for (std::size_t k = 0; k < sites; ++k) attribute.add(quotes ? std::string_view(json) : text);
 }
 
+std::optional<std::string_view> AttributeColumns::rowValue(std::string_view name) const {
+  const auto known = by_name_.find(name);
+  std::size_t begin = 0;
+  for (const Value& value : row_) {
+    if (known != by_name_.end() && value.column == known->second.column)
+      return std::string_view(row_text_).substr(begin, value.end - begin);
+    begin = value.end;
+  }
+  return std::nullopt;
+}
+
 void AttributeColumns::endRow(std::size_t sites) {
   std::size_t begin = 0;
   for (const Value& value : row_) {

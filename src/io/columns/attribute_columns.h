@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,6 +31,10 @@ class AttributeColumns {
   /// The value of the row that is being read, once for a column and row; else it is missing. `text` as
   /// Attribute::at has it. A column of several types becomes the narrowest type that holds them all.
   void set(std::size_t column, AttributeType type, std::string_view text);
+
+  /// The value of the row that is being read, until it ends; none where it is missing.
+  [[nodiscard]] std::optional<std::string_view> rowValue(std::string_view name) const;
+  [[nodiscard]] bool has(std::string_view name) const { return by_name_.contains(name); }
 
   /// Ends the row, which is that of `sites` sites; 0 leaves it out.
   void endRow(std::size_t sites = 1);

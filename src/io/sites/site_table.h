@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "io/attributes/attribute.h"
@@ -10,6 +13,12 @@
 #include "vorpipe.h"
 
 namespace vorpipe {
+
+/// An attribute that each row needs a value of, as it needs a place.
+struct NeededAttribute {
+  std::string name;
+  std::function<tl::expected<void, std::string>(std::string_view)> check;  ///< what is wrong with a value
+};
 
 /// How a file with sites is read, where it does not say so itself.
 struct ReadOptions {
@@ -22,6 +31,7 @@ struct ReadOptions {
   std::string layer{};        ///< of a GeoPackage; empty: its only one with points
   bool skip_missing = false;  ///< leaves out rows without a place, or with an empty weight, and counts them
   bool attributes = true;     ///< whether attributes are kept
+  std::optional<NeededAttribute> needed{};  ///< if there is one of that name, which is kept
 };
 
 struct SiteTable {

@@ -59,6 +59,7 @@ class CsvSites {
       if (names_[k].empty()) names_[k] = fmt::format("column_{}", k + 1);
       if (columns_.has(k)) continue;
       attributes_.push_back({k, table_.attributes().newColumn(names_[k])});
+      if (options_.needed && names_[k] == options_.needed->name) needed_ = k;
     }
     return header ? Result<void>() : readRow();
   }
@@ -159,8 +160,9 @@ class CsvSites {
         table_.attributes().set(to, AttributeType::text, text_.of(csv_, from));
       }
     }
-    if (const auto problem = table_.addRow(points, weight)) return csv_.errorAt(column, *problem);
-    return {};
+    const auto problem = table_.addRow(points, weight);
+    if (!problem) return {};
+    return csv_.errorAt(table_.refusedNeeded() ? needed_ : column, *problem);
   }
 
   SiteTable finish() {
@@ -190,6 +192,7 @@ class CsvSites {
   CsvColumns columns_{};
   std::vector<std::string> names_;
   std::vector<AttributeOf> attributes_;
+  std::size_t needed_ = 0;  ///< the column of the attribute that is needed
   CsvText text_;
   DecimalMark mark_ = DecimalMark::none;  ///< of the numbers so far
   std::uint64_t mark_line_ = 0;

@@ -38,6 +38,27 @@ RowProblem TableBuilder::checkRoom() {
   return room.error().message.substr(name_.size() + 2);
 }
 
+/// What is wrong with the value that a row needs.
+RowProblem TableBuilder::checkNeeded(std::string_view value) {
+  const std::string column = fmt::format(" (column {})", printable(needed_->name));
+  refused_needed_ = true;
+  if (isMissingValue(value)) {
+    const auto problem = addMissingValue(trimmed(value));
+    return problem ? *problem + column : RowProblem{};
+  }
+  const auto right = needed_->check(value);
+  refused_needed_ = !right;
+  return right ? RowProblem{} : right.error() + column;
+}
+
+/// Leaves out all rows up to now, which lack what a later one has.
+void TableBuilder::leaveOutRows() {
+  table_.skipped += rows_;
+  rows_ = 0;
+  table_.sites = {};
+  attributes_.clearRows();
+}
+
 RowProblem TableBuilder::addRow(std::span<const Point> points, std::optional<double> weight) {
   Sites& sites = table_.sites;
   if (sites.size() + points.size() > max_sites)
@@ -46,10 +67,16 @@ RowProblem TableBuilder::addRow(std::span<const Point> points, std::optional<dou
   if (rows_ > 0 && weighted && !weight) return addMissing("has no weight, and those before it have");
   if (rows_ > 0 && !weighted && weight) {
     if (!skip_missing_) return "has a weight, and those before it have none";
-    table_.skipped += rows_;
-    rows_ = 0;
-    sites = {};
-    attributes_.clearRows();
+    leaveOutRows();
+  }
+  if (needed_ && attributes_.has(needed_->name)) {
+    if (!std::exchange(has_needed_, true) && rows_ > 0) {
+      if (!skip_missing_)
+        return fmt::format("has {}, and those before it have none", inQuotes(needed_->name));
+      leaveOutRows();
+    }
+    const auto problem = checkNeeded(attributes_.rowValue(needed_->name).value_or(""));
+    if (problem || refused_needed_) return problem;
   }
   for (const Point& point : points) {
     if (weight) sites.weight.push_back(*weight);
@@ -79,8 +106,9 @@ SiteTable TableBuilder::finish() {
   if (const auto what = settleDegrees(table_.sites, table_.system); !what.empty()) note(what);
   if (heights_) note("of positions x and y are taken, and nothing of their other numbers");
   if (table_.skipped > 0) {
-    note(fmt::format("{} row{} without a place or a weight {} left out", table_.skipped,
-                     table_.skipped == 1 ? "" : "s", table_.skipped == 1 ? "is" : "are"));
+    note(fmt::format("{} row{} without a place or a weight{} {} left out", table_.skipped,
+                     table_.skipped == 1 ? "" : "s", needed_ ? " or " + inQuotes(needed_->name) : "",
+                     table_.skipped == 1 ? "is" : "are"));
   }
   if (!attributes_.kept() && attributes_.size() > 0) note("not used: " + listed(attributes_));
   table_.attributes = attributes_.take();

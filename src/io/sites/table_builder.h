@@ -19,7 +19,10 @@ class TableBuilder {
  public:
   /// `name` is the file's, for notes.
   TableBuilder(std::string name, const ReadOptions& options)
-      : name_(std::move(name)), skip_missing_(options.skip_missing), attributes_(options.attributes) {}
+      : name_(std::move(name)),
+        skip_missing_(options.skip_missing),
+        needed_(options.needed),
+        attributes_(options.attributes) {}
 
   /// Of the row that addRow or addMissing ends.
   AttributeColumns& attributes() { return attributes_; }
@@ -28,8 +31,11 @@ class TableBuilder {
   [[nodiscard]] bool skipsMissing() const { return skip_missing_; }
 
   /// Ends a row: each point is a site, with the row's weight and attributes. A row has a weight if those
-  /// before have one.
+  /// before have one, and the attribute that is needed, once one had it.
   RowProblem addRow(std::span<const Point> points, std::optional<double> weight);
+
+  /// Whether what addRow refused was the value of the attribute that is needed.
+  [[nodiscard]] bool refusedNeeded() const { return refused_needed_; }
 
   /// Ends a row that lacks something: `what` is wrong, unless such rows are to be left out.
   RowProblem addMissing(std::string_view what);
@@ -47,9 +53,13 @@ class TableBuilder {
 
  private:
   RowProblem checkRoom();
+  RowProblem checkNeeded(std::string_view value);
+  void leaveOutRows();
 
   std::string name_;
   bool skip_missing_;
+  const std::optional<NeededAttribute>& needed_;
+  bool refused_needed_ = false, has_needed_ = false;
   AttributeColumns attributes_;
   SiteTable table_{};
   std::uint64_t rows_ = 0;

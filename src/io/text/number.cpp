@@ -45,7 +45,8 @@ std::string_view trimmed(std::string_view text) {
 }
 
 bool isMissingValue(std::string_view text) {
-  constexpr std::array<std::string_view, 8> spellings{"", "NA", "N/A", "nan", "NaN", "NULL", "-", "."};
+  constexpr std::array<std::string_view, 9> spellings{"",     "NA",   "N/A", "nan", "NaN",
+                                                      "NULL", "None", "-",   "."};
   text = trimmed(text);
   // Nearly all fields are numbers.
   if (text.size() > 4 || (!text.empty() && text[0] >= '0' && text[0] <= '9')) return false;

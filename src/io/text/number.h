@@ -12,7 +12,7 @@ namespace vorpipe {
 std::string_view trimmed(std::string_view text);
 
 /// Whether a field says that there is no value, as people, R and NumPy write it: it is empty, NA, N/A, nan,
-/// NaN, NULL, a minus or a point.
+/// NaN, NULL, None, a minus or a point.
 bool isMissingValue(std::string_view text);
 
 /// Reads a finite decimal number, blanks around it and a leading + allowed, to the nearest double; what

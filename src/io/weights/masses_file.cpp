@@ -30,6 +30,13 @@ bool isName(std::string_view line) {
 
 }  // namespace
 
+tl::expected<void, std::string> checkMass(std::string_view text, ZeroMass zero) {
+  // Whether a comma is one before a fraction shows when all are read.
+  return parseDecimal(text)
+      .and_then([&](const Decimal& number) { return massOf(number.value, trimmed(text), zero); })
+      .map([](double) {});
+}
+
 Result<std::vector<double>> readMasses(const std::string& path, std::uint64_t count, ZeroMass zero) {
   const auto value = [zero](double number, std::string_view text) { return massOf(number, text, zero); };
   return readSiteNumbers(path, count, {"mass", "masses", isName, value});

@@ -182,7 +182,7 @@ TEST_F(SiteTables, missingFieldsAreErrorsOrLeftOut) {
 }
 
 TEST_F(SiteTables, missingValuesAreThoseThatRAndNumPyWrite) {
-  for (const std::string missing : {"NA", "N/A", "nan", "NaN", "NULL", "-", "."}) {
+  for (const std::string missing : {"NA", "N/A", "nan", "NaN", "NULL", "None", "-", "."}) {
     const std::string what = "\"" + missing + "\" is no value; --missing skip leaves such rows out (column ";
     const std::string table = "x,y,weight\n1,2,3\n4,5," + missing + "\n" + missing + ",7,8\n";
     EXPECT_EQ(bad("a.csv", table), "3:5: " + what + "weight)");
