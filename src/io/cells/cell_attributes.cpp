@@ -55,7 +55,8 @@ std::string renamingNote(std::span<const Attribute> attributes) {
   const auto names = attributeNames(attributes);
   std::string renamed;
   for (std::size_t k = 0; k < names.size(); ++k) {
-    if (names[k] == attributes[k].name()) continue;
+    // A GeoPackage numbers its rows, which nobody has to be told.
+    if (names[k] == attributes[k].name() || attributes[k].name() == "fid") continue;
     renamed += fmt::format("{}{} is {}", renamed.empty() ? "" : ", ", inQuotes(attributes[k].name()),
                            inQuotes(names[k]));
   }

@@ -47,6 +47,8 @@ TEST(AttributeNames, AreTheirOwnUnlessAFieldHasThem) {
   EXPECT_THAT(renamingNote(attributes), AllOf(HasSubstr("\"area\" is \"input_area\", \"NAME\" is"),
                                               Not(HasSubstr("\"id\"")), Not(HasSubstr("\n"))));
   EXPECT_EQ(renamingNote(std::span(attributes).first(1)), "");
+  // Every GeoPackage has that, and nobody gave it.
+  EXPECT_EQ(renamingNote(std::vector{Attribute("fid", AttributeType::integer)}), "");
 }
 
 class CellsWithAttributes : public CellsFile {
