@@ -196,6 +196,16 @@ std::shared_ptr<Input> inputOf(const GivenPoints& points, const std::optional<Nu
 void defineInput(py::module_& module) {
   py::class_<DomainArguments>(module, "Domain", "What a domain is asked for with.")
       .def(py::init([](const std::optional<std::array<double, 4>>& box, bool hull,
+/// The same without the points that are not kept; the domain stays.
+static std::shared_ptr<Input> keptOf(const Input& input, const std::vector<bool>& kept) {
+  auto less = std::make_shared<Input>(input);
+  Attributes attributes;
+  if (input.attributes) attributes = *input.attributes;
+  keepSites(*less, attributes.columns, kept);
+  if (input.attributes) less->attributes = std::make_shared<const Attributes>(std::move(attributes));
+  return less;
+}
+
                        const std::optional<OutlineArrays>& outline,
                        const std::optional<std::pair<double, bool>>& margin, bool repair, bool project,
                        const std::optional<std::array<double, 2>>& center) {
@@ -222,6 +232,7 @@ void defineInput(py::module_& module) {
       .def_property_readonly("points", &givenPoints)
       .def_property_readonly("weights",
                              [](const std::shared_ptr<Input>& input) -> std::optional<py::array> {
+      .def("kept", &keptOf, py::arg("kept"))
                                if (input->sites.weight.empty()) return std::nullopt;
                                return viewOf<double>(input->sites.weight,
                                                      std::shared_ptr<const Input>(input));

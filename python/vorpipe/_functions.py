@@ -194,7 +194,7 @@ def transport(points: Any, masses: Any = None, density: Any = None, domain: Any 
               device: Device = None, threads: Optional[int] = None, search: str = 'grid',
               progress: Optional[Progress] = None, attributes: Optional[Mapping[str, Any]] = None,
               project: Project = None, margin: Margin = None, repair: bool = False, crs: Any = None,
-              density_box: Optional[Sequence[float]] = None) -> Transported:
+              density_box: Optional[Sequence[float]] = None, skip_zero: bool = False) -> Transported:
     """The weights that give each cell its mass: semi-discrete optimal transport.
 
     Args:
@@ -211,6 +211,8 @@ def transport(points: Any, masses: Any = None, density: Any = None, domain: Any 
         callback: called with each step, as `Transported.trace` has them; returning False ends the transport with what
             was reached.
         progress: called with "transport" and the part done; returning False stops it, and what was reached is lost.
+        skip_zero: leaves out points whose mass is 0, which can have no cell, and warns of how many: the arrays of
+            `Transported` are as long as there are others.
 
     `Transported.end` says whether the tolerance was reached. All others are as in `cells`.
     """
@@ -219,8 +221,8 @@ def transport(points: Any, masses: Any = None, density: Any = None, domain: Any 
     return session.transport(points, masses, density, domain, weights, tolerance=tolerance, diagrams=diagrams,
                              normalize=normalize, surface=surface, fill=fill, callback=callback, periodic=periodic,
                              outline=outline, search=search, progress=progress, attributes=attributes,
-                             project=project, margin=margin, repair=repair, crs=crs,
-                             density_box=density_box)
+                             project=project, margin=margin, repair=repair, crs=crs, density_box=density_box,
+                             skip_zero=skip_zero)
 
 
 def drawn_points(density: Any, n: int, domain: Optional[Sequence[float]] = None, seed: int = 1,

@@ -38,6 +38,20 @@ def input_of(points: Any, weights: Any, domain: _vorpipe.Domain, periodic: Union
     return made
 
 
+def without_zeros(taken: _vorpipe.Input, masses: _arguments.Floats) -> Tuple[_vorpipe.Input, _arguments.Floats]:
+    """Without the points whose mass is 0, which can have no cell."""
+    if not len(masses):
+        raise _scalars.refuse('skip_zero', 'is for masses; equal ones are more than 0')
+    kept = masses != 0
+    # Of masses that are not as many as points the transport tells.
+    if len(masses) != len(taken) or kept.all():
+        return taken, masses
+    if not kept.any():
+        raise _scalars.refuse('masses', 'no point has any')
+    warn([f'skip_zero: {len(kept) - kept.sum()} of {len(kept)} points, whose mass is 0, are left out'])
+    return taken.kept(_arguments.listed(kept)), masses[kept]
+
+
 class Session:
     """One backend and device, ready to work; its runs share what opening it took.
 
@@ -152,13 +166,16 @@ class Session:
                   periodic: Union[None, bool, str] = None, outline: Any = None, search: str = 'grid',
                   progress: Optional[Progress] = None, attributes: Optional[Mapping[str, Any]] = None,
                   project: Project = None, margin: Margin = None, repair: bool = False,
-                  crs: Any = None,
-              density_box: Optional[Sequence[float]] = None) -> Transported:
+                  crs: Any = None, density_box: Optional[Sequence[float]] = None,
+                  skip_zero: bool = False) -> Transported:
         """As `vorpipe.transport`."""
         wanted = _arguments.domain_of(domain, outline, margin, repair, project)
         taken = input_of(points, weights, wanted, periodic, density, attributes, crs, density_box=density_box)
+        masses = _arguments.masses_of(masses)
+        if _scalars.flag_of('skip_zero', skip_zero):
+            taken, masses = without_zeros(taken, masses)
         found, neighbors = _arguments.search_of(search)
-        arguments = _vorpipe.TransportArguments(masses=_arguments.masses_of(masses),
+        arguments = _vorpipe.TransportArguments(masses=masses,
                                                 normalize=_scalars.flag_of('normalize', normalize),
                                                 fill=_scalars.number_or_none('fill', fill),
                                                 free_surface=_arguments.surface_of(surface),

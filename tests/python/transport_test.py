@@ -38,6 +38,23 @@ def test_masses_follow_arrays_and_densities():
     assert np.allclose(found.areas, 0.004, rtol=1e-8) and found.weights.min() > 0
 
 
+def test_points_without_mass_can_be_left_out():
+    points = [[0.2, 0.2], [0.8, 0.2], [0.2, 0.8], [0.8, 0.8]]
+    with pytest.warns(vorpipe.InputWarning, match='skip_zero: 1 of 4 points, whose mass is 0, are left out'):
+        found = vorpipe.transport(points, [1, 0, 2, 1], domain=UNIT, weights=np.zeros(4), normalize=True, skip_zero=True,
+                                  attributes={'name': ['a', 'b', 'c', 'd']})
+    assert np.allclose(found.areas, [0.25, 0.5, 0.25], rtol=1e-8)
+    cells = found.cells()
+    assert cells.points.tolist() == [points[k] for k in (0, 2, 3)]
+    assert cells.attributes['name'].tolist() == ['a', 'c', 'd']
+    with pytest.raises(vorpipe.InputError, match='^skip_zero: is for masses'):
+        vorpipe.transport(points, skip_zero=True)
+    with pytest.raises(vorpipe.InputError, match='^masses: no point has any'):
+        vorpipe.transport(points, np.zeros(4), skip_zero=True)
+    with pytest.raises(vorpipe.InputError, match='3 for 4'):
+        vorpipe.transport(points, [1, 0, 1], domain=UNIT, skip_zero=True)
+
+
 def test_what_ends_early_has_what_was_reached():
     points = vorpipe.generate('random', 300)
     found = vorpipe.transport(points, domain=UNIT, diagrams=2)

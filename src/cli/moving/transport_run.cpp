@@ -43,7 +43,7 @@ Result<void> skipZero(std::vector<double>& masses, Input& input) {
   if (masses.empty()) return inputError("--masses: no site has any");
   input.notes.push_back(
       fmt::format("--skip-zero: {} of {} sites, whose mass is 0, are left out", zeros, input.sites.size()));
-  keepSites(input, kept);
+  keepSites(input, input.attributes, kept);
   return {};
 }
 

@@ -150,26 +150,6 @@ Result<void> placeUnder(const DensityFile& density, const DensityOptions& from, 
   return placeDensity(density, from.file, input, domainWords(options));
 }
 
-void keepSites(Input& input, const std::vector<bool>& kept) {
-  const auto keep = [&](std::vector<double>& numbers) {
-    std::size_t to = 0;
-    for (std::size_t i = 0; i < numbers.size(); ++i) {
-      if (kept[i]) numbers[to++] = numbers[i];
-    }
-    numbers.resize(to);
-  };
-  for (auto* numbers :
-       {&input.sites.x, &input.sites.y, &input.sites.weight, &input.longitudes, &input.latitudes})
-    keep(*numbers);
-  for (Attribute& attribute : input.attributes) {
-    Attribute less(attribute.name(), attribute.type());
-    for (std::size_t i = 0; i < attribute.size(); ++i) {
-      if (kept[i]) less.add(attribute.at(i));
-    }
-    attribute = std::move(less);
-  }
-}
-
 tl::unexpected<Error> named(std::string_view option, Error error) {
   if (error.code == ErrorCode::input) error.message.insert(0, fmt::format("{}: ", option));
   return tl::unexpected(std::move(error));

@@ -36,9 +36,6 @@ Result<DensityFile> densityOf(const DensityOptions& options);
 Result<void> placeUnder(const DensityFile& density, const DensityOptions& from, const InputOptions& options,
                         Input& input);
 
-/// Leaves out the sites that are not kept, with all that is said of them; the domain stays.
-void keepSites(Input& input, const std::vector<bool>& kept);
-
 /// The error of what an option names, with the option in front where the input is wrong.
 tl::unexpected<Error> named(std::string_view option, Error error);
 

@@ -363,6 +363,26 @@ Result<void> findDomain(const DomainSettings& settings, PlacedSites& placed, con
   return foundDomain(request).map([&] { noteNowhere(request); });
 }
 
+void keepSites(PlacedSites& placed, std::vector<Attribute>& attributes, const std::vector<bool>& kept) {
+  const auto keep = [&](std::vector<double>& numbers) {
+    std::size_t to = 0;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (kept[i]) numbers[to++] = numbers[i];
+    }
+    numbers.resize(to);
+  };
+  for (auto* numbers :
+       {&placed.sites.x, &placed.sites.y, &placed.sites.weight, &placed.longitudes, &placed.latitudes})
+    keep(*numbers);
+  for (Attribute& attribute : attributes) {
+    Attribute less(attribute.name(), attribute.type());
+    for (std::size_t i = 0; i < attribute.size(); ++i) {
+      if (kept[i]) less.add(attribute.at(i));
+    }
+    attribute = std::move(less);
+  }
+}
+
 std::string boxText(const Box& box) {
   return fmt::format("{},{},{},{}", box.xmin, box.ymin, box.xmax, box.ymax);
 }

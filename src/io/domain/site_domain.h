@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/attributes/attribute.h"
 #include "io/attributes/coordinate_system.h"
 #include "vorpipe.h"
 
@@ -64,6 +65,9 @@ struct PlacedSites {
 /// the word for what is wrong: settings that contradict each other, sites and an outline in different
 /// systems, a domain that is none.
 Result<void> findDomain(const DomainSettings& settings, PlacedSites& placed, const DomainWords& words = {});
+
+/// Leaves out the sites that are not kept, with their attributes; the domain stays.
+void keepSites(PlacedSites& placed, std::vector<Attribute>& attributes, const std::vector<bool>& kept);
 
 /// A box as options have it: XMIN,YMIN,XMAX,YMAX.
 std::string boxText(const Box& box);
