@@ -34,13 +34,14 @@ auto viewed(std::vector<Row> Diagram::*rows) {
 
 void saveCells(const CellsResult& result, const std::string& path, bool only_cells) {
   const CellsFormat& format = formatOf(result, path, only_cells);
-  saveFile(path, [&](ByteSink& sink) { return writeCells(sink, outputOf(result, only_cells), format); });
+  saveFile(path, result.input->files,
+           [&](ByteSink& sink) { return writeCells(sink, outputOf(result, only_cells), format); });
 }
 
 void saveEdges(const CellsResult& result, const std::string& path, int threads) {
   const EdgesFormat& format = *valueOf(edgesFormatOf(path));
   requireDetail(result, format.extension, Detail::polygons);
-  saveFile(path, [&](ByteSink& sink) -> Result<void> {
+  saveFile(path, result.input->files, [&](ByteSink& sink) -> Result<void> {
     const auto topology = topologyOf(result, threads);
     if (!topology) return tl::unexpected(topology.error());
     return writeEdges(sink, {result.shown(), *topology, result.system()}, format);

@@ -95,11 +95,11 @@ py::array placesOf(const FluidRun& run) {
 void saveFluid(const FluidRun& run, const std::string& path) {
   const auto now = run.now();
   if (lowerExtension(path) == ".npz") {
-    saveFile(path, [&](ByteSink& sink) { return writeFluid(sink, now->state, now->options); });
+    saveFile(path, {}, [&](ByteSink& sink) { return writeFluid(sink, now->state, now->options); });
     return;
   }
   const PointsFormat& format = *valueOf(pointsFormatOf(path));
-  saveFile(path, [&](ByteSink& sink) { return writePoints(sink, {now->state.sites}, format); });
+  saveFile(path, {}, [&](ByteSink& sink) { return writePoints(sink, {now->state.sites}, format); });
 }
 
 std::shared_ptr<Report> reportOf(const FluidRun& run) {

@@ -62,6 +62,7 @@ void takeSites(const GivenPoints& points, const std::optional<SystemArguments>& 
     input.system = table.system;
     input.attributes = table.attributes;
     if (table.of_caller) input.from = SitesFrom::caller;
+    if (input.from == SitesFrom::file) input.files.push_back(table.name);
   } else {
     input.sites = sitesOf(std::get<Numbers>(points));
   }
@@ -136,6 +137,7 @@ void takeDomain(const DomainArguments& arguments, const GivenPoints& points, Inp
   }();
   valueOf(std::move(found));
   if (arguments.box && arguments.outline) input.domain = boxFrom(*arguments.box);
+  if (!settings.outline_name.empty()) input.files.push_back(settings.outline_name);
 }
 
 /// The points as they were given.
@@ -150,10 +152,10 @@ py::array givenPoints(const Input& input) {
 
 }  // namespace
 
-Sites sitesOf(const Numbers& points) {
-  Sites sites;
 Box boxFrom(const std::array<double, 4>& box) { return {box[0], box[1], box[2], box[3]}; }
 
+Sites sitesOf(const Numbers& points) {
+  Sites sites;
   takePoints(points, sites.x, sites.y);
   if (sites.size() == 0) raiseInput("points", "there are none");
   refuseNotFinite(sites);
@@ -179,6 +181,7 @@ static void takeDensity(const DensityArguments& given, const DomainWords& words,
   DensityFile density{densityOf(given)};
   if (system) density.system = systemOf(*system);
   valueOf(placeDensity(density, name, input, words));
+  if (!name.empty()) input.files.push_back(name);
   input.density = std::move(density.density);
 }
 
@@ -193,9 +196,6 @@ std::shared_ptr<Input> inputOf(const GivenPoints& points, const std::optional<Nu
   return input;
 }
 
-void defineInput(py::module_& module) {
-  py::class_<DomainArguments>(module, "Domain", "What a domain is asked for with.")
-      .def(py::init([](const std::optional<std::array<double, 4>>& box, bool hull,
 /// The same without the points that are not kept; the domain stays.
 static std::shared_ptr<Input> keptOf(const Input& input, const std::vector<bool>& kept) {
   auto less = std::make_shared<Input>(input);
@@ -206,6 +206,9 @@ static std::shared_ptr<Input> keptOf(const Input& input, const std::vector<bool>
   return less;
 }
 
+void defineInput(py::module_& module) {
+  py::class_<DomainArguments>(module, "Domain", "What a domain is asked for with.")
+      .def(py::init([](const std::optional<std::array<double, 4>>& box, bool hull,
                        const std::optional<OutlineArrays>& outline,
                        const std::optional<std::pair<double, bool>>& margin, bool repair, bool project,
                        const std::optional<std::array<double, 2>>& center) {
@@ -229,10 +232,10 @@ static std::shared_ptr<Input> keptOf(const Input& input, const std::vector<bool>
            py::arg("points"), py::arg("weights"), py::arg("domain"), py::arg("periodic"), py::arg("density"),
            py::arg("attributes").none(true), py::arg("system"), py::arg("free_surface"))
       .def("__len__", [](const Input& input) { return input.sites.size(); })
+      .def("kept", &keptOf, py::arg("kept"))
       .def_property_readonly("points", &givenPoints)
       .def_property_readonly("weights",
                              [](const std::shared_ptr<Input>& input) -> std::optional<py::array> {
-      .def("kept", &keptOf, py::arg("kept"))
                                if (input->sites.weight.empty()) return std::nullopt;
                                return viewOf<double>(input->sites.weight,
                                                      std::shared_ptr<const Input>(input));

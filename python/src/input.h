@@ -11,6 +11,7 @@
 #include <tuple>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "attributes.h"
 #include "io/domain/site_domain.h"
@@ -27,7 +28,8 @@ namespace py = pybind11;
 struct Input : PlacedSites {
   Surface surface = Surface::none;
   Density density{};
-  SharedAttributes attributes{};  ///< may be null
+  SharedAttributes attributes{};     ///< may be null
+  std::vector<std::string> files{};  ///< that it was read from, which nothing of it is to replace
 };
 
 using Numbers = py::array_t<double>;
@@ -56,11 +58,11 @@ std::shared_ptr<Input> inputOf(const GivenPoints& points, const std::optional<Nu
                                const DomainArguments& domain, const std::string& periodic,
                                const std::optional<SystemArguments>& system);
 
-/// Points (N, 2) by their index, whatever the strides. Errors: none, or not finite.
-Sites sitesOf(const Numbers& points);
 /// From xmin, ymin, xmax, ymax.
 Box boxFrom(const std::array<double, 4>& box);
 
+/// Points (N, 2) by their index, whatever the strides. Errors: none, or not finite.
+Sites sitesOf(const Numbers& points);
 
 /// A density: values of shape (height, width), rows from the top; where they lie; the file that they are of,
 /// empty where there is none; the coordinate system of that place.

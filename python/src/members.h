@@ -97,11 +97,12 @@ static_assert(has_all_members<PlacedSites>());
 
 template <>
 struct Members<Input> {
-  static constexpr auto all = std::tuple_cat(
-      Members<PlacedSites>::all, named(member("surface", &Input::surface), member("density", &Input::density),
-                                       member("attributes", &Input::attributes)));
+  static constexpr auto all =
+      std::tuple_cat(Members<PlacedSites>::all,
+                     named(member("surface", &Input::surface), member("density", &Input::density),
+                           member("attributes", &Input::attributes), member("files", &Input::files)));
 };
-static_assert(memberCount<Input>() == 4);  // the first is what it is derived from
+static_assert(memberCount<Input>() == 5);  // the first is what it is derived from
 
 /// Values as one text, and where each ends; -1 where it is missing.
 template <>

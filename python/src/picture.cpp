@@ -60,7 +60,7 @@ void savePicture(const PictureResult& result, const std::string& path) {
   const PictureOutput output{
       result.input->sites, result.options, &result.rendering.image, nullptr, result.input->system, 0};
   if (const auto ids = idsFormatOf(path)) {
-    saveFile(path, [&](ByteSink& sink) { return (*ids)->write(sink, output); });
+    saveFile(path, result.input->files, [&](ByteSink& sink) { return (*ids)->write(sink, output); });
     return;
   }
   const auto format = pictureFormatOf(path);
@@ -71,7 +71,7 @@ void savePicture(const PictureResult& result, const std::string& path) {
   if ((*format)->of_shapes) {
     raiseInput("path", fmt::format("{}: is made of cells, not of pixels: call vorpipe.draw", path));
   }
-  saveFile(path, [&](ByteSink& sink) { return (*format)->write(sink, output); });
+  saveFile(path, result.input->files, [&](ByteSink& sink) { return (*format)->write(sink, output); });
 }
 
 void defineKey(py::module_& module) {
@@ -90,7 +90,7 @@ void saveShapes(const CellsResult& cells, const Look& look, const std::string& p
   const Input& input = *cells.input;
   const RenderOptions options = renderOptionsOf(look, input);
   const PictureOutput output{input.sites, options, nullptr, &cells.diagram, input.system, threads};
-  saveFile(path, [&](ByteSink& sink) { return format.write(sink, output); });
+  saveFile(path, input.files, [&](ByteSink& sink) { return format.write(sink, output); });
 }
 
 }  // namespace

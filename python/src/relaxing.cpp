@@ -53,7 +53,7 @@ void savePoints(const RelaxResult& result, const std::string& path) {
   const Input& input = *result.input;
   PointsOutput output{sites, {}, input.projection ? input.degrees : input.system};
   if (input.attributes) output.attributes = input.attributes->columns;
-  saveFile(path, [&](ByteSink& sink) { return writePoints(sink, output, format); });
+  saveFile(path, input.files, [&](ByteSink& sink) { return writePoints(sink, output, format); });
 }
 
 py::array takenSteps(const RelaxResult& result) {

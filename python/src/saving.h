@@ -3,8 +3,11 @@
 
 #include <pybind11/pybind11.h>
 
+#include <filesystem>
 #include <string>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include "errors.h"
 #include "io/files/output_file.h"
@@ -13,9 +16,15 @@
 
 namespace vorpipe::python {
 
-/// Has `write` fill a file, without the GIL. Throws what goes wrong; the file is then what it was.
+/// Has `write` fill a file, without the GIL, which is none of those that `inputs` names. Throws what goes
+/// wrong; the file is then what it was.
 template <class Write>
-void saveFile(const std::string& path, const Write& write) {
+void saveFile(const std::string& path, const std::vector<std::string>& inputs, const Write& write) {
+  for (const std::string& input : inputs) {
+    std::error_code none;
+    if (!std::filesystem::equivalent(path, input, none)) continue;
+    raiseInput("path", path + ": is what this was computed from, and would be replaced; name another file");
+  }
   auto saved = [&]() -> Result<void> {
     const WithoutGil no_gil;
     auto file = OutputFile::create(path);

@@ -47,7 +47,7 @@ void saveWeighted(const TransportResult& result, const std::string& path) {
   const Sites sites = sitesInDegrees(input, result.found.sites);
   PointsOutput output{sites, {}, input.projection ? input.degrees : input.system};
   if (input.attributes) output.attributes = input.attributes->columns;
-  saveFile(path, [&](ByteSink& sink) { return writePoints(sink, output, format); });
+  saveFile(path, input.files, [&](ByteSink& sink) { return writePoints(sink, output, format); });
 }
 
 /// The sites with their weights, for cells of the same surface.

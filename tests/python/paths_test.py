@@ -74,3 +74,19 @@ def test_what_is_no_path_is_refused():
     with pytest.raises(vorpipe.InputError, match='^path: 5 is no path') as caught:
         vorpipe.cells(POINTS).save(5)
     assert caught.value.subject == 'path'
+
+
+def test_what_a_result_is_of_is_not_replaced(tmp_path):
+    path = tmp_path / 'a.csv'
+    path.write_text('x,y\n0.2,0.3\n0.7,0.6\n0.4,0.9\n')
+    ring = tmp_path / 'ring.geojson'
+    ring.write_text('{"type":"Polygon","coordinates":[[[0,0],[1,0],[1,1],[0,1],[0,0]]]}')
+    cells = vorpipe.cells(path, outline=ring)
+    for save in (cells.save, cells.save_edges, vorpipe.relax(path, iterations=1).save, vorpipe.transport(path).save):
+        with pytest.raises(vorpipe.InputError, match='^path: .*a.csv: is what this was computed from'):
+            save(f'{tmp_path}/./a.csv')
+    with pytest.raises(vorpipe.InputError, match='ring.geojson: is what'):
+        cells.save(ring)
+    assert path.read_text().startswith('x,y\n')
+    cells.save(tmp_path / 'b.csv')
+    cells.save(tmp_path / 'b.csv')
