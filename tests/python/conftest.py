@@ -21,6 +21,12 @@ def random():
     return np.random.default_rng(seed)
 
 
+@pytest.fixture
+def rng(random):
+    """By another name, where a file has something else called random."""
+    return random
+
+
 def usable(backend):
     return any(info.usable for info in vorpipe.devices() if info.backend == backend)
 

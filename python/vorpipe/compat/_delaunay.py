@@ -42,6 +42,8 @@ class Delaunay(PlaneSet, DelaunayBase):
         self.simplices: Indices = self._triangles.astype(np.int32)
         self.neighbors: Indices = self._adjacent
         self.nsimplex = len(self.simplices)
+        # Of Qhull's facets that are left out for a point that is named, of which there is none here.
+        self.good: Indices = np.ones(self.nsimplex, dtype=np.int32)
         self.paraboloid_scale, self.paraboloid_shift = 1.0, 0.0
 
     @cached_property
