@@ -13,7 +13,7 @@ namespace vorpipe {
 
 /// The polygons of a cell, each of which is rings of points: an outer ring, then its holes. The last point of
 /// a ring is not the first again. In degrees that come from a projection edges that bend much get places in
-/// between (decision Dxxx), and a ring around a pole is led along the meridian opposite to the center to the
+/// between (decision D135), and a ring around a pole is led along the meridian opposite to the center to the
 /// pole and back, or to the hole around the pole, so that it is a polygon of longitude and latitude (decision
 /// D126). The diagram outlives this.
 class CellPolygons {
