@@ -136,9 +136,10 @@ offered_bash() {
     _vorpipe
     printf "%s\n" "${COMPREPLY[@]}"' bash "$1"
 }
+# fish 4 lists what has the word amid it as well, which Tab takes where nothing begins with the word.
 offered_fish() {
   cd files && fish --no-config -c 'source ../completions.fish; complete -C $argv[1] | string split -f1 \t' "$1" |
-    sed 's/^--[a-z-]*=//'
+    sed 's/^--[a-z-]*=//' | awk -v word="${1##*[ =]}" 'index($0, word) == 1'
 }
 
 # offers LINE WORD...: $shell offers these, and nothing else.
