@@ -14,9 +14,13 @@ namespace vorpipe::core {
 class RingMeasures {
  public:
   void add(std::span<const Point> ring, bool hole) {
-    points_.assign(ring.begin(), ring.end());
+    // Seen from the ring itself: of a small one far from the origin nothing would be left.
+    const Point from = ring.front();
+    points_.clear();
+    for (const Point p : ring) points_.push_back({p.x - from.x, p.y - from.y});
     if (hole) std::ranges::reverse(points_);
-    const Measures m = measurePolygon(points_);
+    Measures m = measurePolygon(points_);
+    m.centroid = {from.x + m.centroid.x, from.y + m.centroid.y};
     const double sign = hole ? -1 : 1;
     sum_.area += sign * m.area;
     sum_.perimeter += m.perimeter;
