@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 #include "core/geometry/predicates.h"
 
@@ -60,12 +61,8 @@ struct Loop {
 /// Traces what is left of the edges of one cell.
 class RingTracer {
  public:
-  RingTracer(const Rings& outline, ClippedCell& cell) : outline_(outline), cell_(cell) {
-    for (std::size_t r = 0; r < cell.ring_starts.size(); ++r) {
-      const auto ring = cell.ring(r);
-      for (std::size_t k = 0; k < ring.size(); ++k) ends_.push_back(ring[k + 1 < ring.size() ? k + 1 : 0]);
-    }
-  }
+  RingTracer(const Rings& outline, std::vector<Point> ends, ClippedCell& cell)
+      : outline_(outline), cell_(cell), ends_(std::move(ends)) {}
 
   void run(std::span<const std::uint32_t> near) {
     labelOutline(near);
@@ -266,7 +263,12 @@ bool touchesItself(const ClippedCell& cell) {
 }
 
 void cleanRings(const Rings& outline, std::span<const std::uint32_t> near, ClippedCell& cell) {
-  RingTracer(outline, cell).run(near);
+  cleanRings(outline, near, cell.ends(), cell);
+}
+
+void cleanRings(const Rings& outline, std::span<const std::uint32_t> near, std::vector<Point> ends,
+                ClippedCell& cell) {
+  RingTracer(outline, std::move(ends), cell).run(near);
 }
 
 }  // namespace vorpipe::core

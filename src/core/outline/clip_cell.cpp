@@ -6,8 +6,6 @@
 #include <limits>
 #include <tuple>
 
-#include "core/outline/crossings.h"
-
 namespace vorpipe::core {
 namespace {
 
@@ -73,7 +71,7 @@ bool isSliver(const Ring& ring) {
   const double along = outlineLength(ring);
   if (along == 0) return false;
   const Extent extent = extentOf(ring.points);
-  return extent.area <= rounding * extent.across && along >= share * extent.perimeter;
+  return std::abs(extent.area) <= rounding * extent.across && along >= share * extent.perimeter;
 }
 
 void append(std::span<const Point> points, std::span<const std::int64_t> neighbors, bool hole,
@@ -203,6 +201,17 @@ std::span<const Point> ClippedCell::ring(std::size_t r) const {
   return std::span(vertices).subspan(ring_starts[r], end - ring_starts[r]);
 }
 
+std::vector<Point> ClippedCell::ends() const {
+  std::vector<Point> ends;
+  ends.reserve(vertices.size());
+  for (std::size_t r = 0; r < ring_starts.size(); ++r) {
+    const auto points = ring(r);
+    ends.insert(ends.end(), points.begin() + 1, points.end());
+    ends.push_back(points.front());
+  }
+  return ends;
+}
+
 Point ClippedCell::endOf(std::uint32_t edge) const {
   const auto next_ring = std::ranges::upper_bound(ring_starts, edge);
   const std::size_t end = next_ring != ring_starts.end() ? *next_ring : vertices.size();
@@ -227,6 +236,15 @@ bool ClippedCell::hasEdge(std::int64_t neighbor, Point a, Point b) const {
 
 OutlineClip::OutlineClip(const OutlineIndex& index) : state_(std::make_unique<State>(index)) {}
 OutlineClip::~OutlineClip() = default;
+
+void OutlineClip::border(std::span<const Point> vertices, std::span<const std::uint32_t> near,
+                         std::vector<BorderEdge>& edges) {
+  std::vector<int> turns;
+  for (const Point p : vertices) turns.push_back(state_->index.turnsAround(p));
+  state_->crossings.border({vertices}, near, turns, edges);
+}
+
+std::span<const Crossing> OutlineClip::crossings() const { return state_->crossings.all(); }
 
 OutlineClip::Outcome OutlineClip::clip(std::span<const Point> vertices,
                                        std::span<const std::int64_t> neighbors,

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "core/outline/crossings.h"
 #include "core/outline/edge_tree.h"
 
 namespace vorpipe::core {
@@ -19,6 +20,8 @@ struct ClippedCell {
 
   void clear();
   [[nodiscard]] std::span<const Point> ring(std::size_t r) const;
+  /// Where all edges end.
+  [[nodiscard]] std::vector<Point> ends() const;
   /// Where an edge ends.
   [[nodiscard]] Point endOf(std::uint32_t edge) const;
 
@@ -42,7 +45,7 @@ class OutlineClip {
     inside,
     outside,
     cut,
-    crossed,  ///< what is left of a polygon that crosses itself is not known
+    crossed,  ///< a polygon that crosses itself leaves no rings; border() has what is left
   };
 
   /// Clips the polygon of these vertices, counter-clockwise, whose edge k has the neighbor k. `near` has the
@@ -51,6 +54,13 @@ class OutlineClip {
   /// it.
   Outcome clip(std::span<const Point> vertices, std::span<const std::int64_t> neighbors,
                std::span<const std::uint32_t> near, ClippedCell& clipped);
+
+  /// Replaces `edges` by the border of what is left of the same polygon, of which edges may cross.
+  void border(std::span<const Point> vertices, std::span<const std::uint32_t> near,
+              std::vector<BorderEdge>& edges);
+
+  /// Of the polygon clipped last.
+  [[nodiscard]] std::span<const Crossing> crossings() const;
 
  private:
   struct State;

@@ -21,6 +21,14 @@ constexpr std::size_t clip_diagram_grain = 16 * group_size, again_grain = 256;
 /// Rounding error of an area along an outline of length 1.
 constexpr double line_rounding = 1e-14;
 
+/// Each time, what meets is nearer to what was given than before; more than four have not been needed.
+constexpr int most_passes = 32;
+
+template <class T>
+void append(std::vector<T>& to, const std::vector<T>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
 /// Counts the cells that are left.
 void countCells(Diagram& diagram) {
   const auto left = static_cast<std::uint64_t>(std::ranges::count(diagram.status, Status::ok));
@@ -65,23 +73,26 @@ FirstPass clipAll(const ClippedRun& run, const ScaledDiagram& cells, const Outli
     }
   });
   FirstPass all;
-  const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
   for (const auto& [near, contacts] : parts) {
     append(all.near, near);
     append(all.contacts.moved, contacts.moved);
     append(all.contacts.nodes, contacts.nodes);
     append(all.contacts.cells, contacts.cells);
+    all.contacts.faults = all.contacts.faults || contacts.faults;
   }
   return all;
 }
 
-/// Moves vertices of one cell, and measures its edges anew.
-void moveVertices(const ScaledDiagram& cells, std::uint32_t site, std::span<const MovedVertex> moved,
-                  Diagram& diagram) {
+/// Moves vertices of one cell but off its walls, and measures its edges anew.
+void moveVertices(const Box& domain, const ScaledDiagram& cells, std::uint32_t site,
+                  std::span<const MovedVertex> moved, Diagram& diagram) {
   bool changed = false;
   for (auto e = cells.begin(site); e < cells.end(site); ++e) {
     const Point from = cells.vertex(e), to = movedPlace(moved, from);
-    if (to == from) continue;
+    const auto before = cells.neighbor(e > cells.begin(site) ? e - 1 : cells.end(site) - 1);
+    if (to == from || isOffWall(domain, before, to) || isOffWall(domain, cells.neighbor(e), to)) {
+      continue;
+    }
     diagram.vertices[e] = cells.unscaled(to);
     changed = true;
   }
@@ -96,30 +107,58 @@ void moveVertices(const ScaledDiagram& cells, std::uint32_t site, std::span<cons
   diagram.perimeter[site] = cells.unscaled(perimeter);
 }
 
-/// Has cells and outline meet in the same points, to the bit, where they meet exactly, and clips cells again
-/// for which that changes anything.
+/// Clips cells again, with nodes as vertices; returns what else they need.
+RoundedNodes clipAgain(const ClippedRun& run, const ScaledDiagram& cells, const OutlineIndex& index,
+                       std::span<const std::uint32_t> which, std::span<const MovedVertex> moved,
+                       std::span<const SideNode> nodes, ClippedCells& clipped) {
+  std::vector<RoundedNodes> parts((which.size() + again_grain - 1) / again_grain);
+  parallelFor(which.size(), again_grain, run.threads, [&](std::size_t begin, std::size_t end) {
+    GroupClipper clipper(run, cells, index, clipped);
+    for (auto k = begin; k < end; ++k) clipper.again(which[k], moved, nodes, parts[begin / again_grain]);
+  });
+  RoundedNodes all;
+  for (const auto& [on_edges, on_sides] : parts) {
+    append(all.on_edges, on_edges);
+    append(all.on_sides, on_sides);
+  }
+  return all;
+}
+
+/// Has cells and outline meet in the same points, to the bit, where they meet exactly or are too near for
+/// doubles, and clips cells again for which that changes anything.
 void clipAtContacts(const ClippedRun& run, const ScaledDiagram& cells, const OutlineIndex& index,
                     FirstPass& first, ClippedCells& clipped, Diagram& diagram) {
   auto& [near, contacts] = first;
   const auto moved = agreed(std::move(contacts.moved));
-  const auto& which = moved.empty() && contacts.nodes.empty() ? contacts.cells : near;
+  const bool all = !moved.empty() || !contacts.nodes.empty() || contacts.faults;
+  std::span<const std::uint32_t> which = all ? near : contacts.cells;
   if (which.empty()) return;
   if (!moved.empty()) {
     parallelFor(near.size(), again_grain, run.threads, [&](std::size_t begin, std::size_t end) {
-      for (auto k = begin; k < end; ++k) moveVertices(cells, cells.siteOf(near[k]), moved, diagram);
+      for (auto k = begin; k < end; ++k)
+        moveVertices(run.set.domain, cells, cells.siteOf(near[k]), moved, diagram);
     });
   }
-  for (auto& node : contacts.nodes) node.at = movedPlace(moved, node.at);
+  for (auto& [edge, at] : contacts.nodes) {
+    const Point p = index.rings().points[edge], q = index.rings().points[index.rings().next(edge)];
+    if (const Point to = movedPlace(moved, at); isNearForRounding(p, q, to)) at = to;
+  }
   Rings refined;
   std::optional<OutlineIndex> of_refined;
-  if (!contacts.nodes.empty()) {
-    refined = withNodes(index.rings(), std::move(contacts.nodes));
-    of_refined.emplace(refined);
+  std::vector<EdgeNode> on_edges = std::move(contacts.nodes);
+  std::vector<SideNode> on_sides;
+  for (int pass = 0; pass < most_passes; ++pass) {
+    if (!on_edges.empty()) {
+      refined = withNodes(of_refined ? refined : index.rings(), std::move(on_edges));
+      of_refined.emplace(refined);
+    }
+    auto rounded = clipAgain(run, cells, of_refined ? *of_refined : index, which, moved, on_sides, clipped);
+    if (rounded.on_edges.empty() && rounded.on_sides.empty()) break;
+    on_edges = std::move(rounded.on_edges);
+    append(on_sides, rounded.on_sides);
+    sortNodes(on_sides);
+    which = near;
   }
-  parallelFor(which.size(), again_grain, run.threads, [&](std::size_t begin, std::size_t end) {
-    GroupClipper clipper(run, cells, of_refined ? *of_refined : index, clipped);
-    for (auto k = begin; k < end; ++k) clipper.again(which[k]);
-  });
 }
 
 }  // namespace

@@ -100,10 +100,11 @@ class ClippedWriter {
     return false;
   }
 
-  /// The same, asked of the cell with fewer edges: what one has, the other has from b to a.
+  /// The same, asked of the cell with fewer edges first: what one has, the other has from b to a, unless ties
+  /// joined its end to a wall.
   [[nodiscard]] bool hadCommonEdge(std::size_t i, std::size_t j, Point a, Point b) const {
     const bool fewer = cells_.end(i) - cells_.begin(i) <= cells_.end(j) - cells_.begin(j);
-    return fewer ? hadEdge(i, j, a, b) : hadEdge(j, i, b, a);
+    return fewer ? hadEdge(i, j, a, b) || hadEdge(j, i, b, a) : hadEdge(j, i, b, a) || hadEdge(i, j, a, b);
   }
 
   /// Whether a part of an edge between cells i and j, from a to b, is a tie.

@@ -3,6 +3,7 @@
 /// are one again.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,14 +33,37 @@ struct CellSides {
 /// A vertex of the diagram whose place is known better than where it was rounded to, or moved by ties.
 struct MovedVertex {
   Point from, to;
-  bool to_corner;  ///< of the outline; else to where it is without ties, rounded
+  /// A corner of the outline, where the vertex is without ties, rounded, or its foot on a side in its
+  /// bisector.
+  enum class Target : std::uint8_t { corner, crossing, foot } target;
 };
 
 struct Contacts {
   std::vector<MovedVertex> moved;
   std::vector<EdgeNode> nodes;       ///< vertices on edges, before they moved, and corners on other edges
   std::vector<std::uint32_t> cells;  ///< of the set, with a corner of the outline on a side or at a vertex
+  bool faults = false;               ///< rounding has made the rings of a cell cross themselves
 };
+
+/// A place that is to become a point of a side, which runs from a to b in one of two cells: a is less.
+struct SideNode {
+  Point a, b, at;
+};
+
+/// A cell some of whose sides are several.
+struct RefinedSides {
+  std::vector<Point> vertices;
+  std::vector<std::int64_t> neighbors;
+  std::vector<std::size_t> part_of;  ///< the side that each was
+};
+
+/// Whether p is off the wall that a cell has a side in, or its neighbor there is none. Ties may have joined a
+/// vertex to a wall beside it: then both are vertices of the cells that have sides in the wall, and of others
+/// that which is off.
+bool isOffWall(const Box& domain, std::int64_t neighbor, Point p);
+
+/// Sorts what insertCorners is to be given.
+void sortNodes(std::vector<SideNode>& nodes);
 
 /// Finds the contacts of one cell after the other. For one thread; keeps references.
 class ContactFinder {
@@ -50,10 +74,11 @@ class ContactFinder {
   /// Adds what a cell has in common with the edges `near`: all whose boxes come as near to it as `margin`.
   void find(const CellSides& sides, std::span<const std::uint32_t> near, Contacts& found);
 
-  /// Copies a cell with the corners among the beginnings of `near` that lie on its sides as vertices; returns
-  /// whether there are any. The cell on the other side of a side gets the same.
+  /// Replaces `refined` by a cell with the corners among the beginnings of `near` that lie on its sides, and
+  /// `nodes`, sorted, as vertices; returns whether there are any. The cell on the other side of a side gets
+  /// the same.
   bool insertCorners(const CellSides& sides, std::span<const std::uint32_t> near,
-                     std::vector<Point>& vertices, std::vector<std::int64_t>& neighbors);
+                     std::span<const SideNode> nodes, RefinedSides& refined);
 
  private:
   void findCorner(const CellSides& sides, Point corner, Contacts& found) const;
@@ -61,10 +86,10 @@ class ContactFinder {
   void findOnEdge(const CellSides& sides, std::uint32_t edge, Contacts& found) const;
   [[nodiscard]] bool isNearLine(Point a, Point b, Point p) const;
   [[nodiscard]] bool isOnSide(const CellSides& sides, std::size_t k, Point p) const;
-  [[nodiscard]] bool isOnBorder(const CellSides& sides, std::int64_t neighbor, Point p) const;
+  [[nodiscard]] int sideOfBorder(const CellSides& sides, std::int64_t neighbor, Point p) const;
   [[nodiscard]] bool isVertex(const CellSides& sides, std::size_t k, Point p) const;
-  [[nodiscard]] bool isOnLine(const CellSides& sides, std::size_t k, Point p, Point q) const;
-  [[nodiscard]] bool keepsWalls(Point vertex, Point p) const;
+  [[nodiscard]] bool isInLine(const CellSides& sides, std::int64_t neighbor, Point p, Point q) const;
+  [[nodiscard]] std::optional<int> vertexSide(const CellSides& sides, std::size_t k, Point p, Point q) const;
   [[nodiscard]] Point placeOf(const CellSides& sides, std::size_t k) const;
   [[nodiscard]] std::int32_t inSet(std::uint32_t cell, std::int64_t neighbor) const;
   [[nodiscard]] WeightedPoint site(std::int32_t cell) const;

@@ -49,24 +49,26 @@ void Crossings::cross(std::uint32_t edge) {
     const int side = sideOf(a, b, q);
     if (sideOf(a, b, p) == side || sideOfEdge(p, q, a) == sideOfEdge(p, q, b)) continue;
     const Point at = meeting(a, b, p, q);
-    crossings_.push_back({k, at, alongWay(p, q, at), alongWay(a, b, at), side > 0});
+    crossings_.push_back({edge, k, at, side > 0});
   }
 }
 
-bool Crossings::isInside(Point p) const {
-  if (p.x < box_.xmin || p.x > box_.xmax || p.y < box_.ymin || p.y > box_.ymax) return false;
-  bool inside = false;
+/// How often the polygon goes around p, counter-clockwise.
+int Crossings::turnsAround(Point p) const {
+  if (p.x < box_.xmin || p.x > box_.xmax || p.y < box_.ymin || p.y > box_.ymax) return 0;
+  int turns = 0;
   for (std::size_t k = 0; k < polygon_.size(); ++k) {
     const Point a = polygon_.from(k), b = polygon_.to(k);
     const bool up = b.y > p.y;
-    if ((a.y > p.y) != up && (sideOf(a, b, p) > 0) == up) inside = !inside;
+    if ((a.y > p.y) != up && (sideOf(a, b, p) > 0) == up) turns += up ? 1 : -1;
   }
-  return inside;
+  return turns;
 }
 
-/// Crossings along a line alternately enter and leave, even where rounding changed their order.
-bool Crossings::inTurns(std::vector<std::size_t>& crossings, bool enters_first, double Crossing::*along) {
-  std::ranges::stable_sort(crossings, {}, [&](std::size_t c) { return crossings_[c].*along; });
+/// Crossings along a way alternately enter and leave, even where rounding has made several of them one place.
+bool Crossings::inTurns(std::vector<std::size_t>& crossings, bool enters_first, Point from, Point to) {
+  std::ranges::stable_sort(crossings, {},
+                           [&](std::size_t c) { return placeAlong(from, to, crossings_[c].at); });
   turn_ = crossings;
   const auto second = std::stable_partition(
       turn_.begin(), turn_.end(), [&](std::size_t c) { return crossings_[c].enters == enters_first; });
@@ -79,9 +81,11 @@ bool Crossings::inTurns(std::vector<std::size_t>& crossings, bool enters_first, 
 /// Follows one edge through its crossings; `inside` says whether its beginning lies inside the polygon, and
 /// afterwards whether its end does.
 bool Crossings::traceEdge(std::size_t first, std::size_t last, bool& inside) {
+  if (first == last) return true;
+  const auto edge = crossings_[first].edge;
   around_.clear();
   for (std::size_t c = first; c < last; ++c) around_.push_back(c);
-  if (!inTurns(around_, !inside, &Crossing::along_edge)) return false;
+  if (!inTurns(around_, !inside, rings_.points[edge], rings_.points[rings_.next(edge)])) return false;
   for (const std::size_t c : around_) {
     inside = crossings_[c].enters;
     if (inside) {
@@ -132,7 +136,7 @@ bool Crossings::traceRing(std::span<const std::uint32_t> edges) {
   return head.enters != no_crossing;
 }
 
-bool Crossings::find(const Polygon& polygon, std::span<const std::uint32_t> near) {
+void Crossings::take(const Polygon& polygon, std::span<const std::uint32_t> near) {
   polygon_ = polygon;
   box_ = boxOf(polygon.vertices);
   crossings_.clear();
@@ -142,6 +146,10 @@ bool Crossings::find(const Polygon& polygon, std::span<const std::uint32_t> near
   for (const auto e : near) {
     if (!areApart(box_, boxAround(rings_.points[e], rings_.points[rings_.next(e)]))) near_.push_back(e);
   }
+}
+
+bool Crossings::find(const Polygon& polygon, std::span<const std::uint32_t> near) {
+  take(polygon, near);
   for (std::size_t begin = 0, end = 0; begin < near_.size(); begin = end) {
     while (end < near_.size() && rings_.ring[near_[end]] == rings_.ring[near_[begin]]) ++end;
     if (!traceRing(std::span(near_).subspan(begin, end - begin))) return false;
@@ -161,11 +169,51 @@ bool Crossings::order(bool inside) {
     on_side.assign(all.begin() + static_cast<std::ptrdiff_t>(begin),
                    all.begin() + static_cast<std::ptrdiff_t>(end));
     // What enters has the rings' inside to its left: before it, as one goes around the polygon.
-    if (!inTurns(on_side, inside, &Crossing::along_side)) return false;
+    const std::size_t side = crossings_[on_side.front()].side;
+    if (!inTurns(on_side, inside, polygon_.from(side), polygon_.to(side))) return false;
     around_.insert(around_.end(), on_side.begin(), on_side.end());
     inside = inside != (on_side.size() % 2 == 1);
   }
   return inside == began_inside;
+}
+
+/// Adds the pieces between crossings of a way, each as often as it counts there; backward if less than never.
+/// What enters the polygon is left by it in turn: so as many edges begin at a crossing as end there.
+void Crossings::addPieces(std::vector<std::size_t>& crossings, Point from, Point to, int times,
+                          std::size_t side, std::vector<BorderEdge>& edges) const {
+  std::ranges::stable_sort(crossings, {},
+                           [&](std::size_t c) { return placeAlong(from, to, crossings_[c].at); });
+  Point begin = from;
+  const auto add = [&](Point end) {
+    const BorderEdge edge = times > 0 ? BorderEdge{begin, end, side} : BorderEdge{end, begin, side};
+    if (begin != end) edges.insert(edges.end(), static_cast<std::size_t>(std::abs(times)), edge);
+    begin = end;
+  };
+  for (const std::size_t c : crossings) {
+    add(crossings_[c].at);
+    times += crossings_[c].enters == (side == no_crossing) ? 1 : -1;
+  }
+  add(to);
+}
+
+void Crossings::border(const Polygon& polygon, std::span<const std::uint32_t> near,
+                       std::span<const int> turns, std::vector<BorderEdge>& edges) {
+  take(polygon, near);
+  edges.clear();
+  std::vector<std::vector<std::size_t>> on_side(polygon.size());
+  for (const auto edge : near_) {
+    const std::size_t first = crossings_.size();
+    cross(edge);
+    around_.clear();
+    for (std::size_t c = first; c < crossings_.size(); ++c) {
+      around_.push_back(c);
+      on_side[crossings_[c].side].push_back(c);
+    }
+    const Point p = rings_.points[edge];
+    addPieces(around_, p, rings_.points[rings_.next(edge)], turnsAround(p), no_crossing, edges);
+  }
+  for (std::size_t k = 0; k < polygon.size(); ++k)
+    addPieces(on_side[k], polygon.from(k), polygon.to(k), turns[k], k, edges);
 }
 
 }  // namespace vorpipe::core

@@ -18,9 +18,9 @@ struct Polygon {
 
 /// Where an edge of a ring crosses a side of a polygon.
 struct Crossing {
+  std::uint32_t edge;
   std::size_t side;
   Point at;
-  double along_edge, along_side;
   bool enters;  ///< whether the edge enters the polygon there
 };
 
@@ -28,6 +28,12 @@ struct Crossing {
 struct RingPart {
   std::size_t enters = 0, leaves = 0;  ///< crossings
   std::vector<Point> points;           ///< of the ring, between them
+};
+
+/// An edge of a border, which has the inside to its left.
+struct BorderEdge {
+  Point from, to;
+  std::size_t side;  ///< of the polygon; no_crossing along a ring
 };
 
 inline constexpr std::size_t no_crossing = ~std::size_t{0};
@@ -45,6 +51,11 @@ class Crossings {
   /// vertex lies inside the rings.
   bool order(bool inside);
 
+  /// Replaces `edges` by the border of what the rings and a polygon have in common, both of which may cross
+  /// themselves: it goes around as often as they do. `turns` says how often rings go around each vertex.
+  void border(const Polygon& polygon, std::span<const std::uint32_t> near, std::span<const int> turns,
+              std::vector<BorderEdge>& edges);
+
   [[nodiscard]] const std::vector<Crossing>& all() const { return crossings_; }
   [[nodiscard]] const std::vector<RingPart>& arcs() const { return arcs_; }
   [[nodiscard]] const std::vector<std::uint32_t>& wholeRings() const { return whole_; }
@@ -52,11 +63,15 @@ class Crossings {
   [[nodiscard]] const std::vector<std::size_t>& around() const { return around_; }
 
  private:
+  void take(const Polygon& polygon, std::span<const std::uint32_t> near);
   void cross(std::uint32_t edge);
-  [[nodiscard]] bool isInside(Point p) const;
+  [[nodiscard]] int turnsAround(Point p) const;
+  void addPieces(std::vector<std::size_t>& crossings, Point from, Point to, int times, std::size_t side,
+                 std::vector<BorderEdge>& edges) const;
+  [[nodiscard]] bool isInside(Point p) const { return turnsAround(p) % 2 != 0; }
   bool traceRing(std::span<const std::uint32_t> edges);
   bool traceEdge(std::size_t first, std::size_t last, bool& inside);
-  bool inTurns(std::vector<std::size_t>& crossings, bool enters_first, double Crossing::*along);
+  bool inTurns(std::vector<std::size_t>& crossings, bool enters_first, Point from, Point to);
 
   const Rings& rings_;
   Polygon polygon_{};

@@ -9,6 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/geometry/predicates.h"
+
 namespace vorpipe::core {
 namespace {
 
@@ -52,15 +54,24 @@ void OutlineIndex::edgesIn(const Box& box, std::vector<std::uint32_t>& edges) co
   std::ranges::sort(edges);
 }
 
-bool OutlineIndex::contains(Point p) const {
-  if (!(p.x <= tree_->xmax)) return false;
-  bool inside = false;
+int OutlineIndex::turnsAround(Point p) const {
+  if (!(p.x <= tree_->xmax)) return 0;
+  int turns = 0;
   const TreeBox ray = treeBox({p.x, p.y, tree_->xmax, p.y});
   for (auto leaf = tree_->edges.qbegin(index::intersects(ray)); leaf != tree_->edges.qend(); ++leaf) {
-    const auto e = leaf->second;
-    inside = inside != crossesRay(rings_.points[e], rings_.points[rings_.next(e)], p);
+    const Point a = rings_.points[leaf->second], b = rings_.points[rings_.next(leaf->second)];
+    if (crossesRay(a, b, p)) turns += b.y > a.y ? 1 : -1;
   }
-  return inside;
+  return turns;
+}
+
+bool OutlineIndex::isOnEdge(Point p) const {
+  // In the box of an edge, what lies on its line lies on the edge.
+  return std::any_of(tree_->edges.qbegin(index::intersects(treeBox({p.x, p.y, p.x, p.y}))),
+                     tree_->edges.qend(), [&](const Leaf& leaf) {
+                       const auto e = leaf.second;
+                       return orientation(rings_.points[e], rings_.points[rings_.next(e)], p) == 0;
+                     });
 }
 
 }  // namespace vorpipe::core

@@ -22,7 +22,13 @@ class OutlineIndex {
   void edgesIn(const Box& box, std::vector<std::uint32_t>& edges) const;
 
   /// Whether a point lies inside; exact, one on an edge as sideOf says.
-  [[nodiscard]] bool contains(Point p) const;
+  [[nodiscard]] bool contains(Point p) const { return turnsAround(p) % 2 != 0; }
+
+  /// How often the rings go around a point, counter-clockwise; the same, of rings that may cross.
+  [[nodiscard]] int turnsAround(Point p) const;
+
+  /// Whether a point lies on an edge; exact.
+  [[nodiscard]] bool isOnEdge(Point p) const;
 
  private:
   struct Tree;

@@ -9,7 +9,8 @@ namespace vorpipe::core {
 
 GroupClipper::GroupClipper(const ClippedRun& run, const ScaledDiagram& cells, const OutlineIndex& index,
                            ClippedCells& out)
-    : cells_(cells),
+    : run_(run),
+      cells_(cells),
       index_(index),
       clip_(index),
       out_(out),
@@ -36,29 +37,107 @@ void GroupClipper::group(std::size_t first, std::size_t last, std::vector<std::u
       finder_.find(sides, near_, found);
       fate = clip(sides.vertices, sides.neighbors);
       if (fate == Fate::cut && touchesItself(clipped_)) cleanRings(index_.rings(), near_, clipped_);
+      if (fate == Fate::cut && !found.faults) found.faults = hasFaultsAtCrossings();
       if (fate == Fate::cut) fate = keepPart(member.site);
     }
     if (!near_.empty()) near.push_back(member.cell);
   }
 }
 
-void GroupClipper::again(std::uint32_t cell) {
+void GroupClipper::again(std::uint32_t cell, std::span<const MovedVertex> moved,
+                         std::span<const SideNode> nodes, RoundedNodes& found) {
   collect(cell, cell + std::size_t{1});
   if (members_.empty() || members_[0].count == 1) return;
+  const bool leaves_walls = leaveWalls(moved);
   const auto sides = sidesOf(members_[0]);
   findEdges(sides.vertices);
-  const bool has_corners = finder_.insertCorners(sides, near_, vertices_, labels_);
+  const bool has_corners = finder_.insertCorners(sides, near_, nodes, refined_) || leaves_walls;
   auto& fate = out_.fate[members_[0].site];
-  fate = clip(vertices_, labels_);
-  if (fate == Fate::inside && vertices_.size() < 3 && runsAlongOutline(vertices_)) {
+  fate = clip(refined_.vertices, refined_.neighbors);
+  if (fate == Fate::inside && refined_.vertices.size() < 3 && runsAlongOutline(refined_.vertices)) {
     fate = Fate::outside;
   } else if (fate == Fate::inside && has_corners) {
-    clipped_ = {vertices_, labels_, {0}, {false}, {}};
+    clipped_ = {refined_.vertices, refined_.neighbors, {0}, {false}, {}};
     fate = keepPart(members_[0].site);
   } else if (fate == Fate::cut) {
     cleanRings(index_.rings(), near_, clipped_);
     fate = keepPart(members_[0].site);
   }
+  if (fate == Fate::cut) findRounded(sides, found);
+}
+
+/// Whether rings are no longer simple after where they cross the cell was rounded: all else is as exact signs
+/// say of what is given.
+bool GroupClipper::hasFaultsAtCrossings() {
+  rounded_.clear();
+  for (const auto& crossing : clip_.crossings()) rounded_.push_back(crossing.at);
+  std::ranges::sort(rounded_, isLess);
+  asked_.clear();
+  const auto isRounded = [&](Point p) { return std::ranges::binary_search(rounded_, p, isLess); };
+  std::uint32_t first = 0;
+  for (std::size_t r = 0; r < clipped_.ring_starts.size(); ++r) {
+    const auto ring = clipped_.ring(r);
+    bool before = isRounded(ring.back());
+    for (std::uint32_t k = 0; k < ring.size(); ++k) {
+      const bool here = isRounded(ring[k]);
+      if (before || here)
+        asked_.push_back(first + (k > 0 ? k - 1 : static_cast<std::uint32_t>(ring.size()) - 1));
+      before = here;
+    }
+    first += static_cast<std::uint32_t>(ring.size());
+  }
+  faults_.clear();
+  findFaults(clipped_, asked_, faults_);
+  return !faults_.empty();
+}
+
+/// What rounding has made cross passes an end of the one or the other by less than doubles show: there they
+/// are to meet. Crossings stay where they are, whatever ways are bent by that.
+void GroupClipper::findRounded(const CellSides& sides, RoundedNodes& found) {
+  asked_.resize(clipped_.vertices.size());
+  for (std::uint32_t e = 0; e < asked_.size(); ++e) asked_[e] = e;
+  faults_.clear();
+  findFaults(clipped_, asked_, faults_);
+  if (faults_.empty()) return;
+  for (const auto& crossing : clip_.crossings()) {
+    addToEdge(crossing.edge, crossing.at, found);
+    addToSide(sides, crossing.side, crossing.at, found);
+  }
+  for (const auto& [e, f] : faults_) {
+    const Point a = clipped_.vertices[e], b = clipped_.endOf(e);
+    const Point c = clipped_.vertices[f], d = clipped_.endOf(f);
+    join(sides, a, b, c, found);
+    join(sides, a, b, d, found);
+    join(sides, c, d, a, found);
+    join(sides, c, d, b, found);
+  }
+}
+
+/// Makes p a point of the way from a to b, in the outline and in the cell, if doubles do not tell them apart.
+void GroupClipper::join(const CellSides& sides, Point a, Point b, Point p, RoundedNodes& found) const {
+  if (!isBetween(a, b, p) || !isNearForRounding(a, b, p)) return;
+  const auto& rings = index_.rings();
+  for (const auto edge : near_) {
+    if (rings.points[edge] == a && rings.points[rings.next(edge)] == b) addToEdge(edge, p, found);
+  }
+  const CellSides parts{sides.cell, refined_.vertices, refined_.neighbors};
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    if (parts.from(k) == a && parts.to(k) == b) addToSide(sides, k, p, found);
+  }
+}
+
+void GroupClipper::addToEdge(std::uint32_t edge, Point p, RoundedNodes& found) const {
+  const auto& rings = index_.rings();
+  if (p != rings.points[edge] && p != rings.points[rings.next(edge)]) found.on_edges.push_back({edge, p});
+}
+
+/// Of the sides with nodes; what is found is of the whole sides.
+void GroupClipper::addToSide(const CellSides& sides, std::size_t part, Point p, RoundedNodes& found) const {
+  const CellSides parts{sides.cell, refined_.vertices, refined_.neighbors};
+  if (p == parts.from(part) || p == parts.to(part)) return;
+  const std::size_t k = refined_.part_of[part];
+  const auto [a, b] = std::minmax({sides.from(k), sides.to(k)}, isLess);
+  found.on_sides.push_back({a, b, p});
 }
 
 void GroupClipper::collect(std::size_t first_cell, std::size_t last_cell) {
@@ -77,6 +156,32 @@ void GroupClipper::collect(std::size_t first_cell, std::size_t last_cell) {
     }
     members_.push_back({static_cast<std::uint32_t>(cell), site, first, points_.size() - first});
   }
+}
+
+/// Adds to the only member, beside vertices that ties joined to walls, where they are without ties; what lies
+/// between counts as the outline's. Returns whether there are any.
+bool GroupClipper::leaveWalls(std::span<const MovedVertex> moved) {
+  const auto sides = sidesOf(members_[0]);
+  off_points_.clear();
+  off_neighbors_.clear();
+  const auto add = [&](Point p, std::int64_t neighbor) {
+    off_points_.push_back(p);
+    off_neighbors_.push_back(neighbor);
+  };
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const Point from = sides.from(k), off = movedPlace(moved, from);
+    const bool after_wall = isOffWall(run_.set.domain, sides.before(k), off);
+    const bool before_wall = isOffWall(run_.set.domain, sides.neighbors[k], off);
+    if (before_wall && (k == 0 || sides.from(k - 1) != off)) add(off, wall_outline);
+    const bool leaves = after_wall && sides.to(k) != off;
+    add(from, leaves ? wall_outline : sides.neighbors[k]);
+    if (leaves) add(off, sides.neighbors[k]);
+  }
+  if (off_points_.size() == points_.size()) return false;
+  std::swap(points_, off_points_);
+  std::swap(neighbors_, off_neighbors_);
+  members_[0].count = points_.size();
+  return true;
 }
 
 /// Edges that any of these places, each moved by as much as ties may move it, may lie at.
@@ -109,7 +214,21 @@ Fate GroupClipper::clip(std::span<const Point> vertices, std::span<const std::in
     case OutlineClip::Outcome::crossed:
       break;
   }
-  return fateOf(vertices[0]);
+  return traceBorder(vertices, neighbors);
+}
+
+/// What is left of a cell that ties or rounding have made cross itself.
+Fate GroupClipper::traceBorder(std::span<const Point> vertices, std::span<const std::int64_t> neighbors) {
+  clip_.border(vertices, near_, border_);
+  clipped_.clear();
+  std::vector<Point> ends;
+  for (const auto& [from, to, side] : border_) {
+    clipped_.vertices.push_back(from);
+    clipped_.neighbors.push_back(side == no_crossing ? wall_outline : neighbors[side]);
+    ends.push_back(to);
+  }
+  cleanRings(index_.rings(), near_, std::move(ends), clipped_);
+  return clipped_.vertices.empty() ? Fate::outside : Fate::cut;
 }
 
 /// What is left of a cell, if anything is.

@@ -3,8 +3,16 @@
 
 #include "core/outline/clipped_records.h"
 #include "core/outline/contacts.h"
+#include "core/outline/ring_faults.h"
 
 namespace vorpipe::core {
+
+/// Points at which edges of an outline and sides of cells are to meet, which rounding has made cross
+/// elsewhere (decision D123).
+struct RoundedNodes {
+  std::vector<EdgeNode> on_edges;
+  std::vector<SideNode> on_sides;
+};
 
 /// For one thread; keeps references. Different cells may be clipped at the same time.
 class GroupClipper {
@@ -16,9 +24,11 @@ class GroupClipper {
   /// Adds those to `near` whose own corners may be on another side of the outline.
   void group(std::size_t first, std::size_t last, std::vector<std::uint32_t>& near, Contacts& found);
 
-  /// Clips a cell that is near again, with the contacts as its vertices: vertices of the diagram have moved,
-  /// and the rings of the index have nodes.
-  void again(std::uint32_t cell);
+  /// Clips a cell that is near again, with the contacts as its vertices: vertices of the diagram have moved
+  /// unless off walls, and the rings of the index have nodes, as have sides. Adds to `found` what else
+  /// rounding makes meet.
+  void again(std::uint32_t cell, std::span<const MovedVertex> moved, std::span<const SideNode> nodes,
+             RoundedNodes& found);
 
  private:
   struct Member {
@@ -27,13 +37,21 @@ class GroupClipper {
   };
 
   void collect(std::size_t first_cell, std::size_t last_cell);
+  bool leaveWalls(std::span<const MovedVertex> moved);
   void findEdges(std::span<const Point> places);
   [[nodiscard]] bool runsAlongOutline(std::span<const Point> cell) const;
   [[nodiscard]] CellSides sidesOf(const Member& member) const;
   [[nodiscard]] Fate fateOf(Point p) const { return index_.contains(p) ? Fate::inside : Fate::outside; }
   Fate clip(std::span<const Point> vertices, std::span<const std::int64_t> neighbors);
+  Fate traceBorder(std::span<const Point> vertices, std::span<const std::int64_t> neighbors);
   Fate keepPart(std::uint32_t site);
+  [[nodiscard]] bool hasFaultsAtCrossings();
+  void findRounded(const CellSides& sides, RoundedNodes& found);
+  void join(const CellSides& sides, Point a, Point b, Point p, RoundedNodes& found) const;
+  void addToEdge(std::uint32_t edge, Point p, RoundedNodes& found) const;
+  void addToSide(const CellSides& sides, std::size_t part, Point p, RoundedNodes& found) const;
 
+  const ClippedRun& run_;
   const ScaledDiagram& cells_;
   const OutlineIndex& index_;
   OutlineClip clip_;
@@ -41,9 +59,12 @@ class GroupClipper {
   double margin_;
   ContactFinder finder_;
   std::vector<Member> members_;
-  std::vector<Point> points_, vertices_;
-  std::vector<std::int64_t> neighbors_, labels_;
-  std::vector<std::uint32_t> near_;
+  std::vector<Point> points_, rounded_, off_points_;
+  std::vector<std::int64_t> neighbors_, off_neighbors_;
+  RefinedSides refined_;
+  std::vector<std::uint32_t> near_, asked_;
+  std::vector<EdgePair> faults_;
+  std::vector<BorderEdge> border_;
   ClippedCell clipped_;
 };
 

@@ -10,6 +10,7 @@
 #include "core/outline/geos_outline.h"
 #include "core/outline/refused.h"
 #include "core/outline/repaired.h"
+#include "core/outline/rings.h"
 
 namespace vorpipe::core {
 namespace {
@@ -21,17 +22,6 @@ constexpr double thinnest = 1e-10;
 std::span<const Point> ringAt(const Outline& outline, std::size_t ring) {
   const auto begin = outline.ring_offsets[ring], end = outline.ring_offsets[ring + 1];
   return std::span(outline.points).subspan(begin, end - begin);
-}
-
-/// What a ring winds around, with a sign; without the rounding of coordinates that are far from 0.
-double areaOf(std::span<const Point> ring) {
-  double twice = 0;
-  const Point origin = ring.front();
-  for (std::size_t k = 1; k + 1 < ring.size(); ++k) {
-    twice += (ring[k].x - origin.x) * (ring[k + 1].y - origin.y) -
-             (ring[k + 1].x - origin.x) * (ring[k].y - origin.y);
-  }
-  return twice / 2;
 }
 
 double lengthOfRing(std::span<const Point> ring) {
@@ -47,7 +37,7 @@ double areaOf(const Outline& outline, std::size_t polygon) {
   const auto begin = outline.polygon_offsets[polygon];
   double area = 0;
   for (auto r = begin; r < outline.polygon_offsets[polygon + 1]; ++r) {
-    area += (r == begin ? 1 : -1) * std::abs(areaOf(ringAt(outline, r)));
+    area += (r == begin ? 1 : -1) * std::abs(areaOfRing(ringAt(outline, r)));
   }
   return area;
 }
@@ -67,7 +57,7 @@ Outline withoutSlivers(const Outline& outline, std::size_t& slivers) {
   const double least = thinnest * thinnest * (box.xmax - box.xmin) * (box.ymax - box.ymin);
   const auto isSliver = [&](std::span<const Point> ring) {
     const double length = lengthOfRing(ring);
-    return std::abs(areaOf(ring)) <= std::max(least, thinnest * length * length);
+    return std::abs(areaOfRing(ring)) <= std::max(least, thinnest * length * length);
   };
   for (std::size_t p = 0; p + 1 < outline.polygon_offsets.size(); ++p) {
     const auto begin = outline.polygon_offsets[p];

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/double_double.h"
 #include "base/refusal.h"
@@ -11,6 +12,11 @@
 
 namespace vorpipe::core {
 namespace {
+
+bool isInBox(Point a, Point b, Point p) {
+  return p.x >= std::min(a.x, b.x) && p.x <= std::max(a.x, b.x) && p.y >= std::min(a.y, b.y) &&
+         p.y <= std::max(a.y, b.y);
+}
 
 constexpr double farthest_corner = 0x1p200;  ///< what predicates stand
 
@@ -86,18 +92,30 @@ bool isCounterClockwise(std::span<const Point> ring) {
   return orientation(before, ring[leftmost], after) > 0;
 }
 
+double areaOfRing(std::span<const Point> ring) {
+  double twice = 0;
+  const Point origin = ring.front();
+  for (std::size_t k = 1; k + 1 < ring.size(); ++k) {
+    twice += (ring[k].x - origin.x) * (ring[k + 1].y - origin.y) -
+             (ring[k + 1].x - origin.x) * (ring[k].y - origin.y);
+  }
+  return twice / 2;
+}
+
 bool liesIn(std::span<const Point> outer, std::span<const Point> ring) {
-  int inside = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    bool within = false;
+  for (const Point p : ring) {
+    bool inside = false, touches = false;
     Point a = outer.back();
     for (const Point b : outer) {
-      within = within != crossesRay(a, b, ring[k]);
+      const int side = orientation(a, b, p);
+      touches = touches || (side == 0 && isInBox(a, b, p));
+      if ((a.y > p.y) != (b.y > p.y) && (side > 0) == (b.y > a.y)) inside = !inside;
       a = b;
     }
-    inside += within ? 1 : 0;
+    if (!touches) return inside;
   }
-  return inside >= 2;
+  // All of its corners are on the other: one that is no larger.
+  return std::abs(areaOfRing(ring)) <= std::abs(areaOfRing(outer));
 }
 
 double areaInside(const Rings& rings, const Box& box) {
@@ -106,6 +124,13 @@ double areaInside(const Rings& rings, const Box& box) {
     sum = sum + areaBeside(rings.points[e], rings.points[rings.next(e)], box);
   }
   return sum.high;
+}
+
+bool isNearForRounding(Point a, Point b, Point p) {
+  constexpr double steps = 8 * std::numeric_limits<double>::epsilon();
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  const double largest = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
+  return std::abs(dx * (p.y - a.y) - dy * (p.x - a.x)) <= steps * largest * (std::abs(dx) + std::abs(dy));
 }
 
 int sideOf(Point a, Point b, Point p) {

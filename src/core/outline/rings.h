@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,16 +19,21 @@ inline double alongWay(Point a, Point b, Point p) {
   return (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y);
 }
 
-/// What ascends along the way from a to b, even where points are nearer to each other than the length of the
-/// way shows.
-inline std::array<double, 3> placeAlong(Point a, Point b, Point p) {
-  return {alongWay(a, b, p), b.x < a.x ? -p.x : p.x, b.y < a.y ? -p.y : p.y};
+/// What ascends along the way from a to b, of points on it that were rounded: their own coordinates, which
+/// tell them apart as far as doubles do. From b to a it descends.
+inline std::array<double, 2> placeAlong(Point a, Point b, Point p) {
+  const double x = b.x < a.x ? -p.x : p.x, y = b.y < a.y ? -p.y : p.y;
+  return std::abs(b.x - a.x) >= std::abs(b.y - a.y) ? std::array{x, y} : std::array{y, x};
 }
 
 /// Whether a point on or beside the line through a and b lies between them, and is neither.
 inline bool isBetween(Point a, Point b, Point p) {
   return p != a && p != b && alongWay(a, b, p) > 0 && alongWay(b, a, p) > 0;
 }
+
+/// Whether p is so near to the line through a and b that rounding of these may have changed on which side of
+/// it p lies.
+bool isNearForRounding(Point a, Point b, Point p);
 
 /// Closed rings, outer ones counter-clockwise and holes clockwise, so that the inside lies to the left of
 /// every edge; no two neighboring points are equal. Edge e runs from point e to point next(e).
@@ -58,7 +64,10 @@ Result<Rings> ringsOf(const Outline& outline, int exponent);
 /// Of a ring without equal neighbors that does not cross itself.
 bool isCounterClockwise(std::span<const Point> ring);
 
-/// Whether a ring of at least 3 points lies in another, which it touches in one point at most.
+/// What a ring winds around, with a sign; without the rounding of coordinates that are far from 0.
+double areaOfRing(std::span<const Point> ring);
+
+/// Whether a ring of at least 3 points lies in another, which it does not cross; it may touch it in points.
 bool liesIn(std::span<const Point> outer, std::span<const Point> ring);
 
 /// The area of the intersection of the rings' inside and the box.

@@ -252,5 +252,83 @@ TEST(OutlineContacts, boxesOverALatticeAreDividedAsExactNumbersSay) {
   }
 }
 
+/// In decimals, corners that lie on bisectors lie beside them by less than doubles show of what is rounded.
+struct Decimals {
+  Sites sites;
+  RingPoints ring;
+};
+
+const std::vector<Decimals>& decimals() {
+  static const std::vector<Decimals> all{
+      {{{0.4, 0.8}, {1.4, 1.2}, {}},
+       {{-0.8, 0}, {0.4, -0.6}, {1.1, 0.3}, {0.4, 0.9}, {1.4, 0.9}, {0.4, 2.4}}},
+      {{{0.3, 0.7}, {0.9, 0.7}, {}},
+       {{-0.9, -0.5}, {0.3, -1.1}, {1, -0.2}, {0.3, 0.4}, {1.3, 0.4}, {0.3, 1.9}}},
+      {{{0.4, 0.5, 0.6}, {0.6, 0.3, 0.8}, {}}, {{0.5, 0.5}, {0.6, 0.5}, {0.6, 0.6}, {0.7, 0}}},
+      {{{-0.04, 0.01, 0.08, -0.02, -0.11, 0.18, 0.22, 0.03},
+        {0.23, 0.2, 0.1, 0.1, 0.3, 0.09, 0.09, 0.21},
+        {}},
+       {{-0.03, 0.19}, {0.03, 0.1}, {0.21, 0.06}, {0.2, 0.07}, {0.24, 0.12}, {-0.04, 0.23}}}};
+  return all;
+}
+
+TEST(OutlineContacts, cornersThatRoundingPutsBesideABisectorLeaveSimpleParts) {
+  for (const auto& [sites, ring] : decimals()) {
+    const Outline outline = outlineOf({{ring}});
+    const auto options = inside(outline, boxOf(outline.points));
+    EXPECT_THAT(*check(sites, options, rightCells(sites, outline)), testing::IsEmpty());
+  }
+}
+
+TEST(OutlineContacts, aSideBesideABisectorByRoundingIsNoStrip) {
+  // The side from (3/7, 12/7) to (0, 15/7) lies on the bisector, in sevenths; exact signs say that the domain
+  // ends before it.
+  const auto sevenths = [](RingPoints points) {
+    for (Point& p : points) p = {p.x * 3 / 7, p.y * 3 / 7};
+    return points;
+  };
+  const Sites sites{{0.42857142857142855, 1.2857142857142858}, {0.8571428571428571, 1.7142857142857142}, {}};
+  const Outline outline = outlineOf({{sevenths({{11, -10}, {16, 23}, {1, 17}, {1, 4}, {0, 5}, {-5, 0}})}});
+  const Diagram d = rightCells(sites, outline);
+  EXPECT_NEAR(lengthsOf(d, 0)[1], 6.379910807698174, 1e-12);
+  EXPECT_NEAR(d.perimeter[1], 31.673683344423146, 1e-12);
+}
+
+TEST(OutlineContacts, aHoleThatTouchesItsPartInTwoCornersIsLeftOut) {
+  const Sites sites{{2.25, 0.5, 1.75, 4.5, 0.25}, {4.5, 1.75, 0.5, 4, 1.25}, {}};
+  const Outline outline = outlineOf({{{{0, 1},
+                                       {0, 2},
+                                       {1, 2},
+                                       {1, 3},
+                                       {3, 3},
+                                       {3, 4},
+                                       {0, 4},
+                                       {0, 5},
+                                       {5, 5},
+                                       {5, 0},
+                                       {2, 0},
+                                       {2, 1},
+                                       {1, 1},
+                                       {1, 0},
+                                       {0, 0}},
+                                      {{3, 1}, {3, 2}, {2, 2}, {2, 1}}}});
+  EXPECT_NEAR(rightCells(sites, outline).perimeter[2], 17.124875436495142, 1e-12);
+}
+
+/// The bisector of the last two is a side of the outline, less than a tie below the upper wall, to which ties
+/// joined its end.
+TEST(OutlineContacts, aVertexThatTiesJoinedToAWallLeavesIt) {
+  const double low = 0.30000000011929173, side = 0.3000000002502281, high = 0.30000000066588545;
+  const double left = 0.6733676085297409, right = 1.0422360574803051;
+  const Sites sites{{0.9924529662136592, right, right}, {0.29999999951549333, low, 0.3000000003811645}, {}};
+  const Outline outline =
+      outlineOf({{rectangle(left, 0.25, right, low)}, {rectangle(left, side, right, high)}});
+  const auto options = inside(outline, boxOf(outline.points));
+  const Diagram d = cellsOf(sites, options);
+  EXPECT_THAT(*check(sites, options, d), testing::IsEmpty());
+  EXPECT_FALSE(lengthsOf(d, 1).contains(2));
+  EXPECT_NEAR(d.perimeter[1], 2 * (0.024891545 + 0.05), 1e-8);
+}
+
 }  // namespace
 }  // namespace vorpipe::test
