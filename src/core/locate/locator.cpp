@@ -96,7 +96,7 @@ std::uint32_t Locator::State::at(Point place) const {
     return no_site;
   }
   p = {set_scale(p.x), set_scale(p.y)};
-  if (outline && !outline->index.contains(p)) return no_site;
+  if (outline && !outline->index.contains(p) && !outline->index.isOnEdge(p)) return no_site;
   const std::uint32_t nearest = search->nearest(p);
   if (nearest == no_site) return no_site;
   const std::uint32_t id = sites.id[nearest];

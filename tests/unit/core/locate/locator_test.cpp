@@ -165,6 +165,23 @@ TEST(Locator, isEmptyBeyondAnOutline) {
   for (const Point p : {Point{0.3, 0.3}, {0.8, 0.5}, {-0.5, 0.5}}) EXPECT_EQ(frame.at(p), no_site);
 }
 
+TEST(Locator, theBorderOfAnOutlineBelongsToIt) {
+  const Sites sites = generate(Pattern::random, 300, 2);
+  const Outline with_hole =
+      outlineOf({{rectangle(0.1, 0.1, 0.9, 0.8), {{0.3, 0.3}, {0.7, 0.3}, {0.5, 0.5}}}});
+  for (const Outline& outline : {country(1000), with_hole}) {
+    const Locator locator = located(sites, inside(outline));
+    for (const Point corner : outline.points) EXPECT_NE(locator.at(corner), no_site);
+  }
+  const Locator locator = located(sites, inside(with_hole));
+  for (const Point p : {Point{0.1, 0.5}, {0.9, 0.5}, {0.5, 0.1}, {0.5, 0.8}, {0.5, 0.3}}) {
+    EXPECT_NE(locator.at(p), no_site);
+  }
+  for (const Point p : {Point{0.1 - 1e-15, 0.5}, {0.9 + 1e-15, 0.5}, {0.5, 0.3 + 1e-15}}) {
+    EXPECT_EQ(locator.at(p), no_site);
+  }
+}
+
 TEST(Locator, findsTheCellThatHoldsItsCentroid) {
   for (const auto pattern : {Pattern::random, Pattern::hex, Pattern::clusters, Pattern::circle}) {
     const Sites sites = generate(pattern, 3000, 9);
