@@ -174,6 +174,15 @@ TEST(OutlinedRings, doNotTouchThemselves) {
   EXPECT_THAT(broken, ElementsAre("rings"));
 }
 
+TEST(OutlinedRings, crossNowhereAlongTheOutlineByLittle) {
+  // By less than ties move vertices: but no tie does that to an outline.
+  const auto broken = bent().brokenAfter([](Cells& cells) {
+    cells[0][0] = {{{0, 0}, -3},   {{1, 0}, 1},           {{1, 1}, -5},          {{1, 2}, -5},
+                   {{0.4, 2}, -5}, {{0.6, 2 - 1e-9}, -5}, {{0.5, 2 + 1e-9}, -5}, {{0, 2}, -1}};
+  });
+  EXPECT_THAT(broken, Contains("rings"));
+}
+
 TEST(OutlinedRings, ofAPartMeetInOnePointAtMost) {
   const Scene scene = ringed();
   const auto withHole = [&](const RingPoints& points) {
@@ -248,6 +257,18 @@ TEST(OutlinedRings, coverTheOutline) {
   EXPECT_THAT(without, testing::IsSupersetOf({"areas", "edges", "outline"}));
   const auto twice = open().brokenAfter([](Cells& cells) { cells[1].push_back(cells[1][0]); });
   EXPECT_THAT(twice, testing::IsSupersetOf({"areas", "rings", "outline"}));
+}
+
+TEST(OutlinedRings, mayLeaveOutWhatIsNoWiderThanRounding) {
+  // A spike as wide as the least step at its place, and one that is wider.
+  for (const auto& [width, broken] : {std::pair{0x1p-53, false}, {0x1p-20, true}}) {
+    const Scene scene{
+        {{0.5}, {0.5}, {}},
+        outlineOf(
+            {{{{0, 0}, {1, 0}, {1, 0.5}, {2, 0.5}, {2, 0.5 + width}, {1, 0.5 + width}, {1, 1}, {0, 1}}}}),
+        {{{{{0, 0}, -3}, {{1, 0}, -5}, {{1, 1}, -4}, {{0, 1}, -1}}}}};
+    EXPECT_EQ(testing::Matches(Contains("outline"))(scene.brokenBy(scene.right)), broken);
+  }
 }
 
 TEST(OutlinedRings, areWhereTheirSitesAreNearest) {
