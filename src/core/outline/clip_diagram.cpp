@@ -153,12 +153,14 @@ void clipAtContacts(const ClippedRun& run, const ScaledDiagram& cells, const Out
       of_refined.emplace(refined);
     }
     auto rounded = clipAgain(run, cells, of_refined ? *of_refined : index, which, moved, on_sides, clipped);
-    if (rounded.on_edges.empty() && rounded.on_sides.empty()) break;
+    if (rounded.on_edges.empty() && rounded.on_sides.empty()) return;
     on_edges = std::move(rounded.on_edges);
     append(on_sides, rounded.on_sides);
     sortNodes(on_sides);
     which = near;
   }
+  diagram.report.notes.emplace_back(
+      "rounding leaves polygons along the outline that cross themselves: fewer digits of its corners help");
 }
 
 }  // namespace
