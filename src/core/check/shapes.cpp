@@ -149,9 +149,10 @@ class CellShape {
   /// Whether rounding and ties may have made two edges have something in common: each of the two ways that
   /// neighbors tell would pass beside the other, as far as is known.
   [[nodiscard]] bool isBlurred(const RingEdge& edge, const RingEdge& other, const Common& common) const {
-    // Ties move no outline. Without weights, and but for cells that they left no width, it is as given.
-    const bool is_line = edge.ring == other.ring && end(edge.ring) - begin(edge.ring) == 2;
-    if (!run_.weighted && !is_line && (edge.neighbor == wall_outline || other.neighbor == wall_outline))
+    // Ties move no outline: along it all is as given, but for weights, and for rings that they, or what does
+    // not count, left nothing at all.
+    const bool is_nothing = edge.ring == other.ring && areaOfRing(edge.ring) == 0;
+    if (!run_.weighted && !is_nothing && (edge.neighbor == wall_outline || other.neighbor == wall_outline))
       return false;
     const Point p = *common.point;
     const double apart = std::min({distance(edge.a, other.a, other.b), distance(edge.b, other.a, other.b),
