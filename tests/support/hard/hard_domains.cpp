@@ -193,7 +193,8 @@ Box boxOfFile(const Sites& sites) {
 std::span<const HardDomain> hardDomains() { return domains; }
 
 Outline hardOutline(const Sites& sites, const Box& box, Random& random) {
-  if (onceIn(random, 2)) {
+  // Part of a box may be too narrow for doubles.
+  if (onceIn(random, 2) && width(box) > 0 && height(box) > 0) {
     const auto xs = linesAmid(sites.x, box.xmin, box.xmax, random);
     return steppedOutline(xs, linesAmid(sites.y, box.ymin, box.ymax, random), random);
   }
