@@ -10,6 +10,7 @@
 #include "io/files/memory_room.h"
 #include "io/sites/degrees.h"
 #include "io/sites/sites_file.h"
+#include "io/text/number.h"
 #include "io/text/quoted.h"
 
 namespace vorpipe {

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "view/document/keys.h"
+
 namespace vorpipe::view {
 namespace {
 
