@@ -20,7 +20,7 @@ constexpr std::uint64_t triangle_indices = 3 * (EDGES_MOST - 2) * word, polygon_
 // Programs and drivers as measured with Mesa 22.3.6 and LLVM 15: of an empty shader cache, which takes more.
 constexpr DeviceNeeds of_cpu =
     {  // And some megabytes for threads, and for what is smaller than arrays by site.
-        .program = 14 * million,
+        .program = 15 * million,
         .compiling = 0,
         .site = 0,
         .bin = 0,

@@ -34,8 +34,8 @@ one_line() {
   [[ ${#said[@]} == 1 && ${said[0]} == 'vorpipe: '?*$'\n' ]] || fail "not one line 'vorpipe: ...' on standard error"
 }
 
-# says TEXT: standard error has it.
-says() {
+# mentions TEXT: standard error has it.
+mentions() {
   local said
   mapfile said <log/err
   local IFS=
@@ -59,7 +59,7 @@ fails() {
   before=$(outputs)
   run "$code" "$@"
   one_line
-  says "$text"
+  mentions "$text"
   [ -s log/out ] && fail "something on standard output"
   [ "$before" = "$(outputs)" ] || fail "the output folder changed"
 }
@@ -74,7 +74,7 @@ refuses() {
 # refuses_file FILE TEXT: the sites of in/FILE are refused, and the line names the file.
 refuses_file() {
   refuses "$1" "in/$1" --sites "in/$1"
-  says "$2"
+  mentions "$2"
 }
 
 # succeeds NAME ARGUMENT...: ends with 0 and says nothing on standard error, but for how many sites have no cell, and,
