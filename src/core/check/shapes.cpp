@@ -149,8 +149,8 @@ class CellShape {
   /// Whether rounding and ties may have made two edges have something in common: each of the two ways that
   /// neighbors tell would pass beside the other, as far as is known.
   [[nodiscard]] bool isBlurred(const RingEdge& edge, const RingEdge& other, const Common& common) const {
-    // Ties move no outline: along it all is as given, but for weights, and for rings that they, or what does
-    // not count, left nothing at all.
+    // Ties move bisectors and no outline: without weights, edges along the outline are where it was given. A
+    // ring that ties have left no area is excepted.
     const bool is_nothing = edge.ring == other.ring && areaOfRing(edge.ring) == 0;
     if (!run_.weighted && !is_nothing && (edge.neighbor == wall_outline || other.neighbor == wall_outline))
       return false;

@@ -14,8 +14,8 @@ bool touchesItself(const ClippedCell& cell);
 /// other in single points; parts that meet in points have rings of their own. No ring may be left.
 void cleanRings(const Rings& outline, std::span<const std::uint32_t> near, ClippedCell& cell);
 
-/// The same of edges that as many end as begin at each point, edge k from vertex k of `cell` to ends[k]; it
-/// has no rings before.
+/// The same for a cell whose edges have no order: edge k leads from vertex k of `cell` to ends[k], as many
+/// edges end at each point as begin there, and `cell.ring_starts` is empty.
 void cleanRings(const Rings& outline, std::span<const std::uint32_t> near, std::vector<Point> ends,
                 ClippedCell& cell);
 

@@ -57,9 +57,9 @@ struct RefinedSides {
   std::vector<std::size_t> part_of;  ///< the side that each was
 };
 
-/// Whether p is off the wall that a cell has a side in, or its neighbor there is none. Ties may have joined a
-/// vertex to a wall beside it: then both are vertices of the cells that have sides in the wall, and of others
-/// that which is off.
+/// Whether `neighbor` is a wall of the domain, and p does not lie in it. Ties may have joined a vertex to a
+/// wall beside it: then cells with a side in that wall have both points as vertices, and other cells the
+/// point off the wall.
 bool isOffWall(const Box& domain, std::int64_t neighbor, Point p);
 
 /// Sorts what insertCorners is to be given.

@@ -8,7 +8,8 @@
 namespace vorpipe::core {
 namespace {
 
-/// Of so many pairs, each is compared as it comes.
+/// Up to as many pairs of edges are compared one by one; where there are more, a tree of edges finds which
+/// may meet.
 constexpr std::size_t few_pairs = std::size_t{1} << 16;
 
 bool isWithin(Point low, Point high, Point p) {

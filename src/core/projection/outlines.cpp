@@ -183,12 +183,12 @@ Result<MendedOutline> mendedToPlane(const Projection& projection, const Outline&
   if (!first) return first;
   const auto plane = toPlane(projection, first->outline);
   if (!plane) return tl::unexpected(plane.error());
-  // The caller has degrees, of which so many digits are no rounding.
-  constexpr double digits = 1e9;
+  // Places are told in degrees, as the outline was given, to 9 decimals: more are rounding by the projection.
+  constexpr double decimals = 1e9;
   const OutlineWords words{
       [&](Point kilometers) {
         const Point at = projection.toDegrees(kilometers);
-        return Point{std::round(at.x * digits) / digits, std::round(at.y * digits) / digits};
+        return Point{std::round(at.x * decimals) / decimals, std::round(at.y * decimals) / decimals};
       },
       " km2"};
   auto second = mended(*plane, repair || is_outline, words);

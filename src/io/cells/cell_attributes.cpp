@@ -55,7 +55,7 @@ std::string renamingNote(std::span<const Attribute> attributes) {
   const auto names = attributeNames(attributes);
   std::string renamed;
   for (std::size_t k = 0; k < names.size(); ++k) {
-    // A GeoPackage numbers its rows, which nobody has to be told.
+    // The column `fid` holds the row numbers of a GeoPackage: that these are renamed is no news to its user.
     if (names[k] == attributes[k].name() || attributes[k].name() == "fid") continue;
     renamed += fmt::format("{}{} is {}", renamed.empty() ? "" : ", ", inQuotes(attributes[k].name()),
                            inQuotes(names[k]));

@@ -15,10 +15,10 @@ struct DensityFile {
 };
 
 /// Reads a density by the path's extension, the top row first: .png, whose darkness it is (readPngDarkness),
-/// as stippling wants it; or .npy, an array of shape (H, W) of numbers that areNumbers() takes, whose
-/// elements it is. Its place is `box`, or where there is none that of placeBeside(). Errors: a path or data
-/// that is wrong, a negative element or one that is not finite, those of placeBeside() (input); reading
-/// failed or memory ran out (device).
+/// as stippling wants it; or .npy, an array of shape (H, W) of numbers that areNumbers() takes. The pixels
+/// lie in `box`; without a box placeBeside() says where. Errors: a path or data that is wrong, a negative
+/// element or one that is not finite, those of placeBeside() (input); reading failed or memory ran out
+/// (device).
 Result<DensityFile> readDensity(const std::string& path, const std::optional<Box>& box = {});
 
 }  // namespace vorpipe

@@ -58,7 +58,7 @@ class TableBuilder {
 
   std::string name_;
   bool skip_missing_;
-  const std::optional<NeededAttribute>& needed_;
+  std::optional<NeededAttribute> needed_;
   bool refused_needed_ = false, has_needed_ = false;
   AttributeColumns attributes_;
   SiteTable table_{};

@@ -47,7 +47,7 @@ TEST(AttributeNames, AreTheirOwnUnlessAFieldHasThem) {
   EXPECT_THAT(renamingNote(attributes), AllOf(HasSubstr("\"area\" is \"input_area\", \"NAME\" is"),
                                               Not(HasSubstr("\"id\"")), Not(HasSubstr("\n"))));
   EXPECT_EQ(renamingNote(std::span(attributes).first(1)), "");
-  // Every GeoPackage has that, and nobody gave it.
+  // The row numbers of a GeoPackage, which its user did not name.
   EXPECT_EQ(renamingNote(std::vector{Attribute("fid", AttributeType::integer)}), "");
 }
 
