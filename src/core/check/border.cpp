@@ -100,8 +100,6 @@ std::string wrongAlong(const CheckedCells& run, const CheckedOutline& outline, s
     if (neighbor == wall_outline && length(q - p) > tie) {
       double covered = 0;
       eachAlong(outline, p, q, rounding, [&](std::size_t, double from, double to) { covered += to - from; });
-      // Beside what rounding left no width, a tip may come back along the side.
-      eachAlong(outline, q, p, rounding, [&](std::size_t, double from, double to) { covered += to - from; });
       if (length(q - p) - covered > tie)
         wrong = fmt::format("edge {} of site {} does not run along the outline", e - run.begin(i), i);
     }

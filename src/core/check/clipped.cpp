@@ -41,11 +41,9 @@ std::string wrongRingArea(const CheckedCells& run, const CheckedOutline& outline
   const double apart = std::abs(sums.area - said * run.scale * run.scale);
   if (apart <= sums.rounding + movedByTies(run, rings, i, reach)) return {};
   // Along the outline, ties may have left a cell nothing that belongs to it, or what belongs to cells that it
-  // has no edge with: how much is not known from its rings, but no more than ties are wide, all across.
-  const Box& box = run.domain;
-  const double across = (box.xmax - box.xmin) + (box.ymax - box.ymin);
-  if (apart <= run.ties(run.shorter_side) * (sums.perimeter + across) && wrongArea(run, &outline, i).empty())
-    return {};
+  // has no edge with: how much is not known from its rings.
+  const double longest_tie = run.ties(run.shorter_side);
+  if (apart <= longest_tie * (sums.perimeter + longest_tie) && wrongArea(run, &outline, i).empty()) return {};
   return fmt::format("the rings of site {} have the area {}, its record says {}", i,
                      sums.area / run.scale / run.scale, said);
 }

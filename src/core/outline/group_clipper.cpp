@@ -227,6 +227,11 @@ Fate GroupClipper::traceBorder(std::span<const Point> vertices, std::span<const 
     clipped_.neighbors.push_back(side == no_crossing ? wall_outline : neighbors[side]);
     ends.push_back(to);
   }
+  auto sorted_begins = clipped_.vertices, sorted_ends = ends;
+  std::ranges::sort(sorted_begins, isLess);
+  std::ranges::sort(sorted_ends, isLess);
+  // Below the range of predicates the signs of edges that meet do not go together.
+  if (sorted_begins != sorted_ends) return fateOf(vertices[0]);
   cleanRings(index_.rings(), near_, std::move(ends), clipped_);
   return clipped_.vertices.empty() ? Fate::outside : Fate::cut;
 }

@@ -371,5 +371,24 @@ TEST(OutlineCells, threadsAndDetailDoNotMatter) {
   EXPECT_TRUE(measures.perimeter.empty());
 }
 
+/// A corner at -5e-306 is less than zero in no product of doubles: signs do not go together there. The cells
+/// are not right; that there are some is what is promised.
+TEST(OutlineCells, areMadeWhereSignsOfEdgesThatMeetDoNotGoTogether) {
+  const Sites sites = {{0.125, 0.6249999999999999, 0.37500000000000017, 0.8750000000000003,
+                        -500.0455002844409, 40223830223.93475, 34592124069.14654},
+                       {0.28349364905389046, 0.28349364905389046, 0.7165063509461094, 0.7165063509461095,
+                        -500.0455002844408, -6055853233.95285, -14020435298.683352},
+                       {}};
+  const Outline outline = {{{0.8750000000000003, -10038144266.3181},
+                            {0.8750000000000003, -7010217648.983423},
+                            {0.2500000000000001, -7010217648.983423},
+                            {0.2500000000000001, -5.2028214472036186e-306},
+                            {5.756461633308779e-06, -5.2028214472036186e-306},
+                            {5.756461633308779e-06, -10038144266.3181}},
+                           {0, 6},
+                           {0, 1}};
+  EXPECT_EQ(cellsOf(sites, inside(outline, boxOf(outline.points))).status.size(), sites.size());
+}
+
 }  // namespace
 }  // namespace vorpipe::test
