@@ -24,7 +24,7 @@ if [[ ! -f $built/root.done ]]; then
   touch "$built/root.done"
 fi
 {
-  cmake -S . -B "$built" --toolchain "$root/tests/aarch64/toolchain.cmake" -G Ninja -DVORPIPE_BATCHES=ON \
+  cmake -S . -B "$built" --toolchain "$root/tests/aarch64/toolchain.cmake" -G Ninja \
     -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -DVORPIPE_TESTS=OFF \
     -DVORPIPE_INSTALL=OFF -DVORPIPE_SYSROOT="$root/$built/root" &&
     ninja -C "$built" vorpipe

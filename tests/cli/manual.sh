@@ -66,9 +66,10 @@ if man --version 2>/dev/null | grep -qE '^man [0-9]'; then
     subcommand=${page#vorpipe}
     "$vorpipe" ${subcommand#-} --help >files/help
     text "$page" >files/text
-    options=$(grep -oE '^  (-[a-z],)?-[a-z-]+' files/help | tr ',' '\n')
-    [ -n "$options" ] || fail "--help lists no option"
-    for option in $options; do grep -qE -- "^ +(-h, )?$option([ ,]|\$)" files/text || fail "not $option"; done
+    grep -oE '^  (-[a-z],)?-[a-z-]+' files/help | tr -d ' ' | tr ',' '\n' >files/options
+    [ -s files/options ] || fail "--help lists no option"
+    missing=$(grep -oE '^ +(-h, )?-[a-z-]+' files/text | tr -d ' ' | tr ',' '\n' | grep -vxFf - files/options)
+    [ -z "$missing" ] || fail "not $(xargs <<<"$missing")"
   done
 else
   skipped "man reads the pages" "there is no man-db"
@@ -124,7 +125,7 @@ mkdir files/folder
 : >files/d.doc
 : >files/e.geojson
 : >files/f.json
-rm files/help files/text files/examples
+rm files/help files/text files/options files/examples
 
 # offered_SHELL LINE: what a shell offers for the last word of a line, one to a line.
 offered_bash() {

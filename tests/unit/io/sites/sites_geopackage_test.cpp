@@ -25,6 +25,7 @@ def gp(body, envelope=0): return b'GP\0' + bytes([1 | envelope << 1]) + struct.p
 nan = float('nan')
 if os.path.exists('a.gpkg'): os.remove('a.gpkg')
 db = sqlite3.connect('a.gpkg')
+db.execute('PRAGMA synchronous = OFF')
 db.executescript('''
 CREATE TABLE gpkg_spatial_ref_sys (srs_name TEXT, srs_id INTEGER, organization TEXT, organization_coordsys_id INTEGER, definition TEXT);
 INSERT INTO gpkg_spatial_ref_sys VALUES ('WGS 84', 4326, 'EPSG', 4326, 'GEOGCS["WGS 84"]');
