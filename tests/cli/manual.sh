@@ -223,7 +223,7 @@ if command -v zsh >/dev/null; then
   # As it is installed.
   while IFS='|' read -r typed line; do
     case_of "zsh completes '$typed'"
-    typed_zsh "$typed" 'fpath=(../zsh $fpath); compinit -D -u' >log/out 2>log/err </dev/null
+    typed_zsh "$typed" 'fpath=(../zsh $fpath); compinit -u -d ../zcompdump' >log/out 2>log/err </dev/null
     [ "$(sed 's/ *$//' log/out)" = "$line" ] || fail "not '$line'"
   done <<'END'
 vorpipe ren|vorpipe render

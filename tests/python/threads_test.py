@@ -269,7 +269,7 @@ def test_memory_that_a_run_is_refused_is_an_error():
     ended = run('''
         import resource
         import vorpipe
-        points = vorpipe.generate('random', 100_000)
+        points = vorpipe.generate('random', 1_000_000)
         session = vorpipe.Session('cpu', threads=1)
         session.cells(points[:10])
         with open('/proc/self/statm') as pages:
