@@ -38,10 +38,9 @@ inline double beyondBisector(Point d, Point from, double weight_difference, Poin
   return dot(p - from, d) / length(d) - (length(d) + weight_difference / length(d)) / 2;
 }
 
-/// Nearer to an axis a scaled coordinate counts as 0, be it of a site or of a wall.
+/// Near an axis a scaled coordinate counts as a multiple of 2^-199, be it of a site or of a wall.
 inline double countedCoordinate(double scaled) {
-  constexpr double least = 0x1p-200;
-  return std::abs(scaled) < least ? 0 : scaled;
+  return std::abs(scaled) < 0x1p-148 ? std::rint(scaled * 0x1p199) * 0x1p-199 : scaled;
 }
 
 /// The power of two that brings the domain's longer side into [1, 2), so that no square of a length is

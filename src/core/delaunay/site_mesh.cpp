@@ -15,8 +15,8 @@ namespace {
 /// Two triangles for each site are numbered by 32 bits with a sign.
 constexpr std::size_t most_mesh_sites = std::size_t{1} << 29;
 
-/// Whether coordinates and their differences are in the range of predicates.h: two doubles differ by at least
-/// 2^-53 of the smaller.
+/// Whether coordinates and their differences are in the range of predicates.h: those up to 2^240 are
+/// multiples of 2^-200, and of larger ones two differ by at least 2^-53 of the smaller.
 bool isInRange(const SiteSet& sites) {
   double least = std::numeric_limits<double>::infinity(), most = 0;
   const auto look = [&](double coordinate) {
@@ -28,7 +28,7 @@ bool isInRange(const SiteSet& sites) {
   std::for_each(sites.y.begin(), sites.y.end(), look);
   for (const auto wall : {sites.domain.xmin, sites.domain.xmax, sites.domain.ymin, sites.domain.ymax})
     look(wall);
-  return most <= 0x1p240 ? least >= 0x1p-147 : sites.weight.empty() && most <= 0x1p300 && least >= 0x1p-83;
+  return most <= 0x1p240 || (sites.weight.empty() && most <= 0x1p300 && least >= 0x1p-83);
 }
 
 bool areInRange(const std::vector<double>& weights) {

@@ -12,11 +12,14 @@ namespace vorpipe::core {
 
 inline constexpr double farthest_site = 0x1p300;  ///< in domains
 
-/// Scaled coordinates nearer to 0 are 0, those of sites and of the domain's walls: exact decisions multiply
-/// four differences, of which a double could not hold enough. Sites that are one by that would be too near to
-/// each other.
+/// Scaled coordinates, those of sites and of the domain's walls, are multiples of 2^-200: exact decisions
+/// multiply four differences, of which a double could not hold enough. From 2^-148 on all doubles are; what
+/// is nearer to 0 becomes a multiple of 2^-199. Sites that are one by that would be too near to each other.
 inline constexpr double least_coordinate = 0x1p-200;
-inline double usableCoordinate(double scaled) { return std::abs(scaled) < least_coordinate ? 0 : scaled; }
+inline double usableCoordinate(double scaled) {
+  constexpr double coarse = 0x1.8p-147;  // what is added to it loses the digits below 2^-199
+  return std::abs(scaled) < 0x1p-148 ? (scaled + coarse) - coarse : scaled;
+}
 
 /// A domain in scaled units.
 Box scaledDomain(const Box& domain, int exponent);

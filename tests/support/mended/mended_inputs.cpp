@@ -134,6 +134,11 @@ void addPeriodic(std::vector<HardInput>& all) {
 }
 
 void addPlain(std::vector<HardInput>& all) {
+  all.push_back(inputOf("a wall beside a bisector, at 1e-45",
+                        {{0.09819711622150784, 0.14720240345574054, -0.14720240345574054},
+                         {0.07382764196737956, 0.9174667506755482, 0.9174667506755482},
+                         {}},
+                        {-1, 0, 1e-45, 1.5}));
   all.push_back(inputOf(
       "a row that a far site meets in a chain of ties",
       {{5.45696735365767e-93,   2.8457416269626077e-93, 8.460054527805298e-93,  5.9548922969131604e-93,

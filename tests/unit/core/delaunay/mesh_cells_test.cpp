@@ -53,8 +53,8 @@ TEST(MeshCells, AreTheSameForAnyNumberOfThreads) {
 TEST(MeshCells, OfSitesThatTheMeshHasNoDecisionsFor) {
   const auto row = prepared({{0.1, 0.2, 0.5}, {0.5, 0.5, 0.5}, {}});
   EXPECT_EQ(SiteMesh(row, 1).get(), nullptr);
-  const auto near_zero = prepared({{1e-60, 0.2, 0.5}, {0.5, 0.1, 0.7}, {}});
-  EXPECT_EQ(SiteMesh(near_zero, 1).get(), nullptr);
+  const auto near_and_far = prepared({{1e-60, 0.2, 0.5, -1e80}, {0.5, 0.1, 0.7, 1e70}, {}});
+  EXPECT_EQ(SiteMesh(near_and_far, 1).get(), nullptr);
   const auto far = prepared({{1e80, 0.2, 0.5, -1e80}, {0.5, 0.1, 0.7, 1e70}, {}});
   SiteMesh mesh(far, 1);
   ASSERT_NE(mesh.get(), nullptr);

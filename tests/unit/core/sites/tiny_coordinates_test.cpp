@@ -55,10 +55,10 @@ TEST(TinyCoordinates, HaveTheCellsOfZero) {
   }
 }
 
-TEST(TinyCoordinates, AreZero) {
+TEST(TinyCoordinates, AreMultiplesOfTheLeast) {
   const auto prepared = prepare({{0.25, 0.5, 0.75}, {least_double, 1e-100, 1e-58}, {}}, unit, 1);
   ASSERT_TRUE(prepared) << prepared.error().message;
-  EXPECT_EQ(prepared->set.y, (std::vector<double>{0, 0, 1e-58}));
+  EXPECT_EQ(prepared->set.y, (std::vector<double>{0, 0, 80 * 0x1p-199}));
 }
 
 /// In a periodic domain coordinates are rounded, and sites that are one by that are duplicates.
