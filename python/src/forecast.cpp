@@ -37,7 +37,7 @@ Result<Workload> workloadOf(const Input& input, ImagesFor purpose, const DeviceI
   const auto all = sitesAndImages(input.sites, input.domain, input.periodic, purpose, threads);
   if (!all) return tl::unexpected(all.error());
   work.images = *all - work.sites;
-  work.spread = spreadOf(input.sites, input.domain, threads);
+  work.on_lattice = areOnLattice(input.sites);
   return work;
 }
 

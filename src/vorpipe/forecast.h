@@ -62,27 +62,21 @@ class MemoryPlan {
   std::vector<MemoryPart> parts_;
 };
 
-/// How sites lie, as far as memory depends on it. As it stands: evenly spread, and nowhere more than three
-/// cells meet in one point.
-struct Spread {
-  double tied = 0;      ///< part of the cells at ties, or beside one
-  double edges = 6;     ///< of a cell, on average; without those that are ties
-  bool uneven = false;  ///< crowds, or many sites beyond the domain: the search takes an index of its own
-  bool along_curves = false;  ///< so that a triangulation of all sites is made
-};
+/// Edges of a cell, on average: cells cover the plane.
+inline constexpr std::uint64_t mean_edges = 6;
 
-/// Looks at sites, at some of them closely. What it finds is rather too much than too little. A few
-/// milliseconds for a million sites.
-Spread spreadOf(const Sites& sites, const Box& domain, int threads = 0);
+/// Whether most cells are likely to meet in ties, which takes memory: sites on a lattice have coordinates, or
+/// steps from one site to the next, in common. Looks at some thousand sites.
+bool areOnLattice(const Sites& sites);
 
 /// What a run is about.
 struct Workload {
   std::uint64_t sites = 0;
   std::uint64_t images = 0;  ///< of the sites of a periodic domain: sitesAndImages() less the sites
   bool weighted = false, periodic = false, outlined = false;
+  bool on_lattice = false;
   std::uint64_t density_pixels = 0;
   Search search = Search::grid;
-  Spread spread{};
   std::string backend = "cpu";  ///< as DeviceInfo::backend has it
   /// The device's memory is this machine's, as with software drivers. (What a graphics card holds of its own
   /// is not counted.)
@@ -92,7 +86,7 @@ struct Workload {
 };
 
 /// What a run of Session::cells over these sites is about, on a device and with some CPU threads (0: all).
-/// Looks at how the sites lie. Errors: those of sitesAndImages().
+/// Errors: those of sitesAndImages().
 Result<Workload> workloadOf(const Sites& sites, const CellsOptions& options, ImagesFor purpose,
                             const DeviceInfo& device, int threads);
 

@@ -67,16 +67,16 @@ faulty LOST_AT=1 ALL_LOST=1 -- fails 3 "vulkan, all lost" "VK_ERROR_DEVICE_LOST"
   cells --backend vulkan --sites random:3000 -o out/old.csv
 
 # -- Memory ---------------------------------------------------------------------------------------------
-run 0 cells --backend cpu --sites clusters:25000 -o out/right.csv
+run 0 cells --backend cpu --sites random:25000 -o out/right.csv
 for backend in vulkan-compute vulkan-geometry; do
   name="$backend without memory" cases=$((cases + 1))
   faulty LARGEST_ALLOCATION=524288 -- \
-    run 0 cells --backend "$backend" --sites clusters:25000 --check -o out/less.csv --stats out/stats.json
+    run 0 cells --backend "$backend" --sites random:25000 --check -o out/less.csv --stats out/stats.json
   notes "at a time"
   done_by "$backend"
   cmp -s out/right.csv out/less.csv || fail "other bytes"
   faulty LARGEST_ALLOCATION=524288 -- \
-    run 0 render --backend "$backend" --sites clusters:25000 --size 900x900 --check -o out/less.png
+    run 0 render --backend "$backend" --sites random:25000 --size 900x900 --check -o out/less.png
   notes "at a time"
 done
 

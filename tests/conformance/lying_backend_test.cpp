@@ -39,7 +39,6 @@ std::vector<Case> cases() {
           {"lists", random, within(unit, lists), {}},
           {"weights", weighted, within(unit), {}},
           {"weights in tiles", weighted, within(unit), tiles},
-          {"clusters", generate(Pattern::clusters, site_count, 3), within(unit), {}},
           {"a periodic domain", random, periodic, tiles}};
 }
 

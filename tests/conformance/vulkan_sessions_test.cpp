@@ -23,7 +23,7 @@ TEST_F(VulkanSessions, ThatLoseTheirDeviceEndWithAnErrorWhereItWasNamed) {
 }
 
 TEST_F(VulkanSessions, GetLessAtATimeFromADeviceThatRefusesMemory) {
-  const Sites many = generate(Pattern::clusters, 40000, 3);
+  const Sites many = generate(Pattern::random, 40000, 3);
   const auto reference = open("cpu")->cells(many, wantedCells());
   ASSERT_TRUE(reference.has_value());
   FaultyDriver driver;

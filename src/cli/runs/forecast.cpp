@@ -102,12 +102,10 @@ std::uint64_t peakInTiles(const InputOptions& options, const Workload& work, std
 
 void planTiles(MemoryPlan& plan, const Workload& work, std::uint64_t tile_sites) {
   constexpr std::uint64_t word = 4, number = 8, sites_of_cell = 128;
-  // As the tiles may be: each may lie in any way.
   Workload tile = work;
   tile.sites = std::min(work.sites, tile_sites);
   tile.images = 0;
-  tile.spread.uneven = tile.spread.along_curves = true;
-  tile.spread.tied = 1;
+  tile.on_lattice = true;  // the sites are not known here
   planSession(plan, tile);
   plan.take("areas, centroids and numbers of neighbors", work.sites * (3 * number + word + 1));
   plan.take("sites by cells of a lattice", work.sites * word);

@@ -1,6 +1,7 @@
 #include "core/delaunay/insertion.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace vorpipe::core {
@@ -9,6 +10,14 @@ namespace {
 constexpr auto none = GrowingMesh::none;
 
 std::size_t next(std::size_t k) { return k == 2 ? 0 : k + 1; }
+std::size_t before(std::size_t k) { return k == 0 ? 2 : k - 1; }
+
+bool isGhost(const MeshTriangle& t) { return (t.corner[0] | t.corner[1] | t.corner[2]) < 0; }
+
+/// Of the three numbers, which is this one; it is one of them.
+std::uint32_t placeOf(const std::array<std::int32_t, 3>& numbers, std::int32_t number) {
+  return numbers[0] == number ? 0 : numbers[1] == number ? 1 : 2;
+}
 
 /// For p on the line through a and b.
 bool isBetween(Point a, Point b, Point p) {
@@ -17,59 +26,61 @@ bool isBetween(Point a, Point b, Point p) {
 
 }  // namespace
 
-Insertion::Insertion(GrowingMesh& mesh, Region region, std::int32_t first)
-    : mesh_(mesh), region_(region), first_(first), last_(none) {}
-
-Insertion::Insertion(GrowingMesh& mesh, std::int32_t start)
-    : mesh_(mesh), region_(anywhere), first_(0), last_(start) {}
+Insertion::Insertion(GrowingMesh& mesh, Region region, std::int32_t start)
+    : mesh_(mesh), region_(region), is_weighted_(!mesh.weights.empty()), last_(start) {}
 
 WeightedPoint Insertion::weighted(std::int32_t i) const {
   return {at(i), mesh_.weights[static_cast<std::size_t>(i)]};
 }
 
 bool Insertion::mayChange(std::int32_t t) const {
-  return region_ == anywhere || mesh_.region[static_cast<std::size_t>(t)] == region_;
+  return region_ == everywhere || mesh_.region[static_cast<std::size_t>(t)] == region_;
 }
 
 bool Insertion::mayLookAt(std::int32_t t) const {
   return mayChange(t) || mesh_.region[static_cast<std::size_t>(t)] == of_several;
 }
 
-/// Whether point i conflicts with triangle t: true strictly inside its circumcircle. For a ghost triangle
-/// that circle is the half-plane outside its hull edge; true on the edge itself as well, unless weights hide
-/// i there. False on the circle without weights.
+/// Whether point i conflicts with a triangle: whether it lies inside its circumcircle. For a ghost triangle
+/// that circle is the half-plane outside its hull edge, and the edge itself, unless weights hide i there.
 ///
-/// With weights, ties are broken by a symbolic perturbation that scales all squared distances by 1 - e, for
-/// an infinitesimal e > 0: its sign is that of the unweighted test, negated. So a point whose cell has no
-/// area is hidden, independent of the order of insertion.
-bool Insertion::conflicts(std::int32_t t, std::int32_t i) {
-  const auto& corner = triangle(t).corner;
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (corner[k] != ghost) continue;
-    const auto a = corner[next(k)], b = corner[next(next(k))];
+/// Ties are broken by symbolic perturbations, so that the mesh does not depend on the order of insertion.
+/// With weights the first of them scales all squared distances by 1 - e, for an infinitesimal e > 0: its sign
+/// is that of the unweighted test, negated. So a point whose cell has no area is hidden.
+bool Insertion::conflicts(const MeshTriangle& t, std::int32_t i) {
+  const auto& corner = t.corner;
+  if (isGhost(t)) [[unlikely]] {
+    const auto k = placeOf(corner, ghost);
+    const auto a = corner[next(k)], b = corner[before(k)];
     const int side = orientation(at(a), at(b), at(i));
     return side > 0 || (side == 0 && conflictsOnLine(a, b, i));
   }
-  const auto inPlain = [&] { return inCircle(at(corner[0]), at(corner[1]), at(corner[2]), at(i)); };
-  if (mesh_.weights.empty()) return inPlain() > 0;
+  const Point a = at(corner[0]), b = at(corner[1]), c = at(corner[2]), d = at(i);
+  if (!is_weighted_) return inCirclePerturbed(a, b, c, d) > 0;
   const int inside = inCircle(weighted(corner[0]), weighted(corner[1]), weighted(corner[2]), weighted(i));
-  return inside != 0 ? inside > 0 : inPlain() < 0;
+  if (inside != 0) return inside > 0;
+  const int plain = inCircle(a, b, c, d);
+  return plain != 0 ? plain < 0 : inCirclePerturbed(a, b, c, d) > 0;
 }
 
 /// For point i on the line through a and b: whether it conflicts with the ghost triangle of edge ab.
 bool Insertion::conflictsOnLine(std::int32_t a, std::int32_t b, std::int32_t i) {
   const bool between = isBetween(at(a), at(b), at(i));
-  if (mesh_.weights.empty()) return between;
+  if (!is_weighted_) return between;
   const int inside = inInterval(weighted(a), weighted(b), weighted(i));
   return inside != 0 ? inside > 0 : !between;
 }
 
-/// A triangle at an inserted point that precedes i closely in the order of points; else the newest triangle.
+/// A triangle near an inserted point that precedes i closely in the order of points; else the newest
+/// triangle. What took a triangle's slot since then is near as well.
 std::int32_t Insertion::nearby(std::int32_t i) {
   constexpr std::int32_t most_looked_at = 64;
-  const auto first = std::max(i >= first_ ? first_ : 0, i - most_looked_at);
+  const auto first = std::max(0, i - most_looked_at);
   while (--i >= first) {
-    if (incident(i) != none) return incident(i);
+    const auto k = static_cast<std::size_t>(i);
+    if (region_ != everywhere && mesh_.region_of_point[k] != region_) continue;
+    const auto t = mesh_.near[k];
+    if (t != none && mayLookAt(t) && !GrowingMesh::isUnused(triangle(t))) return t;
   }
   return last_;
 }
@@ -79,11 +90,9 @@ std::int32_t Insertion::locate(std::int32_t i) {
   auto t = nearby(i), from = none;
   while (t != none && mayLookAt(t)) {
     const auto& here = triangle(t);
-    const auto k = static_cast<std::size_t>(std::find(here.corner.begin(), here.corner.end(), ghost) -
-                                            here.corner.begin());
-    const bool is_outside = k < here.corner.size();
-    if (is_outside && conflicts(t, i)) return t;
-    const auto to = is_outside ? here.neighbor[k] : neighborTowards(p, t, from);
+    const bool is_outside = isGhost(here);
+    if (is_outside && conflicts(here, i)) return t;
+    const auto to = is_outside ? here.neighbor[placeOf(here.corner, ghost)] : neighborTowards(p, t, from);
     if (to == t) return t;
     from = std::exchange(t, to);
   }
@@ -96,7 +105,7 @@ std::int32_t Insertion::neighborTowards(Point p, std::int32_t t, std::int32_t fr
   const auto& here = triangle(t);
   for (std::size_t k = 0; k < 3; ++k) {
     if (here.neighbor[k] == from) continue;
-    if (orientation(at(here.corner[next(k)]), at(here.corner[next(next(k))]), p) < 0) return here.neighbor[k];
+    if (orientation(at(here.corner[next(k)]), at(here.corner[before(k)]), p) < 0) return here.neighbor[k];
   }
   return t;
 }
@@ -106,95 +115,91 @@ bool Insertion::insert(std::int32_t point, std::int32_t room) {
   leaveEmpty(room + 1);
   const auto first = locate(point);
   if (first == none) return false;
-  if (!mesh_.weights.empty() && !conflicts(first, point)) {
+  if (is_weighted_ && !conflicts(triangle(first), point)) {
     hidden.push_back(point);
     return true;
   }
-  if (!findCavity(point, first)) {
+  const bool found = findCavity(point, first);
+  if (is_weighted_) {
     for (const auto t : cavity_) isInCavity(t) = 0;
-    return false;
   }
-  if (rim_.size() != cavity_.size() + 2) noteCorners();
+  if (!found) return false;
+  if (rim_.size() != cavity_.size() + 2) hideCorners();
   fill(point, room);
-  hideCorners();
   return true;
 }
 
-/// Finds the cavity, the triangles that conflict with point i, and its rim. False where it reaches a triangle
-/// of another region.
+/// Adds a triangle to the cavity, which enters it by the edge before `edge`, or begins with it.
+void Insertion::take(std::int32_t t, std::uint32_t edge, std::uint8_t edges) {
+  if (is_weighted_) isInCavity(t) = 1;
+  cavity_.push_back(t);
+  steps_.push_back({t, static_cast<std::uint8_t>(edge), edges});
+}
+
+/// Finds the cavity, the triangles that conflict with point i, and its rim, counter-clockwise. False where it
+/// reaches a triangle of another region.
 bool Insertion::findCavity(std::int32_t i, std::int32_t first) {
   cavity_.clear();
   rim_.clear();
-  const auto take = [&](std::int32_t t) {
-    isInCavity(t) = 1;
-    cavity_.push_back(t);
-  };
+  steps_.clear();
   if (!mayChange(first)) return false;
-  take(first);
-  // The cavity grows on the way. NOLINTNEXTLINE(modernize-loop-convert)
-  for (std::size_t c = 0; c < cavity_.size(); ++c) {
-    const auto here = triangle(cavity_[c]);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto other = here.neighbor[k];
-      if (!mayChange(other)) return false;
-      if (isInCavity(other) != 0) continue;
-      if (conflicts(other, i)) {
-        take(other);
-      } else {
-        rim_.push_back({here.corner[next(k)], here.corner[next(next(k))], other});
-      }
+  take(first, 0, 3);
+  while (!steps_.empty()) {
+    auto& step = steps_.back();
+    if (step.left == 0) {
+      steps_.pop_back();
+      continue;
+    }
+    const auto t = step.triangle;
+    const std::size_t k = step.edge;
+    step.edge = static_cast<std::uint8_t>(next(k));
+    --step.left;
+    const auto other = triangle(t).neighbor[k];
+    if (!mayChange(other)) return false;
+    if (is_weighted_ && isInCavity(other) != 0) continue;
+    const auto& there = triangle(other);
+    const auto back = placeOf(there.neighbor, t);
+    if (conflicts(there, i)) {
+      take(other, static_cast<std::uint32_t>(next(back)), 2);
+    } else {
+      const auto& corner = triangle(t).corner;
+      rim_.push_back({corner[next(k)], corner[before(k)], other, back});
     }
   }
   return true;
 }
 
-/// Lists the corners of the cavity; each that becomes hidden makes two triangles fewer.
-void Insertion::noteCorners() {
+/// Hides those corners of the cavity that are not on its rim.
+void Insertion::hideCorners() {
+  corners_.clear();
   for (const auto t : cavity_) {
     for (const auto corner : triangle(t).corner) corners_.push_back(corner);
   }
-}
-
-/// Hides those of the listed corners that have no incident triangle any more.
-void Insertion::hideCorners() {
-  for (const auto corner : corners_) {
-    auto& at_corner = incident(corner);
-    if (at_corner == none) continue;
-    const auto& left = triangle(at_corner).corner;
-    if (std::find(left.begin(), left.end(), corner) != left.end()) continue;
-    at_corner = none;
-    hidden.push_back(corner);
-  }
-  corners_.clear();
-}
-
-/// Makes a triangle of p and each edge of the cavity's rim. Every corner of a removed triangle begins an edge
-/// of the rim, or is hidden.
-void Insertion::fill(std::int32_t p, std::int32_t room) {
-  const auto newTriangle = [&] {
-    mesh_.region[static_cast<std::size_t>(room)] = region_;
-    return room++;
-  };
-  for (std::size_t r = 0; r < rim_.size(); ++r) {
-    const auto [from, to, outer] = rim_[r];
-    const auto t = r < cavity_.size() ? cavity_[r] : newTriangle();
-    isInCavity(t) = 0;
-    triangle(t) = {{p, from, to}, {outer, ghost, ghost}};
-    auto& back = triangle(outer);
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (back.corner[next(k)] == to && back.corner[next(next(k))] == from) back.neighbor[k] = t;
-    }
-    incident(from) = t;
-    rim_[r].outer = t;
-  }
+  std::sort(corners_.begin(), corners_.end());
+  corners_.erase(std::unique(corners_.begin(), corners_.end()), corners_.end());
   for (const auto& edge : rim_) {
-    // The triangle after this one around p begins where this one ends.
-    const auto after = incident(edge.to);
-    triangle(edge.outer).neighbor[1] = after;
-    triangle(after).neighbor[2] = edge.outer;
+    const auto at_rim = std::lower_bound(corners_.begin(), corners_.end(), edge.from);
+    corners_.erase(at_rim);
   }
-  last_ = rim_[0].outer;
-  incident(p) = last_;
+  hidden.insert(hidden.end(), corners_.begin(), corners_.end());
+}
+
+/// Makes a triangle of p and each edge of the cavity's rim.
+void Insertion::fill(std::int32_t p, std::int32_t room) {
+  for (auto slot = room; cavity_.size() < rim_.size(); ++slot) {
+    if (region_ != everywhere) mesh_.region[static_cast<std::size_t>(slot)] = region_;
+    cavity_.push_back(slot);
+  }
+  auto previous = cavity_[rim_.size() - 1];
+  for (std::size_t r = 0; r < rim_.size(); ++r) {
+    const auto& edge = rim_[r];
+    const auto t = cavity_[r];
+    const auto after = cavity_[r + 1 < rim_.size() ? r + 1 : 0];
+    triangle(t) = {{p, edge.from, edge.to}, {edge.outer, after, previous}};
+    triangle(edge.outer).neighbor[edge.back] = t;
+    previous = t;
+  }
+  last_ = mesh_.near[static_cast<std::size_t>(p)] = previous;
   for (auto c = rim_.size(); c < cavity_.size(); ++c) leaveEmpty(cavity_[c]);
 }
 

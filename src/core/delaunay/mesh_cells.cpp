@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <iterator>
 
 #include "backend/collect.h"
+#include "base/parallel.h"
 #include "core/geometry/vertex_position.h"
 #include "core/geometry/wall_predicates.h"
 
@@ -23,11 +26,19 @@ std::size_t cornerOf(const MeshTriangle& triangle, std::int32_t site) {
 
 std::size_t next(std::size_t k) { return k == 2 ? 0 : k + 1; }
 
-/// By triangle of a mesh: the walls on or beyond which its power center lies, computed at the first use.
-/// Thread safe.
+constexpr std::size_t mesh_cells_grain = std::size_t{1} << 14;
+
+/// By triangle of a mesh: the walls on or beyond which its power center lies, computed at the first use,
+/// unless floating point tells that there is none. Thread safe.
 class WallsOfTriangles {
  public:
-  explicit WallsOfTriangles(const Mesh& mesh) : walls_(mesh.triangles.size(), unknown) {}
+  WallsOfTriangles(const SiteSet& sites, const PartMesh& part, int threads)
+      : walls_(part.mesh.triangles.size()) {
+    parallelFor(walls_.size(), mesh_cells_grain, threads, [&](std::size_t begin, std::size_t end) {
+      const Inside inside(sites, part);
+      for (auto t = begin; t < end; ++t) walls_[t] = inside.isSure(part.mesh.triangles[t]) ? 0 : unknown;
+    });
+  }
 
   template <class Find>
   std::uint8_t of(std::int32_t triangle, const Find& find) {
@@ -37,21 +48,65 @@ class WallsOfTriangles {
     return known;
   }
 
+  /// Whether it is known that there is none.
+  [[nodiscard]] bool areNone(std::int32_t triangle) {
+    return std::atomic_ref(walls_[static_cast<std::size_t>(triangle)]).load(std::memory_order_relaxed) == 0;
+  }
+
  private:
   static constexpr std::uint8_t unknown = 255;
+
+  /// Which power centers surely lie inside the domain: by far more than rounding moves them, where the three
+  /// sites are no farther apart than some sides of the domain, and are no thin triangle.
+  class Inside {
+   public:
+    Inside(const SiteSet& sites, const PartMesh& part) : part_(part) {
+      const Box& d = sites.domain;
+      const double side = std::max(d.xmax - d.xmin, d.ymax - d.ymin), margin = 1e-6 * side;
+      box_ = {d.xmin + margin, d.ymin + margin, d.xmax - margin, d.ymax - margin};
+      most_ = 16 * side * side;
+    }
+
+    [[nodiscard]] bool isSure(const MeshTriangle& t) const {
+      if ((t.corner[0] | t.corner[1] | t.corner[2]) < 0) return false;
+      const auto a = static_cast<std::size_t>(t.corner[0]), b = static_cast<std::size_t>(t.corner[1]),
+                 c = static_cast<std::size_t>(t.corner[2]);
+      const auto& p = part_.points;
+      const Point u{p[b].x - p[a].x, p[b].y - p[a].y}, v{p[c].x - p[a].x, p[c].y - p[a].y};
+      double uu = u.x * u.x + u.y * u.y, vv = v.x * v.x + v.y * v.y;
+      const double twice = 2 * (u.x * v.y - u.y * v.x), size = uu + vv;
+      if (!part_.weights.empty()) {
+        const auto& w = part_.weights;
+        if (!(std::abs(w[b] - w[a]) + std::abs(w[c] - w[a]) < size)) return false;
+        uu += w[a] - w[b];
+        vv += w[a] - w[c];
+      }
+      const double x = p[a].x + (v.y * uu - u.y * vv) / twice, y = p[a].y + (u.x * vv - v.x * uu) / twice;
+      return twice > 1e-6 * size && size < most_ && x > box_.xmin && x < box_.xmax && y > box_.ymin &&
+             y < box_.ymax;
+    }
+
+   private:
+    const PartMesh& part_;
+    Box box_{};
+    double most_;
+  };
+
   std::vector<std::uint8_t> walls_;
 };
 
 class MeshCellFinder {
  public:
-  MeshCellFinder(const SiteSet& sites, const Mesh& mesh, WallsOfTriangles& walls)
-      : sites_(sites), mesh_(mesh), walls_(walls) {}
+  MeshCellFinder(const SiteSet& sites, const PartMesh& part, WallsOfTriangles& walls)
+      : sites_(sites), part_(part), mesh_(part.mesh), walls_(walls) {}
 
-  CellStatus find(std::uint32_t which, std::vector<std::int32_t>& neighbors) {
-    cell_ = static_cast<std::int32_t>(which);
-    const auto& triangle = mesh_.triangles[static_cast<std::size_t>(mesh_.at[which])];
+  /// Appends the neighbors of the cell of a point of the mesh, by index in the set.
+  CellStatus find(std::uint32_t point, BigVector<std::int32_t>& neighbors) {
+    cell_ = static_cast<std::int32_t>(point);
+    if (isInside(neighbors)) return CellStatus::certified;
+    const auto& triangle = mesh_.triangles[static_cast<std::size_t>(mesh_.at[point])];
     if (cornerOf(triangle, cell_) == none) {
-      neighbors.insert(neighbors.end(), triangle.corner.begin(), triangle.corner.end());
+      for (const auto corner : triangle.corner) neighbors.push_back(siteOf(corner));
       return CellStatus::empty;
     }
     walkAround();
@@ -62,7 +117,8 @@ class MeshCellFinder {
         return CellStatus::empty;
       }
     }
-    for (const auto& edge : ring_) neighbors.push_back(edge.neighbor);
+    for (const auto& edge : ring_)
+      neighbors.push_back(edge.neighbor < 0 ? edge.neighbor : siteOf(edge.neighbor));
     return CellStatus::certified;
   }
 
@@ -73,16 +129,37 @@ class MeshCellFinder {
         reached;  ///< if this one and the one before are of sites: the walls on or beyond which it begins
   };
 
-  [[nodiscard]] WeightedPoint at(std::int32_t site) const {
-    const auto i = static_cast<std::size_t>(site);
-    return {{sites_.x[i], sites_.y[i]}, sites_.weight.empty() ? 0 : sites_.weight[i]};
+  [[nodiscard]] WeightedPoint at(std::int32_t point) const {
+    const auto i = static_cast<std::size_t>(point);
+    return {part_.points[i], part_.weights.empty() ? 0 : part_.weights[i]};
+  }
+  [[nodiscard]] std::int32_t siteOf(std::int32_t point) const {
+    return point == ghost ? ghost : static_cast<std::int32_t>(part_.site[static_cast<std::size_t>(point)]);
+  }
+
+  /// Appends the neighbors of a cell that is known to reach no wall; for another cell, false and nothing.
+  bool isInside(BigVector<std::int32_t>& neighbors) {
+    const auto count = neighbors.size();
+    const auto first = mesh_.at[static_cast<std::size_t>(cell_)];
+    auto t = first;
+    do {
+      const auto& triangle = mesh_.triangles[static_cast<std::size_t>(t)];
+      const auto k = cornerOf(triangle, cell_);
+      if (k == none || !walls_.areNone(t)) {
+        neighbors.resize(count);
+        return false;
+      }
+      neighbors.push_back(siteOf(triangle.corner[next(next(k))]));
+      t = triangle.neighbor[next(k)];
+    } while (t != first);
+    return true;
   }
 
   /// Appends the neighbors of the unclipped cell, which lies beyond the domain.
-  void putProof(std::vector<std::int32_t>& neighbors) {
+  void putProof(BigVector<std::int32_t>& neighbors) {
     walkAround();
     for (const auto& edge : ring_) {
-      if (edge.neighbor >= 0) neighbors.push_back(edge.neighbor);
+      if (edge.neighbor >= 0) neighbors.push_back(siteOf(edge.neighbor));
     }
   }
 
@@ -183,6 +260,7 @@ class MeshCellFinder {
   static constexpr std::uint8_t all_walls = 15;
 
   const SiteSet& sites_;
+  const PartMesh& part_;
   const Mesh& mesh_;
   WallsOfTriangles& walls_;
   std::int32_t cell_ = 0;
@@ -193,17 +271,29 @@ class MeshCellFinder {
 
 }  // namespace
 
-CellNeighbors meshCells(const SiteSet& sites, const Mesh& mesh, std::span<const std::uint32_t> which,
-                        int threads) {
-  WallsOfTriangles walls(mesh);
-  CellNeighbors cells;
-  collect(which.size(), threads, cells, [&] {
-    return [&, finder = MeshCellFinder(sites, mesh, walls)](std::size_t e,
-                                                            std::vector<std::int32_t>& neighbors) mutable {
-      return finder.find(which[e], neighbors);
-    };
+std::vector<MeshCells> meshCells(const SiteSet& sites, const PartMesh& part,
+                                 std::span<const std::uint8_t> is_wanted, int threads) {
+  constexpr std::size_t usual_neighbors = 7;
+  WallsOfTriangles walls(sites, part, threads);
+  std::vector<MeshCells> parts((part.site.size() + mesh_cells_grain - 1) / mesh_cells_grain);
+  parallelFor(part.site.size(), mesh_cells_grain, threads, [&](std::size_t begin, std::size_t end) {
+    auto& [site, cells] = parts[begin / mesh_cells_grain];
+    MeshCellFinder finder(sites, part, walls);
+    std::copy_if(part.site.begin() + static_cast<std::ptrdiff_t>(begin),
+                 part.site.begin() + static_cast<std::ptrdiff_t>(end), std::back_inserter(site),
+                 [&](std::uint32_t each) { return is_wanted[each] != 0; });
+    cells.status.reserve(site.size());
+    cells.offsets.reserve(site.size() + 1);
+    cells.neighbor.reserve(usual_neighbors * site.size());
+    cells.offsets.push_back(0);
+    for (auto point = begin; point < end; ++point) {
+      if (is_wanted[part.site[point]] == 0) continue;
+      cells.status.push_back(finder.find(static_cast<std::uint32_t>(point), cells.neighbor));
+      beginAtFirst(std::span(cells.neighbor).subspan(cells.offsets.back()));
+      cells.offsets.push_back(cells.neighbor.size());
+    }
   });
-  return cells;
+  return parts;
 }
 
 }  // namespace vorpipe::core

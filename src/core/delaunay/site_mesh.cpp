@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "base/parallel.h"
-#include "core/delaunay/hilbert_order.h"
+#include "core/delaunay/curve_order.h"
 #include "core/delaunay/triangulation.h"
 
 namespace vorpipe::core {
@@ -38,46 +39,43 @@ bool areInRange(const std::vector<double>& weights) {
   });
 }
 
-/// The mesh with its points numbered by index in the set.
-Mesh triangulate(const SiteSet& sites, int threads) {
-  constexpr std::size_t grain = std::size_t{1} << 15;
-  const auto order = orderAlongCurve(sites, threads);
-  std::vector<Point> points(order.size());
-  std::vector<double> weights(sites.weight.empty() ? 0 : order.size());
-  parallelFor(order.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto k = begin; k < end; ++k) points[k] = {sites.x[order[k]], sites.y[order[k]]};
-    if (weights.empty()) return;
-    for (auto k = begin; k < end; ++k) weights[k] = sites.weight[order[k]];
-  });
-  auto mesh = delaunay(std::move(points), std::move(weights), threads);
-  if (mesh.triangles.empty()) return mesh;
-  parallelFor(mesh.triangles.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto t = begin; t < end; ++t) {
-      for (auto& corner : mesh.triangles[t].corner) {
-        if (corner != ghost) corner = static_cast<std::int32_t>(order[static_cast<std::size_t>(corner)]);
-      }
-    }
-  });
-  std::vector<std::int32_t> at(order.size());
-  parallelFor(order.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
-    for (auto k = begin; k < end; ++k) at[order[k]] = mesh.at[k];
-  });
-  mesh.at = std::move(at);
-  return mesh;
-}
-
 }  // namespace
 
+bool canTriangulate(const SiteSet& sites) {
+  return sites.size() <= most_mesh_sites && isInRange(sites) && areInRange(sites.weight);
+}
+
+PartMesh triangulate(const SiteSet& sites, std::vector<std::uint32_t> which, int threads) {
+  constexpr std::size_t grain = std::size_t{1} << 15;
+  PartMesh part;
+  part.site = std::move(which);
+  sortAlongCurve(sites, part.site, threads);
+  part.points.resize(part.site.size());
+  part.weights.resize(sites.weight.empty() ? 0 : part.site.size());
+  parallelFor(part.site.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto k = begin; k < end; ++k) part.points[k] = {sites.x[part.site[k]], sites.y[part.site[k]]};
+    if (part.weights.empty()) return;
+    for (auto k = begin; k < end; ++k) part.weights[k] = sites.weight[part.site[k]];
+  });
+  part.mesh = delaunay(part.points, part.weights, threads);
+  return part;
+}
+
 bool SiteMesh::isPossible() {
-  if (!possible_) {
-    possible_ = sites_.size() <= most_mesh_sites && isInRange(sites_) && areInRange(sites_.weight);
-  }
+  if (!possible_) possible_ = canTriangulate(sites_);
   return *possible_;
 }
 
-const Mesh* SiteMesh::get() {
-  if (!mesh_) mesh_ = isPossible() ? triangulate(sites_, threads_) : Mesh{};
-  return mesh_->triangles.empty() ? nullptr : &*mesh_;
+const PartMesh* SiteMesh::get() {
+  if (!mesh_) {
+    mesh_.emplace();
+    if (isPossible()) {
+      std::vector<std::uint32_t> all(sites_.size());
+      std::iota(all.begin(), all.end(), 0u);
+      mesh_ = triangulate(sites_, std::move(all), threads_);
+    }
+  }
+  return mesh_->mesh.triangles.empty() ? nullptr : &*mesh_;
 }
 
 }  // namespace vorpipe::core

@@ -49,7 +49,7 @@ class OuterMesh {
       points.push_back({sites.x[cell], sites.y[cell]});
       if (!sites.weight.empty()) weights.push_back(sites.weight[cell]);
     }
-    mesh_ = delaunay(std::move(points), std::move(weights)).triangles;
+    mesh_ = delaunay(points, weights).triangles;
   }
 
   [[nodiscard]] std::size_t hullEdges() const {
@@ -155,10 +155,12 @@ Triangles allTriangles(SiteMesh& mesh) {
   const auto& sites = mesh.sites();
   Triangles triangles;
   if (const auto* made = mesh.get(); made != nullptr) {
-    triangles.reserve(made->triangles.size());
-    for (const auto& t : made->triangles) {
-      if (!isOutside(t)) triangles.push_back(named(sites, t, [](std::size_t k) { return k; }));
+    triangles.reserve(made->mesh.triangles.size());
+    for (const auto& t : made->mesh.triangles) {
+      if (!isOutside(t)) triangles.push_back(named(sites, t, [&](std::size_t k) { return made->site[k]; }));
     }
+    // The numbers of a mesh's triangles depend on the threads that made it.
+    std::sort(triangles.begin(), triangles.end());
     return triangles;
   }
   // On one line, or beyond what a SiteMesh has exact cells for.

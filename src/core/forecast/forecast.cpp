@@ -9,15 +9,6 @@
 namespace vorpipe::core {
 namespace {
 
-/// The tree of backend/cpu/tree/tree.h: twice as many nodes as leaves, of which there are a power of two,
-/// each of at most six sites.
-std::uint64_t treeBytes(std::uint64_t sites) {
-  constexpr std::uint64_t leaf_sites = 6, node = 12 * number;
-  std::uint64_t leaves = 1;
-  while ((sites + leaves - 1) / leaves > leaf_sites) leaves *= 2;
-  return 2 * leaves * node;
-}
-
 std::uint64_t binsOf(std::uint64_t sites) {
   return static_cast<std::uint64_t>(static_cast<double>(sites) / sites_per_bin) + 1;
 }
@@ -86,34 +77,24 @@ void planUpload(MemoryPlan& plan, const Workload& work, std::uint64_t sites, boo
 }
 
 std::vector<MemoryPlan::Array> planMesh(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
-  const std::string_view what = "the triangulation of all sites";
-  const auto by_bin = plan.take(what, sites * word);
-  const auto order = plan.take(what, sites * word);
-  plan.drop(by_bin);
+  const std::string_view what = "the triangulation of sites";
+  constexpr std::uint64_t on_curve = 16;
+  const auto site = plan.take(what, sites * word);
+  const auto placed = plan.take(what, sites * on_curve), other = plan.take(what, sites * on_curve);
+  plan.drop({placed, other});
   const auto points = plan.take(what, sites * point);
   const auto weights = plan.take(what, work.weighted ? sites * number : 0);
-  const auto inserted = plan.take(what, sites * word);
+  const auto order = plan.take(what, sites * word);
   const auto triangles = plan.take(what, 2 * sites * sizeof(MeshTriangle));
-  const auto region = plan.take(what, 2 * sites);
-  const auto cavity = plan.take(what, 2 * sites);
-  const auto incident = plan.take(what, sites * word);
-  const auto left = plan.take(what, sites * word + sites * word / 2);
-  plan.drop({left, cavity, region, inserted, weights, points});
+  const auto cavity = plan.take(what, work.weighted ? 2 * sites : 0);
+  const auto near = plan.take(what, sites * word);
+  const auto left = plan.take(what, sites * word);
+  const auto region = plan.take(what, 3 * sites);
+  const auto of_parts = plan.take(what, sites * word);
+  plan.drop({of_parts, left});
   const auto at = plan.take(what, sites * word);
-  plan.drop({incident, order});
-  return {triangles, at};
-}
-
-std::vector<MemoryPlan::Array> planJudge(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
-  if (work.spread.along_curves) return planMesh(plan, work, sites);
-  if (!work.spread.uneven) return {};
-  const std::string_view what = "the search tree over sites";
-  plan.take(what, treeBytes(sites));
-  const auto passing = plan.take(what, sites * (2 * number + 2 * word));
-  for (const auto bytes : {word, word, number, number}) plan.take(what, sites * bytes);
-  if (work.weighted) plan.take(what, sites * number);
-  plan.drop(passing);
-  return {};
+  plan.drop({region, near, cavity, order});
+  return {site, points, weights, triangles, at};
 }
 
 }  // namespace vorpipe::core

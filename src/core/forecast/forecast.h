@@ -18,12 +18,8 @@ PlannedSet planPrepare(MemoryPlan& plan, std::uint64_t sites, bool weighted);
 /// Plans what a backend is given: sites and their grid on the device, and what it compiles.
 void planUpload(MemoryPlan& plan, const Workload& work, std::uint64_t sites, bool drawn);
 
-/// Plans delaunay() and what SiteMesh does around it; see there. Returns what stays with the session.
+/// Plans triangulate() of all sites: a device may leave any number of cells. Returns the mesh.
 std::vector<MemoryPlan::Array> planMesh(MemoryPlan& plan, const Workload& work, std::uint64_t sites);
-
-/// Plans what finds the cells that a device leaves: the tree of the judge, which stays with the session, or
-/// the mesh of all sites, whose arrays are returned.
-std::vector<MemoryPlan::Array> planJudge(MemoryPlan& plan, const Workload& work, std::uint64_t sites);
 
 using Arrays = std::vector<MemoryPlan::Array>;
 

@@ -12,9 +12,8 @@ using namespace core;
 namespace {
 
 /// Edges that a cell is found with: 6 on average, since cells cover the plane, and where four cells meet in a
-/// point also some that one of two cells alone has. The result has spread.edges of them, those that are no
-/// ties.
-double proposedEdges(const Spread& spread) { return 6 + 0.3 * spread.tied; }
+/// point also some that one of two cells alone has.
+constexpr double proposed_edges = 6.3;
 
 /// Plans findNeighbors; returns what remains of it.
 Arrays planNeighbors(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
@@ -32,7 +31,7 @@ Arrays planNeighbors(MemoryPlan& plan, const Workload& work, std::uint64_t sites
     plan.take("answers of the device", slices * answer + step * needs.entry);
   }
   // Where a device has only a part of its answers at a time, rows are put together from them.
-  const auto row = partOf(word, proposedEdges(work.spread));
+  const auto row = partOf(word, proposed_edges);
   for (std::uint64_t done = 0; done < sites; done += step) {
     const auto here = std::min(step, sites - done);
     const auto status = plan.take(search, here * (number + 1));
@@ -50,15 +49,15 @@ Arrays planNeighbors(MemoryPlan& plan, const Workload& work, std::uint64_t sites
     plan.drop(status);
   }
   plan.drop({rest, even, inside});
-  // The parts that crowds are found in leave gaps between their rows.
-  if (work.spread.uneven) kept.push_back(plan.take(rows, sites * number));
-  // The cells of the mesh are all found again.
-  append(kept, planJudge(plan, work, sites));
-  if (work.spread.along_curves) {
-    kept.push_back(plan.take(rows, sites * row));
-    const auto found = plan.take(search, sites * (number + 2 * word) + sites * (number + 1));
-    plan.drop(found);
-  }
+  // All cells may come from a triangulation, in place of a device.
+  plan.drop({kept.begin() + 1, kept.end()});
+  kept.resize(1);
+  const auto wanted = plan.take(search, sites);
+  const auto mesh = planMesh(plan, work, sites);
+  const auto walls = plan.take(search, 2 * sites);
+  kept.push_back(plan.take(rows, sites * (row + number + word + 1)));
+  plan.drop(mesh);
+  plan.drop({walls, wanted});
   if (work.weighted) {
     const auto all = plan.take(search, sites * word);
     plan.drop(all);
@@ -66,13 +65,14 @@ Arrays planNeighbors(MemoryPlan& plan, const Workload& work, std::uint64_t sites
   return kept;
 }
 
-/// Plans reconcileCells: a tied cell has a corner for each edge, and each vertex has three corners, or more
-/// at ties.
+/// Plans reconcileCells: a tied cell has a corner for each edge, and each
+/// vertex has three corners, or more at ties.
 Arrays planTies(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
   const std::string_view what = "vertices at ties";
-  const auto cells = partOf(sites, work.spread.tied);
-  const auto corners = partOf(cells, proposedEdges(work.spread) + 0.7);
-  const auto vertices = partOf(cells, std::max(1.3, work.spread.edges / 2 - 1));
+  constexpr std::uint64_t one_in = 8;
+  const auto cells = work.on_lattice ? sites : sites / one_in;
+  const auto corners = partOf(cells, proposed_edges + 0.7);
+  const auto vertices = partOf(cells, 2);
   const auto rough = plan.take("the check of cells", sites);
   Arrays kept{plan.take(what, sites * word)};
   // Lists that grow by doubling.
@@ -90,8 +90,8 @@ Arrays planTies(MemoryPlan& plan, const Workload& work, std::uint64_t sites) {
 }
 
 /// Plans the arrays of a Diagram of `sites` sites.
-Arrays planArrays(MemoryPlan& plan, const Workload& work, std::uint64_t sites, Detail detail) {
-  const auto edges = partOf(sites, work.spread.edges);
+Arrays planArrays(MemoryPlan& plan, std::uint64_t sites, Detail detail) {
+  const auto edges = sites * mean_edges;
   Arrays arrays;
   const auto take = [&](std::string_view what, std::uint64_t bytes) {
     arrays.push_back(plan.take(what, bytes));
@@ -112,7 +112,7 @@ Arrays planArrays(MemoryPlan& plan, const Workload& work, std::uint64_t sites, D
 
 /// Plans clipToOutline, which replaces all that there is for each edge.
 void planClipping(MemoryPlan& plan, const Workload& work, Arrays& arrays) {
-  const auto edges = partOf(work.sites, work.spread.edges);
+  const auto edges = work.sites * mean_edges;
   const std::string_view what = "cells clipped to the outline";
   const auto fate = plan.take(what, work.sites * (number + 1));
   const auto first = plan.take(what, work.sites * number);
@@ -133,11 +133,11 @@ PlannedCells planRun(MemoryPlan& plan, const Workload& work, std::uint64_t sites
   const auto records = plan.take("records of cells", sites * sizeof(CellRecord));
   const auto ties = planTies(plan, work, sites);
   const Detail found = work.outlined ? std::max(detail, Detail::polygons) : detail;
-  Arrays arrays = planArrays(plan, work, sites, found);
+  Arrays arrays = planArrays(plan, sites, found);
   const bool triangulated = detail == Detail::everything && !work.periodic;
   // Where a tie hides a triangle, all are made anew: so in 1 of 8 random sets of a million sites, and 5 of 8
   // of two million. No array of the mesh fits in a gap.
-  if (triangulated && !work.spread.along_curves) plan.drop(planMesh(plan, work, sites));
+  if (triangulated) plan.drop(planMesh(plan, work, sites));
   plan.drop(records);
   if (triangulated) {
     arrays.push_back(plan.take("triangles", 2 * sites * 3 * word));
@@ -177,7 +177,7 @@ PlannedCells planPeriodic(MemoryPlan& plan, const Workload& work, Detail detail,
   }
   placed.push_back(plan.take(what, 2 * work.images * number));
   PlannedCells cells = planRun(plan, work, all, std::max(detail, Detail::polygons), purpose);
-  cells.diagram.push_back(plan.take("shifts of neighbors", partOf(work.sites, work.spread.edges) * 2 * word));
+  cells.diagram.push_back(plan.take("shifts of neighbors", work.sites * mean_edges * 2 * word));
   if (purpose == ImagesFor::cells) {
     plan.drop(placed);
   } else {
@@ -227,7 +227,7 @@ void planCellsCheck(MemoryPlan& plan, const Workload& work, Detail detail) {
   const auto tree = plan.take(what, work.sites * (2 * word + number));
   const auto owners = plan.take(what, (slots + 2 * work.sites) * word);
   plan.drop(owners);
-  const auto edges = partOf(work.sites, work.spread.edges);
+  const auto edges = work.sites * mean_edges;
   const auto twins = plan.take(what, edges * word);
   if (detail == Detail::everything) {
     constexpr std::uint64_t side = 4 * word;
@@ -237,7 +237,7 @@ void planCellsCheck(MemoryPlan& plan, const Workload& work, Detail detail) {
   }
   // Places of sampled cells, with what is nearest.
   constexpr std::uint64_t most_sampled = 10'000, place = 4 * point;
-  const auto sampled = partOf(std::min(work.sites, most_sampled), work.spread.edges + 1);
+  const auto sampled = std::min(work.sites, most_sampled) * (mean_edges + 1);
   const auto places = plan.take(what, sampled * place);
   plan.drop({places, twins, tree});
 }

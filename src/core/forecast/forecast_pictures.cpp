@@ -51,13 +51,10 @@ Arrays planSearchAndDrawing(MemoryPlan& plan, const Workload& work, std::uint64_
   // The rows of cells that are left to the judge: of many sites some always are.
   kept.push_back(plan.take("neighbors of cells", sites * (number + 2 * word)));
   append(kept, {even, rest});
-  append(kept, planJudge(plan, work, sites));
-  if (work.spread.along_curves) {
-    // All cells are left to the judge.
-    constexpr std::uint64_t row = 6 * word, of_search = 6'000'000;  // the latter as measured
-    kept.push_back(plan.take("neighbors of cells", sites * row + of_search));
-    plan.drop(plan.take("the search", 2 * sites * (number + 2 * word)));
-  }
+  // All cells may be left, and come from a triangulation, which stays with the session.
+  append(kept, planMesh(plan, work, sites));
+  kept.push_back(plan.take("neighbors of cells", sites * (6 * word + number + word + 1)));
+  plan.drop(plan.take("the search", sites * (number + 2 * word)));
   return kept;
 }
 
@@ -67,7 +64,7 @@ Arrays planPolygons(MemoryPlan& plan, const Workload& work, std::uint64_t sites)
   Arrays kept{plan.take("the search", sites * word)};
   if (needs.entry == 0) return kept;  // cpu has no triangles
   constexpr std::uint64_t cells_at_once = 1 << 16;
-  const auto corners = partOf(std::min(sites, cells_at_once), work.spread.edges);
+  const auto corners = std::min(sites, cells_at_once) * mean_edges;
   const auto bytes = corners * sizeof(DrawMark) + 3 * corners * word;
   const Arrays passing{plan.take("triangles of cells", bytes), plan.take("triangles of cells", bytes)};
   if (work.device_on_host) {
@@ -113,7 +110,7 @@ bool cellsAreKnown(const Workload& work, ColorBy color) {
 /// Plans marksOf(), whose lines grow by doubling.
 Arrays planMarks(MemoryPlan& plan, const Workload& work, const RenderOptions& options) {
   const std::string_view what = "lines and labels";
-  const auto edges = partOf(work.sites, work.spread.edges / 2);
+  const auto edges = work.sites * mean_edges / 2;
   const std::uint64_t line = sizeof(Line), capacity = std::bit_ceil(edges);
   Arrays kept;
   const auto lines = [&] {
@@ -173,7 +170,7 @@ Arrays planPicture(MemoryPlan& plan, const Workload& work, const RenderOptions& 
   const auto height = static_cast<std::uint64_t>(options.height);
   for (int k = 0; k < 2; ++k) image.push_back(plan.take("the picture", width * height * word));
   // What searches leave in the heap, as measured up to two million sites.
-  if (work.spread.uneven || work.weighted) plan.take("the search", 5'000'000);
+  plan.take("the search", std::min<std::uint64_t>(5'000'000, 64 * work.sites));
   append(working, known ? planPolygons(plan, work, sites) : planSearchAndDrawing(plan, work, sites));
   const Arrays views = planViews(plan, work, width, height);
   planNearest(plan, work, sites);

@@ -18,6 +18,7 @@ struct WeightedPoint : Point {
 
 int exactOrientation(Point a, Point b, Point c);
 int exactInCircle(Point a, Point b, Point c, Point d);
+int brokenTie(Point a, Point b, Point c, Point d);
 int exactInCircle(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c,
                   const WeightedPoint& d);
 
@@ -45,6 +46,14 @@ inline int inCircle(Point a, Point b, Point c, Point d) {
                       cc * (std::abs(ax * by) + std::abs(ay * bx));
   if (std::abs(inside) > rounding * size) return inside > 0 ? 1 : -1;
   return exactInCircle(a, b, c, d);
+}
+
+/// The same where ties are broken: never 0 for four different points. Points are lifted to the paraboloid x^2
+/// + y^2 and then raised, those of larger x, then of larger y, by infinitely more than others (Edelsbrunner
+/// and Mücke 1990, "Simulation of simplicity"). So the sign follows from the places of the points alone.
+inline int inCirclePerturbed(Point a, Point b, Point c, Point d) {
+  const int inside = inCircle(a, b, c, d);
+  return inside != 0 ? inside : brokenTie(a, b, c, d);
 }
 
 /// Where the powers |x - site|^2 - weight of a, b, c are equal: 1: that of d is less; -1: greater; 0: equal.

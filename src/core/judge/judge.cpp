@@ -1,18 +1,20 @@
 #include "core/judge/judge.h"
 
+#include <algorithm>
 #include <cassert>
 #include <numeric>
 
+#include "base/parallel.h"
 #include "base/progress_steps.h"
 #include "core/delaunay/mesh_cells.h"
 
 namespace vorpipe::core {
 namespace {
 
-/// Break-even: the mesh of n sites takes as long as the tree takes for n / sites_per_cell cells in double, or
-/// for n / sites_per_exact_cell cells exactly: about 1 us a site, 20 us a cell in double, some milliseconds
-/// exactly. With weights the cells that devices leave have far to search, and cost four times as much.
-constexpr std::size_t sites_per_cell = 16, sites_per_weighted_cell = 64, sites_per_exact_cell = 2048;
+/// Break-even: the mesh of n sites takes as long as n / sites_per_cell cells in double, from trees of the
+/// sites around them, or as n / sites_per_exact_cell cells exactly: some 0.4 us a site, with weights 1 us; a
+/// tree of all sites takes as long as the mesh.
+constexpr std::size_t sites_per_cell = 256, sites_per_weighted_cell = 64, sites_per_exact_cell = 2048;
 
 /// Of no more sites with weights the mesh is made for a single cell: where all of them nearly meet in a
 /// point, that cell may take minutes with many digits.
@@ -27,6 +29,20 @@ bool isOpen(CellStatus status) { return !isDone(status); }
 
 }  // namespace
 
+void Judge::addFromMesh(const PartMesh& mesh, std::span<const std::uint32_t> which, int threads,
+                        NeighborRows& cells) const {
+  std::vector<std::uint8_t> is_wanted(sites_.size());
+  Indices entry(sites_.size());
+  for (std::uint32_t e = 0; e < which.size(); ++e) {
+    is_wanted[which[e]] = 1;
+    entry[which[e]] = e;
+  }
+  for (auto& part : meshCells(sites_, mesh, is_wanted, threads)) {
+    for (auto& site : part.site) site = entry[site];
+    cells.add(part.site, std::move(part.cells));
+  }
+}
+
 Result<NeighborRows> Judge::find(std::span<const std::uint32_t> which, Precision precision, int threads,
                                  const Progress& progress, std::uint64_t& exact) {
   NeighborRows cells(which.size(), threads);
@@ -37,7 +53,7 @@ Result<NeighborRows> Judge::find(std::span<const std::uint32_t> which, Precision
                         ? few || (!mesh_.isMade() && which.size() > sites_.size() / sites_per_exact_cell)
                         : mesh_.isMade() || areMany(which.size());
   if (const auto* mesh = pays ? mesh_.get() : nullptr; mesh != nullptr) {
-    cells.add(entries, meshCells(sites_, *mesh, which, threads));
+    addFromMesh(*mesh, which, threads, cells);
     return cells;
   }
   auto found = findSome(which, entries, precision, progress, cells);
@@ -55,14 +71,32 @@ Result<NeighborRows> Judge::find(std::span<const std::uint32_t> which, Precision
   return cells;
 }
 
-std::optional<NeighborRows> Judge::findInMesh(std::span<const std::uint32_t> which, int threads) {
-  const auto* mesh = mesh_.isPossible() ? mesh_.get() : nullptr;
-  if (mesh == nullptr) return {};
-  NeighborRows cells(which.size(), threads);
-  Indices entries(which.size());
-  std::iota(entries.begin(), entries.end(), 0u);
-  cells.add(entries, meshCells(sites_, *mesh, which, threads));
-  return cells;
+bool Judge::findAmong(std::span<const std::uint32_t> which, int threads, NeighborRows& rows) {
+  constexpr std::size_t grain = std::size_t{1} << 15;
+  if (!mesh_.isPossible()) return false;
+  std::vector<std::uint8_t> is_wanted(sites_.size());
+  for (const auto site : which) is_wanted[site] = 1;
+  const auto add = [&](const PartMesh& mesh) {
+    for (auto& part : meshCells(sites_, mesh, is_wanted, threads)) rows.add(part.site, std::move(part.cells));
+    return true;
+  };
+  if (mesh_.isMade()) {
+    const auto* mesh = mesh_.get();
+    return mesh != nullptr && add(*mesh);
+  }
+  std::vector<Indices> beside((sites_.size() + grain - 1) / grain);
+  parallelFor(sites_.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end; ++i) {
+      const auto edges = rows.edges(i);
+      const bool names_one = std::ranges::any_of(
+          edges, [&](auto other) { return other < 0 || is_wanted[static_cast<std::size_t>(other)] != 0; });
+      if (is_wanted[i] != 0 || names_one) beside[begin / grain].push_back(static_cast<std::uint32_t>(i));
+    }
+  });
+  Indices some;
+  for (const auto& part : beside) some.insert(some.end(), part.begin(), part.end());
+  const auto mesh = triangulate(sites_, std::move(some), threads);
+  return !mesh.mesh.triangles.empty() && add(mesh);
 }
 
 ExactTier& Judge::ready() {

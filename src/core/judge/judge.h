@@ -23,8 +23,14 @@ class Judge {
   Result<NeighborRows> find(std::span<const std::uint32_t> which, Precision precision, int threads,
                             const Progress& progress, std::uint64_t& exact);
 
-  /// The cells of `which` from the mesh, or nothing where there is none. All of them agree, in every tie.
-  std::optional<NeighborRows> findInMesh(std::span<const std::uint32_t> which, int threads);
+  /// Adds the cells `which`, ascending, of a set all of whose other cells are in `rows`, certified or empty:
+  /// from the triangulation of these sites and of those whose cells name one of them, or a wall. A neighbor
+  /// of such a cell is one of them, or its cell names it; and a cell among fewer sites, if it has all its
+  /// neighbors, is the cell. A site outside of the domain that has none in it is nowhere on a wall nearer
+  /// than those whose cells are there. (With weights a hidden site may come out with a cell, which its
+  /// neighbors then do not name.) The cells of a triangulation agree, in every tie. False, and nothing is
+  /// changed, where there is none.
+  bool findAmong(std::span<const std::uint32_t> which, int threads, NeighborRows& rows);
 
   /// See ExactTier::nearest.
   void nearest(const View& view, std::span<const std::uint32_t> pixels, std::span<std::uint32_t> sites);
@@ -39,6 +45,10 @@ class Judge {
  private:
   /// The exact tier, which has the sites.
   ExactTier& ready();
+
+  /// Adds the cells of which[e] as cells e.
+  void addFromMesh(const PartMesh& mesh, std::span<const std::uint32_t> which, int threads,
+                   NeighborRows& cells) const;
 
   /// Adds the cells of which[e] for e in `entries`; returns the entries that are still open.
   Result<std::vector<std::uint32_t>> findSome(std::span<const std::uint32_t> which,

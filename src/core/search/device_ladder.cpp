@@ -19,12 +19,6 @@ CellLadder::CellLadder(const SearchInput& input, Upload& upload, std::size_t wor
       begins_roomy_(input.sites.size() < worth_fast),
       roomy_(input.sites.size(), begins_roomy_) {}
 
-Result<KnownCells> CellLadder::climb(const Ask& ask) {
-  auto left = climbDevice(ask);
-  if (!left) return tl::unexpected(left.error());
-  return askJudge(std::move(*left));
-}
-
 void CellLadder::choose(Triage triage) {
   sorted_out_ = true;
   on_device_ = std::move(triage.inside);
@@ -49,6 +43,20 @@ void CellLadder::sortOutOnce() {
   if (!sorted_out_) choose(sortOut(input_.sites, input_.threads));
 }
 
+Result<void> CellLadder::findLeft(const Indices& which, NeighborRows& rows) {
+  if (which.empty()) return {};
+  const Stopwatch watch;
+  if (input_.judge.findAmong(which, input_.threads, rows)) {
+    judge_seconds_ += watch.seconds();
+    in_double_ += which.size();
+    return {};
+  }
+  auto judged = askJudge(which);
+  if (!judged) return tl::unexpected(judged.error());
+  rows.add(judged->which, std::move(judged->found));
+  return {};
+}
+
 Result<KnownCells> CellLadder::askJudge(Indices which) {
   const Stopwatch watch;
   auto found = input_.judge.find(which, Precision::in_double, input_.threads, input_.progress, exact_);
@@ -60,9 +68,8 @@ Result<KnownCells> CellLadder::askJudge(Indices which) {
 
 Result<void> CellLadder::climbGrid(const Ask& ask) {
   if (on_device_.empty()) return {};
-  auto unfit = forTiles(
-      input_.sites, input_.backend.info(), on_device_, input_.threads,
-      [&](const Tile& tile) { return tryTile(tile, ask); }, [&] { return areMany(0); });
+  auto unfit = forTiles(input_.sites, input_.backend.info(), on_device_, input_.threads,
+                        [&](const Tile& tile) { return tryTile(tile, ask); });
   if (!unfit) return tl::unexpected(unfit.error());
   left_.insert(left_.end(), unfit->begin(), unfit->end());
   return {};
@@ -136,8 +143,12 @@ Result<void> CellLadder::tryCells(const Tile& tile, Which which, Effort effort, 
   return {};
 }
 
-/// Whether the cells that are left, with some more and those never asked for, are worth the mesh of all.
-bool CellLadder::areMany(std::size_t more) const { return input_.judge.areMany(left_.size() + more); }
+/// Whether so many cells are left, with some more, that the triangulation finds all others as soon as a
+/// device.
+bool CellLadder::areMany(std::size_t more) const {
+  constexpr std::size_t many = 4;
+  return many * (left_.size() + more) > input_.sites.size();
+}
 
 /// What the mesh finds on the way.
 void CellLadder::leave(const Tile& tile, Which which) {

@@ -43,15 +43,15 @@ class CellLadder {
   /// `upload` gives the backend its sites. Fewer cells than `worth_fast` have room from the start.
   CellLadder(const SearchInput& input, Upload& upload, std::size_t worth_fast);
 
-  /// Asks the device about the cells that it is fit for, in later calls about those that it did before, and
-  /// the judge about the rest: these are returned, ascending. Errors: the device's; progress said stop.
-  Result<KnownCells> climb(const Ask& ask);
-
   /// Asks about these cells alone: `inside` are those that the device is asked about, `outside` the others.
   /// Comes before the first climb.
   void choose(Triage triage);
-  /// The same without the judge: the cells that are left to it, ascending.
+  /// Asks the device about the cells that it is fit for, in later calls about those that it did before.
+  /// Returns the cells that are left, ascending. Errors: the device's; progress said stop.
   Result<std::vector<std::uint32_t>> climbDevice(const Ask& ask);
+  /// Adds the cells that are left to `rows`, which have all others.
+  Result<void> findLeft(const std::vector<std::uint32_t>& which, NeighborRows& rows);
+  /// Finds cells that are left where the others are not known.
   Result<KnownCells> askJudge(std::vector<std::uint32_t> which);
 
   /// Adds how many cells took which way, and the times of searching on the host and of the judge.

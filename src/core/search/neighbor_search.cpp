@@ -14,6 +14,24 @@
 
 namespace vorpipe::core {
 
+namespace {
+
+std::vector<std::uint32_t> allOf(const SiteSet& sites) {
+  std::vector<std::uint32_t> all(sites.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
+
+/// Whether sites were rounded to a lattice that is so coarse that some of them coincide. Floats decide ties
+/// between cells one by one; where only some are ties, most of that is in dispute afterwards.
+bool areSnapped(const SiteSet& sites) {
+  constexpr std::size_t few = 200;
+  const std::size_t given = *std::ranges::max_element(sites.id) + std::size_t{1};
+  return few * (given - sites.size()) > given;
+}
+
+}  // namespace
+
 Result<void> findAgain(const SearchInput& input, const std::vector<std::uint32_t>& which, Precision precision,
                        NeighborRows& rows) {
   std::uint64_t exact = 0;
@@ -25,11 +43,8 @@ Result<void> findAgain(const SearchInput& input, const std::vector<std::uint32_t
 }
 
 bool findAllInMesh(const SearchInput& input, NeighborRows& rows) {
-  std::vector<std::uint32_t> all(input.sites.size());
-  std::iota(all.begin(), all.end(), 0u);
-  auto found = input.judge.findInMesh(all, input.threads);
-  if (!found) return false;
-  rows.add(all, std::move(*found));
+  const auto all = allOf(input.sites);
+  if (!input.judge.findAmong(all, input.threads, rows)) return false;
   proveEmpty(input.sites, all, input.threads, rows);
   return true;
 }
@@ -129,24 +144,23 @@ Result<std::optional<NeighborRows>> findRows(const SearchInput& input, AtEmpty a
   Upload upload(input.backend, {});
   CellLadder ladder(input, upload, 0);
   DeviceSearch device(input, at_empty, rows);
-  auto judged = ladder.climb({[&](const Tile& tile, auto which, Effort effort, auto status) {
-                                return device.byGrid(tile, which, effort, status);
-                              },
-                              [&](const Candidates& candidates, Effort, auto status) {
-                                return device.byLists(candidates, status);
-                              }});
+  if (input.sites.weight.empty() && areSnapped(input.sites)) ladder.choose({{}, allOf(input.sites)});
+  const auto left = ladder.climbDevice({[&](const Tile& tile, auto which, Effort effort, auto status) {
+                                          return device.byGrid(tile, which, effort, status);
+                                        },
+                                        [&](const Candidates& candidates, Effort, auto status) {
+                                          return device.byLists(candidates, status);
+                                        }});
   if (device.ended()) return std::nullopt;
-  if (!judged) return tl::unexpected(judged.error());
-  rows.add(judged->which, std::move(judged->found));
+  if (!left) return tl::unexpected(left.error());
+  if (auto found = ladder.findLeft(*left, rows); !found) return tl::unexpected(found.error());
   ladder.describe(report);
   if (input.search.method == Search::grid) {
     report.time_ms.upload = 1e3 * upload.seconds();
   } else if (report.time_ms.search >= 0) {
     report.time_ms.search += 1e3 * device.packSeconds();
   }
-  std::vector<std::uint32_t> all(input.sites.weight.size());
-  std::iota(all.begin(), all.end(), 0u);
-  proveEmpty(input.sites, all, input.threads, rows);
+  if (!input.sites.weight.empty()) proveEmpty(input.sites, allOf(input.sites), input.threads, rows);
   return rows;
 }
 

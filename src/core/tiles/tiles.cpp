@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "core/tiles/crowds.h"
 #include "core/tiles/cut_out.h"
-#include "core/tiles/refine.h"
 
 namespace vorpipe::core {
 namespace {
@@ -42,62 +42,6 @@ std::vector<std::uint32_t> ownCells(const Grid& grid, const BinBlock& tile,
   return own;
 }
 
-/// Calls work for a set, its tiles and its crowded regions, and theirs.
-class Parts {
- public:
-  Parts(const BackendInfo& info, int threads, const std::function<Result<void>(const Tile&)>& work,
-        const std::function<bool()>& is_over)
-      : info_(info), threads_(threads), work_(work), is_over_(is_over) {}
-
-  Result<void> work(const Tile& part, int depth) {
-    auto crowding = sortByCrowding(part.sites.grid, part.own, threads_);
-    leave(part, crowding.hopeless);
-    if (auto worked = workOnTiles({part.sites, crowding.even, part.whole}); !worked) return worked;
-    for (const auto& region : crowding.regions) {
-      if (depth == deepest || is_over_()) {
-        leave(part, region.own);
-        continue;
-      }
-      auto refined = refine(part.sites, region, threads_);
-      for (auto& i : refined.whole) i = part.wholeIndex(i);
-      if (auto worked = work({refined.sites, refined.own, refined.whole}, depth + 1); !worked) return worked;
-    }
-    return {};
-  }
-
-  std::vector<std::uint32_t> left;  ///< in the whole set
-
- private:
-  Result<void> workOnTiles(const Tile& part) {
-    if (part.own.empty()) return {};
-    if (fits(part.sites, info_)) return work_(part);
-    const auto heavy = std::min<std::uint64_t>(part.sites.heavy.size(), info_.max_sites);
-    const auto plan = planTiles(part.sites.grid, info_.max_sites - heavy, info_.max_bins);
-    std::vector<std::uint32_t> whole;
-    for (const auto& tile : plan.tiles) {
-      const auto own = ownCells(part.sites.grid, tile, part.own);
-      if (own.empty()) continue;
-      const auto set = cutOut(part.sites, withMargin(part.sites.grid, tile, halo), whole);
-      for (auto& i : whole) i = part.wholeIndex(i);
-      if (auto worked = work_({set, own, whole}); !worked) return worked;
-    }
-    for (const auto& bin : plan.unfit) leave(part, ofRow(part.sites.grid, bin, bin.south, part.own));
-    return {};
-  }
-
-  void leave(const Tile& part, std::span<const std::uint32_t> cells) {
-    for (const auto i : cells) left.push_back(part.wholeIndex(i));
-  }
-
-  /// Depth of nested clusters; each grid may be a thousand times finer than the one before.
-  static constexpr int deepest = 4;
-
-  const BackendInfo& info_;
-  int threads_;
-  const std::function<Result<void>(const Tile&)>& work_;
-  const std::function<bool()>& is_over_;
-};
-
 }  // namespace
 
 TilePlan planTiles(const Grid& grid, std::uint64_t most_sites, std::uint64_t most_bins) {
@@ -126,11 +70,27 @@ bool fits(const SiteSet& sites, const BackendInfo& info) {
 
 Result<std::vector<std::uint32_t>> forTiles(const SiteSet& sites, const BackendInfo& info,
                                             std::span<const std::uint32_t> which, int threads,
-                                            const std::function<Result<void>(const Tile&)>& work,
-                                            const std::function<bool()>& is_over) {
-  Parts parts(info, threads, work, is_over);
-  if (auto worked = parts.work({sites, which, {}}, 0); !worked) return tl::unexpected(worked.error());
-  return std::move(parts.left);
+                                            const std::function<Result<void>(const Tile&)>& work) {
+  auto [even, left] = sortByCrowds(sites.grid, which, threads);
+  if (even.empty()) return std::move(left);
+  if (fits(sites, info)) {
+    if (auto worked = work({sites, even, {}}); !worked) return tl::unexpected(worked.error());
+    return std::move(left);
+  }
+  const auto heavy = std::min<std::uint64_t>(sites.heavy.size(), info.max_sites);
+  const auto plan = planTiles(sites.grid, info.max_sites - heavy, info.max_bins);
+  std::vector<std::uint32_t> whole;
+  for (const auto& tile : plan.tiles) {
+    const auto own = ownCells(sites.grid, tile, even);
+    if (own.empty()) continue;
+    const auto set = cutOut(sites, withMargin(sites.grid, tile, halo), whole);
+    if (auto worked = work({set, own, whole}); !worked) return tl::unexpected(worked.error());
+  }
+  for (const auto& bin : plan.unfit) {
+    const auto cells = ofRow(sites.grid, bin, bin.south, even);
+    left.insert(left.end(), cells.begin(), cells.end());
+  }
+  return std::move(left);
 }
 
 }  // namespace vorpipe::core

@@ -29,12 +29,10 @@ TilePlan planTiles(const Grid& grid, std::uint64_t most_sites, std::uint64_t mos
 bool fits(const SiteSet& sites, const BackendInfo& info);
 
 /// Calls work with parts of a set whose cells `which` (ascending) are in the parts' `own`, each in one: with
-/// all sites, if the device can take them, else with one tile after the other; then with the crowded
-/// regions, each in a finer grid, until is_over. Returns the cells that are in no part, in any order: the
-/// judge finds them sooner.
+/// all sites, if the device can take them, else with one tile after the other. Returns the cells that are in
+/// no part, in any order: crowds, and bins that do not fit.
 Result<std::vector<std::uint32_t>> forTiles(const SiteSet& sites, const BackendInfo& info,
                                             std::span<const std::uint32_t> which, int threads,
-                                            const std::function<Result<void>(const Tile&)>& work,
-                                            const std::function<bool()>& is_over);
+                                            const std::function<Result<void>(const Tile&)>& work);
 
 }  // namespace vorpipe::core

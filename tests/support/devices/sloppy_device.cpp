@@ -173,7 +173,7 @@ class Device final : public SloppyDevice {
         vertices.push_back(snapped({corner.x, corner.y}));
       }
       const auto& mark = corners[corner_of[t]];
-      measure(vertices, mark.id);
+      if (!isAroundACenter(vertices)) measure(vertices, mark.id);
       fill(vertices[0], vertices[1], vertices[2], mark.id, view_.palette[mark.palette_index]);
     }
     return {};
@@ -267,6 +267,16 @@ class Device final : public SloppyDevice {
     }
     measure(strip, id);
     for (std::size_t k = 2; k < strip.size(); ++k) fill(strip[k - 2], strip[k - 1], strip[k], id, color);
+  }
+
+  /// Whether a triangle stands for a cell on one pixel: its corners are not the cell's.
+  [[nodiscard]] bool isAroundACenter(const std::vector<Vertex>& vertices) const {
+    const auto half = (std::int64_t{1} << options_.subpixel_bits) / 2;
+    const auto isShort = [&](auto along) {
+      const auto [low, high] = std::ranges::minmax(vertices, {}, along);
+      return along(high) - along(low) <= half + 1;
+    };
+    return isShort([](const Vertex& v) { return v.x; }) && isShort([](const Vertex& v) { return v.y; });
   }
 
   /// By brute force, in double, seen from the view's corner.

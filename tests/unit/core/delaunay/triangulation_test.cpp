@@ -35,6 +35,16 @@ TEST(InCircle, isExactOnTheCircle) {
   EXPECT_EQ(inCircle(at(3, 4), at(-4, 3), at(-5, 0), outside), -1);
 }
 
+TEST(InCircle, breaksTiesByPlacesAlone) {
+  const std::vector<Point> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  // The one that is raised most, (1, 1), is outside of the circle of the others, which turns with its
+  // triangle.
+  EXPECT_EQ(inCirclePerturbed(square[0], square[1], square[3], square[2]), -1);
+  EXPECT_EQ(inCirclePerturbed(square[1], square[2], square[3], square[0]), -1);
+  EXPECT_EQ(inCirclePerturbed(square[0], square[1], square[2], square[3]), 1);
+  EXPECT_EQ(inCirclePerturbed(square[2], square[3], square[0], square[1]), 1);
+}
+
 TEST(InCircle, isExactByWeight) {
   const auto at = [](double x, double y, double weight) { return WeightedPoint{{x, y}, weight}; };
   // The powers of (0.5, 0.25) to a, b and c are 0, to d(power) it is `power`.
@@ -155,11 +165,97 @@ std::vector<Point> inRows(std::vector<Point> points) {
   return points;
 }
 
-bool areSame(const Mesh& a, const Mesh& b) {
-  return a.at == b.at && std::equal(a.triangles.begin(), a.triangles.end(), b.triangles.begin(),
-                                    b.triangles.end(), [](const MeshTriangle& s, const MeshTriangle& t) {
-                                      return s.corner == t.corner && s.neighbor == t.neighbor;
-                                    });
+/// The triangles of a mesh, each from its least corner on, in order.
+using Corners = std::vector<std::array<Point, 3>>;
+Corners trianglesOf(const std::vector<Point>& points, const Mesh& mesh) {
+  const auto less = [](Point a, Point b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); };
+  Corners all;
+  for (const auto& t : mesh.triangles) {
+    if (std::count(t.corner.begin(), t.corner.end(), ghost) > 0) continue;
+    std::array<Point, 3> corners{};
+    std::transform(t.corner.begin(), t.corner.end(), corners.begin(),
+                   [&](auto c) { return points[static_cast<std::size_t>(c)]; });
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), less), corners.end());
+    all.push_back(corners);
+  }
+  std::sort(all.begin(), all.end(), [&](const auto& s, const auto& t) {
+    return std::lexicographical_compare(s.begin(), s.end(), t.begin(), t.end(), less);
+  });
+  return all;
+}
+
+bool areSame(const Corners& a, const Corners& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& s, const auto& t) {
+    return std::equal(s.begin(), s.end(), t.begin(),
+                      [](Point p, Point q) { return p.x == q.x && p.y == q.y; });
+  });
+}
+
+/// Points whose triangulation is decided by ties alone.
+std::vector<std::vector<Point>> tiedPoints() {
+  std::vector<Point> lattice, circle, snapped;
+  std::mt19937 random(13);
+  std::uniform_int_distribution<int> step(0, 40);
+  std::set<std::pair<int, int>> seen;
+  for (int i = 0; i < 400; ++i) lattice.push_back({i % 20 / 16.0, i / 20 / 16.0});
+  // Integer points on circles about the origin.
+  for (int x = -65; x <= 65; ++x) {
+    for (int y = -65; y <= 65; ++y) {
+      if (x * x + y * y == 65 * 65 || x * x + y * y == 25 * 25) circle.push_back({1.0 * x, 1.0 * y});
+    }
+  }
+  while (snapped.size() < 500) {
+    const int x = step(random), y = step(random);
+    if (seen.emplace(x, y).second) snapped.push_back({x / 40.0, y / 40.0});
+  }
+  return {lattice, circle, snapped};
+}
+
+/// However they are ordered, and whichever thread inserts them.
+TEST(Delaunay, isUniqueWhereAllAreTies) {
+  std::mt19937 random(17);
+  for (auto points : tiedPoints()) {
+    for (const bool weighted : {false, true}) {
+      // Equal weights leave every tie; a few heavier ones hide others.
+      std::vector<std::pair<Point, double>> sites;
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        sites.emplace_back(points[i], i % 7 == 0 ? 0.25 : 0.125);
+      }
+      Corners first;
+      for (int run = 0; run < 20; ++run) {
+        std::vector<double> weights;
+        for (std::size_t i = 0; i < sites.size(); ++i) {
+          points[i] = sites[i].first;
+          if (weighted) weights.push_back(sites[i].second);
+        }
+        const auto mesh = delaunay(points, weights);
+        EXPECT_EQ(broken(points, mesh, weights), "");
+        const auto triangles = trianglesOf(points, mesh);
+        if (run == 0) first = triangles;
+        EXPECT_TRUE(areSame(triangles, first)) << "run " << run << ", weighted: " << weighted;
+        std::shuffle(sites.begin(), sites.end(), random);
+      }
+    }
+  }
+}
+
+/// Cells of a subset that has all neighbors of a site are those of the whole.
+TEST(Delaunay, ofSomePointsHasTheSameTriangles) {
+  for (const auto& points : tiedPoints()) {
+    const auto all = trianglesOf(points, delaunay(points));
+    std::vector<Point> low;
+    std::copy_if(points.begin(), points.end(), std::back_inserter(low), [](Point p) { return p.y <= 0.5; });
+    Corners kept;
+    for (const auto& t : trianglesOf(low, delaunay(low))) {
+      const auto isThere = [&](const auto& u) { return areSame({t}, {u}); };
+      if (std::any_of(all.begin(), all.end(), isThere)) kept.push_back(t);
+    }
+    std::size_t expected = 0;
+    for (const auto& t : all) {
+      expected += std::all_of(t.begin(), t.end(), [](Point p) { return p.y <= 0.5; }) ? 1u : 0u;
+    }
+    EXPECT_EQ(kept.size(), expected);
+  }
 }
 
 TEST(Delaunay, ofManyPointsInParts) {
@@ -174,16 +270,19 @@ TEST(Delaunay, ofManyPointsInParts) {
     shuffled[i] = even[i];
   }
   for (const auto& points : {inRows(even), inRows(curves), shuffled}) {
-    const auto mesh = delaunay(points, {}, 1);
+    const auto mesh = delaunay(points, {}, 1), shared = delaunay(points, {}, 3);
     EXPECT_EQ(broken(points, mesh), "");
-    EXPECT_TRUE(areSame(mesh, delaunay(points, {}, 3))) << "the mesh depends on the number of threads";
+    EXPECT_EQ(broken(points, shared), "");
+    EXPECT_TRUE(areSame(trianglesOf(points, mesh), trianglesOf(points, shared)));
     // Such as hide few sites, and most of them.
     for (const double most : {1e-5, 1e-3}) {
       std::vector<double> weights(count);
       for (auto& weight : weights) weight = most * unit(random);
       const auto by_weight = delaunay(points, weights, 1);
+      const auto shared_by_weight = delaunay(points, weights, 3);
       EXPECT_EQ(broken(points, by_weight, weights), "") << most;
-      EXPECT_TRUE(areSame(by_weight, delaunay(points, weights, 3))) << most;
+      EXPECT_EQ(broken(points, shared_by_weight, weights), "") << most;
+      EXPECT_TRUE(areSame(trianglesOf(points, by_weight), trianglesOf(points, shared_by_weight))) << most;
     }
   }
 }

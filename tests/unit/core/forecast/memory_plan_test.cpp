@@ -99,7 +99,6 @@ TEST(MemoryPlan, PartsAddUpToThePeak) {
   work.weighted = true;
   work.outlined = true;
   work.backend = "vulkan-geometry";
-  work.spread = {1, 4, true, false};
   MemoryPlan plan;
   planSession(plan, work);
   planCells(plan, work, Detail::everything);
@@ -133,10 +132,8 @@ TEST(MemoryPlan, MoreOfAnythingNeedsNoLess) {
   };
   EXPECT_GT(with([](Workload& w) { w.sites *= 2; }), plain + plain / 2);
   EXPECT_GT(with([](Workload& w) { w.outlined = true; }), plain);
+  EXPECT_GT(with([](Workload& w) { w.on_lattice = true; }), plain);
   EXPECT_GT(with([](Workload& w) { w.backend = "vulkan-compute"; }), plain);
-  EXPECT_GT(with([](Workload& w) { w.spread.uneven = true; }), plain);
-  EXPECT_GT(with([](Workload& w) { w.spread.along_curves = true; }), plain);
-  EXPECT_GT(with([](Workload& w) { w.spread.tied = 1; }), plain);
   Workload device = work;
   device.backend = "vulkan-compute";
   const auto software = cellsPeak(device, Detail::everything);

@@ -165,7 +165,8 @@ TEST(SloppyPictureOf8Bits, OfManySitesNeedsNoneOfThis) {
   const SloppyOptions options{8, Way::none, 1};
   const auto report = expectRight(options, scattered(random, domain, 3000), pictureOf(domain, 300, 300));
   EXPECT_EQ(report.pixels, 0u);
-  EXPECT_LE(report.in_double, 3u) << "cells of more edges than there is room for";
+  EXPECT_LE(report.in_double, 5u)
+      << "cells of more edges than there is room for, and where sites are crowded";
 }
 
 // Where the grid of vertices is coarse, cells are shrunk, and coverRest finds the pixels between them.

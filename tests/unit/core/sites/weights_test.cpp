@@ -12,7 +12,6 @@
 #include "core/sites/site_set.h"
 #include "core/sites/weight_pyramid.h"
 #include "core/tiles/cut_out.h"
-#include "core/tiles/refine.h"
 #include "support/sites/random_sites.h"
 #include "support/sites/unit.h"
 #include "unit/fixtures/brute_force.h"
@@ -228,14 +227,6 @@ TEST(Heaviest, ofAPartCountsWhatIsBeyond) {
     const auto tile_of_tile = cutOut(tile, inner, in_tile);
     for (auto& i : in_tile) i = index[i];
     expectSound(set, tile_of_tile, in_tile);
-  }
-  std::vector<std::uint32_t> all(set.size());
-  std::iota(all.begin(), all.end(), 0u);
-  const auto crowding = sortByCrowding(set.grid, all, 2);
-  ASSERT_GT(crowding.regions.size(), 0u);
-  for (const auto& region : crowding.regions) {
-    const auto refined = refine(set, region, 2);
-    expectSound(set, refined.sites, refined.whole);
   }
 }
 

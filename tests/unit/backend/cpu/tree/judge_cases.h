@@ -15,6 +15,7 @@
 #include "core/delaunay/mesh_cells.h"
 #include "unit/fixtures/all_of.h"
 #include "unit/fixtures/brute_force.h"
+#include "unit/fixtures/mesh_rows.h"
 
 namespace vorpipe::cpu {
 
@@ -52,7 +53,7 @@ inline void findFromMesh(const SiteSet& set, const SiteTree& tree, std::span<con
                          int threads, CellNeighbors& out) {
   SiteMesh mesh(set, threads);
   if (const auto* made = mesh.get(); made != nullptr) {
-    out = meshCells(set, *made, which, threads);
+    out = test::rowsFromMesh(set, *made, which, threads);
   } else {
     findExactly(set, tree, which, threads, out);
   }
