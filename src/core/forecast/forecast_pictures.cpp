@@ -52,9 +52,11 @@ Arrays planSearchAndDrawing(MemoryPlan& plan, const Workload& work, std::uint64_
   kept.push_back(plan.take("neighbors of cells", sites * (number + 2 * word)));
   append(kept, {even, rest});
   // All cells may be left, and come from a triangulation, which stays with the session.
+  const auto lists = plan.take("the search", sites * (5 * word + 3));
   append(kept, planMesh(plan, work, sites));
   kept.push_back(plan.take("neighbors of cells", sites * (6 * word + number + word + 1)));
   plan.drop(plan.take("the search", sites * (number + 2 * word)));
+  plan.drop(lists);
   return kept;
 }
 
@@ -170,7 +172,7 @@ Arrays planPicture(MemoryPlan& plan, const Workload& work, const RenderOptions& 
   const auto height = static_cast<std::uint64_t>(options.height);
   for (int k = 0; k < 2; ++k) image.push_back(plan.take("the picture", width * height * word));
   // What searches leave in the heap, as measured up to two million sites.
-  plan.take("the search", std::min<std::uint64_t>(5'000'000, 64 * work.sites));
+  plan.take("the search", std::min<std::uint64_t>(7'000'000, 256 * work.sites));
   append(working, known ? planPolygons(plan, work, sites) : planSearchAndDrawing(plan, work, sites));
   const Arrays views = planViews(plan, work, width, height);
   planNearest(plan, work, sites);
