@@ -27,9 +27,14 @@ bool isBetween(Point a, Point b, Point p) {
 }  // namespace
 
 Insertion::Insertion(GrowingMesh& mesh, Region region, std::int32_t start)
-    : mesh_(mesh), region_(region), is_weighted_(!mesh.weights.empty()), last_(start) {}
+    : mesh_(mesh),
+      points_(mesh.points.data()),
+      triangles_(mesh.triangles.data()),
+      region_(region),
+      is_weighted_(!mesh.weights.empty()),
+      last_(start) {}
 
-WeightedPoint Insertion::weighted(std::int32_t i) const {
+WeightedPoint Insertion::weightedPoint(std::int32_t i) const {
   return {at(i), mesh_.weights[static_cast<std::size_t>(i)]};
 }
 
@@ -47,27 +52,39 @@ bool Insertion::mayLookAt(std::int32_t t) const {
 /// Ties are broken by symbolic perturbations, so that the mesh does not depend on the order of insertion.
 /// With weights the first of them scales all squared distances by 1 - e, for an infinitesimal e > 0: its sign
 /// is that of the unweighted test, negated. So a point whose cell has no area is hidden.
-bool Insertion::conflicts(const MeshTriangle& t, std::int32_t i) {
-  const auto& corner = t.corner;
+template <bool weighted>
+[[gnu::always_inline]] inline bool Insertion::conflictsAny(const MeshTriangle& t, std::int32_t i, Point p) {
   if (isGhost(t)) [[unlikely]] {
-    const auto k = placeOf(corner, ghost);
-    const auto a = corner[next(k)], b = corner[before(k)];
-    const int side = orientation(at(a), at(b), at(i));
-    return side > 0 || (side == 0 && conflictsOnLine(a, b, i));
+    return conflictsBeyondHull(t, i);
   }
-  const Point a = at(corner[0]), b = at(corner[1]), c = at(corner[2]), d = at(i);
-  if (!is_weighted_) return inCirclePerturbed(a, b, c, d) > 0;
-  const int inside = inCircle(weighted(corner[0]), weighted(corner[1]), weighted(corner[2]), weighted(i));
-  if (inside != 0) return inside > 0;
-  const int plain = inCircle(a, b, c, d);
-  return plain != 0 ? plain < 0 : inCirclePerturbed(a, b, c, d) > 0;
+  const auto& corner = t.corner;
+  const Point a = at(corner[0]), b = at(corner[1]), c = at(corner[2]);
+  if constexpr (weighted) {
+    const int inside = inCircle(weightedPoint(corner[0]), weightedPoint(corner[1]), weightedPoint(corner[2]),
+                                weightedPoint(i));
+    if (inside != 0) return inside > 0;
+    const int plain = inCircle(a, b, c, p);
+    if (plain != 0) return plain < 0;
+  }
+  return inCirclePerturbed(a, b, c, p) > 0;
+}
+
+bool Insertion::conflicts(const MeshTriangle& t, std::int32_t i) {
+  return is_weighted_ ? conflictsAny<true>(t, i, at(i)) : conflictsAny<false>(t, i, at(i));
+}
+
+bool Insertion::conflictsBeyondHull(const MeshTriangle& t, std::int32_t i) {
+  const auto k = placeOf(t.corner, ghost);
+  const auto a = t.corner[next(k)], b = t.corner[before(k)];
+  const int side = orientation(at(a), at(b), at(i));
+  return side > 0 || (side == 0 && conflictsOnLine(a, b, i));
 }
 
 /// For point i on the line through a and b: whether it conflicts with the ghost triangle of edge ab.
 bool Insertion::conflictsOnLine(std::int32_t a, std::int32_t b, std::int32_t i) {
   const bool between = isBetween(at(a), at(b), at(i));
   if (!is_weighted_) return between;
-  const int inside = inInterval(weighted(a), weighted(b), weighted(i));
+  const int inside = inInterval(weightedPoint(a), weightedPoint(b), weightedPoint(i));
   return inside != 0 ? inside > 0 : !between;
 }
 
@@ -119,7 +136,7 @@ bool Insertion::insert(std::int32_t point, std::int32_t room) {
     hidden.push_back(point);
     return true;
   }
-  const bool found = findCavity(point, first);
+  const bool found = is_weighted_ ? findCavity<true>(point, first) : findCavity<false>(point, first);
   if (is_weighted_) {
     for (const auto t : cavity_) isInCavity(t) = 0;
   }
@@ -129,38 +146,40 @@ bool Insertion::insert(std::int32_t point, std::int32_t room) {
   return true;
 }
 
-/// Adds a triangle to the cavity, which enters it by the edge before `edge`, or begins with it.
-void Insertion::take(std::int32_t t, std::uint32_t edge, std::uint8_t edges) {
-  if (is_weighted_) isInCavity(t) = 1;
-  cavity_.push_back(t);
-  steps_.push_back({t, static_cast<std::uint8_t>(edge), edges});
-}
-
 /// Finds the cavity, the triangles that conflict with point i, and its rim, counter-clockwise. False where it
 /// reaches a triangle of another region.
+template <bool weighted>
 bool Insertion::findCavity(std::int32_t i, std::int32_t first) {
+  const Point p = at(i);
   cavity_.clear();
   rim_.clear();
   steps_.clear();
   if (!mayChange(first)) return false;
+  // Enters a triangle by the edge before `edge`, or begins with it.
+  const auto take = [&](std::int32_t t, std::size_t edge, std::uint8_t edges) {
+    if constexpr (weighted) isInCavity(t) = 1;
+    cavity_.push_back(t);
+    steps_.push_back({t, static_cast<std::uint8_t>(edge), edges});
+  };
   take(first, 0, 3);
   while (!steps_.empty()) {
     auto& step = steps_.back();
-    if (step.left == 0) {
-      steps_.pop_back();
-      continue;
-    }
     const auto t = step.triangle;
     const std::size_t k = step.edge;
-    step.edge = static_cast<std::uint8_t>(next(k));
-    --step.left;
+    if (--step.left == 0) {
+      steps_.pop_back();
+    } else {
+      step.edge = static_cast<std::uint8_t>(next(k));
+    }
     const auto other = triangle(t).neighbor[k];
     if (!mayChange(other)) return false;
-    if (is_weighted_ && isInCavity(other) != 0) continue;
+    if constexpr (weighted) {
+      if (isInCavity(other) != 0) continue;
+    }
     const auto& there = triangle(other);
     const auto back = placeOf(there.neighbor, t);
-    if (conflicts(there, i)) {
-      take(other, static_cast<std::uint32_t>(next(back)), 2);
+    if (conflictsAny<weighted>(there, i, p)) {
+      take(other, next(back), 2);
     } else {
       const auto& corner = triangle(t).corner;
       rim_.push_back({corner[next(k)], corner[before(k)], other, back});

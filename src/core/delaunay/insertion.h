@@ -62,23 +62,28 @@ class Insertion {
     std::int32_t triangle;
     std::uint8_t edge, left;
   };
-  [[nodiscard]] Point at(std::int32_t i) const { return mesh_.points[static_cast<std::size_t>(i)]; }
-  [[nodiscard]] WeightedPoint weighted(std::int32_t i) const;
+  [[nodiscard]] Point at(std::int32_t i) const { return points_[static_cast<std::size_t>(i)]; }
+  [[nodiscard]] WeightedPoint weightedPoint(std::int32_t i) const;
   [[nodiscard]] bool mayChange(std::int32_t t) const;
   [[nodiscard]] bool mayLookAt(std::int32_t t) const;
-  MeshTriangle& triangle(std::int32_t t) { return mesh_.triangles[static_cast<std::size_t>(t)]; }
+  MeshTriangle& triangle(std::int32_t t) { return triangles_[static_cast<std::size_t>(t)]; }
   std::uint8_t& isInCavity(std::int32_t t) { return mesh_.is_in_cavity[static_cast<std::size_t>(t)]; }
   bool conflicts(const MeshTriangle& t, std::int32_t i);
+  template <bool weighted>
+  bool conflictsAny(const MeshTriangle& t, std::int32_t i, Point p);
+  bool conflictsBeyondHull(const MeshTriangle& t, std::int32_t i);
   bool conflictsOnLine(std::int32_t a, std::int32_t b, std::int32_t i);
   std::int32_t nearby(std::int32_t i);
   std::int32_t neighborTowards(Point p, std::int32_t t, std::int32_t from);
+  template <bool weighted>
   bool findCavity(std::int32_t i, std::int32_t first);
-  void take(std::int32_t t, std::uint32_t edge, std::uint8_t edges);
   void hideCorners();
   void fill(std::int32_t p, std::int32_t room);
   void leaveEmpty(std::int32_t t) { triangle(t).corner = {ghost, ghost, ghost}; }
 
   GrowingMesh& mesh_;
+  const Point* points_;
+  MeshTriangle* triangles_;
   const Region region_;
   const bool is_weighted_;
   std::vector<std::int32_t> cavity_;

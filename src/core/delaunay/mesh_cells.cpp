@@ -1,6 +1,7 @@
 #include "core/delaunay/mesh_cells.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <iterator>
@@ -137,21 +138,21 @@ class MeshCellFinder {
     return point == ghost ? ghost : static_cast<std::int32_t>(part_.site[static_cast<std::size_t>(point)]);
   }
 
-  /// Appends the neighbors of a cell that is known to reach no wall; for another cell, false and nothing.
+  /// Appends the neighbors of a cell that is known to reach no wall; for another cell, or one with very many
+  /// neighbors, false and nothing.
   bool isInside(BigVector<std::int32_t>& neighbors) {
-    const auto count = neighbors.size();
+    std::array<std::int32_t, 32> found;
+    std::size_t count = 0;
     const auto first = mesh_.at[static_cast<std::size_t>(cell_)];
     auto t = first;
     do {
       const auto& triangle = mesh_.triangles[static_cast<std::size_t>(t)];
       const auto k = cornerOf(triangle, cell_);
-      if (k == none || !walls_.areNone(t)) {
-        neighbors.resize(count);
-        return false;
-      }
-      neighbors.push_back(siteOf(triangle.corner[next(next(k))]));
+      if (k == none || !walls_.areNone(t) || count == found.size()) return false;
+      found[count++] = siteOf(triangle.corner[k == 0 ? 2 : k - 1]);
       t = triangle.neighbor[next(k)];
     } while (t != first);
+    neighbors.insert(neighbors.end(), found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count));
     return true;
   }
 

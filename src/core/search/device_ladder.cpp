@@ -33,8 +33,8 @@ Result<std::vector<std::uint32_t>> CellLadder::climbDevice(const Ask& ask) {
     return tl::unexpected(climbed.error());
   }
   sortDistinct(left_, static_cast<std::uint32_t>(input_.sites.size()));
-  std::erase_if(on_device_,
-                [&](std::uint32_t site) { return std::binary_search(left_.begin(), left_.end(), site); });
+  const auto kept = std::ranges::set_difference(on_device_, left_, on_device_.begin()).out;
+  on_device_.erase(kept, on_device_.end());
   return std::exchange(left_, {});
 }
 
