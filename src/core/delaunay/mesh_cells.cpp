@@ -1,7 +1,6 @@
 #include "core/delaunay/mesh_cells.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <iterator>
@@ -28,6 +27,8 @@ std::size_t cornerOf(const MeshTriangle& triangle, std::int32_t site) {
 std::size_t next(std::size_t k) { return k == 2 ? 0 : k + 1; }
 
 constexpr std::size_t mesh_cells_grain = std::size_t{1} << 14;
+/// Neighbors of nearly all cells.
+constexpr std::size_t most_neighbors = 32;
 
 /// By triangle of a mesh: the walls on or beyond which its power center lies, computed at the first use,
 /// unless floating point tells that there is none. Thread safe.
@@ -141,18 +142,23 @@ class MeshCellFinder {
   /// Appends the neighbors of a cell that is known to reach no wall; for another cell, or one with very many
   /// neighbors, false and nothing.
   bool isInside(BigVector<std::int32_t>& neighbors) {
-    std::array<std::int32_t, 32> found;
+    const auto size = neighbors.size();
+    neighbors.resize(size + most_neighbors);
+    auto* const found = neighbors.data() + size;
     std::size_t count = 0;
     const auto first = mesh_.at[static_cast<std::size_t>(cell_)];
     auto t = first;
     do {
       const auto& triangle = mesh_.triangles[static_cast<std::size_t>(t)];
       const auto k = cornerOf(triangle, cell_);
-      if (k == none || !walls_.areNone(t) || count == found.size()) return false;
+      if (k == none || !walls_.areNone(t) || count == most_neighbors) {
+        neighbors.resize(size);
+        return false;
+      }
       found[count++] = siteOf(triangle.corner[k == 0 ? 2 : k - 1]);
       t = triangle.neighbor[next(k)];
     } while (t != first);
-    neighbors.insert(neighbors.end(), found.begin(), found.begin() + static_cast<std::ptrdiff_t>(count));
+    neighbors.resize(size + count);
     return true;
   }
 
@@ -285,7 +291,7 @@ std::vector<MeshCells> meshCells(const SiteSet& sites, const PartMesh& part,
                  [&](std::uint32_t each) { return is_wanted[each] != 0; });
     cells.status.reserve(site.size());
     cells.offsets.reserve(site.size() + 1);
-    cells.neighbor.reserve(usual_neighbors * site.size());
+    cells.neighbor.reserve(usual_neighbors * site.size() + most_neighbors);
     cells.offsets.push_back(0);
     for (auto point = begin; point < end; ++point) {
       if (is_wanted[part.site[point]] == 0) continue;

@@ -26,10 +26,14 @@ struct LiftedByWeight {
         squared(x * x + y * y + difference(d.weight, p.weight)) {}
 };
 
-/// Whether d completes a rectangle with sides along the axes, in which a is opposite to it.
-bool areRectangle(Point a, Point b, Point c, Point d) {
-  return (b.x == d.x && c.y == d.y && a.x == c.x && a.y == b.y) ||
-         (c.x == d.x && b.y == d.y && a.x == b.x && a.y == c.y);
+/// Whether a, b and c, d are the parallel sides of a trapezoid that mirrors itself in a line along an axis:
+/// its corners lie on a circle. Rectangles are among these.
+bool isMirrored(Point a, Point b, Point c, Point d) {
+  const auto haveOneMiddle = [](double p, double q, double r, double s) {
+    return DoubleDouble::sum(p, q) == DoubleDouble::sum(r, s);
+  };
+  return (a.y == b.y && c.y == d.y && haveOneMiddle(a.x, b.x, c.x, d.x)) ||
+         (a.x == b.x && c.x == d.x && haveOneMiddle(a.y, b.y, c.y, d.y));
 }
 
 /// a - b where a double holds that; else NaN.
@@ -70,10 +74,10 @@ int exactOrientation(Point a, Point b, Point c) {
   return (left - right).sign();
 }
 
-/// Pairs of doubles decide most of what is near a circle, and lattices are full of rectangles; expansions
+/// Pairs of doubles decide most of what is near a circle, and lattices are full of trapezoids; expansions
 /// take ten times as long.
 int exactInCircle(Point a, Point b, Point c, Point d) {
-  if (areRectangle(a, b, c, d) || areRectangle(b, c, a, d) || areRectangle(c, a, b, d)) return 0;
+  if (isMirrored(a, b, c, d) || isMirrored(b, c, a, d) || isMirrored(c, a, b, d)) return 0;
   const int inside =
       inCircleByPairs({plainDifference(a.x, d.x), plainDifference(b.x, d.x), plainDifference(c.x, d.x)},
                       {plainDifference(a.y, d.y), plainDifference(b.y, d.y), plainDifference(c.y, d.y)});

@@ -64,6 +64,14 @@ struct EdgeSpan {
   [[nodiscard]] bool isTurned() const { return !(excess >= -tolerance); }
 };
 
+/// Whether an edge between sites, seen as in excessLength, is so long that its span is neither about a tie
+/// nor turned: sixteen times the longest tie and the most that rounding is.
+inline bool isFarFromATie(double dx, double dy, double ex, double ey) {
+  constexpr double times = 16, most_rounding = 0x1p-40;
+  const double squared = dx * dx + dy * dy;
+  return dx * ey - dy * ex > times * (shortest_edge * squared + most_rounding * std::sqrt(squared));
+}
+
 /// The edge of `cell` to `neighbor`, a site or a wall, which runs from `begin`, where the neighbor before
 /// ends, to `end`, where the one after begins.
 /// `shortest` is the part of the sites' distance, or of the domain's shorter side, that is a tie:

@@ -138,7 +138,7 @@ class Reconciliation {
       all_changed_ = false;
       changed_.clear();
       const auto disputes = resort_ == Resort::ties ? Disputes::are_ties : Disputes::are_listed;
-      auto tied = resolveTies(proposed, suspect_, fineness_, disputes);
+      auto tied = resolveTies(proposed, suspect_, fineness_, disputes, records_);
       if (!tied) return tied;
       const auto done = mend(proposed, *tied);
       if (!done) return tl::unexpected(done.error());

@@ -35,11 +35,18 @@ void recordUnedged(const ProposedCells& proposed, std::uint32_t cell, const Reco
 
 }  // namespace
 
+Measures recordMeasures(const SiteSet& sites, std::uint32_t cell, std::size_t edges,
+                        std::span<const AnchoredPoint> corners, const Records& records) {
+  const auto origin = measuringOrigin(sites, cell, corners.front());
+  const auto m = measureCell(origin, corners);
+  records.cell(cell, edges, m.area, origin, centroidInDomain(sites, origin, m.centroid), spreadOf(m));
+  return m;
+}
+
 void recordTiedCells(const ProposedCells& proposed, const TiedCells& tied, const Records& records) {
   parallelFor(tied.cell.size(), tied_records_grain, proposed.threads,
               [&](std::size_t begin, std::size_t end) {
                 std::vector<std::uint32_t> edges;
-                std::vector<AnchoredPoint> corners;
                 for (auto k = begin; k < end; ++k) {
                   const auto cell = tied.cell[k];
                   if (proposed.cells.status(cell) == CellStatus::empty) {
@@ -49,13 +56,9 @@ void recordTiedCells(const ProposedCells& proposed, const TiedCells& tied, const
                   keptEdges(proposed, tied, k, edges);
                   if (edges.empty()) {
                     recordUnedged(proposed, cell, records);
-                    continue;
+                  } else {
+                    records.setEdges(cell, edges.size());
                   }
-                  placeCorners(proposed.sites, cell, proposed.cells.edges(cell), corners);
-                  const auto origin = measuringOrigin(proposed.sites, cell, corners.front());
-                  const auto m = measureCell(origin, corners);
-                  records.cell(cell, edges.size(), m.area, origin,
-                               centroidInDomain(proposed.sites, origin, m.centroid), spreadOf(m));
                 }
               });
 }

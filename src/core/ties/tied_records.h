@@ -6,9 +6,12 @@
 
 namespace vorpipe::core {
 
-/// Writes the records of the tied cells, none of which is disputed. They are measured with their own corners,
-/// before ties join these: joining moves a vertex by up to a tie, which may be long relative to a thin
-/// cell.
+/// Measures a tied cell with its own corners, before ties join these: joining moves a vertex by up to a tie,
+/// which may be long relative to a thin cell.
+Measures recordMeasures(const SiteSet& sites, std::uint32_t cell, std::size_t edges,
+                        std::span<const AnchoredPoint> corners, const Records& records);
+
+/// Completes the records of the tied cells, none of which is disputed, by what ties left of their edges.
 void recordTiedCells(const ProposedCells& proposed, const TiedCells& tied, const Records& records);
 
 }  // namespace vorpipe::core

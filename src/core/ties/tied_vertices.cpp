@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 
 #include "base/parallel.h"
 #include "core/geometry/wall_predicates.h"
@@ -25,8 +26,8 @@ class VertexBuilder {
   void run() {
     number();
     gather();
-    placeRoots();
     placeInside();
+    placeRoots();
     placeAtWalls();
   }
 
@@ -99,7 +100,7 @@ class VertexBuilder {
     });
   }
 
-  /// Puts each vertex at its root, for now; lists the cells at walls.
+  /// Puts vertices that have no place yet at their roots; lists the cells at walls.
   void placeRoots() {
     at_wall_.resize((tied_.cell.size() + tied_vertices_grain - 1) / tied_vertices_grain);
     forEntries([&](std::size_t k) {
@@ -108,7 +109,9 @@ class VertexBuilder {
       for (std::size_t e = 0; e < row.size(); ++e) {
         const auto c = tied_.offsets[k] + e;
         wall = wall || row[e] < 0;
-        if (isRoot(c)) tied_.position[tied_.vertex[c]] = cornerOf(k, row, e);
+        if (!isRoot(c)) continue;
+        auto& place = tied_.position[tied_.vertex[c]];
+        if (std::isnan(place.base.x)) place = cornerOf(k, row, e);
       }
       if (wall) at_wall_[k / tied_vertices_grain].push_back(static_cast<std::uint32_t>(k));
     });
@@ -116,7 +119,7 @@ class VertexBuilder {
 
   /// Puts vertices of three and more tied cells at the center of three sites: that of the lowest input index,
   /// the one farthest from it, and the one farthest from the line through both. Where the three are nearly
-  /// collinear, the vertex stays at its root.
+  /// collinear, the vertex gets no place.
   void placeInside() {
     parallelFor(tied_.position.size(), tied_vertices_grain, proposed_.threads,
                 [&](std::size_t begin, std::size_t end) {
@@ -138,6 +141,11 @@ class VertexBuilder {
   }
 
   void placeBetween(std::span<const std::uint32_t> cells, AnchoredPoint& place) const {
+    if (cells.size() == 3 && cells[0] < cells[1] && cells[1] < cells[2] && sites_.weight.empty()) {
+      place = cornerPosition(sites_, static_cast<std::int32_t>(cells[0]), static_cast<std::int32_t>(cells[1]),
+                             static_cast<std::int32_t>(cells[2]));
+      return;
+    }
     const auto first = *std::min_element(cells.begin(), cells.end(),
                                          [&](auto a, auto b) { return sites_.id[a] < sites_.id[b]; });
     const auto wayTo = [&](std::uint32_t cell) {
@@ -156,6 +164,8 @@ class VertexBuilder {
     const auto second = farthest([](Point p) { return p.x * p.x + p.y * p.y; });
     const Point line = wayTo(second);
     const auto third = farthest([line](Point p) { return std::abs(line.x * p.y - line.y * p.x); });
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    place = {{none, none}, {0, 0}};
     if (second == first || third == first || third == second) return;
     if (!sites_.weight.empty() && isFlat(line, wayTo(third))) return;
     place = cornerPosition(sites_, static_cast<std::int32_t>(first), static_cast<std::int32_t>(second),

@@ -13,13 +13,16 @@
 #include "base/refusal.h"
 #include "core/judge/hidden_cells.h"
 #include "core/ties/collapsed_edges.h"
+#include "core/ties/tied_records.h"
 #include "core/ties/tied_vertices.h"
 #include "core/ties/wide_vertices.h"
+#include "core/vertices/size_order.h"
+#include "core/vertices/vertex_batch.h"
 
 namespace vorpipe::core {
 namespace {
 
-constexpr std::size_t ties_grain = 1024;
+constexpr std::size_t ties_grain = 1024, placed_grain = 4096;
 /// Relative to a cell's size: a longer tie may hide that the cell is wrong in double. Its sites are then far
 /// away, and the differences of their weights so large that cancellation spoils its corners.
 constexpr double much_of_a_cell = 1e-4;
@@ -28,12 +31,14 @@ constexpr double collapsed_ties = 1024;
 
 class TieResolver {
  public:
-  TieResolver(const ProposedCells& proposed, const Fineness& fineness, Disputes disputes, TiedCells& tied)
+  TieResolver(const ProposedCells& proposed, const Fineness& fineness, Disputes disputes,
+              const Records& records, TiedCells& tied)
       : proposed_(proposed),
         sites_(proposed.sites),
         cells_(proposed.cells),
         fineness_(fineness),
         disputes_(disputes),
+        records_(records),
         tied_(tied),
         sets_(tied.offsets.back()),
         disputed_(tied.cell.size()),
@@ -43,10 +48,8 @@ class TieResolver {
   }
 
   void run() {
-    parallelFor(tied_.cell.size(), ties_grain, proposed_.threads, [&](std::size_t begin, std::size_t end) {
-      std::vector<AnchoredPoint> corners;
-      for (auto k = begin; k < end; ++k) join(k, corners);
-    });
+    parallelFor(tied_.cell.size(), placed_grain, proposed_.threads,
+                [&](std::size_t begin, std::size_t end) { joinSome(begin, end); });
     listDisputed();
     if (!tied_.disputed.empty()) return;
     makeVertices(proposed_, sets_, tied_);
@@ -67,6 +70,36 @@ class TieResolver {
     AnchoredPoint begin, end;
     EdgeSpan span;
   };
+
+  /// Joins corners of the tied cells begin to end - 1, which are placed in batches.
+  void joinSome(std::size_t begin, std::size_t end) {
+    CornerBatch batch(sites_);
+    std::vector<AnchoredPoint> corners;
+    const auto joinBatch = [&] {
+      batch.place();
+      for (std::size_t b = 0; b < batch.size(); ++b) {
+        corners.clear();
+        for (std::size_t e = 0; e < batch.row(b).size(); ++e) corners.push_back(batch.placeOf(b, e));
+        join(batch.cell(b), batch.row(b), corners);
+      }
+      batch.clear();
+    };
+    const auto cellAt = [&](std::size_t k) { return tied_.cell[k]; };
+    forCellsBySize(cells_, begin, end, cellAt, [&](std::uint32_t cell) {
+      if (isRightlyEmpty(sites_, cells_, cell)) return;
+      const auto row = cells_.edges(cell);
+      if (!isWellFormed(sites_, cells_, cell)) return dispute(static_cast<std::int32_t>(cell));
+      auto added = batch.add(cell, row);
+      if (added == CornerBatch::Added::full) {
+        joinBatch();
+        added = batch.add(cell, row);
+      }
+      if (added != CornerBatch::Added::other) return;
+      placeCorners(sites_, cell, row, corners);
+      join(cell, row, corners);
+    });
+    joinBatch();
+  }
 
   template <class Work>
   void forEntries(const Work& work) {
@@ -95,10 +128,7 @@ class TieResolver {
   }
 
   /// Whether a cell is so flat that only exact arithmetic decides whether it has an area.
-  [[nodiscard]] bool isFlat(std::size_t cell, std::span<const AnchoredPoint> corners) const {
-    const auto m = measureCell(measuringOrigin(sites_, cell, corners.front()), corners);
-    return !(m.area > 1e-6 * m.perimeter * m.perimeter);
-  }
+  static bool isFlat(const Measures& m) { return !(m.area > 1e-6 * m.perimeter * m.perimeter); }
 
   /// Between half the diameter of the corners and the diameter.
   static double sizeOf(std::span<const AnchoredPoint> corners) {
@@ -131,17 +161,14 @@ class TieResolver {
     return here != there && std::min(here, there) < 0;
   }
 
-  void join(std::size_t k, std::vector<AnchoredPoint>& corners) {
-    const auto cell = tied_.cell[k];
-    if (isRightlyEmpty(sites_, cells_, cell)) return;
-    const auto row = cells_.edges(cell);
-    if (!isWellFormed(sites_, cells_, cell)) return dispute(static_cast<std::int32_t>(cell));
-    placeCorners(sites_, cell, row, corners);
-    const bool may_be_none =
-        !sites_.weight.empty() && disputes_ == Disputes::are_listed && isFlat(cell, corners);
+  void join(std::uint32_t cell, std::span<const std::int32_t> row, std::span<const AnchoredPoint> corners) {
+    const auto k = tied_.entry[cell];
+    const auto m = recordMeasures(sites_, cell, row.size(), corners, records_);
+    const bool may_be_none = !sites_.weight.empty() && disputes_ == Disputes::are_listed && isFlat(m);
     if (may_be_none && leaveNothing(sites_, cell, row)) return dispute(static_cast<std::int32_t>(cell));
     const double much = much_of_a_cell * sizeOf(corners);
     for (std::size_t e = 0; e < row.size(); ++e) {
+      if (isLong(cell, row[e], corners[e], corners[after(row, e)]) && joinAlike(k, row, e)) continue;
       const auto here = see(cell, row, e, corners[e], corners[after(row, e)]);
       if (here.span.isTie() && here.span.slack > much) markAround(cell, row, e, unsure_);
       if (here.span.is_coarse && here.span.isAboutATie()) markAround(cell, row, e, unsure_);
@@ -154,6 +181,35 @@ class TieResolver {
         joinAcross(k, row, e, here);
       }
     }
+  }
+
+  /// Whether an edge is one between sites that is far from a tie.
+  [[nodiscard]] bool isLong(std::size_t cell, std::int32_t neighbor, const AnchoredPoint& begin,
+                            const AnchoredPoint& end) const {
+    if (neighbor < 0) return false;
+    const auto other = static_cast<std::size_t>(neighbor);
+    const Point way = wayBetween(begin, end);
+    return isFarFromATie(sites_.x[other] - sites_.x[cell], sites_.y[other] - sites_.y[cell], way.x, way.y);
+  }
+
+  /// Settles an edge that is no tie, if both cells have it with the same sites at its ends.
+  bool joinAlike(std::size_t k, std::span<const std::int32_t> row, std::size_t e) {
+    const auto cell = tied_.cell[k];
+    const auto other = static_cast<std::size_t>(row[e]);
+    const auto other_row = cells_.edges(other);
+    const auto back = proposed_.index.find(other_row, other, static_cast<std::int32_t>(cell));
+    if (back == EdgeIndex::none) return false;
+    const auto back_end = after(other_row, back);
+    if (other_row[back_end] != row[before(row, e)] ||
+        other_row[before(other_row, back)] != row[after(row, e)]) {
+      return false;
+    }
+    settle(k, row, e, false);
+    const auto other_k = tied_.entry[other];
+    if (other_k == TiedCells::not_tied || other < cell) return true;
+    sets_.join(cornerNumber(k, e), cornerNumber(other_k, back_end));
+    sets_.join(cornerNumber(k, after(row, e)), cornerNumber(other_k, back));
+    return true;
   }
 
   /// Ties that were no ties may have joined both ends of an edge that is far longer than one.
@@ -263,6 +319,7 @@ class TieResolver {
   const NeighborRows& cells_;
   const Fineness& fineness_;
   Disputes disputes_;
+  const Records& records_;
   TiedCells& tied_;
   DisjointSets sets_;
   std::vector<std::uint8_t> disputed_, unsure_;  ///< by tied cell
@@ -280,7 +337,7 @@ std::size_t nextMarked(std::span<const std::uint8_t> suspect, std::size_t begin)
 }  // namespace
 
 Result<TiedCells> resolveTies(const ProposedCells& proposed, std::span<const std::uint8_t> suspect,
-                              const Fineness& fineness, Disputes disputes) {
+                              const Fineness& fineness, Disputes disputes, const Records& records) {
   TiedCells tied;
   tied.offsets.push_back(0);
   for (std::size_t cell = nextMarked(suspect, 0); cell < suspect.size();
@@ -297,7 +354,7 @@ Result<TiedCells> resolveTies(const ProposedCells& proposed, std::span<const std
     return tl::unexpected(refusal(
         Subject::sites, fmt::format("{} tied corners are more than 4294967294", tied.offsets.back())));
   }
-  if (!tied.cell.empty()) TieResolver(proposed, fineness, disputes, tied).run();
+  if (!tied.cell.empty()) TieResolver(proposed, fineness, disputes, records, tied).run();
   return tied;
 }
 

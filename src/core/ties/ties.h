@@ -24,6 +24,8 @@ enum class Disputes : std::uint8_t { are_listed, are_ties };
 /// shorter than ties; or about those of an edge that is about as long as a tie, or shorter than rounding; a
 /// tie is long relative to the cell; or a vertex is wide.
 ///
+/// The measures of the cells are recorded on the way; their numbers of edges follow (recordTiedCells).
+///
 /// Error (input): more than 2^32 - 2 corners.
 ///
 /// Disputed are: cells that are not well-formed, empty ones of sites in the domain that no weights hide, and
@@ -32,6 +34,6 @@ enum class Disputes : std::uint8_t { are_listed, are_ties };
 /// than the ties that join its ends. With Disputes::are_ties, for cells that are exact already, only the
 /// first are: every other edge in dispute is a tie, in both of its cells.
 Result<TiedCells> resolveTies(const ProposedCells& proposed, std::span<const std::uint8_t> suspect,
-                              const Fineness& fineness, Disputes disputes);
+                              const Fineness& fineness, Disputes disputes, const Records& records);
 
 }  // namespace vorpipe::core

@@ -79,15 +79,18 @@ class VertexWidths {
     if (!any) return;
     const auto cell = tied_.cell[k];
     const auto row = proposed_.cells.edges(cell);
-    placeCorners(sites_, cell, row, corners);
+    // Weights take the whole cell's reach.
+    if (!sites_.weight.empty()) placeCorners(sites_, cell, row, corners);
     const Point site{sites_.x[cell], sites_.y[cell]};
     const double most = shorterSide(sites_), rounding = roundingAt(site);
     const double reach = sites_.weight.empty() ? 0 : reachOf(cell, row, corners);
     for (std::size_t e = 0; e < row.size(); ++e) {
       if (!hasMany(first + e)) continue;
       const auto vertex = tied_.vertex[first + e];
-      const double off = lengthOf(wayBetween(tied_.position[vertex], corners[e])) - rounding;
-      const double whole = std::min(std::max(reach, lengthOf(relativeTo(site, corners[e]))), most);
+      const AnchoredPoint corner = cornerPosition(sites_, static_cast<std::int32_t>(cell),
+                                                  row[e > 0 ? e - 1 : row.size() - 1], row[e]);
+      const double off = lengthOf(wayBetween(tied_.position[vertex], corner)) - rounding;
+      const double whole = std::min(std::max(reach, lengthOf(relativeTo(site, corner))), most);
       if (off > 0) width_[vertex] = std::max(width_[vertex], off / whole);
     }
   }

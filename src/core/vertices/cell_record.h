@@ -79,6 +79,10 @@ struct Records {
     by_input[sites.id[cell]] = {0, unscale(Point{sites.x[cell], sites.y[cell]}), 0, Status::empty};
     if (!spread.empty()) spread[sites.id[cell]] = 0;
   }
+  /// Replaces the number of edges of a cell that is recorded.
+  void setEdges(std::size_t cell, std::size_t edges) const {
+    by_input[sites.id[cell]].edges = static_cast<std::uint32_t>(edges);
+  }
   /// `centroid` is relative to `origin`, as measuringOrigin has it; `about_centroid` is the integral of the
   /// squared distance to it, which is not read where spread is not wanted.
   void cell(std::size_t cell, std::size_t edges, double area, Point origin, Point centroid,
