@@ -17,6 +17,7 @@ CellLadder::CellLadder(const SearchInput& input, Upload& upload, std::size_t wor
     : input_(input),
       upload_(upload),
       begins_roomy_(input.sites.size() < worth_fast),
+      any_roomy_(begins_roomy_),
       roomy_(input.sites.size(), begins_roomy_) {}
 
 void CellLadder::choose(Triage triage) {
@@ -71,6 +72,7 @@ Result<void> CellLadder::climbGrid(const Ask& ask) {
   auto unfit = forTiles(input_.sites, input_.backend.info(), on_device_, input_.threads,
                         [&](const Tile& tile) { return tryTile(tile, ask); });
   if (!unfit) return tl::unexpected(unfit.error());
+  any_roomy_ = any_roomy_ || retried_ > 0;
   left_.insert(left_.end(), unfit->begin(), unfit->end());
   return {};
 }
@@ -101,6 +103,7 @@ Result<void> CellLadder::tryTile(const Tile& tile, const Ask& ask) {
 
 /// Adds the cells that need more room, by what is known of them or by this try, to `large`.
 Result<void> CellLadder::tryFast(const Tile& tile, Which which, const Ask& ask, Large& large) {
+  if (!any_roomy_) return tryCells(tile, which, Effort::fast, ask, large);
   Indices fast;
   for (const auto site : which) (roomy_[tile.wholeIndex(site)] ? large.cells : fast).push_back(site);
   return tryCells(tile, fast, Effort::fast, ask, large);

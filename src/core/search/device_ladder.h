@@ -90,6 +90,7 @@ class CellLadder {
   Indices on_device_;        ///< what the device is asked about, ascending
   Indices left_;             ///< in the whole set: neither certified nor worth another try on the device
   bool begins_roomy_;        ///< every cell has room from the start
+  bool any_roomy_;           ///< any of these, before this climb
   std::vector<bool> roomy_;  ///< by site: needs more room than a fast try has
   std::size_t done_ = 0;     ///< cells of this climb, for the progress
   std::optional<FlannSearch> lists_;

@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "vorpipe.h"
 
@@ -14,6 +17,27 @@ Box squareAround(const Box& box) {
                         : Box{box.xmin, box.ymin - grown, box.xmax, box.ymax + grown};
 }
 
+/// The least and the largest of some numbers, by several comparisons side by side.
+std::pair<double, double> rangeOf(std::span<const double> numbers) {
+  constexpr std::size_t lanes = 8;
+  std::array<double, lanes> least, most;
+  least.fill(numbers.front());
+  most.fill(numbers.front());
+  std::size_t k = 0;
+  for (; k + lanes <= numbers.size(); k += lanes) {
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const double number = numbers[k + lane];
+      least[lane] = number < least[lane] ? number : least[lane];
+      most[lane] = number > most[lane] ? number : most[lane];
+    }
+  }
+  for (; k < numbers.size(); ++k) {
+    least[0] = std::min(least[0], numbers[k]);
+    most[0] = std::max(most[0], numbers[k]);
+  }
+  return {std::ranges::min(least), std::ranges::max(most)};
+}
+
 }  // namespace
 
 Box boxOf(std::span<const Point> points) {
@@ -25,8 +49,8 @@ Box boxOf(std::span<const Point> points) {
 Box domainOf(const Sites& sites) { return domainOf(sites, Margin{}); }
 
 Box domainOf(const Sites& sites, const Margin& margin) {
-  const auto [xmin, xmax] = std::ranges::minmax(sites.x);
-  const auto [ymin, ymax] = std::ranges::minmax(sites.y);
+  const auto [xmin, xmax] = rangeOf(sites.x);
+  const auto [ymin, ymax] = rangeOf(sites.y);
   const double longer = std::max(xmax - xmin, ymax - ymin);
   double grown = margin.value;
   if (margin.relative) grown = longer > 0 ? margin.value * longer : 0.5;

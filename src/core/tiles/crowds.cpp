@@ -46,10 +46,22 @@ Crowds sortByCrowds(const Grid& grid, std::span<const std::uint32_t> which, int 
     crowds.even.assign(which.begin(), which.end());
     return crowds;
   }
-  std::size_t bin = 0;
-  for (const auto site : which) {
-    while (grid.offsets[bin + 1] <= site) ++bin;
-    (is_crowded[bin] != 0 ? crowds.crowded : crowds.even).push_back(site);
+  constexpr std::size_t grain = std::size_t{1} << 15;
+  std::vector<Crowds> parts((which.size() + grain - 1) / grain);
+  parallelFor(which.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    auto& part = parts[begin / grain];
+    part.even.reserve(end - begin);
+    const auto first = std::ranges::upper_bound(grid.offsets, which[begin]);
+    auto bin = static_cast<std::size_t>(first - grid.offsets.begin()) - 1;
+    for (auto k = begin; k < end; ++k) {
+      while (grid.offsets[bin + 1] <= which[k]) ++bin;
+      (is_crowded[bin] != 0 ? part.crowded : part.even).push_back(which[k]);
+    }
+  });
+  crowds.even.reserve(which.size());
+  for (const auto& part : parts) {
+    crowds.even.insert(crowds.even.end(), part.even.begin(), part.even.end());
+    crowds.crowded.insert(crowds.crowded.end(), part.crowded.begin(), part.crowded.end());
   }
   if (many_crowded * crowds.crowded.size() > which.size()) {
     crowds.crowded.assign(which.begin(), which.end());

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
+#include <vector>
 
 #include "base/inside.h"
 #include "core/geometry/polygon_measures.h"
@@ -44,9 +46,12 @@ inline Point measuringOrigin(const SiteSet& sites, std::size_t cell, const Ancho
 
 /// Measures the cell with these corners, counter-clockwise, about `origin`.
 inline Measures measureCell(Point origin, std::span<const AnchoredPoint> corners) {
-  thread_local std::vector<Point> polygon;
-  polygon.clear();
-  for (const auto& corner : corners) polygon.push_back(relativeTo(origin, corner));
+  constexpr std::size_t usual_corners = 32;
+  std::array<Point, usual_corners> few;
+  std::vector<Point> many(corners.size() > usual_corners ? corners.size() : 0);
+  const auto polygon = many.empty() ? std::span(few).first(corners.size()) : std::span(many);
+  std::ranges::transform(corners, polygon.begin(),
+                         [&](const AnchoredPoint& corner) { return relativeTo(origin, corner); });
   return measurePolygon(polygon);
 }
 

@@ -161,7 +161,7 @@ bool areInDegrees(const PlacedSites& placed) {
 /// Cuts what a margin adds to sites in degrees beyond the poles: `ymin` and `ymax` are how far it reaches.
 void endAtPoles(const Request& request, std::string_view what, double& ymin, double& ymax) {
   constexpr double pole = 90;
-  if (!areInDegrees(request.placed) || (ymin >= -pole && ymax <= pole)) return;
+  if ((ymin >= -pole && ymax <= pole) || !areInDegrees(request.placed)) return;
   request.note(fmt::format("{}: with its margin the {} of the sites would reach latitude {}: it ends at {}",
                            request.words.domain, what, ymin < -pole ? ymin : ymax,
                            ymin < -pole ? -pole : pole));
