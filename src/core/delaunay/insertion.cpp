@@ -48,25 +48,18 @@ bool Insertion::mayLookAt(std::int32_t t) const {
 
 /// Whether point i conflicts with a triangle: whether it lies inside its circumcircle. For a ghost triangle
 /// that circle is the half-plane outside its hull edge, and the edge itself, unless weights hide i there.
-///
-/// Ties are broken by symbolic perturbations, so that the mesh does not depend on the order of insertion.
-/// With weights the first of them scales all squared distances by 1 - e, for an infinitesimal e > 0: its sign
-/// is that of the unweighted test, negated. So a point whose cell has no area is hidden.
 template <bool weighted>
 [[gnu::always_inline]] inline bool Insertion::conflictsAny(const MeshTriangle& t, std::int32_t i, Point p) {
   if (isGhost(t)) [[unlikely]] {
     return conflictsBeyondHull(t, i);
   }
   const auto& corner = t.corner;
-  const Point a = at(corner[0]), b = at(corner[1]), c = at(corner[2]);
   if constexpr (weighted) {
-    const int inside = inCircle(weightedPoint(corner[0]), weightedPoint(corner[1]), weightedPoint(corner[2]),
-                                weightedPoint(i));
-    if (inside != 0) return inside > 0;
-    const int plain = inCircle(a, b, c, p);
-    if (plain != 0) return plain < 0;
+    return inCirclePerturbed(weightedPoint(corner[0]), weightedPoint(corner[1]), weightedPoint(corner[2]),
+                             weightedPoint(i)) > 0;
+  } else {
+    return inCirclePerturbed(at(corner[0]), at(corner[1]), at(corner[2]), p) > 0;
   }
-  return inCirclePerturbed(a, b, c, p) > 0;
 }
 
 bool Insertion::conflicts(const MeshTriangle& t, std::int32_t i) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "core/delaunay/triangulation.h"
 #include "core/geometry/polygon_measures.h"
 #include "core/geometry/predicates.h"
 
@@ -110,38 +111,52 @@ bool isAbout(const SiteSet& sites, const std::array<std::uint32_t, 3>& cells, co
          ties * shortest_edge * std::min({way(a, b), way(b, c), way(c, a)});
 }
 
-/// The sites of a fan's triangle k, which all begin with the fan's apex.
-std::array<std::uint32_t, 3> fanTriangle(const std::vector<std::uint32_t>& around, std::size_t apex,
-                                         std::size_t k) {
-  const auto size = around.size();
-  return {around[apex], around[(apex + k - 1) % size], around[(apex + k) % size]};
-}
-
-/// Whether a fan is a Delaunay triangulation of the sites around a tie. It is none where three of them lie on
-/// one line, or where those of a triangle are as near to each other as ties of others are long.
-bool isProperFan(const SiteSet& sites, const std::vector<std::uint32_t>& around, std::size_t apex,
-                 const AnchoredPoint& vertex) {
-  const auto at = [&](std::uint32_t site) { return Point{sites.x[site], sites.y[site]}; };
-  for (std::size_t k = 2; k < around.size(); ++k) {
-    const auto cells = fanTriangle(around, apex, k);
-    if (!(orientation(at(cells[0]), at(cells[1]), at(cells[2])) > 0) || !isAbout(sites, cells, vertex)) {
-      return false;
-    }
+/// The Delaunay triangulation of the sites around a tie, whose polygon they are, in numbers of `around`. Most
+/// are four.
+std::vector<std::array<std::size_t, 3>> triangulated(const SiteSet& sites,
+                                                     const std::vector<std::uint32_t>& around) {
+  const auto at = [&](std::size_t k) {
+    const auto site = around[k];
+    return WeightedPoint{{sites.x[site], sites.y[site]}, sites.weight.empty() ? 0 : sites.weight[site]};
+  };
+  if (around.size() == 4) {
+    const bool meets_last =
+        orientation(at(0), at(1), at(2)) > 0 && inCirclePerturbed(at(0), at(1), at(2), at(3)) > 0;
+    if (meets_last) return {{0, 1, 3}, {1, 2, 3}};
+    return {{0, 1, 2}, {0, 2, 3}};
   }
-  return true;
+  std::vector<Point> points;
+  std::vector<double> weights;
+  for (std::size_t k = 0; k < around.size(); ++k) {
+    points.push_back(at(k));
+    if (!sites.weight.empty()) weights.push_back(at(k).weight);
+  }
+  std::vector<std::array<std::size_t, 3>> triangles;
+  for (const auto& [corner, neighbor] : delaunay(points, weights).triangles) {
+    if (std::ranges::find(corner, ghost) != corner.end()) continue;
+    triangles.push_back({static_cast<std::size_t>(corner[0]), static_cast<std::size_t>(corner[1]),
+                         static_cast<std::size_t>(corner[2])});
+  }
+  return triangles;
 }
 
-/// Calls put(triangle) for the triangles that fill the polygon of the sites around a tie: the fan of the
-/// first of them whose fan is proper. Returns false where there is none.
+/// Calls put(triangle) for the triangles that fill the polygon of the sites around a tie, as the
+/// triangulation of all sites has them. Returns false where that is not known: three of the sites lie on one
+/// line, or those of a triangle are as near to each other as ties of others are long.
 template <class Put>
-bool forFan(const SiteSet& sites, const std::vector<std::uint32_t>& around, const AnchoredPoint& vertex,
-            const Put& put) {
-  std::size_t apex = 0;
-  while (apex < around.size() && !isProperFan(sites, around, apex, vertex)) ++apex;
-  if (apex == around.size()) return around.size() < 3;
-  for (std::size_t k = 2; k < around.size(); ++k) {
-    const auto [a, b, c] = fanTriangle(around, apex, k);
-    put({sites.id[a], sites.id[b], sites.id[c]});
+bool forTriangulated(const SiteSet& sites, const std::vector<std::uint32_t>& around,
+                     const AnchoredPoint& vertex, const Put& put) {
+  if (around.size() < 3) return true;
+  const auto triangles = triangulated(sites, around);
+  if (triangles.size() + 2 != around.size()) return false;
+  const auto at = [&](std::uint32_t site) { return Point{sites.x[site], sites.y[site]}; };
+  for (const auto& [i, j, k] : triangles) {
+    const std::array<std::uint32_t, 3> cells{around[i], around[j], around[k]};
+    if (!(orientation(at(cells[0]), at(cells[1]), at(cells[2])) > 0) || !isAbout(sites, cells, vertex))
+      return false;
+    Triangles::value_type ids{sites.id[cells[0]], sites.id[cells[1]], sites.id[cells[2]]};
+    std::ranges::rotate(ids, std::ranges::min_element(ids));
+    put(ids);
   }
   return true;
 }
@@ -201,7 +216,7 @@ Triangles dualTriangles(const ProposedCells& agreed, const TiedCells& tied, Site
     if (plain[vertex] != 0 || tied.walls[vertex] != 0) return;
     std::vector<std::uint32_t> around;
     if (!cellsAround(agreed, tied, vertex, around) ||
-        !forFan(agreed.sites, around, tied.position[vertex], put))
+        !forTriangulated(agreed.sites, around, tied.position[vertex], put))
       proper = false;
   });
   if (!proper) {

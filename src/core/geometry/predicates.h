@@ -75,6 +75,18 @@ inline int inCircle(const WeightedPoint& a, const WeightedPoint& b, const Weight
   return exactInCircle(a, b, c, d);
 }
 
+/// The same where ties are broken, as inCirclePerturbed without weights has them; but first all squared
+/// distances are scaled by 1 - e, for an infinitesimal e > 0, whose sign is that of the unweighted test,
+/// negated. So a point whose cell has no area is hidden.
+inline int inCirclePerturbed(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& c,
+                             const WeightedPoint& d) {
+  const int inside = inCircle(a, b, c, d);
+  if (inside != 0) return inside;
+  const auto plain = [](const WeightedPoint& p) -> const Point& { return p; };
+  const int unweighted = inCircle(plain(a), plain(b), plain(c), plain(d));
+  return unweighted != 0 ? -unweighted : brokenTie(a, b, c, d);
+}
+
 /// p lies on the line through a and b; x is its point where the powers of a and b are equal. 1: that of p is
 /// less there; -1: greater; 0: equal. Always exact, for it is called seldom.
 int inInterval(const WeightedPoint& a, const WeightedPoint& b, const WeightedPoint& p);

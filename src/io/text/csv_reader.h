@@ -25,6 +25,10 @@ class CsvReader {
   /// too long, the text is UTF-16 (input); reading failed, out of memory (device).
   Result<bool> next();
 
+  /// Lines that follow, to be read otherwise: see LineReader.
+  Result<std::string_view> wholeLines() { return lines_.wholeLines(); }
+  void skip(std::size_t bytes, std::uint64_t lines) { lines_.skip(bytes, lines); }
+
   /// Known once there is a record.
   [[nodiscard]] char separator() const { return separator_.value_or(','); }
   /// All comments, if there is one after the first record, where a line that begins with # may be meant as
@@ -41,6 +45,10 @@ class CsvReader {
   /// "FILE:LINE:COLUMN: what" as an input error about the beginning of a field of the last record;
   /// index fields() is the end of the record.
   [[nodiscard]] tl::unexpected<Error> errorAt(std::size_t index, std::string_view what) const;
+  /// The same about the beginning of the line that was read or skipped last.
+  [[nodiscard]] tl::unexpected<Error> errorAtLine(std::string_view what) const {
+    return lines_.errorAt(1, what);
+  }
 
  private:
   struct Free {

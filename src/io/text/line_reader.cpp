@@ -44,6 +44,21 @@ Result<void> LineReader::refill() {
   return {};
 }
 
+Result<std::string_view> LineReader::wholeLines() {
+  const auto atHand = [this] {
+    const std::string_view text(buffer_.get() + begin_, end_ - begin_);
+    return text.substr(0, text.rfind('\n') + 1);  // npos + 1 is 0
+  };
+  if (auto lines = atHand(); !lines.empty() || at_end_) return lines;
+  if (const auto filled = refill(); !filled) return tl::unexpected(filled.error());
+  return atHand();
+}
+
+void LineReader::skip(std::size_t bytes, std::uint64_t lines) {
+  begin_ += bytes;
+  number_ += lines;
+}
+
 std::optional<std::string_view> LineReader::takeUntil(const char* end) {
   const char* const last = buffer_.get() + end_;
   std::string_view line(buffer_.get() + begin_, end);

@@ -26,6 +26,12 @@ class LineReader {
   /// longest_line (input), reading failed (device).
   Result<std::optional<std::string_view>> next();
 
+  /// What next() would return one by one: the lines that are at hand and end with LF, these with it. Empty
+  /// where there is none, at the end or in a line that is too long. Error (device): reading failed.
+  Result<std::string_view> wholeLines();
+  /// Goes on behind some of what wholeLines() returned last: so many bytes, which are so many lines.
+  void skip(std::size_t bytes, std::uint64_t lines);
+
   /// Number of the line that next() returned last, counted from 1.
   [[nodiscard]] std::uint64_t number() const { return number_; }
   [[nodiscard]] const std::string& name() const { return file_.name(); }

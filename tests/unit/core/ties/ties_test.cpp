@@ -27,7 +27,8 @@ TEST(Cells, whereFourMeetShareOneVertexWhicheverDiagonalsTheySee) {
       EXPECT_EQ(neighborsOf(d, i), fromLowest({quarters[i].begin(), quarters[i].end()})) << seen;
       EXPECT_EQ(d.area[i], 0.25);
     }
-    EXPECT_EQ(d.triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 2, 3}})) << seen;
+    // Site 2 has the largest coordinates, and its ear is cut off: predicates.h.
+    EXPECT_EQ(d.triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 3}, {1, 2, 3}})) << seen;
   }
 }
 
@@ -54,8 +55,11 @@ TEST(Cells, ofSixSitesOnACircleMeetInItsCenter) {
   const auto result = assemble(set, cellsOf(rowsOf(set)));
   ASSERT_TRUE(result.disputed.empty());
   EXPECT_EQ(broken(result.diagram), "");
-  EXPECT_EQ(result.diagram.triangles,
-            (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}));
+  // Rounding puts the sites beside the circle, and decides.
+  auto triangles = result.diagram.triangles;
+  std::ranges::sort(triangles);
+  EXPECT_EQ(triangles,
+            (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 5}, {1, 2, 5}, {2, 3, 4}, {2, 4, 5}}));
   for (std::size_t i = 0; i < 6; ++i) {
     const auto neighbors = neighborsOf(result.diagram, i);
     const auto sites = std::count_if(neighbors.begin(), neighbors.end(), [](auto n) { return n >= 0; });

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -47,6 +48,42 @@ TEST_F(Csv, ReadsXAndY) {
   EXPECT_THAT(sites.x, ElementsAre(1, -3.5));
   EXPECT_THAT(sites.y, ElementsAre(2, 0.4));
   EXPECT_TRUE(sites.weight.empty());
+}
+
+/// Most rows are read as pairs of numbers; what is none is read as fields, and rows after it as pairs again.
+TEST_F(Csv, RowsThatArePairsAreReadAsOthers) {
+  for (const std::string_view header : {"x,y\n", "y,x\r\n", "# of sites\nx,y\n", ""}) {
+    const bool swapped = header.starts_with('y');
+    std::string rows;
+    std::vector<double> x, y;
+    for (int i = 0; i < 60000; ++i) {
+      const double a = 0.1 * i, b = i % 977 == 5 ? 1e-300 : -1.0 / (i + 1);
+      const auto row = fmt::format("{},{}", a, b);
+      // As others write it: blanks, quotes, a sign, digits beyond doubles, a comment, an empty line, no last
+      // end.
+      rows += i % 1000 == 7   ? fmt::format(" {} , +{}", a, std::abs(b))
+              : i % 5000 == 9 ? fmt::format("\"{}\",{}", a, b)
+                              : row;
+      rows += i % 3 == 0 ? "\r\n" : "\n";
+      if (i % 20000 == 11) rows += "# a remark, 5\n\n";
+      x.push_back(a);
+      y.push_back(i % 1000 == 7 ? std::abs(b) : b);
+    }
+    rows += "7,8";
+    x.push_back(7);
+    y.push_back(8);
+    const Sites sites = good(std::string(header) + rows);
+    EXPECT_EQ(swapped ? sites.y : sites.x, x) << header;
+    EXPECT_EQ(swapped ? sites.x : sites.y, y) << header;
+  }
+}
+
+TEST_F(Csv, RefusesARowAmongPairsByItsLine) {
+  std::string rows = "x,y\n";
+  for (int i = 0; i < 50000; ++i) rows += "0.25,0.5\n";
+  EXPECT_EQ(bad(rows + "0.25,inf\n"), "50002:6: \"inf\" is not a finite number (column y)");
+  EXPECT_EQ(bad(rows + "0.25,0.5,1\n"), "50002:10: the row has 3 fields, the header 2");
+  EXPECT_EQ(bad(rows + "\n0.25,1e999\n"), "50003:6: \"1e999\" is out of the range of a double (column y)");
 }
 
 TEST_F(Csv, ColumnsComeInAnyOrderAmongOthers) {
