@@ -12,60 +12,125 @@ namespace {
 
 constexpr double half_turn = 180, whole_turn = 360, pole = 90;  // degrees
 
-bool jumps(const Point& a, const Point& b) { return std::abs(b.x - a.x) > half_turn; }
-
-/// Edges that are straight in the plane bend in degrees, near a pole so much that cells would not hold their
-/// sites: such edges get places in between.
-class BentRing {
+/// A ring whose longitudes go on from point to point, beyond half a turn if need be. Edges that are straight
+/// in the plane bend in degrees, near a pole so much that cells would not hold their sites: such edges get
+/// places in between. A pole on the ring is two places, at the longitudes from which the ring comes and to
+/// which it goes.
+class UnrolledRing {
  public:
-  BentRing(const Projection& projection, std::span<const Point> ring) : projection_(projection) {
-    bool round = false, bends = false;
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-      const Point &a = ring[k], &b = ring[k + 1 < ring.size() ? k + 1 : 0];
-      round = round || jumps(a, b);
-      bends = bends || std::abs(std::remainder(b.x - a.x, whole_turn)) > least_way;
+  UnrolledRing(const Projection& projection, std::span<const Point> ring) : projection_(projection) {
+    if (!needsPlaces(ring)) return;
+    for (const double latitude : {pole, -pole}) {
+      const Point at = projection.toPlane({projection.center().x, latitude});
+      if (std::isfinite(at.x) && std::isfinite(at.y)) poles_.push_back({latitude, at});
     }
-    if (!bends) return;
+    std::size_t first = 0;
+    while (first < ring.size() && poleAt(projection.toPlane(ring[first])) != nullptr) ++first;
+    if (first == ring.size()) return;
+    points_.push_back(ring[first]);
     for (std::size_t k = 0; k < ring.size(); ++k) {
-      const Point &a = ring[k], &b = ring[k + 1 < ring.size() ? k + 1 : 0];
-      add(a, round);
-      const Point from = projection.toPlane(a), to = projection.toPlane(b);
-      addBetween(a, from, b, to, lengthOf(from, to) * shortest, round);
+      addEdge(ring[(first + k) % ring.size()], ring[(first + k + 1) % ring.size()]);
     }
+    turns_ = static_cast<int>(std::round((points_.back().x - points_.front().x) / whole_turn));
+    points_.pop_back();
   }
 
-  /// Nothing: no edge bends.
+  /// Nothing: no edge bends or leads into another turn, and the ring is as it was. The last point is not the
+  /// first again.
   [[nodiscard]] std::vector<Point>& points() { return points_; }
+  /// Around a pole: 1 or -1, as the inside lies to the north or to the south; else 0.
+  [[nodiscard]] int turns() const { return turns_; }
 
  private:
+  struct Pole {
+    double latitude;
+    Point plane;
+  };
+
   static constexpr double least_way = 10;      ///< degrees of longitude; what has less bends little
   static constexpr double most_off = 0.02;     ///< of an edge's length, that its middle may be off
-  static constexpr double shortest = 0x1p-16;  ///< of an edge: one through the pole always bends
+  static constexpr double shortest = 0x1p-16;  ///< of an edge: one beside the pole always bends
+  static constexpr double at_pole = 1e-6;      ///< km; nearer to a pole longitudes are rounding
 
   static double lengthOf(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
-  /// In the turn of the point before; a ring around a pole stays as it is.
-  void add(Point point, bool round) {
-    if (!round && !points_.empty())
-      point.x += whole_turn * std::round((points_.back().x - point.x) / whole_turn);
+  static bool needsPlaces(std::span<const Point> ring) {
+    constexpr double near = 89.99;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Point &a = ring[k], &b = ring[k + 1 < ring.size() ? k + 1 : 0];
+      const double way = b.x - a.x;
+      const bool jumps = std::abs(way) > half_turn,
+                 bends = std::abs(std::remainder(way, whole_turn)) > least_way;
+      if (jumps || bends || std::abs(a.y) > near) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] const Pole* poleAt(Point plane) const {
+    const auto found = std::ranges::find_if(
+        poles_, [&](const Pole& each) { return lengthOf(each.plane, plane) <= at_pole; });
+    return found == poles_.end() ? nullptr : &*found;
+  }
+
+  /// The pole that an edge passes through.
+  [[nodiscard]] const Pole* poleBetween(Point from, Point to) const {
+    const double length = lengthOf(from, to);
+    const auto found = std::ranges::find_if(poles_, [&](const Pole& each) {
+      const Point way{each.plane.x - from.x, each.plane.y - from.y};
+      const double along = (way.x * (to.x - from.x) + way.y * (to.y - from.y)) / length;
+      const double off = (way.x * (to.y - from.y) - way.y * (to.x - from.x)) / length;
+      return along > 0 && along < length && std::abs(off) <= at_pole;
+    });
+    return found == poles_.end() ? nullptr : &*found;
+  }
+
+  void addEdge(Point a, Point b) {
+    const Point from = projection_.toPlane(a), to = projection_.toPlane(b);
+    if (const Pole* end = poleAt(to)) {
+      points_.push_back({points_.back().x, end->latitude});
+    } else if (const Pole* begin = poleAt(from)) {
+      leave(*begin, b);
+    } else if (const Pole* between = poleBetween(from, to)) {
+      points_.push_back({points_.back().x, between->latitude});
+      leave(*between, b);
+    } else {
+      addBetween(a, from, b, to, lengthOf(from, to) * shortest);
+      add(b);
+    }
+  }
+
+  /// From a pole to a place. What is inside lies to the left: west of a ring that comes to the north pole,
+  /// and east of one that comes to the south pole.
+  void leave(const Pole& from, Point to) {
+    const double came = points_.back().x;
+    const double east = to.x - came - whole_turn * std::floor((to.x - came) / whole_turn);
+    to.x = came + (from.latitude > 0 ? east - whole_turn : east);
+    points_.push_back({to.x, from.latitude});
+    points_.push_back(to);
+  }
+
+  void add(Point point) {
+    point.x += whole_turn * std::round((points_.back().x - point.x) / whole_turn);
     points_.push_back(point);
   }
 
   /// Halving gives the same places from either end, so that neighbors still share them.
-  void addBetween(Point a, Point from, Point b, Point to, double least, bool round) {
+  void addBetween(Point a, Point from, Point b, Point to, double least) {
     const double way = std::remainder(b.x - a.x, whole_turn), length = lengthOf(from, to);
     if (std::abs(way) <= least_way || length <= least) return;
     const Point middle{(from.x + to.x) / 2, (from.y + to.y) / 2};
     const Point chord = projection_.toPlane({a.x + way / 2, (a.y + b.y) / 2});
     if (lengthOf(chord, middle) <= most_off * length) return;
     const Point at = projection_.toDegrees(middle);
-    addBetween(a, from, at, middle, least, round);
-    add(at, round);
-    addBetween(at, middle, b, to, least, round);
+    addBetween(a, from, at, middle, least);
+    add(at);
+    addBetween(at, middle, b, to, least);
   }
 
   const Projection& projection_;
+  std::vector<Pole> poles_;
   std::vector<Point> points_;
+  int turns_ = 0;
 };
 
 /// A ring around a pole from the meridian of its cut once around to it. East: its inside lies to the north.
@@ -74,45 +139,36 @@ struct Round {
   bool east;
 };
 
-/// The latitude at which an edge that jumps crosses the meridian, half a turn from `middle`.
-double latitudeAtCut(const Point& a, const Point& b, double middle) {
-  const double from_a = half_turn - std::abs(a.x - middle), from_b = half_turn - std::abs(b.x - middle);
-  const double way = from_a + from_b;
-  return way > 0 ? a.y + (b.y - a.y) * (from_a / way) : a.y;
-}
-
-/// The ring, if it goes around a pole. Where it crosses the meridian several times, it is cut where it is
-/// nearest to the pole that lies on its inside: from there nothing is in the way.
-std::optional<Round> roundOf(std::span<const Point> ring, double middle) {
-  std::size_t count = 0, cut = 0;
-  double turns = 0, highest = 0;
-  const auto next = [&](std::size_t k) { return k + 1 < ring.size() ? k + 1 : 0; };
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    if (jumps(ring[k], ring[next(k)])) turns += ring[k].x > ring[next(k)].x ? 1 : -1;
-  }
+/// A ring around a pole, cut at the meridian half a turn from `middle`. Where it crosses that several times,
+/// it is cut where it is nearest to the pole that lies on its inside: from there nothing is in the way.
+Round roundOf(const std::vector<Point>& ring, int turns, double middle) {
   const bool east = turns > 0;
+  const auto at = [&](std::size_t k) {
+    return k < ring.size() ? ring[k]
+                           : Point{ring[k - ring.size()].x + whole_turn * turns, ring[k - ring.size()].y};
+  };
+  const double meridian = middle + half_turn;
+  const auto turnOf = [&](double longitude) { return std::floor((longitude - meridian) / whole_turn); };
+  std::size_t cut = 0;
+  Point crossing{};
+  bool any = false;
   for (std::size_t k = 0; k < ring.size(); ++k) {
-    if (!jumps(ring[k], ring[next(k)])) continue;
-    const double latitude = latitudeAtCut(ring[k], ring[next(k)], middle) * (east ? 1 : -1);
-    if (count++ > 0 && latitude <= highest) continue;
-    highest = latitude;
+    const Point a = at(k), b = at(k + 1);
+    if (turnOf(a.x) == turnOf(b.x)) continue;
+    const double x = meridian + whole_turn * std::max(turnOf(a.x), turnOf(b.x));
+    const Point here{x, a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x))};
+    if (any && (east ? here.y <= crossing.y : here.y >= crossing.y)) continue;
+    any = true;
+    crossing = here;
     cut = k;
   }
-  if (count % 2 == 0) return {};
-  const double latitude = latitudeAtCut(ring[cut], ring[next(cut)], middle);
-  const double from = middle + (east ? -half_turn : half_turn);
-  Round round{{}, east};
+  const double from = middle + (east ? -half_turn : half_turn), moved = from - crossing.x;
+  Round round{{{from, crossing.y}}, east};
   const auto add = [&](Point point) {
-    if (round.points.empty() || round.points.back() != point) round.points.push_back(point);
+    if (round.points.back() != point) round.points.push_back(point);
   };
-  add({from, latitude});
-  double longitude = from;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    Point point = ring[(cut + 1 + k) % ring.size()];
-    longitude = point.x += whole_turn * std::round((longitude - point.x) / whole_turn);
-    add(point);
-  }
-  add({middle + (east ? half_turn : -half_turn), latitude});
+  for (std::size_t k = cut + 1; k <= cut + ring.size(); ++k) add({at(k).x + moved, at(k).y});
+  add({from + whole_turn * turns, crossing.y});
   return round;
 }
 
@@ -135,11 +191,12 @@ CellPolygons::CellPolygons(const Diagram& diagram, std::size_t site, const Coord
   if (center) projection = Projection::around(*center).value();
   for (const Ring& ring : ringsOf(diagram, site)) {
     auto vertices = verticesOf(diagram, ring);
+    std::optional<Round> round;
     if (projection) {
-      BentRing bent(*projection, vertices);
-      if (!bent.points().empty()) vertices = made_.emplace_back(std::move(bent.points()));
+      UnrolledRing unrolled(*projection, vertices);
+      if (unrolled.turns() != 0) round = roundOf(unrolled.points(), unrolled.turns(), center->x);
+      if (!unrolled.points().empty()) vertices = made_.emplace_back(std::move(unrolled.points()));
     }
-    auto round = center ? roundOf(vertices, center->x) : std::nullopt;
     if (!round) {
       if (ring.hole && !polygons_.empty()) {
         polygons_.back().push_back(vertices);
