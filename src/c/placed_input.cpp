@@ -76,7 +76,7 @@ Result<PlacedInput> keptFor(const vorpipe_input& input) {
                                   words.project, words.sites));
   }
   if (placed.domain.projection) {
-    if (system.kind != CoordinateKind::degrees) system = wgs84();
+    system = degreesOf(system);
     system.from_plane_around = placed.domain.projection->center();
   }
   Sites sites = *placed.sites;

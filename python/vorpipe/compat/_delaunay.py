@@ -41,6 +41,7 @@ class Delaunay(PlaneSet, DelaunayBase):
         super()._take(points)
         self.simplices: Indices = self._triangles.astype(np.int32)
         self.neighbors: Indices = self._adjacent
+        self._vertices: Indices = self.simplices  # of scipy's deprecated name
         self.nsimplex = len(self.simplices)
         # Of Qhull's facets that are left out for a point that is named, of which there is none here.
         self.good: Indices = np.ones(self.nsimplex, dtype=np.int32)

@@ -172,7 +172,7 @@ Arrays planPicture(MemoryPlan& plan, const Workload& work, const RenderOptions& 
   const auto height = static_cast<std::uint64_t>(options.height);
   for (int k = 0; k < 2; ++k) image.push_back(plan.take("the picture", width * height * word));
   // What searches leave in the heap, as measured up to two million sites.
-  plan.take("the search", std::min<std::uint64_t>(7'000'000, 256 * work.sites));
+  plan.take("the search", std::min<std::uint64_t>(9'000'000, 256 * work.sites));
   append(working, known ? planPolygons(plan, work, sites) : planSearchAndDrawing(plan, work, sites));
   const Arrays views = planViews(plan, work, width, height);
   planNearest(plan, work, sites);

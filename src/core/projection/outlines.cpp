@@ -193,6 +193,8 @@ Result<MendedOutline> mendedToPlane(const Projection& projection, const Outline&
       " km2"};
   auto second = mended(*plane, repair || is_outline, words);
   if (!second) return second;
+  // What is an outline in degrees may touch itself in the plane, as along the antimeridian: no repair.
+  if (!repair) second->changes.clear();
   if (!first->changes.empty() && !second->changes.empty()) first->changes += "; ";
   second->changes = first->changes + second->changes;
   return second;

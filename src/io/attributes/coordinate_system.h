@@ -46,6 +46,11 @@ bool hasName(const CoordinateSystem& system);
 /// The system in messages: "EPSG:25832", the name in its definition, or its kind.
 std::string nameOf(const CoordinateSystem& system);
 
+/// The system of degrees that are known to be degrees: the one that is named, or WGS 84.
+inline CoordinateSystem degreesOf(const CoordinateSystem& system) {
+  return system.kind == CoordinateKind::degrees && hasName(system) ? system : wgs84();
+}
+
 /// How coordinates of two systems go together.
 enum class SystemsAre : std::uint8_t {
   one,      ///< the same, or nothing says otherwise

@@ -263,7 +263,7 @@ Result<void> projectSites(const Request& request, const Projection& projection) 
   placed.sites = turned(projection, std::move(placed.sites));
   placed.longitudes = std::exchange(placed.sites.x, std::move(sites->x));
   placed.latitudes = std::exchange(placed.sites.y, std::move(sites->y));
-  if (placed.system.kind != CoordinateKind::degrees) placed.system = wgs84();
+  placed.system = degreesOf(hasName(placed.system) ? placed.system : settings.outline_system);
   placed.degrees = std::exchange(placed.system, {CoordinateKind::plane, {}, 0, {}, projection.center()});
   placed.degrees.from_plane_around = projection.center();
   if (!placed.sites.weight.empty()) {

@@ -17,14 +17,11 @@ struct CellsOnEarth {
   Diagram diagram;
 };
 
-CellsOnEarth cellsInHull(const Sites& degrees, double margin) {
+CellsOnEarth cellsIn(const Sites& degrees, DomainSettings settings) {
   CellsOnEarth made;
   made.placed.sites = degrees;
   made.placed.from = SitesFrom::file;
   made.placed.system = wgs84();
-  DomainSettings settings;
-  settings.hull = true;
-  settings.margin = Margin{margin, true};
   settings.project.emplace();
   const auto found = findDomain(settings, made.placed);
   EXPECT_TRUE(found) << found.error().message;
@@ -34,6 +31,13 @@ CellsOnEarth cellsInHull(const Sites& degrees, double margin) {
   made.diagram = cellsOf(made.placed.sites, options);
   backToDegrees(made.placed, made.diagram);
   return made;
+}
+
+CellsOnEarth cellsInHull(const Sites& degrees, double margin) {
+  DomainSettings settings;
+  settings.hull = true;
+  settings.margin = Margin{margin, true};
+  return cellsIn(degrees, settings);
 }
 
 Outline outlineOf(const CellPolygons& polygons) {
@@ -66,22 +70,28 @@ bool holds(const Outline& outline, Point site) {
   return false;
 }
 
+/// The polygons are valid, on the Earth, and hold their sites.
+void expectOnEarth(const CellsOnEarth& made, bool hold_sites = true) {
+  for (std::size_t site = 0; site < made.placed.sites.size(); ++site) {
+    if (made.diagram.status[site] != Status::ok) continue;
+    const Outline outline = outlineOf(CellPolygons(made.diagram, site, made.placed.system));
+    for (const Point point : outline.points) ASSERT_LE(std::abs(point.y), 90) << "site " << site;
+    const auto valid = mended(outline, false);
+    ASSERT_TRUE(valid) << "site " << site << ": " << valid.error().message;
+    EXPECT_EQ(valid->changes, "") << site;
+    const Point at{made.placed.sites.x[site], made.placed.sites.y[site]};
+    if (hold_sites) {
+      EXPECT_TRUE(holds(outline, at)) << site;
+    }
+  }
+}
+
 /// Around the north pole, and the same around the south.
 void expectRight(Sites sites, double margin) {
   for (int pole = 0; pole < 2; ++pole) {
     for (double& y : sites.y) y = -y;
     const CellsOnEarth made = cellsInHull(sites, margin);
-    for (std::size_t site = 0; site < sites.size(); ++site) {
-      if (made.diagram.status[site] != Status::ok) continue;
-      const Outline outline = outlineOf(CellPolygons(made.diagram, site, made.placed.system));
-      const auto valid = mended(outline, false);
-      ASSERT_TRUE(valid) << "site " << site << ": " << valid.error().message;
-      EXPECT_EQ(valid->changes, "") << site;
-      const Point at{made.placed.sites.x[site], made.placed.sites.y[site]};
-      if (margin > 0) {
-        EXPECT_TRUE(holds(outline, at)) << site;
-      }
-    }
+    expectOnEarth(made, margin > 0);
   }
 }
 
@@ -96,6 +106,31 @@ TEST(CellPolygons, aroundAPoleAreValidAndHoldTheirSites) {
     expectRight(sites, 0);
     expectRight(sites, 0.1);
   }
+}
+
+/// Sites on one parallel: borders and corners lie at the pole, where there is no longitude.
+TEST(CellPolygons, areRightWhereTheirBordersMeetAPole) {
+  const std::vector<std::vector<double>> longitudes{{180, 160},
+                                                    {-80, 90},
+                                                    {-60, -5},
+                                                    {0, 180},
+                                                    {0, 90, 180, -90},
+                                                    {30},
+                                                    {-165, -135, -60, 40, 80, 120, 160, 170, 175}};
+  for (const bool north : {true, false}) {
+    for (const auto& x : longitudes) {
+      for (const double latitude : {65.0, 80.0, 89.0}) {
+        DomainSettings settings;
+        settings.box = north ? Box{-180, 62, 180, 90} : Box{-180, -90, 180, -62};
+        expectOnEarth(
+            cellsIn({x, std::vector<double>(x.size(), north ? latitude : -latitude), {}}, settings));
+      }
+    }
+  }
+  // A pole that is a corner of the domain.
+  DomainSettings wedge;
+  wedge.outline = {{{20, 90}, {20, 66}, {95, 70}}, {0, 3}, {0, 1}};
+  expectOnEarth(cellsIn({{40, 60}, {72, 72}, {}}, wedge));
 }
 
 /// What neighbors share stays shared: together they cover what they did.
