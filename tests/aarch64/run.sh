@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # The same bytes on 64-bit Arm as here: builds vorpipe by Debian's cross compiler, with Debian's libraries for Arm in a
-# folder of their own, and runs it in QEMU: `tests/determinism`, and `selftest` of the backend `cpu`.
+# folder of their own, and runs it in QEMU: `tests/determinism` without what takes sines of the C library, and `selftest`
+# of the backend `cpu`.
 # Usage: tests/aarch64/run.sh [--suite NAME]. NAME is Debian's, by default that of this machine.
 root=$(cd -P "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 cd "$root" || exit
@@ -40,7 +41,7 @@ exec qemu-aarch64 -L "$root/$built/root" "$root/$built/src/cli/vorpipe" "\$@"
 END
 chmod +x "$arm"
 code=0
-tests/determinism/run.sh --quick build/dev/src/cli/vorpipe "$arm" || code=1
+tests/determinism/run.sh --quick --other-libm build/dev/src/cli/vorpipe "$arm" || code=1
 # Other backends would run the drivers of this machine.
 "$arm" selftest --backend cpu || code=1
 exit $code

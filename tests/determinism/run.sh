@@ -1,16 +1,21 @@
 #!/usr/bin/env bash
 # The same bytes whatever the compiler, the lanes and the threads: run.sh [--quick] VORPIPE [VORPIPE...] runs each line of
 # inputs.txt on `cpu` by each program, with lanes of 16, 8 and 4 numbers where the processor has them, on 1, 2 and 5
-# threads; with --quick in three ways instead of six. Exit code 1, and the names, where hashes differ.
+# threads; with --quick in three ways instead of six. With --other-libm programs are of several C libraries: what takes
+# their sines is left out. Exit code 1, and the names, where hashes differ.
 set -u
 here=$(cd -P "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-quick=
-if [[ ${1-} == --quick ]]; then
-  quick=1
+quick='' other_libm=''
+while [[ ${1-} == --* ]]; do
+  case $1 in
+    --quick) quick=1 ;;
+    --other-libm) other_libm=1 ;;
+    *) set -- ;;
+  esac
   shift
-fi
+done
 if [[ $# == 0 ]]; then
-  echo 'usage: run.sh [--quick] VORPIPE [VORPIPE...]' >&2
+  echo 'usage: run.sh [--quick] [--other-libm] VORPIPE [VORPIPE...]' >&2
   exit 2
 fi
 work=$(mktemp -d) || exit 2
@@ -41,7 +46,7 @@ inputs=0
 runs=0
 different=()
 while read -r name arguments; do
-  if [[ -z $name || $name == '#' ]]; then continue; fi
+  if [[ -z $name || $name == '#' ]] || [[ $other_libm && $name == *-libm ]]; then continue; fi
   inputs=$((inputs + 1))
   arguments=${arguments//OUT/$work/out/result}
   arguments=${arguments//HERE/$here/../..}

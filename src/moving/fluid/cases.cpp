@@ -44,7 +44,7 @@ Point taylorGreen(Point p) {
 
 /// Gresho and Chan 1990: the speed rises to 1 at the radius 0.2, and falls to 0 at 0.4.
 Point gresho(Point p) {
-  const double radius = std::hypot(p.x, p.y);
+  const double radius = std::sqrt(p.x * p.x + p.y * p.y);
   if (radius == 0 || radius >= 0.4) return {0, 0};
   const double speed = radius < 0.2 ? 5 * radius : 2 - 5 * radius;
   return {-speed * p.y / radius, speed * p.x / radius};

@@ -222,7 +222,7 @@ double Flow::length(const Parcels& parcels) const {
   const double part = (free ? 0.2 : 0.5) * spacing_;
   double fastest = 0;
   for (const Point& v : parcels.velocity) fastest = std::max(fastest, square(v));
-  const double pull = std::hypot(options_.gravity.x, options_.gravity.y);
+  const double pull = std::sqrt(square(options_.gravity));
   double length = options_.epsilon / (options_.scheme == FluidScheme::springs ? 4 : 2);
   if (fastest > 0) length = std::min(length, part / std::sqrt(fastest));
   if (pull > 0) length = std::min(length, std::sqrt(part / pull) / 2);

@@ -20,8 +20,8 @@ constexpr double far_off = 5;
 
 double fastestOf(const std::vector<Point>& velocity) {
   double fastest = 0;
-  for (const Point& v : velocity) fastest = std::max(fastest, std::hypot(v.x, v.y));
-  return fastest;
+  for (const Point& v : velocity) fastest = std::max(fastest, v.x * v.x + v.y * v.y);
+  return std::sqrt(fastest);
 }
 
 /// Sites that lie more than a spacing beyond the domain, along axes that do not repeat.

@@ -28,7 +28,7 @@ struct Context::Native {
 namespace {
 
 constexpr std::string_view remedy =
-    "install a driver with EGL (Debian and Ubuntu: libegl1 libegl-mesa0 libgl1-mesa-dri), or use the cpu "
+    "install a driver with EGL (Debian and Ubuntu: libegl1 libopengl0 libgl1-mesa-dri), or use the cpu "
     "backend";
 
 tl::unexpected<Error> noDevice(std::string_view place, std::string_view why) {
