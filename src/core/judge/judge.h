@@ -1,5 +1,6 @@
-/// The cells that a device does not certify: from the triangulation of all sites if they are many, else from
-/// the exact tier, in double, then exactly.
+/// The cells that a device does not certify: from the triangulation of their sites and of those beside them,
+/// where all others are known; else from that of all sites if they are many, or from the exact tier, in
+/// double, then exactly.
 #pragma once
 
 #include <optional>

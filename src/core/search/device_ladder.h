@@ -2,8 +2,8 @@
 ///
 /// A device clips a cell fast; one that overflows, with more room. With the grid it walks the bins, tile by
 /// tile where the sites do not fit; with lists it gets twice as many neighbors for cells that others might
-/// still cut. What it leaves is the judge's (judge.h): in double, exactly, or from the mesh of all sites,
-/// which a sample may tell to be the quickest.
+/// still cut. What it leaves, and what is crowded, is the judge's (judge.h): all of it, where a sample or
+/// the number of crowded sites tells that the device would try in vain.
 #pragma once
 
 #include <functional>
