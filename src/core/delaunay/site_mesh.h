@@ -41,7 +41,7 @@ class SiteMesh {
   const SiteSet& sites_;
   int threads_;
   std::optional<bool> possible_;
-  std::optional<PartMesh> mesh_;  ///< empty where there is none
+  std::optional<PartMesh> mesh_;  ///< once it was asked for; without triangles if `sites_` has no mesh
 };
 
 }  // namespace vorpipe::core

@@ -12,8 +12,8 @@ namespace vorpipe::core {
 namespace {
 
 /// Break-even: the mesh of n sites takes as long as n / sites_per_cell cells in double, from trees of the
-/// sites around them, or as n / sites_per_exact_cell cells exactly: some 0.4 us a site, with weights 1 us; a
-/// tree of all sites takes as long as the mesh.
+/// sites around them, or as n / sites_per_exact_cell cells exactly: some 0.35 us a site, more with weights;
+/// a tree of all sites takes as long as the mesh.
 constexpr std::size_t sites_per_cell = 256, sites_per_weighted_cell = 64, sites_per_exact_cell = 2048;
 
 /// Of no more sites with weights the mesh is made for a single cell: where all of them nearly meet in a

@@ -29,8 +29,8 @@ class Judge {
   /// of such a cell is one of them, or its cell names it; and a cell among fewer sites, if it has all its
   /// neighbors, is the cell. A site outside of the domain that has none in it is nowhere on a wall nearer
   /// than those whose cells are there. (With weights a hidden site may come out with a cell, which its
-  /// neighbors then do not name.) The cells of a triangulation agree, in every tie. False, and nothing is
-  /// changed, where there is none.
+  /// neighbors then do not name.) The cells of a triangulation agree, in every tie. False, and `rows` is
+  /// unchanged, where the sites cannot be triangulated, or lie on one line.
   bool findAmong(std::span<const std::uint32_t> which, int threads, NeighborRows& rows);
 
   /// See ExactTier::nearest.

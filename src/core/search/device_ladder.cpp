@@ -146,8 +146,8 @@ Result<void> CellLadder::tryCells(const Tile& tile, Which which, Effort effort, 
   return {};
 }
 
-/// Whether so many cells are left, with some more, that the triangulation finds all others as soon as a
-/// device.
+/// Whether so many cells are left for a triangulation, `more` among them, that it takes no longer to
+/// triangulate all sites than to ask the device about the rest.
 bool CellLadder::areMany(std::size_t more) const {
   constexpr std::size_t many = 4;
   return many * (left_.size() + more) > input_.sites.size();

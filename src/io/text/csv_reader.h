@@ -25,7 +25,7 @@ class CsvReader {
   /// too long, the text is UTF-16 (input); reading failed, out of memory (device).
   Result<bool> next();
 
-  /// Lines that follow, to be read otherwise: see LineReader.
+  /// The lines after the last record, for a caller that parses them itself: see LineReader.
   Result<std::string_view> wholeLines() { return lines_.wholeLines(); }
   void skip(std::size_t bytes, std::uint64_t lines) { lines_.skip(bytes, lines); }
 

@@ -26,10 +26,11 @@ class LineReader {
   /// longest_line (input), reading failed (device).
   Result<std::optional<std::string_view>> next();
 
-  /// What next() would return one by one: the lines that are at hand and end with LF, these with it. Empty
-  /// where there is none, at the end or in a line that is too long. Error (device): reading failed.
+  /// The lines in the buffer that end with LF, their ends included; reads more of the file if there is no
+  /// such line. Empty at the end of the file, and where a line is longer than the buffer. Error (device):
+  /// reading failed.
   Result<std::string_view> wholeLines();
-  /// Goes on behind some of what wholeLines() returned last: so many bytes, which are so many lines.
+  /// Consumes the first `bytes` bytes, which are `lines` lines, of what wholeLines() returned last.
   void skip(std::size_t bytes, std::uint64_t lines);
 
   /// Number of the line that next() returned last, counted from 1.
