@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 #include <utility>
 
 #include "base/stopwatch.h"
@@ -27,12 +26,6 @@ void askForCandidates(Effort effort, std::span<CellStatus> status) {
     if (each == CellStatus::certified || each == CellStatus::unsecured) continue;
     each = effort == Effort::fast ? CellStatus::overflow : CellStatus::open;
   }
-}
-
-std::vector<std::uint32_t> allOf(const SiteSet& sites) {
-  std::vector<std::uint32_t> all(sites.size());
-  std::iota(all.begin(), all.end(), 0u);
-  return all;
 }
 
 }  // namespace

@@ -33,12 +33,7 @@ class TriangleWriter {
       : canvas_(canvas), sites_(canvas.sites), view_(view), frame_(frame), out_(out), batch_(canvas.sites) {}
 
   void add(std::uint32_t site, std::span<const std::int32_t> row) {
-    auto added = batch_.add(site, row);
-    if (added == CornerBatch::Added::full) {
-      finish();
-      added = batch_.add(site, row);
-    }
-    if (added != CornerBatch::Added::other) return;
+    if (batch_.add(site, row, [&] { finish(); }) != CornerBatch::Added::other) return;
     placeCorners(sites_, site, row, places_);
     polygon_.clear();
     for (const AnchoredPoint& place : places_) addCorner(place);

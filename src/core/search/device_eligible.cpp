@@ -20,6 +20,12 @@ bool fitsFloat(const SiteSet& sites, std::size_t i) {
 
 }  // namespace
 
+std::vector<std::uint32_t> allOf(const SiteSet& sites) {
+  std::vector<std::uint32_t> all(sites.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return all;
+}
+
 Triage sortOut(const SiteSet& sites, int threads) {
   std::atomic<std::size_t> outside{0};
   std::atomic<bool> fit{true};
@@ -35,13 +41,11 @@ Triage sortOut(const SiteSet& sites, int threads) {
   });
   Triage triage;
   if (!fit) {
-    triage.outside.resize(sites.size());
-    std::iota(triage.outside.begin(), triage.outside.end(), 0u);
+    triage.outside = allOf(sites);
     return triage;
   }
   if (outside == 0) {
-    triage.inside.resize(sites.size());
-    std::iota(triage.inside.begin(), triage.inside.end(), 0u);
+    triage.inside = allOf(sites);
     return triage;
   }
   triage.inside.reserve(sites.size() - outside);

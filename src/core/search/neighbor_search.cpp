@@ -1,7 +1,6 @@
 #include "core/search/neighbor_search.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "backend/collect.h"
@@ -15,12 +14,6 @@
 namespace vorpipe::core {
 
 namespace {
-
-std::vector<std::uint32_t> allOf(const SiteSet& sites) {
-  std::vector<std::uint32_t> all(sites.size());
-  std::iota(all.begin(), all.end(), 0u);
-  return all;
-}
 
 /// Whether sites were rounded to a lattice that is so coarse that some of them coincide. Floats decide ties
 /// between cells one by one; where only some are ties, most of that is in dispute afterwards.

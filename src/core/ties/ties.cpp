@@ -89,12 +89,7 @@ class TieResolver {
       if (isRightlyEmpty(sites_, cells_, cell)) return;
       const auto row = cells_.edges(cell);
       if (!isWellFormed(sites_, cells_, cell)) return dispute(static_cast<std::int32_t>(cell));
-      auto added = batch.add(cell, row);
-      if (added == CornerBatch::Added::full) {
-        joinBatch();
-        added = batch.add(cell, row);
-      }
-      if (added != CornerBatch::Added::other) return;
+      if (batch.add(cell, row, joinBatch) != CornerBatch::Added::other) return;
       placeCorners(sites_, cell, row, corners);
       join(cell, row, corners);
     });

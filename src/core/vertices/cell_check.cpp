@@ -26,11 +26,7 @@ class CellCheck {
   void check(std::uint32_t cell) {
     const auto row = cells_.edges(cell);
     const bool certified = cells_.status(cell) == CellStatus::certified;
-    auto added = certified ? batch_.add(cell, row) : CornerBatch::Added::other;
-    if (added == CornerBatch::Added::full) {
-      finish();
-      added = batch_.add(cell, row);
-    }
+    const auto added = certified ? batch_.add(cell, row, [&] { finish(); }) : CornerBatch::Added::other;
     if (added == CornerBatch::Added::other) {
       checkAlone(cell, row);
     } else {

@@ -30,6 +30,14 @@ class CornerBatch {
   void clear() { cells_ = 0; }
   /// `row` is the neighbors of `cell`, counter-clockwise; it outlives the batch's use.
   Added add(std::uint32_t cell, std::span<const std::int32_t> row);
+  /// The same, never `full`: then it calls finish(), which uses and clears the batch, and adds the cell.
+  template <class Finish>
+  Added add(std::uint32_t cell, std::span<const std::int32_t> row, const Finish& finish) {
+    const auto added = add(cell, row);
+    if (added != Added::full) return added;
+    finish();
+    return add(cell, row);
+  }
 
   /// Computes the positions of all corners, then the excess length of each edge, as EdgeSpan::excess.
   void place();
