@@ -81,12 +81,12 @@ bool Insertion::conflictsOnLine(std::int32_t a, std::int32_t b, std::int32_t i) 
   return inside != 0 ? inside > 0 : !between;
 }
 
-/// A triangle near an inserted point that precedes i closely in the order of points; else the newest
-/// triangle. What took a triangle's slot since then is near as well.
+/// A triangle where a walk to i has ended before, or near an inserted point that precedes i closely in the
+/// order of points; else the newest triangle. What took a triangle's slot since then is near as well.
 std::int32_t Insertion::nearby(std::int32_t i) {
   constexpr std::int32_t most_looked_at = 64;
   const auto first = std::max(0, i - most_looked_at);
-  while (--i >= first) {
+  for (; i >= first; --i) {
     const auto k = static_cast<std::size_t>(i);
     if (region_ != everywhere && mesh_.region_of_point[k] != region_) continue;
     const auto t = mesh_.near[k];
@@ -101,12 +101,15 @@ std::int32_t Insertion::locate(std::int32_t i) {
   while (t != none && mayLookAt(t)) {
     const auto& here = triangle(t);
     const bool is_outside = isGhost(here);
-    if (is_outside && conflicts(here, i)) return t;
-    const auto to = is_outside ? here.neighbor[placeOf(here.corner, ghost)] : neighborTowards(p, t, from);
-    if (to == t) return t;
+    const bool is_found = is_outside && conflicts(here, i);
+    const auto to = is_found     ? t
+                    : is_outside ? here.neighbor[placeOf(here.corner, ghost)]
+                                 : neighborTowards(p, t, from);
     from = std::exchange(t, to);
+    if (from == t) break;
   }
-  return none;
+  mesh_.near[static_cast<std::size_t>(i)] = from;
+  return from == t ? t : none;
 }
 
 /// The neighbor of t across an edge that separates t from p; t if it contains p. The walk came from triangle

@@ -159,6 +159,7 @@ class Triangulation {
     constexpr std::size_t worth_sharing = 4096;
     std::vector<std::uint32_t> left(end - begin);
     std::iota(left.begin(), left.end(), static_cast<std::uint32_t>(begin));
+    startWalksNear(roomOf(begin));
     if (threads_ > 1 && left.size() >= worth_sharing) {
       mesh_.region.resize(mesh_.triangles.size());
       mesh_.region_of_point.resize(mesh_.points.size());
@@ -166,6 +167,7 @@ class Triangulation {
       share(roomOf(begin), Parts(mesh_.points, cut, count, false));
       insertSideBySide(left, count);
       if (2 * left.size() < end - begin) {
+        startWalksNear(roomOf(end));
         share(roomOf(end), Parts(mesh_.points, cut, count, true));
         insertSideBySide(left, count + 1);
       }
@@ -229,8 +231,22 @@ class Triangulation {
     return region == everywhere ? of_several : region;
   }
 
-  /// Assigns regions to the points, and to the triangles in slots 0 to used - 1; walks begin at triangles
-  /// that are at their points now.
+  /// Has walks begin at triangles that are at their points now; those that were, when their points came in,
+  /// may have gone far along a curve of points. The triangles are in slots 0 to used - 1.
+  void startWalksNear(std::int32_t used) {
+    parallelFor(static_cast<std::size_t>(used), triangulation_grain, threads_,
+                [&](std::size_t begin, std::size_t end) {
+                  for (auto t = begin; t < end; ++t) {
+                    for (const auto corner : mesh_.triangles[t].corner) {
+                      if (corner == ghost) continue;
+                      std::atomic_ref(mesh_.near[static_cast<std::size_t>(corner)])
+                          .store(static_cast<std::int32_t>(t), std::memory_order_relaxed);
+                    }
+                  }
+                });
+  }
+
+  /// Assigns regions to the points, and to the triangles in slots 0 to used - 1.
   void share(std::int32_t used, const Parts& parts) {
     parallelFor(mesh_.points.size(), triangulation_grain, threads_, [&](std::size_t begin, std::size_t end) {
       for (auto p = begin; p < end; ++p) mesh_.region_of_point[p] = parts.of(p);
@@ -238,14 +254,8 @@ class Triangulation {
     parallelFor(static_cast<std::size_t>(used), triangulation_grain, threads_,
                 [&](std::size_t begin, std::size_t end) {
                   for (auto t = begin; t < end; ++t) {
-                    const auto& triangle = mesh_.triangles[t];
                     mesh_.region[t] =
-                        regionOf(triangle, [&](std::size_t p) { return mesh_.region_of_point[p]; });
-                    for (const auto corner : triangle.corner) {
-                      if (corner == ghost) continue;
-                      std::atomic_ref(mesh_.near[static_cast<std::size_t>(corner)])
-                          .store(static_cast<std::int32_t>(t), std::memory_order_relaxed);
-                    }
+                        regionOf(mesh_.triangles[t], [&](std::size_t p) { return mesh_.region_of_point[p]; });
                   }
                 });
   }
