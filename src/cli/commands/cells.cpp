@@ -97,7 +97,12 @@ Result<void> writeFiles(const CellsCommand& command, const Input& input, const D
                         const Topology& topology, RunLog& log, std::uint64_t forecast,
                         std::span<OutputFile> files, const Stopwatch& total) {
   const Stopwatch watch;
-  const CellsOutput output{input.sites, diagram, input.attributes, input.system, command.targets.only_cells};
+  const CellsOutput output{input.sites,
+                           diagram,
+                           input.attributes,
+                           input.system,
+                           command.targets.only_cells,
+                           command.backend.threads};
   std::vector<Writer> writers;
   for (const CellsTarget& target : command.targets.cells) {
     writers.emplace_back(
@@ -105,7 +110,7 @@ Result<void> writeFiles(const CellsCommand& command, const Input& input, const D
   }
   for (const EdgesTarget& target : command.targets.edges) {
     writers.emplace_back([&, format = target.format](ByteSink& to) {
-      return writeEdges(to, {diagram, topology, input.system}, *format);
+      return writeEdges(to, {diagram, topology, input.system, command.backend.threads}, *format);
     });
   }
   const auto stats = [&] {

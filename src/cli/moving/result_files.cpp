@@ -98,13 +98,16 @@ std::vector<Writer> writersOf(const ResultJob& job, const ResultParts& parts) {
   std::vector<Writer> writers;
   for (const PointsTarget& target : job.targets.points) {
     writers.emplace_back([&, format = target.format](ByteSink& to) {
-      return writePoints(to, {parts.placed.sites, job.input.attributes, parts.placed.system}, *format);
+      return writePoints(to, {parts.placed.sites, job.input.attributes, parts.placed.system, job.threads},
+                         *format);
     });
   }
   for (const CellsTarget& target : job.targets.cells) {
     writers.emplace_back([&, format = target.format](ByteSink& to) {
-      return writeCells(to, {parts.placed.sites, *parts.cells, job.input.attributes, parts.placed.system},
-                        *format);
+      return writeCells(
+          to,
+          {parts.placed.sites, *parts.cells, job.input.attributes, parts.placed.system, false, job.threads},
+          *format);
     });
   }
   for (const PictureFile& file : job.targets.pictures) {

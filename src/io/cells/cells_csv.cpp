@@ -64,8 +64,8 @@ void printRecord(Bytes& text, const CellsOutput& output, std::size_t site) {
 Result<void> writeCsvCells(ByteSink& sink, const CellsOutput& output) {
   const Bytes header = headerOf(output);
   return sink.write({header.data(), header.size()}).and_then([&] {
-    return writeEach(sink, output.sites.size(),
-                     [&](Bytes& text, std::size_t site) { printRecord(text, output, site); });
+    const auto put = [&](Bytes& text, std::size_t site) { printRecord(text, output, site); };
+    return writeEach(sink, output.sites.size(), put, output.threads);
   });
 }
 

@@ -20,6 +20,7 @@ struct CellsOutput {
   std::span<const Attribute> attributes{};  ///< each as long as the sites
   CoordinateSystem system{};                ///< of all positions
   bool only_cells = false;                  ///< in formats of features: leaves out records without a polygon
+  int threads = 0;                          ///< that text is put together on; 0 for all
 };
 
 /// A kind of file for cells. Each has a file of its own, cells_NAME.cpp, and a line in cells_file.cpp.

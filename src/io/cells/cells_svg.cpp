@@ -104,8 +104,8 @@ Result<void> writeSvgCells(ByteSink& sink, const CellsOutput& output) {
   if (auto written = sink.write(head); !written) {
     return written;
   }
-  auto polygons = writeEach(sink, diagram.status.size(),
-                            [&](Bytes& text, std::size_t site) { printCell(text, map, output, site); });
+  const auto put = [&](Bytes& text, std::size_t site) { printCell(text, map, output, site); };
+  auto polygons = writeEach(sink, diagram.status.size(), put, output.threads);
   if (!polygons) {
     return polygons;
   }

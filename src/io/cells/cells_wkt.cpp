@@ -30,10 +30,11 @@ Result<void> writeWktCells(ByteSink& sink, const CellsOutput& output) {
   if (auto written = sink.write("GEOMETRYCOLLECTION ("); !written) {
     return written;
   }
-  auto polygons = writeEach(sink, diagram.status.size(), [&](Bytes& text, std::size_t site) {
-    print(text, FMT_COMPILE("{}"), site == 0 ? "\n" : ",\n");
+  const auto put = [&](Bytes& text, std::size_t site) {
+    text.append(std::string_view(site == 0 ? "\n" : ",\n"));
     printCell(text, {diagram, site, output.system});
-  });
+  };
+  auto polygons = writeEach(sink, diagram.status.size(), put, output.threads);
   if (!polygons) {
     return polygons;
   }

@@ -80,11 +80,12 @@ void printFeature(Bytes& text, const CellsOutput& output, const std::vector<std:
 
 Result<void> writeCellFeatures(ByteSink& sink, FeaturesAs as, const CellsOutput& output) {
   const auto keys = keysOf(output);
-  return writeFeatures(sink, as, output.sites.size(), [&](Bytes& text, std::size_t site) {
+  const auto put = [&](Bytes& text, std::size_t site) {
     if (output.only_cells && !hasPolygon(output.diagram, site)) return false;
     printFeature(text, output, keys, site);
     return true;
-  });
+  };
+  return writeFeatures(sink, as, output.sites.size(), put, output.threads);
 }
 
 }  // namespace vorpipe

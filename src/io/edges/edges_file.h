@@ -17,6 +17,7 @@ struct EdgesOutput {
   const Diagram& diagram;
   const Topology& topology;   ///< of the diagram
   CoordinateSystem system{};  ///< of all positions
+  int threads = 0;            ///< that text is put together on; 0 for all
 };
 
 /// An edge as its first cell has it.

@@ -10,11 +10,12 @@ Result<void> writeWktEdges(ByteSink& sink, const EdgesOutput& output) {
   if (count == 0) return sink.write("GEOMETRYCOLLECTION EMPTY\n");
   return sink.write("GEOMETRYCOLLECTION (")
       .and_then([&] {
-        return writeEach(sink, count, [&](Bytes& text, std::size_t edge) {
+        const auto put = [&](Bytes& text, std::size_t edge) {
           const EdgeLine line = edgeLine(output, edge);
           print(text, FMT_COMPILE("{}\nLINESTRING ({} {}, {} {})"), edge == 0 ? "" : ",", line.begin.x,
                 line.begin.y, line.end.x, line.end.y);
-        });
+        };
+        return writeEach(sink, count, put, output.threads);
       })
       .and_then([&] { return sink.write("\n)\n"); });
 }

@@ -17,7 +17,7 @@ Result<void> writePointFeatures(ByteSink& sink, FeaturesAs as, const PointsOutpu
     key.push_back(':');
     keys.push_back(fmt::to_string(key));
   }
-  return writeFeatures(sink, as, sites.size(), [&](Bytes& text, std::size_t site) {
+  const auto put = [&](Bytes& text, std::size_t site) {
     print(text, FMT_COMPILE(R"({{"type":"Feature","id":{},"properties":{{)"), site);
     if (!sites.weight.empty()) print(text, FMT_COMPILE(R"("weight":{})"), sites.weight[site]);
     for (std::size_t k = 0; k < keys.size(); ++k) {
@@ -29,7 +29,8 @@ Result<void> writePointFeatures(ByteSink& sink, FeaturesAs as, const PointsOutpu
     printJsonPoint(text, {sites.x[site], sites.y[site]});
     text.append(std::string_view("}}"));
     return true;
-  });
+  };
+  return writeFeatures(sink, as, sites.size(), put, output.threads);
 }
 
 }  // namespace vorpipe

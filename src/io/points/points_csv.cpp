@@ -18,7 +18,7 @@ Result<void> writeCsvPoints(ByteSink& sink, const PointsOutput& output) {
   }
   header.push_back('\n');
   return writeAll(sink, header).and_then([&] {
-    return writeEach(sink, sites.size(), [&](Bytes& text, std::size_t site) {
+    const auto put = [&](Bytes& text, std::size_t site) {
       print(text, FMT_COMPILE("{},{}"), sites.x[site], sites.y[site]);
       if (weighted) print(text, FMT_COMPILE(",{}"), sites.weight[site]);
       for (const Attribute& attribute : output.attributes) {
@@ -26,7 +26,8 @@ Result<void> writeCsvPoints(ByteSink& sink, const PointsOutput& output) {
         printCsvValue(text, attribute, site);
       }
       text.push_back('\n');
-    });
+    };
+    return writeEach(sink, sites.size(), put, output.threads);
   });
 }
 

@@ -17,6 +17,7 @@ struct PointsOutput {
   const Sites& sites;
   std::span<const Attribute> attributes{};  ///< each as long as the sites
   CoordinateSystem system{};
+  int threads = 0;  ///< that text is put together on; 0 for all
 };
 
 /// A kind of file for sites. Each has a file of its own, points_NAME.cpp, and a line in points_file.cpp.

@@ -7,11 +7,12 @@ namespace {
 /// A site to a line: x, y, and its weight where it has one.
 Result<void> writeTxtPoints(ByteSink& sink, const PointsOutput& output) {
   const Sites& sites = output.sites;
-  return writeEach(sink, sites.size(), [&](Bytes& text, std::size_t site) {
+  const auto put = [&](Bytes& text, std::size_t site) {
     print(text, FMT_COMPILE("{} {}"), sites.x[site], sites.y[site]);
     if (!sites.weight.empty()) print(text, FMT_COMPILE(" {}"), sites.weight[site]);
     text.push_back('\n');
-  });
+  };
+  return writeEach(sink, sites.size(), put, output.threads);
 }
 
 }  // namespace

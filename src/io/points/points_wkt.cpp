@@ -6,9 +6,10 @@ namespace {
 
 /// A POINT to a line.
 Result<void> writeWktPoints(ByteSink& sink, const PointsOutput& output) {
-  return writeEach(sink, output.sites.size(), [&](Bytes& text, std::size_t site) {
+  const auto put = [&](Bytes& text, std::size_t site) {
     print(text, FMT_COMPILE("POINT ({} {})\n"), output.sites.x[site], output.sites.y[site]);
-  });
+  };
+  return writeEach(sink, output.sites.size(), put, output.threads);
 }
 
 }  // namespace

@@ -23,24 +23,24 @@ enum class FeaturesAs : std::uint8_t {
 };
 
 /// Writes the feature that `put(bytes, index)` appends for each index below `count`; put returns false where
-/// it appends none. Error (device): writing failed.
+/// it appends none. It is called as writeEach() calls it. Error (device): writing failed.
 template <class Put>
-Result<void> writeFeatures(ByteSink& sink, FeaturesAs as, std::size_t count, const Put& put) {
+Result<void> writeFeatures(ByteSink& sink, FeaturesAs as, std::size_t count, const Put& put, int threads) {
   const bool lines = as == FeaturesAs::lines;
   if (!lines) {
     if (auto written = sink.write(R"({"type":"FeatureCollection","features":[)"); !written) return written;
   }
-  bool first = true;
-  auto written = writeEach(sink, count, [&](Bytes& text, std::size_t index) {
+  const auto putFeature = [&](Bytes& text, std::size_t index) {
     const std::size_t before = text.size();
-    if (!lines) text.append(std::string_view(first ? "\n" : ",\n"));
+    if (!lines) text.append(std::string_view(",\n"));
     if (!put(text, index)) {
       text.resize(before);
-      return;
+    } else if (lines) {
+      text.push_back('\n');
     }
-    if (lines) text.push_back('\n');
-    first = false;
-  });
+  };
+  const std::size_t first_comma = lines ? 0 : 1;
+  auto written = writeEach(sink, count, putFeature, threads, first_comma);
   if (!written || lines) return written;
   return sink.write("\n]}\n");
 }

@@ -4,9 +4,14 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
 
+#include "base/parallel.h"
 #include "io/files/byte_sink.h"
 #include "vorpipe.h"
 
@@ -15,10 +20,27 @@ namespace vorpipe {
 /// Bytes of a file before they are written.
 using Bytes = fmt::memory_buffer;
 
+/// At most so many characters print a value: those of -2.2250738585072014e-308, or its own.
+template <class Value>
+std::size_t longestText(const Value& value) {
+  if constexpr (std::is_arithmetic_v<Value>) {
+    return 24;
+  } else {
+    return std::string_view(value).size();
+  }
+}
+
 /// Appends text; `format` is a FMT_COMPILE, and a double prints as the shortest text that reads back to it.
+/// No field is wider than 24 characters, so that a double is never written with a fixed number of decimals.
 template <class Format, class... Values>
 void print(Bytes& bytes, const Format& format, const Values&... values) {
-  fmt::format_to(fmt::appender(bytes), format, values...);
+  // Straight into memory with room enough: fmt asks a buffer for room again with each piece of a number.
+  constexpr auto text = static_cast<fmt::string_view>(Format());
+  constexpr auto fields = std::count(text.begin(), text.end(), '{');
+  const auto size = bytes.size();
+  bytes.resize(size + text.size() + fields * std::max({std::size_t{0}, longestText(values)...}));
+  const char* const end = fmt::format_to(bytes.data() + size, format, values...);
+  bytes.resize(static_cast<std::size_t>(end - bytes.data()));
 }
 
 /// Appends what `put(bytes, index)` appends for each index below `count`, `separator` between them.
@@ -58,16 +80,36 @@ inline Result<void> writeIfFull(ByteSink& sink, Bytes& bytes) {
   return bytes.size() < full ? Result<void>() : writeAll(sink, bytes);
 }
 
-/// Writes what `put(bytes, index)` appends for each index below `count`, through a buffer that is handed
-/// on when it is full. Error (device): writing failed.
+/// Writes what `put(bytes, index)` appends for each index below `count`, but for the first `skipped` bytes.
+/// put() is called on up to `threads` threads at once, 0 for all, and by more than one block ahead of what
+/// has been written. Error (device): writing failed.
 template <class Put>
-Result<void> writeEach(ByteSink& sink, std::size_t count, const Put& put) {
-  Bytes bytes;
-  for (std::size_t i = 0; i < count; ++i) {
-    put(bytes, i);
-    if (auto written = writeIfFull(sink, bytes); !written) return written;
+Result<void> writeEach(ByteSink& sink, std::size_t count, const Put& put, int threads = 1,
+                       std::size_t skipped = 0) {
+  constexpr std::size_t in_block = 256, blocks_per_thread = 4, worth_threads = 4096;
+  if (count < worth_threads) threads = 1;
+  const std::size_t blocks = blocks_per_thread * static_cast<std::size_t>(threadCount(threads));
+  std::vector<Bytes> next(blocks), done(blocks);
+  Result<void> written;
+  const auto writeDone = [&] {
+    for (Bytes& bytes : done) {
+      const std::size_t from = std::min(skipped, bytes.size());
+      skipped -= from;
+      if (written) written = sink.write({bytes.data() + from, bytes.size() - from});
+      bytes.clear();
+    }
+  };
+  for (std::size_t first = 0; first < count && written; first += blocks * in_block) {
+    // One thread writes what was put before while the others put what comes next.
+    parallelFor(blocks + 1, 1, threads, [&](std::size_t task, std::size_t) {
+      if (task == 0) return writeDone();
+      const std::size_t begin = std::min(count, first + (task - 1) * in_block);
+      for (auto i = begin; i < std::min(count, begin + in_block); ++i) put(next[task - 1], i);
+    });
+    std::swap(next, done);
   }
-  return writeAll(sink, bytes);
+  if (written) writeDone();
+  return written;
 }
 
 }  // namespace vorpipe
