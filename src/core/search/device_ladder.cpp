@@ -85,6 +85,7 @@ Result<void> CellLadder::tryTile(const Tile& tile, const Ask& ask) {
   if (auto given = upload_.give(tile); !given) return given;
   const Sample sample(tile.own);
   const auto before = left_.size();
+  hidden_ = 0;
   Large large;
   if (auto tried = tryFast(tile, sample.cells, ask, large); !tried) return tried;
   // A few that need more room do not change what the sample tells.
@@ -92,7 +93,7 @@ Result<void> CellLadder::tryTile(const Tile& tile, const Ask& ask) {
     if (auto tried = tryLarge(tile, ask, large); !tried) return tried;
   }
   const auto failed = left_.size() - before;
-  if (sample.isHopeless(failed) || areMany(sample.expected(failed))) {
+  if (sample.isHopeless(failed) || areMany(sample.expected(failed)) || sample.areMostlyHidden(hidden_)) {
     leave(tile, large.cells);
     leave(tile, sample.rest);
     return {};
@@ -125,6 +126,7 @@ Result<void> CellLadder::tryCells(const Tile& tile, Which which, Effort effort, 
     status.assign(count, CellStatus::missing);
     if (auto asked = ask.by_grid(tile, part, effort, status); !asked) return asked;
     for (std::size_t e = 0; e < count; ++e) {
+      hidden_ += status[e] == CellStatus::empty ? 1u : 0u;
       if (isDone(status[e])) continue;
       const auto site = tile.wholeIndex(part[e]);
       if (fast && status[e] == CellStatus::overflow) {

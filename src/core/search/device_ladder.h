@@ -93,6 +93,7 @@ class CellLadder {
   bool any_roomy_;           ///< any of these, before this climb
   std::vector<bool> roomy_;  ///< by site: needs more room than a fast try has
   std::size_t done_ = 0;     ///< cells of this climb, for the progress
+  std::size_t hidden_ = 0;   ///< of the cells that a tile was asked for, those that came out empty
   std::optional<FlannSearch> lists_;
   std::uint64_t retried_ = 0, in_double_ = 0, exact_ = 0;
   double search_seconds_ = 0, judge_seconds_ = 0;

@@ -31,6 +31,10 @@ struct Sample {
 
   /// Whether so few of the rest will do that the judge finds all of them sooner than a device tries them.
   [[nodiscard]] bool isHopeless(std::size_t failed) const { return 4 * failed > 3 * cells.size(); }
+
+  /// Whether weights hide so many, if they hide `hidden` of the sample, that a triangulation of all sites is
+  /// made sooner: it drops a hidden site at once, where a device must look far around it for a heavier one.
+  [[nodiscard]] bool areMostlyHidden(std::size_t hidden) const { return 3 * hidden > cells.size(); }
 };
 
 }  // namespace vorpipe::core
