@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -19,6 +20,7 @@
 #include "bench/measured/driver_threads.h"
 #include "bench/measured/machine.h"
 #include "cli/kept_memory.h"
+#include "io/sites/sites_file.h"
 
 namespace vorpipe::test {
 namespace {
@@ -58,7 +60,7 @@ void addOptions(CLI::App& app, Wanted& wanted) {
          "random weights for those without: up to this many squares of the mean distance of neighbors")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  app.add_option("--patterns", wanted.patterns, "names, or all without weights")
+  app.add_option("--patterns", wanted.patterns, "names, or all without weights; or files of sites")
       ->delimiter(',')
       ->capture_default_str();
   app.add_option("--backends", wanted.backends, "names")->delimiter(',')->capture_default_str();
@@ -111,13 +113,25 @@ Result<void> openSessions(const Wanted& wanted, Contestants& contestants) {
   return {};
 }
 
+/// A file's sites, where the pattern names one; else those of the pattern.
+Result<DataSet> makeSet(const std::string& pattern, const Wanted& wanted) {
+  const std::filesystem::path path = pattern;
+  if (!path.has_extension()) return makeDataSet(pattern, wanted.sites, wanted.seed);
+  auto table = readSites(pattern);
+  if (!table) return tl::unexpected(table.error());
+  const Box domain = boxAround(table->sites);
+  return DataSet{path.stem().string(), std::move(table->sites), domain};
+}
+
 Result<void> makeRounds(const Wanted& wanted, std::deque<Round>& rounds) {
   BackendOptions cpu;
   cpu.name = "cpu";
   auto judge = Session::open(cpu);
   if (!judge) return tl::unexpected(judge.error());
   for (const auto& pattern : wanted.patterns) {
-    Round round{makeInput(makeDataSet(pattern, wanted.sites, wanted.seed), wanted.weights, wanted.seed), {}};
+    auto set = makeSet(pattern, wanted);
+    if (!set) return tl::unexpected(set.error());
+    Round round{makeInput(std::move(*set), wanted.weights, wanted.seed), {}};
     CellsOptions options{};
     options.domain = round.input.set.domain;
     auto reference = judge->cells(round.input.set.sites, options);

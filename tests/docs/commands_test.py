@@ -24,6 +24,7 @@ PAGES += sorted(str(page.relative_to(ROOT)) for page in (ROOT / 'docs').glob('*.
 BUILDS = 'it builds, or runs what only another preset or target builds'
 SELFTEST = 'it takes long on software drivers; the test cli_selftest runs the like of it'
 DRIVERS = 'it takes minutes; the tests vulkan and conformance are what it runs'
+NUMPY = 'it takes a python3 with NumPy, whose own is not that of every shell'
 WINDOW = 'it opens a window; the test view plays the like of it'
 NOT_RUN = {
     'python3 tests/faults/campaign.py build/dev/src/cli/vorpipe --moments 200': 'it takes an hour; the test faults does',
@@ -42,7 +43,13 @@ NOT_RUN = {
     'build/dev/tests/fuzz/fuzz_replay build/fuzz/corpus 200 cells': 'the inputs are those that libFuzzer has found',
     'tests/fuzz/run.sh --seconds 3600': 'it takes hours, and a compiler of its own; the test fuzz runs the targets',
     'tests/aarch64/run.sh': 'it takes a quarter of an hour',
-    'python3 tests/bench/kinds.py build/kinds 1000': 'it takes a python3 with NumPy, whose own is not that of every shell',
+    'python3 tests/registers/registers.py build/release/src/cli/vorpipe build/dev/tests/registers':
+        'the test registers runs it',
+    'python3 tests/bench/kinds.py build/kinds 200000': NUMPY,
+    'tests/bench/run.sh --patterns build/kinds/towns.npy,build/kinds/halo.npy --backends cpu --threads 2 --repetitions 3':
+        BUILDS,
+    'python3 tests/bench/versions.py --last v0.1.0': BUILDS,
+    'python3 tests/bench/kinds.py build/kinds 1000': NUMPY,
     './run bench': 'it takes minutes; the test cli_bench runs each table',
     './run bench all --json all.json --plot all.svg': 'it takes an hour; the test cli_bench runs each table',
     './run selftest --quick': SELFTEST,
