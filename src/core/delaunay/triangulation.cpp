@@ -7,6 +7,7 @@
 #include <atomic>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <mutex>
 #include <numeric>
@@ -28,11 +29,37 @@ std::uint64_t mixed(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// The round from the end in which a point is inserted: 0 with probability 15/16, 1 with 15/256, and so on.
-std::size_t roundOf(std::size_t point) {
-  constexpr int bits = 4;
-  return static_cast<std::size_t>(std::countr_zero(mixed(point)) / bits);
-}
+/// The rounds in which points are inserted, counted from the last one.
+class Rounds {
+ public:
+  explicit Rounds(const std::vector<double>& weights) : weights_(weights) {
+    constexpr std::size_t sample = 1024;
+    if (weights.empty()) return;
+    std::vector<double> some;
+    for (std::size_t k = 0; k < sample; ++k) some.push_back(weights[k * weights.size() / sample]);
+    std::sort(some.begin(), some.end(), std::greater<>());
+    std::size_t heavier = sample;
+    for (auto& least : heavy_) least = some[heavier /= 4];
+  }
+
+  /// 0 with probability 15/16, 1 with 15/256, and so on. A point that is among the heaviest quarter comes a
+  /// round earlier, one of the heaviest sixteenth two, and so on: they hide most of those that are hidden,
+  /// which then never come in.
+  [[nodiscard]] std::size_t of(std::size_t point) const {
+    constexpr int bits = 4;
+    auto round = static_cast<std::size_t>(std::countr_zero(mixed(point)) / bits);
+    if (weights_.empty()) return round;
+    for (const auto least : heavy_) round += weights_[point] > least ? 1u : 0u;
+    return round;
+  }
+
+  static constexpr std::size_t most = 20;
+
+ private:
+  const std::vector<double>& weights_;
+  std::array<double, 3>
+      heavy_{};  ///< the weights that a quarter, a sixteenth and a 64th of the points exceed
+};
 
 struct InsertionOrder {
   std::vector<std::int32_t> points;
@@ -41,12 +68,13 @@ struct InsertionOrder {
 
 /// Rounds keep cavities small whatever the points; inside a round they ascend, so that walks are short. With
 /// few rounds most of them are in the processor's cache.
-InsertionOrder insertionOrder(std::size_t count) {
-  std::array<std::size_t, 17> end{};
-  for (std::size_t i = 0; i < count; ++i) ++end[roundOf(i)];
+InsertionOrder insertionOrder(std::size_t count, const std::vector<double>& weights) {
+  const Rounds rounds(weights);
+  std::array<std::size_t, Rounds::most> end{};
+  for (std::size_t i = 0; i < count; ++i) ++end[rounds.of(i)];
   for (auto r = end.size() - 1; r > 0; --r) end[r - 1] += end[r];
   InsertionOrder order{std::vector<std::int32_t>(count), {end.rbegin(), end.rend()}};
-  for (auto i = count; i-- > 0;) order.points[--end[roundOf(i)]] = static_cast<std::int32_t>(i);
+  for (auto i = count; i-- > 0;) order.points[--end[rounds.of(i)]] = static_cast<std::int32_t>(i);
   return order;
 }
 
@@ -101,7 +129,7 @@ class Triangulation {
       : mesh_{points, weights, {}, {}, {}, {}, {}}, threads_(threadCount(threads)) {}
 
   Mesh build() {
-    order_ = insertionOrder(mesh_.points.size());
+    order_ = insertionOrder(mesh_.points.size(), mesh_.weights);
     if (!begin()) return {};
     std::size_t done = 3;
     for (const auto end : order_.round_ends) {
