@@ -15,7 +15,7 @@ if(VORPIPE_BATCHES)
 endif()
 
 # vorpipe_batches(target [LEAST count] [ALONE name...]): its sources in batches of whole folders, as many as it takes to
-# have `count` sources, or a dozen. ALONE are files with private names that others of the batch have as well, of which
+# have `count` sources, or a dozen; a folder of more than 45 is several batches. ALONE are files with private names that others of the batch have as well, of which
 # the compiler says "redefinition" or "shadows"; before a name that files of other folders have too stands its folder,
 # as in sites/weights.cpp.
 function(vorpipe_batches target)
@@ -38,8 +38,8 @@ function(vorpipe_batches target)
       continue()
     endif()
     string(REPLACE "${CMAKE_CURRENT_SOURCE_DIR}/" "" folder "${folder}")
-    if(count EQUAL 0 OR (count GREATER_EQUAL ${arg_LEAST} AND NOT folder STREQUAL folder_before))
-      string(MAKE_C_IDENTIFIER "batch_${folder}" group)
+    if(count EQUAL 0 OR count GREATER_EQUAL 45 OR (count GREATER_EQUAL ${arg_LEAST} AND NOT folder STREQUAL folder_before))
+      string(MAKE_C_IDENTIFIER "batch_${folder}_${name}" group)
       set(count 0)
     endif()
     set(folder_before "${folder}")
@@ -48,37 +48,39 @@ function(vorpipe_batches target)
   endforeach()
 endfunction()
 
-# Sources of rooms that are compiled each alone.
+# Sources that are compiled each alone.
 set(vorpipe_alone
     cells_vtk.cpp
     check/nearest_site.cpp
-    delaunay/mesh_cells.cpp
-    delaunay/triangulation.cpp
-    discs/far_disc.cpp
+    cpu/nearest_site.cpp
+    cells/mesh_cells.cpp
+    geometry/triangulation.cpp
+    geometry/far_disc.cpp
     fish.cpp
-    forecast/spread.cpp
     legend.cpp
-    locate/locator.cpp
-    measured/plot.cpp
-    outline/clip_cell.cpp
-    panel/panel.cpp
-    periodic/band_proof.cpp
+    session/locator.cpp
+    bench/plot.cpp
+    domain/clip_cell.cpp
+    view/panel.cpp
+    domain/band_proof.cpp
     picture_files.cpp
-    pipelines/cells.cpp
-    pipelines/geometry.cpp
+    opengl/cells.cpp
+    opengl/geometry.cpp
     png_file.cpp
     polygon_drawing.cpp
-    search/bisectors.cpp
+    cells/bisectors.cpp
     sites/site_set.cpp
     sites/weights.cpp
     stages.cpp
     svg_picture.cpp
     thesis.cpp
-    ties/tied_vertices.cpp
+    cells/tied_vertices.cpp
     uncovered.cpp
+    vulkan/compute_cells.cpp
+    vulkan/compute_draw.cpp
+    vulkan/draw.cpp
+    vulkan/geometry.cpp
+    vulkan/sorted_sites.cpp
+    vulkan/triangle_list.cpp
     window/vulkan_presenter.cpp
     zsh.cpp)
-# Houses whose rooms are compiled together, but for rooms whose sources are much alike and so are their private names.
-set(vorpipe_batched_houses vorpipe_ vorpipe_bench_ vorpipe_cli_ vorpipe_io_ vorpipe_moved_ vorpipe_opengl_ vorpipe_view_
-                           vorpipe_vulkan_)
-set(vorpipe_lone_rooms vorpipe_vulkan_compute)

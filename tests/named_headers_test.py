@@ -68,10 +68,9 @@ def reached(sources, path):
     return found
 
 
-def house(path):
-    """The folder of the folders that may be compiled as one."""
-    folder = path.rpartition('/')[0]
-    return folder.rpartition('/')[0] or folder
+def folder(path):
+    """The folder of what may be compiled as one."""
+    return path.rpartition('/')[0]
 
 
 def missing(sources):
@@ -85,10 +84,10 @@ def missing(sources):
     reach = {path: reached(sources, path) for path in sources if path.endswith('.cpp')}
     near_of = {}
     for path, headers in reach.items():
-        near_of.setdefault(house(path), set()).update(headers)
+        near_of.setdefault(folder(path), set()).update(headers)
     for path in reach:
         source = sources[path]
-        near = near_of[house(path)]
+        near = near_of[folder(path)]
         for name in sorted(source.words & declared_in.keys()):
             headers = declared_in[name] & near
             if headers and not headers & reach[path] and source.uses(name, spaces) and not any(

@@ -13,8 +13,8 @@
 #include "arrays.h"
 #include "choices.h"
 #include "errors.h"
+#include "io/base/number.h"
 #include "io/cells/cell_attributes.h"
-#include "io/text/number.h"
 #include "members.h"
 #include "results.h"
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "io/attributes/attribute.h"
+#include "io/base/attribute.h"
 
 namespace vorpipe::python {
 

@@ -7,7 +7,7 @@
 #include "choices.h"
 #include "errors.h"
 #include "io/cells/cells_file.h"
-#include "io/edges/edges_file.h"
+#include "io/cells/edges_file.h"
 #include "members.h"
 #include "results.h"
 #include "saving.h"

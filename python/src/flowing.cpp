@@ -10,9 +10,9 @@
 #include "arrays.h"
 #include "choices.h"
 #include "errors.h"
-#include "io/files/extension.h"
-#include "io/fluid/fluid_state.h"
-#include "io/points/points_file.h"
+#include "io/base/extension.h"
+#include "io/cells/fluid_state.h"
+#include "io/cells/points_file.h"
 #include "saving.h"
 
 namespace vorpipe::python {

@@ -8,7 +8,7 @@
 #include "arrays.h"
 #include "choices.h"
 #include "errors.h"
-#include "io/domain/density_place.h"
+#include "io/sites/density_place.h"
 #include "members.h"
 #include "runs.h"
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "attributes.h"
-#include "io/domain/site_domain.h"
+#include "io/sites/site_domain.h"
 #include "systems.h"
 #include "table.h"
 #include "vorpipe.h"

@@ -12,7 +12,7 @@
 #include "arrays.h"
 #include "choices.h"
 #include "errors.h"
-#include "io/files/extension.h"
+#include "io/base/extension.h"
 #include "io/pictures/georeference.h"
 #include "io/pictures/picture_file.h"
 #include "look.h"

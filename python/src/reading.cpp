@@ -14,9 +14,9 @@
 
 #include "arrays.h"
 #include "errors.h"
+#include "io/base/byte_sink.h"
 #include "io/cells/cell_polygons.h"
 #include "io/cells/cells_file.h"
-#include "io/files/byte_sink.h"
 #include "members.h"
 #include "results.h"
 #include "runs.h"

@@ -10,7 +10,7 @@
 #include "choices.h"
 #include "errors.h"
 #include "input.h"
-#include "io/points/points_file.h"
+#include "io/cells/points_file.h"
 #include "io/sites/sites_file.h"
 #include "members.h"
 #include "saving.h"

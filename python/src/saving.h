@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "errors.h"
-#include "io/files/output_file.h"
+#include "io/base/output_file.h"
 #include "runs.h"
 #include "vorpipe.h"
 

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "choices.h"
-#include "io/attributes/coordinate_system.h"
+#include "io/base/coordinate_system.h"
 
 namespace vorpipe::python {
 

@@ -13,7 +13,7 @@
 #include "arrays.h"
 #include "errors.h"
 #include "input.h"
-#include "io/columns/csv_columns.h"
+#include "io/sites/csv_columns.h"
 #include "io/sites/degrees.h"
 #include "io/sites/site_source.h"
 #include "members.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "attributes.h"
-#include "io/attributes/coordinate_system.h"
+#include "io/base/coordinate_system.h"
 #include "io/sites/site_source.h"
 #include "vorpipe.h"
 

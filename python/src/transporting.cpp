@@ -9,7 +9,7 @@
 #include "arrays.h"
 #include "choices.h"
 #include "errors.h"
-#include "io/points/points_file.h"
+#include "io/cells/points_file.h"
 #include "members.h"
 #include "saving.h"
 #include "session.h"

@@ -1,5 +1,5 @@
 // What the device makes of four numbers: plain expressions, each as a shader of ours has them. The twin of
-// Computed in src/backend/backend.h; src/core/session/arithmetic.cpp knows what they should be.
+// Computed in src/backend/backend.h; src/session/arithmetic.cpp knows what they should be.
 struct Computed {
     vec4 first;
     vec4 second;

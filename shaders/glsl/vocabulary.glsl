@@ -1,4 +1,4 @@
-// The words of the shared files as GLSL understands them; src/backend/cpu/clip/glsl.h is the C++ twin.
+// The words of the shared files as GLSL understands them; src/backend/cpu/glsl.h is the C++ twin.
 #define real float
 #define cell_int int
 #define cell_bool bool

@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 
 #include "c/failure.h"
-#include "io/files/error.h"
+#include "io/base/error.h"
 
 namespace vorpipe::c {
 

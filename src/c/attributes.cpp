@@ -11,9 +11,9 @@
 #include "c/failure.h"
 #include "c/handles.h"
 #include "c/options.h"
-#include "io/attributes/attribute.h"
+#include "io/base/attribute.h"
+#include "io/base/quoted.h"
 #include "io/sites/attribute_values.h"
-#include "io/text/quoted.h"
 
 namespace vorpipe::c {
 namespace {

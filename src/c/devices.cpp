@@ -8,7 +8,7 @@
 #include "c/handles.h"
 #include "c/options.h"
 #include "c/structs.h"
-#include "io/files/error.h"
+#include "io/base/error.h"
 
 namespace vorpipe::c {
 namespace {

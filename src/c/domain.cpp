@@ -12,8 +12,8 @@
 #include "c/options.h"
 #include "c/placed_input.h"
 #include "c/structs.h"
-#include "io/domain/outline_file.h"
-#include "io/files/error.h"
+#include "io/base/error.h"
+#include "io/sites/outline_file.h"
 #include "io/sites/site_source.h"
 
 namespace vorpipe::c {

@@ -10,7 +10,7 @@
 #include "c/placed_input.h"
 #include "c/session_use.h"
 #include "c/surface.h"
-#include "io/files/error.h"
+#include "io/base/error.h"
 #include "io/pictures/picture_file.h"
 
 namespace vorpipe::c {

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "c/vorpipe_c.h"
-#include "io/files/byte_sink.h"
-#include "io/files/output_file.h"
+#include "io/base/byte_sink.h"
+#include "io/base/output_file.h"
 #include "vorpipe.h"
 
 namespace vorpipe::c {

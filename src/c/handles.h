@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "c/vorpipe_c.h"
-#include "io/attributes/attribute.h"
-#include "io/attributes/coordinate_system.h"
-#include "io/domain/site_domain.h"
+#include "io/base/attribute.h"
+#include "io/base/coordinate_system.h"
+#include "io/sites/site_domain.h"
 #include "io/sites/site_source.h"
 #include "vorpipe.h"
 #include "vorpipe/fluid.h"

@@ -9,11 +9,11 @@
 #include "c/failure.h"
 #include "c/handles.h"
 #include "c/structs.h"
-#include "io/domain/density_file.h"
-#include "io/files/error.h"
+#include "io/base/error.h"
+#include "io/sites/density_file.h"
 #include "io/sites/site_source.h"
 #include "io/sites/sites_file.h"
-#include "io/weights/weights_file.h"
+#include "io/sites/weights_file.h"
 
 namespace vorpipe::c {
 namespace {

@@ -9,7 +9,7 @@
 #include "c/array.h"
 #include "c/vorpipe_c.h"
 #include "io/cells/cells_file.h"
-#include "io/edges/edges_file.h"
+#include "io/cells/edges_file.h"
 #include "io/pictures/picture_file.h"
 #include "io/sites/sites_file.h"
 #include "vorpipe.h"

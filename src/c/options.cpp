@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "c/structs.h"
-#include "io/files/error.h"
+#include "io/base/error.h"
 
 namespace vorpipe::c {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "c/handles.h"
 #include "c/vorpipe_c.h"
-#include "io/files/error.h"
+#include "io/base/error.h"
 #include "vorpipe.h"
 
 namespace vorpipe::c {

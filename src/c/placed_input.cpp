@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "io/base/error.h"
 #include "io/cells/cell_attributes.h"
-#include "io/domain/density_place.h"
-#include "io/files/error.h"
+#include "io/sites/density_place.h"
 
 namespace vorpipe::c {
 namespace {

@@ -8,8 +8,8 @@
 #include "c/failure.h"
 #include "c/options.h"
 #include "c/structs.h"
-#include "io/files/error.h"
-#include "io/text/json_text.h"
+#include "io/base/error.h"
+#include "io/base/json_text.h"
 #include "selftest/selftest_json.h"
 #include "vorpipe/selftest.h"
 

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "io/files/error.h"
+#include "io/base/error.h"
 
 namespace vorpipe::c {
 

@@ -11,10 +11,10 @@
 #include "c/placed_input.h"
 #include "c/shared_parts.h"
 #include "c/structs.h"
+#include "io/base/error.h"
+#include "io/base/extension.h"
 #include "io/cells/cells_file.h"
-#include "io/edges/edges_file.h"
-#include "io/files/error.h"
-#include "io/files/extension.h"
+#include "io/cells/edges_file.h"
 #include "io/pictures/picture_file.h"
 
 namespace vorpipe::c {

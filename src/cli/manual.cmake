@@ -8,6 +8,7 @@ set(vorpipe_pages ${vorpipe_manual_dir}/vorpipe.1)
 set(vorpipe_page_commands COMMAND vorpipe --help-man > ${vorpipe_manual_dir}/vorpipe.1)
 # Each subcommand has a file of its name.
 file(GLOB vorpipe_commands CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/commands/*.cpp)
+list(FILTER vorpipe_commands EXCLUDE REGEX "/main\\.cpp$")
 foreach(file IN LISTS vorpipe_commands)
   cmake_path(GET file STEM subcommand)
   list(APPEND vorpipe_pages ${vorpipe_manual_dir}/vorpipe-${subcommand}.1)

@@ -17,8 +17,8 @@
 #include <vector>
 
 #include "bench/contest.h"
-#include "bench/measured/driver_threads.h"
-#include "bench/measured/machine.h"
+#include "bench/driver_threads.h"
+#include "bench/machine.h"
 #include "cli/kept_memory.h"
 #include "io/sites/sites_file.h"
 

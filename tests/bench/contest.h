@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bench/input.h"
-#include "bench/measured/measured.h"
+#include "bench/measured.h"
 #include "bench/peers/peer.h"
 
 namespace vorpipe::test {

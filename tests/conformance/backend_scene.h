@@ -15,7 +15,7 @@
 
 #include "backend/backend.h"
 #include "backend/to_float.h"
-#include "core/sites/site_set.h"
+#include "sites/site_set.h"
 #include "support/oracles/oracle.h"
 #include "support/sites/unit.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "backend/vulkan/compute/compute.h"
+#include "backend/vulkan/compute.h"
 #include "backend/vulkan/vulkan_backend.h"
 #include "backend_scene.h"
 

@@ -7,11 +7,11 @@
 #include <random>
 
 #include "backend/site_texels.h"
-#include "backend/vulkan/compute/sorted_sites.h"
-#include "backend/vulkan/device/device.h"
-#include "backend/vulkan/device/instance.h"
-#include "backend/vulkan/device/physical.h"
-#include "backend/vulkan/device/structure.h"
+#include "backend/vulkan/device.h"
+#include "backend/vulkan/instance.h"
+#include "backend/vulkan/physical.h"
+#include "backend/vulkan/sorted_sites.h"
+#include "backend/vulkan/structure.h"
 #include "backend_scene.h"
 
 namespace vorpipe::vulkan {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "backend/vulkan/device/instance.h"
+#include "backend/vulkan/instance.h"
 
 namespace vorpipe::test {
 namespace {

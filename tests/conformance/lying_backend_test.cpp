@@ -6,8 +6,8 @@
 
 #include "backend/registry/registry.h"
 #include "conformance/cells_fixture.h"
-#include "core/cells/cells_run.h"
-#include "core/picture/picture.h"
+#include "domain/cells_run.h"
+#include "picture/picture.h"
 #include "support/devices/lying_backend.h"
 #include "support/oracles/oracle.h"
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "backend/vulkan/device/device_pool.h"
+#include "backend/vulkan/device_pool.h"
 
 namespace vorpipe::vulkan {
 namespace {

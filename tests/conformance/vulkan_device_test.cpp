@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "backend/capabilities.h"
-#include "backend/vulkan/device/physical.h"
+#include "backend/vulkan/physical.h"
 #include "backend/vulkan/vulkan_backend.h"
 
 namespace vorpipe::vulkan {

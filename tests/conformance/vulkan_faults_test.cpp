@@ -5,7 +5,7 @@
 #include <functional>
 #include <string_view>
 
-#include "backend/vulkan/device/error.h"
+#include "backend/vulkan/error.h"
 #include "backend/vulkan/vulkan_backend.h"
 #include "backend_scene.h"
 #include "called_functions.h"

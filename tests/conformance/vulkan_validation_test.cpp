@@ -10,13 +10,13 @@
 #include <string>
 
 #include "backend/backend.h"
-#include "backend/vulkan/device/device.h"
-#include "backend/vulkan/device/instance.h"
-#include "backend/vulkan/device/physical.h"
-#include "backend/vulkan/device/structure.h"
-#include "backend/vulkan/kernels/compute_kernels.h"
-#include "backend/vulkan/memory/bindings.h"
-#include "backend/vulkan/memory/buffer.h"
+#include "backend/vulkan/bindings.h"
+#include "backend/vulkan/buffer.h"
+#include "backend/vulkan/compute_kernels.h"
+#include "backend/vulkan/device.h"
+#include "backend/vulkan/instance.h"
+#include "backend/vulkan/physical.h"
+#include "backend/vulkan/structure.h"
 #include "shaders.h"
 
 namespace vorpipe::vulkan {

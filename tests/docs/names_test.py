@@ -3,7 +3,7 @@
 
 Links lead to files and headings. Decisions are numbered once, and the table of them lists all; comments in the code
 name numbers that exist. What stands in backticks in NAMING pages, files and names of the code, is in the tree;
-architecture.md has all rooms, in the order of the build; hacking.md names functions with their files. CITATION.cff has the version that is built.
+architecture.md has all modules, in the order of the build; hacking.md names functions with their files. CITATION.cff has the version that is built.
 """
 import pathlib
 import re
@@ -117,46 +117,45 @@ def check_names(fault, files):
                     fault(page, number, f'`{missing}` is not in the tree')
 
 
-def check_rooms(fault):
-    """architecture.md has a row for each room, and none else, in the order in which the rooms are listed for the build;
-    files to begin with are there; each folder of src and each backend is named."""
+def check_modules(fault):
+    """architecture.md has a row for each module, and none else, in the order in which they are listed for the build;
+    files to begin with are there; each folder of src that is no module is named."""
     page = ROOT / 'docs/architecture.md'
     text = page.read_text()
-    for house in ('src/core', 'src/io', 'src/cli', 'src/bench', 'src/backend/vulkan', 'src/backend/opengl', 'src/backend/cpu'):
-        built = re.findall(r'^vorpipe_room\((\w+)', (ROOT / house / 'CMakeLists.txt').read_text(), flags=re.M)
-        table = re.search(rf'\n\| room of `{house}` \|.*\n\|[-|]+\n((?:\|.*\n)+)', text)
-        rows = re.findall(r'^\| `(\w+)` \|.*\| (.*) \|$', table[1], flags=re.M) if table else []
-        if [room for room, _ in rows] != built:
-            fault(page, 1, f'the table of the rooms of {house} is not that of its CMakeLists.txt: {" ".join(built)}')
-        for room, files in rows:
-            for file in re.findall(r'`(\w+)`', files):
-                if not any((ROOT / house / room).glob(file + '.*')):
-                    fault(page, 1, f'{house}/{room} has no {file}')
-    for folder in sorted([*(ROOT / 'src').iterdir(), *(ROOT / 'src/backend').iterdir()]):
-        named = str(folder.relative_to(ROOT))
-        if folder.is_dir() and f'`{named}`' not in text:
-            fault(page, 1, f'`{named}` is not named')
+    built = re.findall(r'^vorpipe_module\(([\w/]+)', (ROOT / 'src/CMakeLists.txt').read_text(), flags=re.M)
+    table = re.search(r'\n\| module \|.*\n\|[-|]+\n((?:\|.*\n)+)', text)
+    rows = re.findall(r'^\| `([\w/]+)` \|.*\| (.*) \|$', table[1], flags=re.M) if table else []
+    if [module for module, _ in rows] != built:
+        fault(page, 1, f'the table of modules is not that of src/CMakeLists.txt: {" ".join(built)}')
+    for module, files in rows:
+        for file in re.findall(r'`(\w+)`', files):
+            if not any((ROOT / 'src' / module).glob(file + '.*')):
+                fault(page, 1, f'src/{module} has no {file}')
+    for folder in sorted((ROOT / 'src').iterdir()):
+        is_of_modules = any(module.split('/')[0] == folder.name for module in built)
+        if folder.is_dir() and not is_of_modules and f'`src/{folder.name}`' not in text:
+            fault(page, 1, f'src/{folder.name} is not named')
 
 
 def check_places(fault):
-    """In hacking.md: a file in a step of a walk is in the room of the step, a function beside a file is in that file, and
+    """In hacking.md: a file in a step of a tour is in the module of the step, a function beside a file is in that file, and
     the functions of a step of the journey are in its files."""
     page = ROOT / 'docs/hacking.md'
     lines = list(without_blocks(page.read_text()))
-    room = None
+    module = None
     for number, line in enumerate(lines, 1):
         step = re.match(r'\d+\. +\*\*`([\w/]+)`\*\*', line)
-        room = ROOT / step[1] if step else room if line.startswith('  ') else None
-        if room is not None:
+        module = ROOT / step[1] if step else module if line.startswith('  ') else None
+        if module is not None:
             text = line
             if number < len(lines) and lines[number].startswith('  '):
                 text += ' ' + lines[number].strip()
             for file in re.findall(r'`([\w-]+\.(?:h|cpp|glsl|comp|geom|cmake|txt))`', line):
                 # The shared files are included from elsewhere.
-                if not any((folder / file).is_file() for folder in (room, ROOT / 'shaders/glsl')) and file not in FOREIGN:
-                    fault(page, number, f'{file} is not in {room.relative_to(ROOT)}')
+                if not any((folder / file).is_file() for folder in (module, ROOT / 'shaders/glsl')) and file not in FOREIGN:
+                    fault(page, number, f'{file} is not in {module.relative_to(ROOT)}')
             for named, file in re.findall(r'`([\w:]+)` (?:\(|in )`([\w.]+)`', text):
-                if (room / file).is_file() and named.split('::')[-1] not in (room / file).read_text():
+                if (module / file).is_file() and named.split('::')[-1] not in (module / file).read_text():
                     fault(page, number, f'{file} does not have {named}')
         cells = [cell.strip() for cell in re.split(r'(?<!\\)\|', line)[1:-1]]
         if len(cells) == 4 and cells[0].isdigit():
@@ -195,7 +194,7 @@ def main():
     check_links(fault)
     check_decisions(fault, files)
     check_names(fault, files)
-    check_rooms(fault)
+    check_modules(fault)
     check_places(fault)
     check_citation(fault)
     for text in faults:

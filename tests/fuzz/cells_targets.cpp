@@ -6,11 +6,11 @@
 #include <set>
 
 #include "backend/cpu/exact_tier.h"
-#include "backend/cpu/lanes/grid_cells.h"
+#include "backend/cpu/grid_cells.h"
 #include "byte_stream.h"
-#include "core/search/device_eligible.h"
-#include "core/sites/site_set.h"
+#include "cells/device_eligible.h"
 #include "session.h"
+#include "sites/site_set.h"
 #include "target.h"
 #include "unit/fixtures/brute_force.h"
 

@@ -5,16 +5,16 @@
 #include <cmath>
 #include <string>
 
-#include "cli/reports/recorded_run.h"
-#include "io/domain/density_file.h"
-#include "io/domain/outline_file.h"
-#include "io/domain/site_domain.h"
-#include "io/fluid/fluid_state.h"
+#include "cli/recorded_run.h"
+#include "io/cells/fluid_state.h"
 #include "io/pictures/npy_ids.h"
 #include "io/pictures/png_file.h"
+#include "io/sites/density_file.h"
+#include "io/sites/outline_file.h"
+#include "io/sites/site_domain.h"
 #include "session.h"
 #include "target.h"
-#include "view/events/script.h"
+#include "view/script.h"
 #include "vorpipe/fluid.h"
 
 namespace vorpipe::fuzz {

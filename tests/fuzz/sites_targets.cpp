@@ -3,11 +3,11 @@
 #include <array>
 #include <cmath>
 
-#include "io/geopackage/geometry_points.h"
-#include "io/points/points_file.h"
+#include "io/base/geometry_points.h"
+#include "io/cells/points_file.h"
+#include "io/sites/masses_file.h"
 #include "io/sites/sites_file.h"
-#include "io/weights/masses_file.h"
-#include "io/weights/weights_file.h"
+#include "io/sites/weights_file.h"
 #include "target.h"
 
 namespace vorpipe::fuzz {

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "io/text/quoted.h"
+#include "io/base/quoted.h"
 #include "target.h"
 
 namespace vorpipe::fuzz {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "backend/vulkan/device/error.h"
+#include "backend/vulkan/error.h"
 #include "conformance/faulty_device.h"
 #include "conformance/faulty_gl.h"
 #include "view/window/window.h"

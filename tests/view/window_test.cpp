@@ -17,7 +17,7 @@
 #include <variant>
 #include <vector>
 
-#include "view/screen.h"
+#include "view/test_screen.h"
 
 namespace vorpipe::view {
 namespace {

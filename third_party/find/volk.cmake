@@ -1,4 +1,4 @@
-# Debian's volk has neither a library nor a CMake package: backend/vulkan/device/volk.cpp compiles it.
+# Debian's volk has neither a library nor a CMake package: backend/vulkan/volk.cpp compiles it.
 find_path(VOLK_INCLUDE_DIR volk.h PATH_SUFFIXES volk)
 if(VOLK_INCLUDE_DIR)
   add_library(dep::volk INTERFACE IMPORTED)

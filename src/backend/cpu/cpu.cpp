@@ -7,10 +7,10 @@
 #include <fstream>
 #include <optional>
 
-#include "backend/cpu/clip/batch_cells.h"
-#include "backend/cpu/lanes/grid_cells.h"
-#include "backend/cpu/pixels/grid_pixels.h"
-#include "backend/cpu/pixels/picture.h"
+#include "backend/cpu/batch_cells.h"
+#include "backend/cpu/grid_cells.h"
+#include "backend/cpu/grid_pixels.h"
+#include "backend/cpu/picture.h"
 #include "backend/view_uniform.h"
 #include "base/parallel.h"
 #include "layout.glsl"

@@ -3,10 +3,10 @@
 #include <cassert>
 #include <optional>
 
-#include "backend/cpu/pixels/picture.h"
-#include "backend/cpu/tree/exact_cells.h"
-#include "backend/cpu/tree/near_cells.h"
-#include "backend/cpu/tree/tree_cells.h"
+#include "backend/cpu/exact_cells.h"
+#include "backend/cpu/near_cells.h"
+#include "backend/cpu/picture.h"
+#include "backend/cpu/tree_cells.h"
 
 namespace vorpipe {
 namespace {

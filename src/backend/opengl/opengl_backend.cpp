@@ -7,15 +7,15 @@
 #include <new>
 #include <utility>
 
-#include "backend/opengl/device/device.h"
-#include "backend/opengl/device/gl.h"
-#include "backend/opengl/memory/batch.h"
-#include "backend/opengl/memory/picture.h"
-#include "backend/opengl/memory/sites.h"
-#include "backend/opengl/pipelines/arithmetic.h"
-#include "backend/opengl/pipelines/cells.h"
-#include "backend/opengl/pipelines/geometry.h"
-#include "backend/opengl/pipelines/triangles.h"
+#include "backend/opengl/arithmetic.h"
+#include "backend/opengl/batch.h"
+#include "backend/opengl/cells.h"
+#include "backend/opengl/device.h"
+#include "backend/opengl/geometry.h"
+#include "backend/opengl/gl.h"
+#include "backend/opengl/picture.h"
+#include "backend/opengl/sites.h"
+#include "backend/opengl/triangles.h"
 #include "backend/to_float.h"
 
 namespace vorpipe {

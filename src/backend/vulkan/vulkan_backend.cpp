@@ -4,12 +4,12 @@
 #include <optional>
 #include <utility>
 
-#include "backend/vulkan/compute/compute.h"
-#include "backend/vulkan/device/device_pool.h"
-#include "backend/vulkan/device/error.h"
-#include "backend/vulkan/device/instance.h"
-#include "backend/vulkan/device/physical.h"
-#include "backend/vulkan/geometry/geometry.h"
+#include "backend/vulkan/compute.h"
+#include "backend/vulkan/device_pool.h"
+#include "backend/vulkan/error.h"
+#include "backend/vulkan/geometry.h"
+#include "backend/vulkan/instance.h"
+#include "backend/vulkan/physical.h"
 #include "base/parallel.h"
 
 namespace vorpipe {

@@ -7,19 +7,19 @@
 #include <filesystem>
 #include <memory>
 
-#include "bench/lab/conditions.h"
-#include "bench/measured/driver_threads.h"
-#include "bench/tables/tables.h"
+#include "bench/conditions.h"
+#include "bench/driver_threads.h"
+#include "bench/tables.h"
 #include "cli/commands/command.h"
+#include "cli/forecast.h"
+#include "cli/input.h"
+#include "cli/options/error_line.h"
 #include "cli/options/options.h"
-#include "cli/runs/forecast.h"
-#include "cli/runs/input.h"
-#include "cli/runs/run_end.h"
-#include "cli/terminal/error_line.h"
-#include "cli/terminal/progress.h"
-#include "io/files/error.h"
-#include "io/forecast/forecast_files.h"
-#include "io/text/quoted.h"
+#include "cli/progress.h"
+#include "cli/run_end.h"
+#include "io/base/error.h"
+#include "io/base/quoted.h"
+#include "io/cells/forecast_files.h"
 
 namespace vorpipe::cli {
 namespace {

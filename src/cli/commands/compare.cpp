@@ -4,18 +4,18 @@
 #include <memory>
 
 #include "base/stopwatch.h"
-#include "bench/measured/driver_threads.h"
+#include "bench/driver_threads.h"
 #include "cli/commands/command.h"
+#include "cli/comparison.h"
+#include "cli/forecast.h"
+#include "cli/input.h"
+#include "cli/options/error_line.h"
 #include "cli/options/options.h"
 #include "cli/options/picture_options.h"
-#include "cli/reports/comparison.h"
-#include "cli/reports/stats.h"
-#include "cli/runs/forecast.h"
-#include "cli/runs/input.h"
-#include "cli/runs/picture.h"
-#include "cli/runs/run_end.h"
-#include "cli/terminal/error_line.h"
-#include "cli/terminal/progress.h"
+#include "cli/picture.h"
+#include "cli/progress.h"
+#include "cli/run_end.h"
+#include "cli/stats.h"
 #include "io/pictures/png_file.h"
 
 namespace vorpipe::cli {

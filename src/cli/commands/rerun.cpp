@@ -8,14 +8,14 @@
 #include <memory>
 
 #include "cli/commands/command.h"
+#include "cli/options/error_line.h"
 #include "cli/options/options.h"
-#include "cli/reports/recorded_run.h"
-#include "cli/runs/run_end.h"
-#include "cli/terminal/error_line.h"
-#include "io/files/error.h"
-#include "io/files/input_file.h"
-#include "io/text/quoted.h"
-#include "io/text/shell_line.h"
+#include "cli/recorded_run.h"
+#include "cli/run_end.h"
+#include "io/base/error.h"
+#include "io/base/input_file.h"
+#include "io/base/quoted.h"
+#include "io/base/shell_line.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -6,15 +6,15 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "bench/measured/driver_threads.h"
-#include "bench/measured/machine.h"
+#include "bench/driver_threads.h"
+#include "bench/machine.h"
 #include "cli/commands/command.h"
+#include "cli/options/error_line.h"
 #include "cli/options/options.h"
-#include "cli/reports/selftest_text.h"
-#include "cli/runs/run_end.h"
-#include "cli/terminal/error_line.h"
-#include "cli/terminal/progress.h"
-#include "io/text/json_text.h"
+#include "cli/progress.h"
+#include "cli/run_end.h"
+#include "cli/selftest_text.h"
+#include "io/base/json_text.h"
 #include "selftest/selftest_json.h"
 
 namespace vorpipe::cli {

@@ -10,8 +10,8 @@
 
 #include "cli/manual/completions.h"
 #include "cli/manual/roff.h"
-#include "io/files/error.h"
-#include "io/text/quoted.h"
+#include "io/base/error.h"
+#include "io/base/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

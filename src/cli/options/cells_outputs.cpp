@@ -8,9 +8,9 @@
 
 #include "cli/options/options.h"
 #include "cli/options/standard_output.h"
+#include "io/base/error.h"
+#include "io/base/quoted.h"
 #include "io/cells/measures_npz.h"
-#include "io/files/error.h"
-#include "io/text/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

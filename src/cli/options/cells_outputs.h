@@ -6,7 +6,7 @@
 
 #include "cli/options/command_line.h"
 #include "io/cells/cells_file.h"
-#include "io/edges/edges_file.h"
+#include "io/cells/edges_file.h"
 #include "vorpipe.h"
 
 namespace vorpipe::cli {

@@ -7,11 +7,11 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/options/error_line.h"
 #include "cli/options/help_format.h"
 #include "cli/options/suggestion.h"
 #include "cli/options/unknown_option.h"
-#include "cli/terminal/error_line.h"
-#include "io/text/quoted.h"
+#include "io/base/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

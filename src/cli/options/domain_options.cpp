@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "io/domain/outline_file.h"
-#include "io/text/number.h"
-#include "io/text/quoted.h"
+#include "io/base/number.h"
+#include "io/base/quoted.h"
+#include "io/sites/outline_file.h"
 
 namespace vorpipe::cli {
 

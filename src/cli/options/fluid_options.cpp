@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "cli/options/options.h"
-#include "io/files/error.h"
-#include "io/files/extension.h"
-#include "io/fluid/fluid_state.h"
+#include "io/base/error.h"
+#include "io/base/extension.h"
+#include "io/base/number.h"
+#include "io/base/quoted.h"
+#include "io/cells/fluid_state.h"
 #include "io/sites/sites_file.h"
-#include "io/text/number.h"
-#include "io/text/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

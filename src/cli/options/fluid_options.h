@@ -9,8 +9,8 @@
 
 #include "cli/options/cells_outputs.h"
 #include "cli/options/command_line.h"
-#include "io/points/points_file.h"
-#include "view/document/flowing.h"
+#include "io/cells/points_file.h"
+#include "view/flowing.h"
 #include "vorpipe/fluid.h"
 
 namespace vorpipe::cli {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "io/text/quoted.h"
+#include "io/base/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "cli/options/options.h"
-#include "io/files/error.h"
-#include "io/text/number.h"
-#include "io/text/quoted.h"
+#include "io/base/error.h"
+#include "io/base/number.h"
+#include "io/base/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -8,11 +8,11 @@
 #include <cstdlib>
 
 #include "cli/options/domain_options.h"
+#include "cli/options/error_line.h"
 #include "cli/options/reading_options.h"
-#include "cli/terminal/error_line.h"
+#include "io/base/lower_case.h"
 #include "io/sites/site_source.h"
 #include "io/sites/sites_file.h"
-#include "io/text/lower_case.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include "cli/options/command_line.h"
 #include "cli/options/format_choice.h"
 #include "cli/options/parse.h"
-#include "io/domain/site_domain.h"
+#include "io/sites/site_domain.h"
 #include "io/sites/site_table.h"
 #include "vorpipe.h"
 

@@ -9,11 +9,11 @@
 #include <cmath>
 
 #include "cli/options/suggestion.h"
-#include "io/domain/outline_file.h"
-#include "io/files/extension.h"
+#include "io/base/extension.h"
+#include "io/base/number.h"
+#include "io/base/quoted.h"
 #include "io/sites/degrees.h"
-#include "io/text/number.h"
-#include "io/text/quoted.h"
+#include "io/sites/outline_file.h"
 
 namespace vorpipe::cli {
 namespace {

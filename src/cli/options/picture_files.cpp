@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "cli/options/options.h"
-#include "io/files/error.h"
-#include "io/files/extension.h"
+#include "io/base/error.h"
+#include "io/base/extension.h"
 
 namespace vorpipe::cli {
 namespace {

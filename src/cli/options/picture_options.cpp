@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "io/text/number.h"
-#include "io/text/quoted.h"
+#include "io/base/number.h"
+#include "io/base/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "io/text/quoted.h"
+#include "io/base/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

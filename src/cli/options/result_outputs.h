@@ -11,7 +11,7 @@
 #include "cli/options/command_line.h"
 #include "cli/options/options.h"
 #include "cli/options/picture_files.h"
-#include "io/points/points_file.h"
+#include "io/cells/points_file.h"
 
 namespace vorpipe::cli {
 

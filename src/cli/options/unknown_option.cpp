@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "cli/options/suggestion.h"
-#include "io/text/quoted.h"
+#include "io/base/quoted.h"
 
 namespace vorpipe::cli {
 namespace {

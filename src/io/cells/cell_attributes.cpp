@@ -7,9 +7,9 @@
 #include <string_view>
 #include <unordered_set>
 
-#include "io/text/field_text.h"
-#include "io/text/lower_case.h"
-#include "io/text/quoted.h"
+#include "io/base/field_text.h"
+#include "io/base/lower_case.h"
+#include "io/base/quoted.h"
 
 namespace vorpipe {
 namespace {

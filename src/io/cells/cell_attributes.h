@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "io/attributes/attribute.h"
-#include "io/text/print.h"
+#include "io/base/attribute.h"
+#include "io/base/print.h"
 
 namespace vorpipe {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "io/meshes/cell_rings.h"
+#include "io/cells/cell_rings.h"
 
 namespace vorpipe {
 namespace {

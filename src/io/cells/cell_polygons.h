@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "io/attributes/coordinate_system.h"
+#include "io/base/coordinate_system.h"
 #include "vorpipe.h"
 
 namespace vorpipe {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "io/text/print.h"
+#include "io/base/print.h"
 #include "vorpipe.h"
 
 namespace vorpipe {

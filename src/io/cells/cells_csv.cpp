@@ -1,10 +1,10 @@
 #include <string>
 
+#include "io/base/field_text.h"
 #include "io/cells/cell_attributes.h"
 #include "io/cells/cell_records.h"
+#include "io/cells/cell_rings.h"
 #include "io/cells/cells_file.h"
-#include "io/meshes/cell_rings.h"
-#include "io/text/field_text.h"
 
 namespace vorpipe {
 

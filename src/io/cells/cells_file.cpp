@@ -4,8 +4,8 @@
 #include <cassert>
 #include <new>
 
-#include "io/files/error.h"
-#include "io/files/format_list.h"
+#include "io/base/error.h"
+#include "io/base/format_list.h"
 
 namespace vorpipe {
 

@@ -2,14 +2,14 @@
 #include <utility>
 #include <vector>
 
+#include "io/base/attribute_fields.h"
+#include "io/base/field_text.h"
+#include "io/base/geopackage.h"
 #include "io/cells/cell_attributes.h"
 #include "io/cells/cell_polygons.h"
 #include "io/cells/cell_records.h"
+#include "io/cells/cell_rings.h"
 #include "io/cells/cells_file.h"
-#include "io/geopackage/attribute_fields.h"
-#include "io/geopackage/geopackage.h"
-#include "io/meshes/cell_rings.h"
-#include "io/text/field_text.h"
 
 namespace vorpipe {
 namespace {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "io/arrays/npy_array.h"
-#include "io/arrays/zip_file.h"
+#include "io/base/npy_array.h"
+#include "io/base/zip_file.h"
 #include "io/cells/cells_file.h"
 
 namespace vorpipe {

@@ -1,6 +1,6 @@
+#include "io/base/print.h"
 #include "io/cells/cells_file.h"
-#include "io/meshes/cells_mesh.h"
-#include "io/text/print.h"
+#include "io/cells/cells_mesh.h"
 
 namespace vorpipe {
 

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/base/print.h"
 #include "io/cells/cell_polygons.h"
+#include "io/cells/cell_rings.h"
 #include "io/cells/cells_file.h"
-#include "io/meshes/cell_rings.h"
-#include "io/text/print.h"
 
 namespace vorpipe {
 namespace {

@@ -1,9 +1,9 @@
 #include <string_view>
 
+#include "io/base/byte_order.h"
+#include "io/base/print.h"
 #include "io/cells/cells_file.h"
-#include "io/files/byte_order.h"
-#include "io/meshes/cells_mesh.h"
-#include "io/text/print.h"
+#include "io/cells/cells_mesh.h"
 
 namespace vorpipe {
 namespace {

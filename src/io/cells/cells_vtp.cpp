@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include "io/cells/cells_file.h"
-#include "io/meshes/mesh_arrays.h"
+#include "io/cells/mesh_arrays.h"
 
 namespace vorpipe {
 namespace {

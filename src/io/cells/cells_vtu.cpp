@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "io/cells/cells_file.h"
-#include "io/meshes/mesh_arrays.h"
+#include "io/cells/mesh_arrays.h"
 
 namespace vorpipe {
 namespace {

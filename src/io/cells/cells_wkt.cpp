@@ -1,6 +1,6 @@
+#include "io/base/print.h"
 #include "io/cells/cells_file.h"
 #include "io/cells/polygon_text.h"
-#include "io/text/print.h"
 
 namespace vorpipe {
 namespace {

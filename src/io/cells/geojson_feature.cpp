@@ -1,10 +1,10 @@
 #include "io/cells/geojson_feature.h"
 
+#include "io/base/field_text.h"
 #include "io/cells/cell_attributes.h"
 #include "io/cells/cell_records.h"
+#include "io/cells/cell_rings.h"
 #include "io/cells/polygon_text.h"
-#include "io/meshes/cell_rings.h"
-#include "io/text/field_text.h"
 
 namespace vorpipe {
 namespace {

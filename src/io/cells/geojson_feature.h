@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "io/base/geojson_text.h"
 #include "io/cells/cells_file.h"
-#include "io/text/geojson_text.h"
 
 namespace vorpipe {
 

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "io/arrays/npy_array.h"
-#include "io/arrays/zip_file.h"
+#include "io/base/npy_array.h"
+#include "io/base/zip_file.h"
 
 namespace vorpipe {
 namespace {

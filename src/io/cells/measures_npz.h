@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
+#include "io/base/byte_sink.h"
 #include "io/cells/cells_file.h"
-#include "io/files/byte_sink.h"
 #include "vorpipe.h"
 
 namespace vorpipe {

@@ -1,8 +1,8 @@
 /// Polygons with holes as nested lists of points, as GeoJSON and WKT have them.
 #pragma once
 
+#include "io/base/print.h"
 #include "io/cells/cell_polygons.h"
-#include "io/text/print.h"
 
 namespace vorpipe {
 

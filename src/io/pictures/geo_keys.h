@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/attributes/coordinate_system.h"
+#include "io/base/coordinate_system.h"
 
 namespace vorpipe {
 

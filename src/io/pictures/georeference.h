@@ -1,7 +1,7 @@
 /// Where the pixels of a picture lie in the coordinates of its sites.
 #pragma once
 
-#include "io/files/byte_sink.h"
+#include "io/base/byte_sink.h"
 #include "vorpipe.h"
 
 namespace vorpipe {

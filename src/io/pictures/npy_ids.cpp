@@ -9,12 +9,12 @@
 #include <type_traits>
 #include <utility>
 
-#include "io/arrays/npy_array.h"
-#include "io/arrays/npy_elements.h"
-#include "io/arrays/npy_header.h"
-#include "io/files/error.h"
-#include "io/files/input_file.h"
-#include "io/files/memory_room.h"
+#include "io/base/error.h"
+#include "io/base/input_file.h"
+#include "io/base/memory_room.h"
+#include "io/base/npy_array.h"
+#include "io/base/npy_elements.h"
+#include "io/base/npy_header.h"
 
 namespace vorpipe {
 namespace {

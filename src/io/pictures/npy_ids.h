@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "io/files/byte_sink.h"
+#include "io/base/byte_sink.h"
 #include "vorpipe.h"
 
 namespace vorpipe {

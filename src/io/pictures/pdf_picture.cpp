@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "io/files/error.h"
+#include "io/base/error.h"
+#include "io/base/print.h"
 #include "io/pictures/deflate.h"
 #include "io/pictures/vector_picture.h"
 #include "io/pictures/vector_text.h"
-#include "io/text/print.h"
 
 // PDF Reference, third edition (1.4): 3.4 (the file), 4.3 and 4.4 (what draws), 5.2 and 5.3 (text).
 

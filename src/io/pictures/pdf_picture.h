@@ -1,7 +1,7 @@
 /// Pictures of cells as PDF.
 #pragma once
 
-#include "io/files/byte_sink.h"
+#include "io/base/byte_sink.h"
 #include "vorpipe.h"
 
 namespace vorpipe {

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <span>
 
-#include "io/files/format_list.h"
+#include "io/base/format_list.h"
 #include "io/pictures/georeference.h"
 #include "io/pictures/npy_ids.h"
 #include "io/pictures/pdf_picture.h"

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/attributes/coordinate_system.h"
-#include "io/files/byte_sink.h"
+#include "io/base/byte_sink.h"
+#include "io/base/coordinate_system.h"
 #include "vorpipe.h"
 
 namespace vorpipe {

@@ -12,9 +12,9 @@
 #include <string_view>
 #include <vector>
 
-#include "io/files/error.h"
-#include "io/files/input_file.h"
-#include "io/files/memory_room.h"
+#include "io/base/error.h"
+#include "io/base/input_file.h"
+#include "io/base/memory_room.h"
 
 // libpng leaves its functions by longjmp when something fails. So a function that calls setjmp, and a
 // callback from which png_error is called, holds no object with a destructor.

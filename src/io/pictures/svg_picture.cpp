@@ -4,10 +4,10 @@
 #include <new>
 #include <string_view>
 
-#include "io/files/error.h"
+#include "io/base/error.h"
+#include "io/base/print.h"
 #include "io/pictures/vector_picture.h"
 #include "io/pictures/vector_text.h"
-#include "io/text/print.h"
 
 namespace vorpipe {
 namespace {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "io/files/byte_order.h"
-#include "io/files/error.h"
+#include "io/base/byte_order.h"
+#include "io/base/error.h"
 #include "io/pictures/deflate.h"
 #include "io/pictures/geo_keys.h"
 

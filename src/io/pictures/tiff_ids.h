@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <span>
 
-#include "io/attributes/coordinate_system.h"
-#include "io/files/byte_sink.h"
+#include "io/base/byte_sink.h"
+#include "io/base/coordinate_system.h"
 #include "io/pictures/georeference.h"
 #include "vorpipe.h"
 

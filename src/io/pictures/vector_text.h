@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "io/text/print.h"
+#include "io/base/print.h"
 #include "vorpipe.h"
 
 namespace vorpipe {

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "io/files/error.h"
-#include "io/text/quoted.h"
-#include "io/text/utf8.h"
+#include "io/base/error.h"
+#include "io/base/quoted.h"
+#include "io/base/utf8.h"
 
 namespace vorpipe {
 namespace {

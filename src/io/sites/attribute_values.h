@@ -1,7 +1,7 @@
 /// Attributes that did not come out of a file of ours.
 #pragma once
 
-#include "io/attributes/attribute.h"
+#include "io/base/attribute.h"
 #include "vorpipe.h"
 
 namespace vorpipe {

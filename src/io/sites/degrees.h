@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/attributes/coordinate_system.h"
+#include "io/base/coordinate_system.h"
 #include "vorpipe.h"
 
 namespace vorpipe {

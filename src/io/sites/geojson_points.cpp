@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "io/text/geojson_nesting.h"
-#include "io/text/quoted.h"
+#include "io/base/geojson_nesting.h"
+#include "io/base/quoted.h"
 
 namespace vorpipe {
 namespace {

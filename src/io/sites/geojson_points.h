@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "io/attributes/coordinate_system.h"
-#include "io/columns/weight_name.h"
+#include "io/base/coordinate_system.h"
 #include "io/sites/table_builder.h"
+#include "io/sites/weight_name.h"
 
 namespace vorpipe {
 

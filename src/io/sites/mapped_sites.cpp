@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "io/arrays/npy_header.h"
-#include "io/files/error.h"
-#include "io/files/input_file.h"
+#include "io/base/error.h"
+#include "io/base/input_file.h"
+#include "io/base/npy_header.h"
 #include "io/sites/sites_file.h"
 
 namespace vorpipe {

@@ -12,9 +12,9 @@
 #include <system_error>
 #include <utility>
 
-#include "io/files/error.h"
+#include "io/base/error.h"
+#include "io/base/quoted.h"
 #include "io/sites/sites_file.h"
-#include "io/text/quoted.h"
 #include "vorpipe/patterns.h"
 
 namespace vorpipe {

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "io/attributes/attribute.h"
-#include "io/attributes/coordinate_system.h"
+#include "io/base/attribute.h"
+#include "io/base/coordinate_system.h"
 #include "vorpipe.h"
 
 namespace vorpipe {

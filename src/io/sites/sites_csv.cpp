@@ -9,15 +9,15 @@
 #include <string>
 #include <utility>
 
-#include "io/columns/csv_attributes.h"
-#include "io/columns/csv_columns.h"
-#include "io/files/error.h"
+#include "io/base/csv_reader.h"
+#include "io/base/error.h"
+#include "io/base/number.h"
+#include "io/base/quoted.h"
+#include "io/sites/csv_attributes.h"
+#include "io/sites/csv_columns.h"
 #include "io/sites/sites_reader.h"
 #include "io/sites/table_builder.h"
 #include "io/sites/wkt_points.h"
-#include "io/text/csv_reader.h"
-#include "io/text/number.h"
-#include "io/text/quoted.h"
 
 namespace vorpipe {
 namespace {

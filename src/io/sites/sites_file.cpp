@@ -8,10 +8,10 @@
 #include <new>
 #include <utility>
 
-#include "io/attributes/system_beside.h"
-#include "io/files/error.h"
-#include "io/files/extension.h"
-#include "io/files/input_file.h"
+#include "io/base/error.h"
+#include "io/base/extension.h"
+#include "io/base/input_file.h"
+#include "io/base/system_beside.h"
 #include "io/sites/sites_reader.h"
 
 namespace vorpipe {

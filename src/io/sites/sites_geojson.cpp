@@ -4,10 +4,10 @@
 #include <string>
 #include <utility>
 
-#include "io/files/error.h"
+#include "io/base/error.h"
+#include "io/base/json_lines.h"
 #include "io/sites/geojson_points.h"
 #include "io/sites/sites_reader.h"
-#include "io/text/json_lines.h"
 
 namespace vorpipe {
 namespace {

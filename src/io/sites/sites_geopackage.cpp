@@ -5,15 +5,15 @@
 #include <optional>
 #include <utility>
 
-#include "io/columns/weight_name.h"
-#include "io/files/error.h"
-#include "io/geopackage/feature_layer.h"
-#include "io/geopackage/geometry_points.h"
+#include "io/base/error.h"
+#include "io/base/feature_layer.h"
+#include "io/base/geometry_points.h"
+#include "io/base/number.h"
+#include "io/base/quoted.h"
+#include "io/base/utf8.h"
 #include "io/sites/sites_reader.h"
 #include "io/sites/table_builder.h"
-#include "io/text/number.h"
-#include "io/text/quoted.h"
-#include "io/text/utf8.h"
+#include "io/sites/weight_name.h"
 
 namespace vorpipe {
 namespace {

@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
-#include "io/arrays/npy_elements.h"
-#include "io/arrays/npy_header.h"
-#include "io/columns/column_choice.h"
-#include "io/files/error.h"
-#include "io/files/memory_room.h"
+#include "io/base/error.h"
+#include "io/base/memory_room.h"
+#include "io/base/npy_elements.h"
+#include "io/base/npy_header.h"
+#include "io/sites/column_choice.h"
 #include "io/sites/sites_file.h"
 #include "io/sites/sites_reader.h"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "io/files/input_file.h"
+#include "io/base/input_file.h"
 #include "io/sites/site_table.h"
 #include "vorpipe.h"
 

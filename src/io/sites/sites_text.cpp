@@ -8,14 +8,14 @@
 #include <utility>
 #include <vector>
 
-#include "io/columns/column_choice.h"
-#include "io/columns/csv_columns.h"
-#include "io/files/error.h"
+#include "io/base/error.h"
+#include "io/base/line_reader.h"
+#include "io/base/lower_case.h"
+#include "io/base/number.h"
+#include "io/sites/column_choice.h"
+#include "io/sites/csv_columns.h"
 #include "io/sites/sites_reader.h"
 #include "io/sites/table_builder.h"
-#include "io/text/line_reader.h"
-#include "io/text/lower_case.h"
-#include "io/text/number.h"
 
 namespace vorpipe {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <utility>
 
-#include "io/files/error.h"
+#include "io/base/error.h"
+#include "io/base/line_reader.h"
 #include "io/sites/sites_reader.h"
 #include "io/sites/table_builder.h"
 #include "io/sites/wkt_points.h"
-#include "io/text/line_reader.h"
 
 namespace vorpipe {
 namespace {

@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "io/files/memory_room.h"
+#include "io/base/memory_room.h"
+#include "io/base/number.h"
+#include "io/base/quoted.h"
 #include "io/sites/degrees.h"
 #include "io/sites/sites_file.h"
-#include "io/text/number.h"
-#include "io/text/quoted.h"
 
 namespace vorpipe {
 namespace {

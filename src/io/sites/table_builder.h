@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/columns/attribute_columns.h"
+#include "io/sites/attribute_columns.h"
 #include "io/sites/site_table.h"
 
 namespace vorpipe {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "io/text/wkt_tokens.h"
+#include "io/base/wkt_tokens.h"
 
 namespace vorpipe {
 

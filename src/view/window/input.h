@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "view/events/event.h"
+#include "view/window/event.h"
 #include "view/window/glfw.h"
 
 namespace vorpipe::view {

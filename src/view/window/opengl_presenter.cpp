@@ -9,9 +9,9 @@
 #include <string>
 #include <utility>
 
-#include "backend/opengl/device/gl.h"
-#include "backend/opengl/memory/buffer.h"
-#include "backend/opengl/pipelines/shader.h"
+#include "backend/opengl/buffer.h"
+#include "backend/opengl/gl.h"
+#include "backend/opengl/shader.h"
 #include "shaders.h"
 #include "view/window/frame_parts.h"
 #include "view/window/presenters.h"

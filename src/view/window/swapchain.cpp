@@ -5,8 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "backend/vulkan/device/error.h"
-#include "backend/vulkan/device/structure.h"
+#include "backend/vulkan/error.h"
+#include "backend/vulkan/structure.h"
 
 namespace vorpipe::view {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "backend/vulkan/device/handle.h"
+#include "backend/vulkan/handle.h"
 #include "view/window/vulkan_window.h"
 
 namespace vorpipe::view {

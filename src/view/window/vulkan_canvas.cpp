@@ -8,10 +8,10 @@
 #include <limits>
 #include <utility>
 
-#include "backend/vulkan/device/error.h"
-#include "backend/vulkan/device/structure.h"
-#include "backend/vulkan/kernels/triangle_pipeline.h"
-#include "backend/vulkan/memory/target.h"
+#include "backend/vulkan/error.h"
+#include "backend/vulkan/structure.h"
+#include "backend/vulkan/target.h"
+#include "backend/vulkan/triangle_pipeline.h"
 #include "shaders.h"
 
 namespace vorpipe::view {

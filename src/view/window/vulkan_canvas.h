@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <optional>
 
-#include "backend/vulkan/device/device.h"
-#include "backend/vulkan/device/handle.h"
-#include "backend/vulkan/memory/bindings.h"
-#include "backend/vulkan/memory/buffer.h"
-#include "backend/vulkan/memory/plane.h"
+#include "backend/vulkan/bindings.h"
+#include "backend/vulkan/buffer.h"
+#include "backend/vulkan/device.h"
+#include "backend/vulkan/handle.h"
+#include "backend/vulkan/plane.h"
 #include "view/window/frame_parts.h"
 #include "view/window/presenter.h"
 

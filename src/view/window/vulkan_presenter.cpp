@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "backend/vulkan/device/error.h"
+#include "backend/vulkan/error.h"
 #include "view/window/presenters.h"
 #include "view/window/swapchain.h"
 #include "view/window/vulkan_canvas.h"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "backend/vulkan/device/error.h"
+#include "backend/vulkan/error.h"
 
 namespace vorpipe::view {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "backend/vulkan/device/device.h"
-#include "backend/vulkan/device/instance.h"
-#include "backend/vulkan/device/physical.h"
+#include "backend/vulkan/device.h"
+#include "backend/vulkan/instance.h"
+#include "backend/vulkan/physical.h"
 #include "view/window/glfw.h"
 
 namespace vorpipe::view {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "view/events/event.h"
+#include "view/window/event.h"
 #include "view/window/presenter.h"
 #include "vorpipe/result.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/geometry/vertex_position.h"
+#include "geometry/vertex_position.h"
 
 namespace vorpipe::test {
 

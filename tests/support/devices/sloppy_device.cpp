@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "backend/cpu/clip/glsl.h"
 #include "backend/cpu/cpu.h"
+#include "backend/cpu/glsl.h"
 #include "backend/view_uniform.h"
 #include "layout.glsl"
 

@@ -1,4 +1,4 @@
-#include "bench/measured/measured.h"
+#include "bench/measured.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "bench/measured/plot.h"
-#include "bench/tables/tables.h"
+#include "bench/plot.h"
+#include "bench/tables.h"
 
 namespace vorpipe::bench {
 namespace {

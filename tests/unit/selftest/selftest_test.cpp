@@ -5,8 +5,8 @@
 #include <functional>
 
 #include "backend/registry/registry.h"
-#include "core/cells/cells_run.h"
-#include "core/picture/picture.h"
+#include "domain/cells_run.h"
+#include "picture/picture.h"
 #include "selftest/run_scenes.h"
 #include "unit/fixtures/changed_cpu.h"
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "io/domain/site_domain.h"
+#include "io/sites/site_domain.h"
 #include "unit/fixtures/checked_runs.h"
 #include "vorpipe.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "io/base/output_file.h"
 #include "io/cells/cells_file.h"
-#include "io/files/output_file.h"
 #include "unit/fixtures/temporary_directory.h"
 
 namespace vorpipe::test {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "io/arrays/npy_elements.h"
-#include "io/meshes/cells_mesh.h"
+#include "io/base/npy_elements.h"
+#include "io/cells/cells_mesh.h"
 #include "unit/io/cells/cells_fixture.h"
 
 namespace vorpipe::test {

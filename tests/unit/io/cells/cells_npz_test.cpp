@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "io/arrays/npy_array.h"
+#include "io/base/npy_array.h"
 #include "unit/io/cells/cells_fixture.h"
 
 namespace vorpipe::test {

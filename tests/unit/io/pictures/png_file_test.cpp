@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/files/output_file.h"
+#include "io/base/output_file.h"
 #include "io/pictures/png_file.h"
 #include "unit/fixtures/temporary_directory.h"
 

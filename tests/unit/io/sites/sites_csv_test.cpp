@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "io/base/line_reader.h"
 #include "io/sites/sites_file.h"
-#include "io/text/line_reader.h"
 #include "unit/fixtures/temporary_directory.h"
 
 namespace vorpipe::test {

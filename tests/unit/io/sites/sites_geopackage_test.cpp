@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "io/domain/outline_file.h"
+#include "io/sites/outline_file.h"
 #include "unit/io/sites/sites_fixture.h"
 
 namespace vorpipe::test {

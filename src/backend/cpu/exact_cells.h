@@ -1,0 +1,15 @@
+/// Cells found with as many digits as it takes.
+#pragma once
+
+#include <span>
+
+#include "backend/cpu/tree.h"
+
+namespace vorpipe::cpu {
+
+/// Finds the neighborhoods of the sites `which`. Every one is certified or empty (or unsecured, where the
+/// set is a tile). What a thousand bits do not tell apart are ties.
+void findExactly(const SiteSet& sites, const SiteTree& tree, std::span<const std::uint32_t> which,
+                 int threads, CellNeighbors& out);
+
+}  // namespace vorpipe::cpu

@@ -1,0 +1,48 @@
+#include <cstdlib>
+
+#include "backend/cpu/grid_lanes.h"
+
+namespace vorpipe::cpu {
+
+// grid_lanes.cpp, as CMakeLists.txt compiles it.
+void findIn4Lanes(const LaneJob& job, bool roomy);
+void findWeightedIn4Lanes(const LaneJob& job, bool roomy);
+#ifdef VORPIPE_WIDE_LANES
+void findIn8Lanes(const LaneJob& job, bool roomy);
+void findWeightedIn8Lanes(const LaneJob& job, bool roomy);
+void findIn16Lanes(const LaneJob& job, bool roomy);
+void findWeightedIn16Lanes(const LaneJob& job, bool roomy);
+
+namespace {
+
+/// Tests compare on one machine what different widths compute: VORPIPE_LANES is the widest to take.
+int widestWanted() {
+  const char* const text = std::getenv("VORPIPE_LANES");
+  return text == nullptr ? 16 : std::atoi(text);
+}
+
+/// Whether the processor has what x86-64-v4 has, of which some compilers know the parts alone.
+bool hasAvx512() {
+  return __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("bmi2") != 0 &&
+         __builtin_cpu_supports("fma") != 0 && __builtin_cpu_supports("avx512f") != 0 &&
+         __builtin_cpu_supports("avx512bw") != 0 && __builtin_cpu_supports("avx512cd") != 0 &&
+         __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512vl") != 0;
+}
+
+}  // namespace
+#endif
+
+FindInLanes findInLanes(bool weighted) {
+#ifdef VORPIPE_WIDE_LANES
+  static const int widest = widestWanted();
+  if (widest >= 16 && hasAvx512()) {
+    return weighted ? findWeightedIn16Lanes : findIn16Lanes;
+  }
+  if (widest >= 8 && __builtin_cpu_supports("avx2") != 0) {
+    return weighted ? findWeightedIn8Lanes : findIn8Lanes;
+  }
+#endif
+  return weighted ? findWeightedIn4Lanes : findIn4Lanes;
+}
+
+}  // namespace vorpipe::cpu

@@ -1,0 +1,28 @@
+/// Cells found with hundreds of bits, and with more than a thousand where those do not do.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "backend/cpu/tree.h"
+
+namespace vorpipe::cpu {
+
+class LongFinder {
+ public:
+  /// Keeps references to both.
+  LongFinder(const SiteSet& sites, const SiteTree& tree);
+  ~LongFinder();
+  LongFinder(const LongFinder&) = delete;
+  LongFinder& operator=(const LongFinder&) = delete;
+
+  /// As CellFinder's, but never open: what the most bits do not tell apart are ties.
+  CellStatus find(std::uint32_t site, std::vector<std::int32_t>& neighbors);
+
+ private:
+  struct Finders;
+  std::unique_ptr<Finders> finders_;
+};
+
+}  // namespace vorpipe::cpu

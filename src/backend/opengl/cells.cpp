@@ -1,0 +1,54 @@
+#include "backend/opengl/cells.h"
+
+#include <algorithm>
+
+#include "backend/cell_answers.h"
+#include "backend/opengl/discarding.h"
+#include "layout.glsl"
+#include "shaders.h"
+
+namespace vorpipe::opengl {
+namespace {
+
+// cell_answer and cell_neighbors of edges.geom: one of each for an entry, in the order drawn.
+constexpr std::size_t word_bytes = sizeof(GLint);
+
+ProgramText textOf(Entries entries, bool fast) {
+  static constexpr std::array<const char*, 2> captured = {"cell_answer", "cell_neighbors"};
+  if (entries == Entries::lists)
+    return {shaders::cell_vert_410(), shaders::edges_list_roomy_410(), {}, captured};
+  auto geometry = fast ? shaders::edges_grid_fast_410() : shaders::edges_grid_roomy_410();
+  if (entries == Entries::weighted_sites) {
+    geometry = fast ? shaders::edges_grid_fast_weighted_410() : shaders::edges_grid_roomy_weighted_410();
+  }
+  return {shaders::site_vert_410(), geometry, {}, captured};
+}
+
+}  // namespace
+
+Result<void> Cells::run(Entries entries, Effort effort, std::size_t count, CellNeighbors& out) {
+  out = {};
+  out.offsets.push_back(0);
+  const bool fast = entries != Entries::lists && effort == Effort::fast;
+  const std::size_t room = answerRoom(fast ? EDGES_FAST : EDGES_MOST, entries == Entries::weighted_sites);
+  const std::size_t row_bytes = room * sizeof(GLint);
+  const std::size_t record_bytes = word_bytes + row_bytes;
+  if (auto used = made_[programOf(entries, effort)].use(textOf(entries, fast)); !used) return used;
+  const RasterizerDiscard discard;
+  const std::size_t at_once = Feedback::entriesAtOnce(record_bytes);
+  Result<void> answered;
+  for (std::size_t first = 0; first < count && answered; first += at_once) {
+    const std::size_t here = std::min(at_once, count - first);
+    feedback_.begin();
+    glDrawArrays(GL_POINTS, static_cast<GLint>(first), static_cast<GLsizei>(here));
+    answered = feedback_.end(record_bytes, [&](std::span<const std::byte> said) {
+      if (said.size() != here * record_bytes) return false;
+      append({here, room, said.data(), record_bytes, said.data() + word_bytes, record_bytes}, out);
+      return true;
+    });
+  }
+  if (!answered) return answered;
+  return takeErrors("clipping cells");
+}
+
+}  // namespace vorpipe::opengl

@@ -1,0 +1,28 @@
+/// The pipelines that hand cells back as data.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "backend/backend.h"
+#include "backend/opengl/feedback.h"
+#include "backend/opengl/gl.h"
+#include "backend/opengl/shader.h"
+
+namespace vorpipe::opengl {
+
+class Cells {
+ public:
+  Cells() : feedback_(GL_POINTS) {}
+
+  /// Clips the entries or sites that were sent, `count` of them, and replaces out. Lists of lines are
+  /// clipped with the most room. Takes a complete framebuffer and a view that are bound, and leaves both
+  /// alone. Errors (device): out of memory; the device failed; the driver refuses the shaders.
+  Result<void> run(Entries entries, Effort effort, std::size_t count, CellNeighbors& out);
+
+ private:
+  std::array<Program, programs> made_;
+  Feedback feedback_;
+};
+
+}  // namespace vorpipe::opengl

@@ -1,0 +1,38 @@
+/// The outputs of geometry shaders, read back by transform feedback.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <span>
+
+#include "backend/opengl/buffer.h"
+#include "backend/opengl/gl.h"
+#include "vorpipe.h"
+
+namespace vorpipe::opengl {
+
+/// Captures the outputs of what is drawn between begin() and end(), as the program was linked to.
+class Feedback {
+ public:
+  /// Captures points, lines or triangles, as `primitive` says.
+  explicit Feedback(GLenum primitive);
+
+  /// The most entries that may be drawn between begin() and end(): the buffer holds `entry_bytes` of output
+  /// for each of them.
+  [[nodiscard]] static std::size_t entriesAtOnce(std::size_t entry_bytes);
+
+  void begin();
+
+  /// Waits for the device and passes all captured bytes to `read`: `primitive_bytes` for each primitive, in
+  /// the order drawn. `read` returns whether they make sense. Error (device): they do not, or some were lost.
+  Result<void> end(std::size_t primitive_bytes,
+                   const std::function<bool(std::span<const std::byte>)>& read) const;
+
+ private:
+  GLenum primitive_;
+  Buffer buffer_;
+  std::array<GLuint, 2> queries_{};
+};
+
+}  // namespace vorpipe::opengl

@@ -1,0 +1,34 @@
+/// Programs from GLSL 4.10 text.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "backend/backend.h"
+#include "backend/opengl/bindings.h"
+#include "backend/opengl/gl.h"
+
+namespace vorpipe::opengl {
+
+/// How many programs there are of a kind: one for each Entries and each of the efforts fast and roomy.
+inline constexpr std::size_t programs = 6;
+std::size_t programOf(Entries entries, Effort effort);
+
+struct ProgramText {
+  std::string_view vertex, geometry, fragment;  ///< fragment may be empty: nothing is drawn
+  std::span<const char* const> captured;        ///< outputs for transform feedback, interleaved
+};
+
+/// One that is compiled when it is first used. Its context owns it.
+class Program {
+ public:
+  /// Makes it the one that is drawn with, from a text that is always the same. Error (device): the driver's
+  /// log.
+  Result<void> use(const ProgramText& text);
+
+ private:
+  GLuint name_ = 0;
+};
+
+}  // namespace vorpipe::opengl

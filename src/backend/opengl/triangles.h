@@ -1,0 +1,27 @@
+/// Triangles of the caller's, drawn as they are.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "backend/backend.h"
+#include "backend/opengl/buffer.h"
+#include "backend/opengl/gl.h"
+#include "backend/opengl/shader.h"
+
+namespace vorpipe::opengl {
+
+class Triangles {
+ public:
+  Triangles();
+
+  /// Draws them into what is bound. Errors (device): out of memory; the driver refuses the shaders.
+  Result<void> draw(std::span<const DrawMark> corners, std::span<const std::uint32_t> corner_of);
+
+ private:
+  GLuint vertices_ = 0;
+  Buffer corners_, corner_of_;
+  Program program_;
+};
+
+}  // namespace vorpipe::opengl

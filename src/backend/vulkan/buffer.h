@@ -1,0 +1,48 @@
+/// A buffer that grows when more is asked of it than it holds.
+#pragma once
+
+#include <volk.h>
+
+#include <cstddef>
+#include <string_view>
+
+#include "backend/vulkan/device.h"
+#include "backend/vulkan/handle.h"
+#include "backend/vulkan/memory.h"
+
+namespace vorpipe::vulkan {
+
+class Buffer {
+ public:
+  struct Kind {
+    std::string_view what;  ///< for messages
+    VkBufferUsageFlags usage;
+    Placement placement;
+    VkFormat texel = VK_FORMAT_UNDEFINED;  ///< of the texel view; undefined: the buffer has none
+  };
+
+  explicit Buffer(const Kind& kind) : kind_(kind) {}
+
+  /// Makes room for `bytes`, which are at most `limit`; what was in the buffer is lost when it has
+  /// to grow. It grows by half at least, up to limit. The device must not be using it.
+  Result<void> reserve(const Device& device, std::size_t bytes, std::size_t limit);
+
+  [[nodiscard]] VkBuffer get() const { return buffer_.get(); }
+  [[nodiscard]] VkBufferView texels() const { return texels_.get(); }
+  /// The mapped bytes; null for Placement::device.
+  [[nodiscard]] std::byte* data() const { return data_; }
+
+ private:
+  void drop();
+  Result<void> allocateBytes(const Device& device, std::size_t bytes);
+
+  Kind kind_;
+  std::size_t size_ = 0;
+  std::byte* data_ = nullptr;
+  // In this order, so that the view goes before the buffer and the buffer before its memory.
+  Handle<VkDeviceMemory> memory_;
+  Handle<VkBuffer> buffer_;
+  Handle<VkBufferView> texels_;
+};
+
+}  // namespace vorpipe::vulkan

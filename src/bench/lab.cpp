@@ -1,0 +1,231 @@
+#include "bench/lab.h"
+
+#include <fmt/core.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <numeric>
+
+#include "backend/registry/registry.h"
+#include "base/parallel.h"
+#include "base/stopwatch.h"
+#include "bench/driver_threads.h"
+#include "domain/cells_run.h"
+#include "io/sites/site_source.h"
+#include "picture/picture.h"
+
+namespace vorpipe::bench {
+namespace {
+
+constexpr std::uint64_t seed = 1;
+
+/// A run of fewer seconds is made twice, and the second is measured: the first fills the caches again that
+/// the job before it used.
+constexpr double short_run = 0.02;
+
+std::string keyOf(const Job& job) {
+  return fmt::format("{} {} {} {} {} {} {}", job.backend, job.sites, job.side,
+                     static_cast<int>(job.search.method), job.search.neighbors, job.threads,
+                     static_cast<int>(job.detail));
+}
+
+/// CPU time of all threads of this process.
+double cpuSeconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+/// Width and height of a picture of the domain, whose longer side has `side` pixels.
+std::pair<int, int> sizeOf(const Box& domain, int side) {
+  const double width = domain.xmax - domain.xmin, height = domain.ymax - domain.ymin;
+  const auto shorter = [side](double part) {
+    return std::max(1, static_cast<int>(std::lround(part * side)));
+  };
+  return width >= height ? std::pair(side, shorter(height / width))
+                         : std::pair(shorter(width / height), side);
+}
+
+/// The figures of a run, whether of cells or of a picture.
+struct Run {
+  double seconds, cpu_seconds;
+  Report report;
+};
+
+template <class Options, class Work>
+Result<Run> timeRun(const Options& options, const Work& work) {
+  const double cpu_before = cpuSeconds();
+  const Stopwatch watch;
+  auto done = work(options);
+  if (!done) return tl::unexpected(std::move(done.error()));
+  return Run{watch.seconds(), cpuSeconds() - cpu_before, std::move(done->report)};
+}
+
+Work workOf(const TimedBackend& backend, const TimedExactTier& exact, const Run& run) {
+  Work work = backend.work();
+  const auto at = [&work](Stage stage) -> StageWork& { return work[static_cast<std::size_t>(stage)]; };
+  at(Stage::resolve) = exact.work();
+  const Times& times = run.report.time_ms;
+  at(Stage::order).seconds = 1e-3 * std::max(times.order, 0.0);
+  at(Stage::search).seconds = 1e-3 * std::max(times.search, 0.0);
+  double told = 0;
+  for (const StageWork& stage : work) told += stage.seconds;
+  at(Stage::rest).seconds = std::max(0.0, run.seconds - told);
+  return work;
+}
+
+void keep(Outcome& outcome, Run run, const Work& work, bool has_clock) {
+  outcome.seconds.push_back(run.seconds);
+  outcome.cpu_seconds.push_back(run.cpu_seconds);
+  for (std::size_t stage = 0; stage < stage_count; ++stage) {
+    outcome.stages[stage].push_back(work[stage].seconds);
+    if (has_clock) outcome.device[stage].push_back(work[stage].device_seconds);
+  }
+  outcome.last = work;
+  outcome.report = std::move(run.report);
+}
+
+}  // namespace
+
+struct Lab::Opened {
+  OpenedBackend opened;
+  std::unique_ptr<ExactTier> exact;
+  int threads;
+};
+
+Lab::Lab(Settings settings) : settings_(std::move(settings)) {}
+Lab::~Lab() = default;
+
+Samples sumOf(const Outcome& outcome, std::initializer_list<Stage> stages) {
+  Samples sums(outcome.seconds.size());
+  for (const Stage stage : stages) {
+    const Samples& part = outcome.stage(stage);
+    std::transform(sums.begin(), sums.end(), part.begin(), sums.begin(), std::plus<>());
+  }
+  return sums;
+}
+
+Cell figure(const Outcome& outcome, Samples samples) {
+  if (!outcome.failed.empty()) return Missing{outcome.failed};
+  if (samples.empty()) return Missing{};
+  return samples;
+}
+
+const Outcome& Lab::plan(const Job& job) {
+  auto& outcome = outcomes_[keyOf(job)];
+  if (outcome) return *outcome;
+  outcome = std::make_unique<Outcome>(Outcome{job});
+  const auto file = std::ranges::find(settings_.files, job.sites, &DataSet::name);
+  outcome->sites = file != settings_.files.end() ? file->sites.size() : generatedCount(job.sites).value_or(0);
+  if (settings_.refusal) outcome->failed = settings_.refusal(job, outcome->sites);
+  return *outcome;
+}
+
+Result<void> Lab::measure(const std::string& what) {
+  std::vector<Course> courses;
+  std::vector<Outcome*> outcomes;
+  double part = 0;
+  progress_ = [&](std::string_view, double) { return !settings_.progress || settings_.progress(what, part); };
+  for (auto& [key, outcome] : outcomes_) {
+    if (outcome->measured() || !outcome->failed.empty()) continue;
+    outcomes.push_back(outcome.get());
+    courses.push_back({what, [this, outcome = outcome.get()](bool counts) -> Result<void> {
+                         const bool is_short = outcome->last_seconds > 0 && outcome->last_seconds < short_run;
+                         if (counts && is_short) {
+                           if (auto warmed = run(*outcome, false); !warmed) return warmed;
+                         }
+                         return run(*outcome, counts);
+                       }});
+  }
+  const auto done = interleave(courses, settings_.repetitions, [&](std::string_view stage, double fraction) {
+    part = fraction;
+    return progress_(stage, fraction);
+  });
+  for (std::size_t i = 0; i < courses.size(); ++i) {
+    outcomes[i]->failed = courses[i].failed;
+    const Job& job = outcomes[i]->job;
+    if (!courses[i].failed.empty())
+      noteFailure(fmt::format("{}, {}: {}", job.backend, job.sites, courses[i].failed));
+  }
+  sites_.clear();
+  opened_.clear();
+  progress_ = nullptr;
+  return done;
+}
+
+int Lab::threads() const { return threadCount(settings_.options.threads); }
+
+Result<DataSet*> Lab::sitesNamed(const std::string& name) {
+  const auto file = std::ranges::find(settings_.files, name, &DataSet::name);
+  if (file != settings_.files.end()) return &*file;
+  auto& known = sites_[name];
+  if (!known) {
+    auto source = loadSites(name, seed);
+    if (!source) return tl::unexpected(std::move(source.error()));
+    known = std::make_unique<DataSet>(DataSet{name, std::move(source->table.sites), {0, 0, 1, 1}});
+  }
+  return known.get();
+}
+
+Result<Lab::Opened*> Lab::open(const Job& job) {
+  BackendOptions options = settings_.options;
+  options.name = job.backend;
+  if (job.threads > 0) options.threads = job.threads;
+  auto& known = opened_[fmt::format("{} {}", options.name, options.threads)];
+  if (!known) {
+    setDriverThreads(options.threads);
+    auto opened = openBackend(options);
+    if (!opened) return tl::unexpected(std::move(opened.error()));
+    known =
+        std::make_unique<Opened>(Opened{std::move(*opened), openExactTier(options.threads), options.threads});
+  }
+  return known.get();
+}
+
+Result<void> Lab::run(Outcome& outcome, bool counts) {
+  const Job& job = outcome.job;
+  try {
+    const auto set = sitesNamed(job.sites);
+    if (!set) return tl::unexpected(set.error());
+    const auto opened = open(job);
+    if (!opened) return tl::unexpected(opened.error());
+    const DataSet& data = **set;
+    outcome.sites = data.sites.size();
+    TimedBackend backend(*(*opened)->opened.backend);
+    TimedExactTier exact(*(*opened)->exact);
+    const core::Machine machine{backend, exact, (*opened)->threads};
+    CellsOptions cells{};
+    cells.domain = data.domain;
+    cells.search = job.search;
+    cells.detail = job.detail;
+    cells.progress = progress_;
+    RenderOptions picture{};
+    picture.domain = data.domain;
+    picture.search = job.search;
+    picture.progress = progress_;
+    std::tie(picture.width, picture.height) = sizeOf(data.domain, job.side);
+    auto done =
+        job.side > 0
+            ? timeRun(picture,
+                      [&](const auto& options) { return core::renderOn(machine, data.sites, options); })
+            : timeRun(cells,
+                      [&](const auto& options) { return core::cellsOn(machine, data.sites, options); });
+    if (!done) return tl::unexpected(std::move(done.error()));
+    if (const auto& said = done->report.validation_messages; !said.empty()) {
+      return tl::unexpected(Error{ErrorCode::device, "validation: " + said.front()});
+    }
+    outcome.last_seconds = done->seconds;
+    const Work work = workOf(backend, exact, *done);
+    if (counts) keep(outcome, std::move(*done), work, backend.deviceSeconds() >= 0);
+    return {};
+  } catch (const std::bad_alloc&) {
+    return tl::unexpected(Error{ErrorCode::device, "out of memory"});
+  }
+}
+
+}  // namespace vorpipe::bench

@@ -1,0 +1,254 @@
+/// Fluids.
+#include <fmt/core.h>
+
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "c/array.h"
+#include "c/failure.h"
+#include "c/files.h"
+#include "c/fluid_options.h"
+#include "c/handles.h"
+#include "c/moved_sites.h"
+#include "c/moving_options.h"
+#include "c/placed_input.h"
+#include "c/session_use.h"
+#include "c/structs.h"
+#include "io/base/error.h"
+#include "io/base/extension.h"
+#include "io/cells/fluid_state.h"
+
+namespace vorpipe::c {
+namespace {
+
+Result<vorpipe_fluid*> begun(vorpipe_session& session, vorpipe_input input,
+                             std::shared_ptr<const PlacedInput> placed, FluidSetup setup) {
+  auto fluid = Fluid::begin(session.session, std::move(setup.state), std::move(setup.options));
+  if (!fluid) return tl::unexpected(std::move(fluid.error()));
+  return new vorpipe_fluid{&session, std::move(placed), std::move(input), std::move(*fluid)};
+}
+
+Result<vorpipe_fluid*> begun(vorpipe_session& session, const vorpipe_input& input,
+                             const vorpipe_fluid_options* given) {
+  const auto wanted = taken(given, "vorpipe_fluid_options");
+  if (!wanted) return tl::unexpected(wanted.error());
+  auto placed = placedInput(input);
+  if (!placed) return tl::unexpected(placed.error());
+  auto setup = fluidSetup(input, **placed, *wanted);
+  if (!setup) return tl::unexpected(std::move(setup.error()));
+  return begun(session, input, std::move(*placed), std::move(*setup));
+}
+
+Result<vorpipe_fluid*> read(vorpipe_session& session, const std::string& name, std::uint64_t parcels,
+                            const vorpipe_fluid_options* given) {
+  const auto wanted = taken(given, "vorpipe_fluid_options");
+  if (!wanted) return tl::unexpected(wanted.error());
+  auto setup = fluidSetup(name, parcels, *wanted);
+  if (!setup) return tl::unexpected(std::move(setup.error()));
+  vorpipe_input input;
+  input.sites = std::make_shared<const Sites>(setup->state.sites);
+  input.attributes = std::make_shared<const std::vector<Attribute>>();
+  input.name = name;
+  input.from = SitesFrom::generator;
+  input.domain.box = setup->options.domain;
+  input.periodic = setup->options.periodic;
+  input.surface = setup->options.surface;
+  auto placed = placedInput(input);
+  if (!placed) return tl::unexpected(placed.error());
+  return begun(session, input, std::move(*placed), std::move(*setup));
+}
+
+Result<vorpipe_array> arrayOf(const vorpipe_fluid& fluid, vorpipe_fluid_field field) {
+  const FluidState& state = fluid.fluid.state();
+  switch (field) {
+    case VORPIPE_FLUID_SITES:
+      fluid.places.clear();
+      for (std::size_t i = 0; i < state.sites.size(); ++i) {
+        fluid.places.push_back({state.sites.x[i], state.sites.y[i]});
+      }
+      return array(fluid.places, VORPIPE_DOUBLE);
+    case VORPIPE_FLUID_WEIGHTS:
+      return array(state.sites.weight, VORPIPE_DOUBLE);
+    case VORPIPE_FLUID_VELOCITIES:
+      return array(state.velocity, VORPIPE_DOUBLE);
+    case VORPIPE_FLUID_PRESSURES:
+      return array(state.pressure, VORPIPE_DOUBLE);
+    case VORPIPE_FLUID_VOLUMES:
+      return array(state.volume, VORPIPE_DOUBLE);
+    case VORPIPE_FLUID_DENSITIES:
+      return array(state.density, VORPIPE_DOUBLE);
+    default:
+      return noField(field);
+  }
+}
+
+/// Lets a fluid go on until then.
+Result<void> goOn(vorpipe_fluid& fluid, double until) {
+  const SessionUse use(*fluid.session);
+  if (auto begun = use.begun(); !begun) return begun;
+  return fluid.fluid.goOn(until);
+}
+
+Result<bool> step(vorpipe_fluid& fluid) {
+  const SessionUse use(*fluid.session);
+  if (auto begun = use.begun(); !begun) return tl::unexpected(std::move(begun.error()));
+  return fluid.fluid.step();
+}
+
+/// Between steps, when the caller watches, the session is free.
+Result<void> run(vorpipe_fluid& run, const vorpipe_fluid_run_options* given) {
+  const Fluid& fluid = run.fluid;
+  const auto wanted = taken(given, "vorpipe_fluid_run_options");
+  if (!wanted) return tl::unexpected(wanted.error());
+  constexpr double never = std::numeric_limits<double>::infinity();
+  const double usual = fluid.end() == FluidEnd::time ? never : fluid.options().until;
+  const double until = wanted->has_until != 0 ? wanted->until : usual;
+  if (until == never && wanted->steps == 0) {
+    return inputError("until: name when to end, or a number of steps");
+  }
+  if (auto on = goOn(run, until); !on) return on;
+  const auto goes_on = watcherOf(wanted->watch, wanted->watch_user, &figuresOf);
+  for (std::uint64_t done = 0; wanted->steps == 0 || done < wanted->steps; ++done) {
+    const auto more = step(run);
+    if (!more) return tl::unexpected(more.error());
+    if (!*more || !goes_on(fluid.last())) break;
+  }
+  return {};
+}
+
+vorpipe_code push(Fluid& fluid, const double* velocities, std::uint64_t count) {
+  const std::size_t sites = fluid.state().sites.size();
+  if (count != sites) return fail(VORPIPE_INPUT, fmt::format("count: {} for {} sites", count, sites));
+  std::vector<Point> more(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    more[i] = {velocities[2 * i], velocities[2 * i + 1]};
+  }
+  return codeOf(fluid.push(more));
+}
+
+MovedSites movedOf(const vorpipe_fluid& fluid) {
+  return {fluid.input, *fluid.placed, fluid.fluid.state().sites};
+}
+
+vorpipe_code giveFigures(const FluidStep& step, vorpipe_fluid_figures* to) {
+  return codeOf(give(figuresOf(step), to, "vorpipe_fluid_figures"));
+}
+
+}  // namespace
+}  // namespace vorpipe::c
+
+using namespace vorpipe;
+using namespace vorpipe::c;
+
+vorpipe_code vorpipe_fluid_begin(vorpipe_session* session, const vorpipe_input* input,
+                                 const vorpipe_fluid_options* options, vorpipe_fluid** fluid) {
+  if (session == nullptr) return missing("session");
+  if (input == nullptr) return missing("input");
+  if (fluid == nullptr) return missing("fluid");
+  return guardedRun(*session, [&]() -> vorpipe_code {
+    const auto made = begun(*session, *input, options);
+    if (!made) return fail(made.error());
+    *fluid = *made;
+    return VORPIPE_DONE;
+  });
+}
+
+vorpipe_code vorpipe_fluid_read(vorpipe_session* session, const char* name, uint64_t parcels,
+                                const vorpipe_fluid_options* options, vorpipe_fluid** fluid) {
+  if (session == nullptr) return missing("session");
+  if (name == nullptr) return missing("name");
+  if (fluid == nullptr) return missing("fluid");
+  return guardedRun(*session, [&]() -> vorpipe_code {
+    const auto made = read(*session, name, parcels, options);
+    if (!made) return fail(made.error());
+    *fluid = *made;
+    return VORPIPE_DONE;
+  });
+}
+
+void vorpipe_fluid_free(vorpipe_fluid* fluid) { delete fluid; }
+
+vorpipe_code vorpipe_fluid_step(vorpipe_fluid* fluid, vorpipe_fluid_figures* figures, int32_t* more) {
+  if (fluid == nullptr) return missing("fluid");
+  return guardedRun(*fluid->session, [&]() -> vorpipe_code {
+    if (figures != nullptr) {
+      vorpipe_fluid_figures checked{};
+      checked.struct_size = figures->struct_size;
+      if (auto known = give({}, &checked, "vorpipe_fluid_figures"); !known) return fail(known.error());
+    }
+    const auto stepped = fluid->fluid.step();
+    if (!stepped) return fail(stepped.error());
+    if (more != nullptr) *more = *stepped ? 1 : 0;
+    return figures == nullptr ? VORPIPE_DONE : giveFigures(fluid->fluid.last(), figures);
+  });
+}
+
+vorpipe_code vorpipe_fluid_run(vorpipe_fluid* fluid, const vorpipe_fluid_run_options* options) {
+  if (fluid == nullptr) return missing("fluid");
+  return guarded([&] { return codeOf(run(*fluid, options)); });
+}
+
+vorpipe_code vorpipe_fluid_push(vorpipe_fluid* fluid, const double* velocities, uint64_t count) {
+  if (fluid == nullptr) return missing("fluid");
+  if (velocities == nullptr) return missing("velocities");
+  return guardedRun(*fluid->session, [&] { return push(fluid->fluid, velocities, count); });
+}
+
+vorpipe_code vorpipe_fluid_array(const vorpipe_fluid* fluid, vorpipe_fluid_field field,
+                                 vorpipe_array* array) {
+  if (fluid == nullptr) return missing("fluid");
+  if (array == nullptr) return missing("array");
+  return guarded([&] { return give(arrayOf(*fluid, field), array); });
+}
+
+vorpipe_code vorpipe_fluid_last(const vorpipe_fluid* fluid, vorpipe_fluid_figures* figures) {
+  if (fluid == nullptr) return missing("fluid");
+  if (figures == nullptr) return missing("figures");
+  return guarded([&] { return giveFigures(fluid->fluid.last(), figures); });
+}
+
+vorpipe_fluid_end vorpipe_fluid_ended(const vorpipe_fluid* fluid) {
+  return fluid == nullptr ? VORPIPE_FLUID_CANCELLED : static_cast<vorpipe_fluid_end>(fluid->fluid.end());
+}
+
+vorpipe_code vorpipe_fluid_report(const vorpipe_fluid* fluid, vorpipe_report* report) {
+  if (fluid == nullptr) return missing("fluid");
+  if (report == nullptr) return missing("report");
+  return guarded([&] { return giveReport(fluid->fluid.report(), report); });
+}
+
+const char* vorpipe_fluid_note(const vorpipe_fluid* fluid, size_t index) {
+  return fluid == nullptr ? nullptr : textAt(fluid->fluid.report().notes, index);
+}
+
+vorpipe_code vorpipe_fluid_input(const vorpipe_fluid* fluid, vorpipe_input** input) {
+  if (fluid == nullptr) return missing("fluid");
+  if (input == nullptr) return missing("input");
+  return guarded([&] { return giveMoved(movedOf(*fluid), fluid->input.surface, input); });
+}
+
+vorpipe_code vorpipe_fluid_write(const vorpipe_fluid* fluid, const char* format, vorpipe_write write,
+                                 void* user) {
+  if (fluid == nullptr) return missing("fluid");
+  if (format == nullptr) return missing("format");
+  if (write == nullptr) return missing("write");
+  return guarded([&] {
+    if (std::strcmp(format, "npz") != 0) return writeMoved(movedOf(*fluid), format, write, user);
+    auto sink = sinkOf(format, write, user);
+    return codeOf(writeFluid(sink, fluid->fluid.state(), fluid->fluid.options()));
+  });
+}
+
+vorpipe_code vorpipe_fluid_save(const vorpipe_fluid* fluid, const char* path) {
+  if (fluid == nullptr) return missing("fluid");
+  if (path == nullptr) return missing("path");
+  return guarded([&] {
+    if (lowerExtension(path) != ".npz") return saveMoved(movedOf(*fluid), path);
+    const Fluid& f = fluid->fluid;
+    return codeOf(save(path, [&](ByteSink& to) { return writeFluid(to, f.state(), f.options()); }));
+  });
+}

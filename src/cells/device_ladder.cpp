@@ -1,0 +1,229 @@
+#include "cells/device_ladder.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/distinct.h"
+#include "base/progress_steps.h"
+
+namespace vorpipe::core {
+namespace {
+
+constexpr std::size_t lines_per_batch = std::size_t{1} << 20;
+
+}  // namespace
+
+CellLadder::CellLadder(const SearchInput& input, Upload& upload, std::size_t worth_fast)
+    : input_(input),
+      upload_(upload),
+      begins_roomy_(input.sites.size() < worth_fast),
+      any_roomy_(begins_roomy_),
+      roomy_(input.sites.size(), begins_roomy_) {}
+
+void CellLadder::choose(Triage triage) {
+  sorted_out_ = true;
+  on_device_ = std::move(triage.inside);
+  left_ = std::move(triage.outside);
+}
+
+Result<std::vector<std::uint32_t>> CellLadder::climbDevice(const Ask& ask) {
+  done_ = 0;
+  sortOutOnce();
+  const bool by_grid = input_.search.method == Search::grid;
+  if (auto climbed = by_grid ? climbGrid(ask) : climbLists(ask); !climbed) {
+    return tl::unexpected(climbed.error());
+  }
+  sortDistinct(left_, static_cast<std::uint32_t>(input_.sites.size()));
+  const auto kept = std::ranges::set_difference(on_device_, left_, on_device_.begin()).out;
+  on_device_.erase(kept, on_device_.end());
+  return std::exchange(left_, {});
+}
+
+/// The cells that no device is asked about are left at once.
+void CellLadder::sortOutOnce() {
+  if (!sorted_out_) choose(sortOut(input_.sites, input_.threads));
+}
+
+Result<void> CellLadder::findLeft(const Indices& which, NeighborRows& rows) {
+  if (which.empty()) return {};
+  const Stopwatch watch;
+  if (input_.judge.findAmong(which, input_.threads, rows)) {
+    judge_seconds_ += watch.seconds();
+    in_double_ += which.size();
+    return {};
+  }
+  auto judged = askJudge(which);
+  if (!judged) return tl::unexpected(judged.error());
+  rows.add(judged->which, std::move(judged->found));
+  return {};
+}
+
+Result<KnownCells> CellLadder::askJudge(Indices which) {
+  const Stopwatch watch;
+  auto found = input_.judge.find(which, Precision::in_double, input_.threads, input_.progress, exact_);
+  if (!found) return tl::unexpected(found.error());
+  if (!which.empty()) judge_seconds_ += watch.seconds();
+  in_double_ += which.size();
+  return KnownCells{std::move(which), std::move(*found)};
+}
+
+Result<void> CellLadder::climbGrid(const Ask& ask) {
+  if (on_device_.empty()) return {};
+  auto unfit = forTiles(input_.sites, input_.backend.info(), on_device_, input_.threads,
+                        [&](const Tile& tile) { return tryTile(tile, ask); });
+  if (!unfit) return tl::unexpected(unfit.error());
+  any_roomy_ = any_roomy_ || retried_ > 0;
+  left_.insert(left_.end(), unfit->begin(), unfit->end());
+  return {};
+}
+
+Result<void> CellLadder::tryTile(const Tile& tile, const Ask& ask) {
+  if (areMany(0)) {
+    leave(tile, tile.own);
+    return {};
+  }
+  if (auto given = upload_.give(tile); !given) return given;
+  const Sample sample(tile.own);
+  const auto before = left_.size();
+  hidden_ = 0;
+  Large large;
+  if (auto tried = tryFast(tile, sample.cells, ask, large); !tried) return tried;
+  // A few that need more room do not change what the sample tells.
+  if (4 * large.cells.size() > sample.cells.size()) {
+    if (auto tried = tryLarge(tile, ask, large); !tried) return tried;
+  }
+  const auto failed = left_.size() - before;
+  if (sample.isHopeless(failed) || areMany(sample.expected(failed)) || sample.areMostlyHidden(hidden_)) {
+    leave(tile, large.cells);
+    leave(tile, sample.rest);
+    return {};
+  }
+  if (auto tried = tryFast(tile, sample.rest, ask, large); !tried) return tried;
+  return tryLarge(tile, ask, large);
+}
+
+/// Adds the cells that need more room, by what is known of them or by this try, to `large`.
+Result<void> CellLadder::tryFast(const Tile& tile, Which which, const Ask& ask, Large& large) {
+  if (!any_roomy_) return tryCells(tile, which, Effort::fast, ask, large);
+  Indices fast;
+  for (const auto site : which) (roomy_[tile.wholeIndex(site)] ? large.cells : fast).push_back(site);
+  return tryCells(tile, fast, Effort::fast, ask, large);
+}
+
+Result<void> CellLadder::tryLarge(const Tile& tile, const Ask& ask, Large& large) {
+  const Large all = std::exchange(large, {});
+  retried_ += all.overflowed;
+  return tryCells(tile, all.cells, Effort::roomy, ask, large);
+}
+
+Result<void> CellLadder::tryCells(const Tile& tile, Which which, Effort effort, const Ask& ask,
+                                  Large& large) {
+  const bool fast = effort == Effort::fast;
+  const auto before = large.cells.size();
+  std::vector<CellStatus> status;
+  const auto work = [&](std::size_t begin, std::size_t count) -> Result<void> {
+    const auto part = which.subspan(begin, count);
+    status.assign(count, CellStatus::missing);
+    if (auto asked = ask.by_grid(tile, part, effort, status); !asked) return asked;
+    for (std::size_t e = 0; e < count; ++e) {
+      hidden_ += status[e] == CellStatus::empty ? 1u : 0u;
+      if (isDone(status[e])) continue;
+      const auto site = tile.wholeIndex(part[e]);
+      if (fast && status[e] == CellStatus::overflow) {
+        large.cells.push_back(part[e]);
+        ++large.overflowed;
+        roomy_[site] = true;
+      } else {
+        left_.push_back(site);
+      }
+    }
+    return {};
+  };
+  const StageRange range{which.size(), done_, on_device_.size()};
+  const auto most = input_.backend.info().max_entries;
+  if (auto done = runInSteps(input_.progress, fast ? "cells" : "large cells", range, most, work); !done) {
+    return done;
+  }
+  done_ += which.size() - (large.cells.size() - before);
+  return {};
+}
+
+/// Whether so many cells are left for a triangulation, `more` among them, that it takes no longer to
+/// triangulate all sites than to ask the device about the rest.
+bool CellLadder::areMany(std::size_t more) const {
+  constexpr std::size_t many = 4;
+  return many * (left_.size() + more) > input_.sites.size();
+}
+
+/// What the mesh finds on the way.
+void CellLadder::leave(const Tile& tile, Which which) {
+  for (const auto site : which) left_.push_back(tile.wholeIndex(site));
+  done_ += which.size();
+}
+
+Result<void> CellLadder::climbLists(const Ask& ask) {
+  if (on_device_.empty()) return {};
+  const Stopwatch watch;
+  if (!lists_) lists_.emplace(input_.sites, input_.threads);
+  search_seconds_ += watch.seconds();
+  const auto most = std::min<std::uint64_t>(FlannSearch::most_neighbors, input_.backend.info().max_lines);
+  const auto first = begins_roomy_ ? Effort::roomy : Effort::fast;
+  Indices pending = on_device_;
+  for (auto k = std::min<std::size_t>(static_cast<std::size_t>(input_.search.neighbors), most);; k *= 2) {
+    auto outcome = tryLists(pending, k, first, ask);
+    if (!outcome) return tl::unexpected(outcome.error());
+    if (!outcome->roomier.empty()) {
+      retried_ += outcome->roomier.size();
+      const auto again = tryLists(outcome->roomier, k, Effort::roomy, ask);
+      if (!again) return tl::unexpected(again.error());
+      outcome->unsecured.insert(outcome->unsecured.end(), again->unsecured.begin(), again->unsecured.end());
+    }
+    const bool helped = k < FlannSearch::usual_neighbors || 2 * outcome->unsecured.size() <= pending.size();
+    pending = std::move(outcome->unsecured);
+    if (pending.empty() || !helped || 2 * k > most) break;
+    retried_ += pending.size();
+  }
+  left_.insert(left_.end(), pending.begin(), pending.end());
+  return {};
+}
+
+/// Asks for cells from their k nearest neighbors.
+Result<CellLadder::Outcome> CellLadder::tryLists(Which which, std::size_t k, Effort effort, const Ask& ask) {
+  const auto& info = input_.backend.info();
+  const bool fast = effort == Effort::fast;
+  const auto lines = std::min<std::uint64_t>(info.max_lines, lines_per_batch);
+  const auto at_once = std::clamp<std::size_t>(lines / k, 1, info.max_entries);
+  Outcome outcome;
+  std::vector<CellStatus> status;
+  const auto work = [&](std::size_t begin, std::size_t count) -> Result<void> {
+    const auto part = which.subspan(begin, count);
+    const Stopwatch watch;
+    const auto candidates = lists_->neighbors(part, k);
+    search_seconds_ += watch.seconds();
+    status.assign(count, CellStatus::missing);
+    if (auto asked = ask.by_lists(candidates, effort, status); !asked) return asked;
+    for (std::size_t e = 0; e < count; ++e) {
+      if (isDone(status[e])) continue;
+      const bool again = fast && status[e] == CellStatus::overflow;
+      (status[e] == CellStatus::unsecured ? outcome.unsecured
+       : again                            ? outcome.roomier
+                                          : left_)
+          .push_back(part[e]);
+    }
+    return {};
+  };
+  if (auto done = runInSteps(input_.progress, fast ? "cells" : "large cells", which.size(), at_once, work);
+      !done) {
+    return tl::unexpected(done.error());
+  }
+  return outcome;
+}
+
+void CellLadder::describe(Report& report) const {
+  report.retried += retried_;
+  report.in_double += in_double_;
+  report.exact += exact_;
+  if (lists_) report.time_ms.search = std::max(report.time_ms.search, 0.0) + 1e3 * search_seconds_;
+}
+
+}  // namespace vorpipe::core

@@ -1,0 +1,33 @@
+/// From the records of cells to the arrays of a Diagram.
+#pragma once
+
+#include "cells/tied_cells.h"
+#include "sites/site_set.h"
+
+namespace vorpipe::core {
+
+/// Records for all input sites; those of sites without a cell of their own, duplicates, are written.
+BigVector<CellRecord> makeRecords(const Prepared& prepared, const Sites& sites);
+
+/// Gives the arrays that `detail` asks for their lengths, fills those that say what the records do, and
+/// counts the statuses.
+void takeRecords(std::span<const CellRecord> records, Detail detail, int threads, Diagram& diagram);
+
+/// Writes neighbors, and for more detail than measures the vertices, edge lengths, perimeters
+/// and second moments.
+void writeEdges(const ProposedCells& proposed, const TiedCells& tied, Detail detail, const Unscale& unscale,
+                Diagram& diagram);
+
+/// Removes from a diagram what Detail::measures does not have.
+void dropPolygons(Diagram& diagram);
+
+/// Bounds of areaGap: by rounding alone; and far above that of any diagram whose cells agree, so that more
+/// means an error.
+inline constexpr double area_rounding = 1e-12, area_wrong = 1e-6;
+
+/// |sum of all areas - the domain's area| / the domain's area, with a compensated sum. 0 if the domain's area
+/// is out of the range of double.
+double areaGap(const Diagram& diagram, const Box& domain, int threads);
+double areaGap(std::span<const CellRecord> records, const Box& domain, int threads);
+
+}  // namespace vorpipe::core

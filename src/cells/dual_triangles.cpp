@@ -1,0 +1,230 @@
+#include "cells/dual_triangles.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <utility>
+
+#include "base/parallel.h"
+#include "geometry/polygon_measures.h"
+#include "geometry/predicates.h"
+#include "geometry/triangulation.h"
+
+namespace vorpipe::core {
+namespace {
+
+constexpr std::size_t dual_triangles_grain = 4096;
+
+using Triple = std::array<std::int32_t, 3>;
+
+Triple sorted(std::int32_t a, std::int32_t b, std::int32_t c) {
+  if (a > b) std::swap(a, b);
+  if (b > c) std::swap(b, c);
+  if (a > b) std::swap(a, b);
+  return {a, b, c};
+}
+
+/// Whether direction a comes before b, counter-clockwise from the positive x axis.
+bool turnsLess(Point a, Point b) {
+  const bool a_below = a.y < 0 || (a.y == 0 && a.x < 0);
+  const bool b_below = b.y < 0 || (b.y == 0 && b.x < 0);
+  return a_below != b_below ? b_below : a.x * b.y - a.y * b.x > 0;
+}
+
+/// Which vertices of tied cells are the meeting of just one triple.
+std::vector<std::uint8_t> plainVertices(const ProposedCells& agreed, const TiedCells& tied) {
+  std::vector<std::uint8_t> plain(tied.position.size(), 1);
+  std::vector<Triple> seen(tied.position.size());
+  for (std::size_t k = 0; k < tied.cell.size(); ++k) {
+    const auto row = agreed.cells.edges(tied.cell[k]);
+    for (std::size_t e = 0; e < row.size(); ++e) {
+      const auto vertex = tied.vertex[tied.offsets[k] + e];
+      const auto here =
+          sorted(static_cast<std::int32_t>(tied.cell[k]), row[e > 0 ? e - 1 : row.size() - 1], row[e]);
+      if (seen[vertex] == Triple{}) seen[vertex] = here;
+      if (seen[vertex] != here) plain[vertex] = 0;
+    }
+  }
+  return plain;
+}
+
+/// Orders sites counter-clockwise along their convex hull (Andrew's monotone chain). Returns false where a
+/// site is no corner of it.
+bool sortAroundPolygon(const SiteSet& sites, std::vector<std::uint32_t>& around) {
+  if (around.size() < 3) return true;
+  const auto at = [&](std::uint32_t site) { return Point{sites.x[site], sites.y[site]}; };
+  std::sort(around.begin(), around.end(), [&](auto a, auto b) {
+    return std::pair(sites.x[a], sites.y[a]) < std::pair(sites.x[b], sites.y[b]);
+  });
+  std::vector<std::uint32_t> polygon;
+  const auto addChain = [&](auto begin, auto end) {
+    const auto first = polygon.size();
+    for (auto site = begin; site != end; ++site) {
+      while (polygon.size() >= first + 2 &&
+             orientation(at(polygon[polygon.size() - 2]), at(polygon.back()), at(*site)) <= 0) {
+        polygon.pop_back();
+      }
+      polygon.push_back(*site);
+    }
+    polygon.pop_back();
+  };
+  addChain(around.begin(), around.end());
+  addChain(around.rbegin(), around.rend());
+  if (polygon.size() != around.size()) return false;
+  around = std::move(polygon);
+  return true;
+}
+
+/// The cells around a vertex, counter-clockwise from that of the lowest input index. Returns false if that is
+/// not known: with weights, some of the sites may lie inside the polygon of the others.
+bool cellsAround(const ProposedCells& agreed, const TiedCells& tied, std::size_t vertex,
+                 std::vector<std::uint32_t>& around) {
+  const auto& sites = agreed.sites;
+  around.assign(tied.around.begin() + tied.around_offsets[vertex],
+                tied.around.begin() + tied.around_offsets[vertex + 1]);
+  around.erase(std::unique(around.begin(), around.end()), around.end());
+  const auto way = [&](std::uint32_t cell) {
+    return relativeTo({sites.x[cell], sites.y[cell]}, tied.position[vertex]);
+  };
+  if (sites.weight.empty()) {
+    std::sort(around.begin(), around.end(), [&](auto a, auto b) { return turnsLess(way(a), way(b)); });
+  } else if (!sortAroundPolygon(sites, around)) {
+    return false;
+  }
+  const auto lowest = std::min_element(around.begin(), around.end(),
+                                       [&](auto a, auto b) { return sites.id[a] < sites.id[b]; });
+  std::rotate(around.begin(), lowest, around.end());
+  return true;
+}
+
+/// Whether the circle through three sites is about a vertex that ties make, give or take a few ties of the
+/// nearest two of them: that vertex may have ties that are much longer.
+bool isAbout(const SiteSet& sites, const std::array<std::uint32_t, 3>& cells, const AnchoredPoint& vertex) {
+  constexpr double ties = 4;
+  const auto way = [&](std::uint32_t a, std::uint32_t b) {
+    return lengthOf({sites.x[b] - sites.x[a], sites.y[b] - sites.y[a]});
+  };
+  const auto [a, b, c] = cells;
+  const AnchoredPoint center = cornerPosition(sites, static_cast<std::int32_t>(a),
+                                              static_cast<std::int32_t>(b), static_cast<std::int32_t>(c));
+  return lengthOf(wayBetween(vertex, center)) <=
+         ties * shortest_edge * std::min({way(a, b), way(b, c), way(c, a)});
+}
+
+/// The Delaunay triangulation of the sites around a tie, whose polygon they are, in numbers of `around`. Most
+/// are four.
+std::vector<std::array<std::size_t, 3>> triangulated(const SiteSet& sites,
+                                                     const std::vector<std::uint32_t>& around) {
+  const auto at = [&](std::size_t k) {
+    const auto site = around[k];
+    return WeightedPoint{{sites.x[site], sites.y[site]}, sites.weight.empty() ? 0 : sites.weight[site]};
+  };
+  if (around.size() == 4) {
+    const bool meets_last =
+        orientation(at(0), at(1), at(2)) > 0 && inCirclePerturbed(at(0), at(1), at(2), at(3)) > 0;
+    if (meets_last) return {{0, 1, 3}, {1, 2, 3}};
+    return {{0, 1, 2}, {0, 2, 3}};
+  }
+  std::vector<Point> points;
+  std::vector<double> weights;
+  for (std::size_t k = 0; k < around.size(); ++k) {
+    points.push_back(at(k));
+    if (!sites.weight.empty()) weights.push_back(at(k).weight);
+  }
+  std::vector<std::array<std::size_t, 3>> triangles;
+  for (const auto& [corner, neighbor] : delaunay(points, weights).triangles) {
+    if (std::ranges::find(corner, ghost) != corner.end()) continue;
+    triangles.push_back({static_cast<std::size_t>(corner[0]), static_cast<std::size_t>(corner[1]),
+                         static_cast<std::size_t>(corner[2])});
+  }
+  return triangles;
+}
+
+/// Calls put(triangle) for the triangles that fill the polygon of the sites around a tie, as the
+/// triangulation of all sites has them. Returns false where that is not known: three of the sites lie on one
+/// line, or those of a triangle are as near to each other as ties of others are long.
+template <class Put>
+bool forTriangulated(const SiteSet& sites, const std::vector<std::uint32_t>& around,
+                     const AnchoredPoint& vertex, const Put& put) {
+  if (around.size() < 3) return true;
+  const auto triangles = triangulated(sites, around);
+  if (triangles.size() + 2 != around.size()) return false;
+  const auto at = [&](std::uint32_t site) { return Point{sites.x[site], sites.y[site]}; };
+  for (const auto& [i, j, k] : triangles) {
+    const std::array<std::uint32_t, 3> cells{around[i], around[j], around[k]};
+    if (!(orientation(at(cells[0]), at(cells[1]), at(cells[2])) > 0) || !isAbout(sites, cells, vertex))
+      return false;
+    Triangles::value_type ids{sites.id[cells[0]], sites.id[cells[1]], sites.id[cells[2]]};
+    std::ranges::rotate(ids, std::ranges::min_element(ids));
+    put(ids);
+  }
+  return true;
+}
+
+/// Calls put(triangle) for each triangle of plain vertices whose lowest input index is that of `cell`.
+template <class Put>
+void forTriangles(const ProposedCells& agreed, const TiedCells& tied, const std::vector<std::uint8_t>& plain,
+                  std::size_t cell, const Put& put) {
+  const auto& id = agreed.sites.id;
+  const auto row = agreed.cells.edges(cell);
+  const bool is_tied = tied.has(cell);
+  const auto own = id[cell];
+  for (std::size_t e = 0; e < row.size(); ++e) {
+    const auto before = row[e > 0 ? e - 1 : row.size() - 1];
+    const auto after = row[e];
+    if (before < 0 || after < 0) continue;
+    const auto p = id[static_cast<std::size_t>(before)];
+    const auto q = id[static_cast<std::size_t>(after)];
+    if (own > p || own > q) continue;
+    if (is_tied && plain[tied.vertex[tied.offsets[tied.entry[cell]] + e]] == 0) continue;
+    put({own, p, q});
+  }
+}
+
+/// Appends what each of `count` numbers makes: make(i, put) calls put(triangle) for each of its triangles.
+template <class Make>
+void append(std::size_t count, int threads, Triangles& triangles, const Make& make) {
+  std::vector<std::size_t> first((count + dual_triangles_grain - 1) / dual_triangles_grain + 1);
+  parallelFor(count, dual_triangles_grain, threads, [&](std::size_t begin, std::size_t end) {
+    std::size_t made = 0;
+    for (auto i = begin; i < end; ++i) make(i, [&](const Triangles::value_type&) { ++made; });
+    first[begin / dual_triangles_grain + 1] = made;
+  });
+  first[0] = triangles.size();
+  for (std::size_t b = 1; b < first.size(); ++b) first[b] += first[b - 1];
+  triangles.resize(first.back());
+  parallelFor(count, dual_triangles_grain, threads, [&](std::size_t begin, std::size_t end) {
+    auto to = first[begin / dual_triangles_grain];
+    for (auto i = begin; i < end; ++i) {
+      make(i, [&](const Triangles::value_type& triangle) { triangles[to++] = triangle; });
+    }
+  });
+}
+
+}  // namespace
+
+Triangles dualTriangles(const ProposedCells& agreed, const TiedCells& tied, SiteMesh& mesh) {
+  if (mesh.isMade() && mesh.get() != nullptr) return allTriangles(mesh);
+  const auto plain = plainVertices(agreed, tied);
+  Triangles triangles;
+  // By Euler's formula there are no more, so that none has to move when others are added.
+  triangles.reserve(2 * agreed.sites.size());
+  append(agreed.sites.size(), agreed.threads, triangles,
+         [&](std::size_t cell, const auto& put) { forTriangles(agreed, tied, plain, cell, put); });
+  std::atomic<bool> proper = true;
+  append(plain.size(), agreed.threads, triangles, [&](std::size_t vertex, const auto& put) {
+    if (plain[vertex] != 0 || tied.walls[vertex] != 0) return;
+    std::vector<std::uint32_t> around;
+    if (!cellsAround(agreed, tied, vertex, around) ||
+        !forTriangulated(agreed.sites, around, tied.position[vertex], put))
+      proper = false;
+  });
+  if (!proper) {
+    triangles = {};
+    return allTriangles(mesh);
+  }
+  addOuterTriangles(agreed, tied, mesh, triangles);
+  return triangles;
+}
+
+}  // namespace vorpipe::core

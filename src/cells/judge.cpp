@@ -1,0 +1,141 @@
+#include "cells/judge.h"
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+
+#include "base/parallel.h"
+#include "base/progress_steps.h"
+#include "cells/mesh_cells.h"
+
+namespace vorpipe::core {
+namespace {
+
+/// Break-even: the mesh of n sites takes as long as n / sites_per_cell cells in double, from trees of the
+/// sites around them, or as n / sites_per_exact_cell cells exactly: some 0.35 us a site, more with weights;
+/// a tree of all sites takes as long as the mesh.
+constexpr std::size_t sites_per_cell = 256, sites_per_weighted_cell = 64, sites_per_exact_cell = 2048;
+
+/// Of no more sites with weights the mesh is made for a single cell: where all of them nearly meet in a
+/// point, that cell may take minutes with many digits.
+constexpr std::size_t few_weighted_sites = std::size_t{1} << 14;
+
+/// Cells between two calls of progress.
+constexpr std::size_t most_at_once = std::size_t{1} << 24;
+
+using Indices = std::vector<std::uint32_t>;
+
+bool isOpen(CellStatus status) { return !isDone(status); }
+
+}  // namespace
+
+void Judge::addFromMesh(const PartMesh& mesh, std::span<const std::uint32_t> which, int threads,
+                        NeighborRows& cells) const {
+  std::vector<std::uint8_t> is_wanted(sites_.size());
+  Indices entry(sites_.size());
+  for (std::uint32_t e = 0; e < which.size(); ++e) {
+    is_wanted[which[e]] = 1;
+    entry[which[e]] = e;
+  }
+  for (auto& part : meshCells(sites_, mesh, is_wanted, threads)) {
+    for (auto& site : part.site) site = entry[site];
+    cells.add(part.site, std::move(part.cells));
+  }
+}
+
+Result<NeighborRows> Judge::find(std::span<const std::uint32_t> which, Precision precision, int threads,
+                                 const Progress& progress, std::uint64_t& exact) {
+  NeighborRows cells(which.size(), threads);
+  Indices entries(which.size());
+  std::iota(entries.begin(), entries.end(), 0u);
+  const bool few = !sites_.weight.empty() && sites_.size() <= few_weighted_sites && mesh_.isPossible();
+  const bool pays = precision == Precision::exact
+                        ? few || (!mesh_.isMade() && which.size() > sites_.size() / sites_per_exact_cell)
+                        : mesh_.isMade() || areMany(which.size());
+  if (const auto* mesh = pays ? mesh_.get() : nullptr; mesh != nullptr) {
+    addFromMesh(*mesh, which, threads, cells);
+    return cells;
+  }
+  auto found = findSome(which, entries, precision, progress, cells);
+  if (found && precision == Precision::in_double && !found->empty()) {
+    Indices open;
+    for (const auto e : *found) open.push_back(which[e]);
+    auto exactly = find(open, Precision::exact, threads, progress, exact);
+    if (!exactly) return exactly;
+    exact += open.size();
+    cells.add(*found, std::move(*exactly));
+    return cells;
+  }
+  if (!found) return tl::unexpected(found.error());
+  assert(found->empty());
+  return cells;
+}
+
+bool Judge::findAmong(std::span<const std::uint32_t> which, int threads, NeighborRows& rows) {
+  constexpr std::size_t grain = std::size_t{1} << 15;
+  if (!mesh_.isPossible()) return false;
+  std::vector<std::uint8_t> is_wanted(sites_.size());
+  for (const auto site : which) is_wanted[site] = 1;
+  const auto add = [&](const PartMesh& mesh) {
+    for (auto& part : meshCells(sites_, mesh, is_wanted, threads)) rows.add(part.site, std::move(part.cells));
+    return true;
+  };
+  if (mesh_.isMade()) {
+    const auto* mesh = mesh_.get();
+    return mesh != nullptr && add(*mesh);
+  }
+  std::vector<Indices> beside((sites_.size() + grain - 1) / grain);
+  parallelFor(sites_.size(), grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end; ++i) {
+      const auto edges = rows.edges(i);
+      const bool names_one = std::ranges::any_of(
+          edges, [&](auto other) { return other < 0 || is_wanted[static_cast<std::size_t>(other)] != 0; });
+      if (is_wanted[i] != 0 || names_one) beside[begin / grain].push_back(static_cast<std::uint32_t>(i));
+    }
+  });
+  Indices some;
+  for (const auto& part : beside) some.insert(some.end(), part.begin(), part.end());
+  const auto mesh = triangulate(sites_, std::move(some), threads);
+  return !mesh.mesh.triangles.empty() && add(mesh);
+}
+
+ExactTier& Judge::ready() {
+  if (!ready_) exact_.take(sites_);
+  ready_ = true;
+  return exact_;
+}
+
+void Judge::nearest(const View& view, std::span<const std::uint32_t> pixels, std::span<std::uint32_t> sites) {
+  ready().nearest(view, pixels, sites);
+}
+
+bool Judge::areMany(std::size_t cells) const {
+  const auto sites = sites_.weight.empty() ? sites_per_cell : sites_per_weighted_cell;
+  return cells > sites_.size() / sites && mesh_.isPossible();
+}
+
+Result<std::vector<std::uint32_t>> Judge::findSome(std::span<const std::uint32_t> which,
+                                                   std::span<const std::uint32_t> entries,
+                                                   Precision precision, const Progress& progress,
+                                                   NeighborRows& cells) {
+  std::vector<std::uint32_t> open;
+  std::vector<std::uint32_t> some;
+  const auto work = [&](std::size_t begin, std::size_t count) -> Result<void> {
+    const auto part = entries.subspan(begin, count);
+    some.clear();
+    for (const auto e : part) some.push_back(which[e]);
+    CellNeighbors found;
+    ready().cells(some, precision, found);
+    const auto left = withStatus(part, found.status, isOpen);
+    open.insert(open.end(), left.begin(), left.end());
+    cells.add(part, std::move(found));
+    return {};
+  };
+  const auto* stage = precision == Precision::exact ? "exact cells" : "cells in double";
+  if (auto done = runInSteps(progress, stage, entries.size(), most_at_once, work); !done) {
+    return tl::unexpected(done.error());
+  }
+  return open;
+}
+
+}  // namespace vorpipe::core

@@ -1,0 +1,177 @@
+#include "cells/neighbor_search.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "backend/collect.h"
+#include "base/parallel.h"
+#include "base/stopwatch.h"
+#include "cells/answers.h"
+#include "cells/bisectors.h"
+#include "cells/hidden_cells.h"
+#include "cells/likely_empty.h"
+
+namespace vorpipe::core {
+
+namespace {
+
+/// Whether sites were rounded to a lattice that is so coarse that some of them coincide. Floats decide ties
+/// between cells one by one; where only some are ties, most of that is in dispute afterwards.
+bool areSnapped(const SiteSet& sites) {
+  constexpr std::size_t few = 200;
+  const std::size_t given = *std::ranges::max_element(sites.id) + std::size_t{1};
+  return few * (given - sites.size()) > given;
+}
+
+}  // namespace
+
+Result<void> findAgain(const SearchInput& input, const std::vector<std::uint32_t>& which, Precision precision,
+                       NeighborRows& rows) {
+  std::uint64_t exact = 0;
+  auto found = input.judge.find(which, precision, input.threads, input.progress, exact);
+  if (!found) return tl::unexpected(found.error());
+  rows.add(which, std::move(*found));
+  proveEmpty(input.sites, which, input.threads, rows);
+  return {};
+}
+
+bool findAllInMesh(const SearchInput& input, NeighborRows& rows) {
+  const auto all = allOf(input.sites);
+  if (!input.judge.findAmong(all, input.threads, rows)) return false;
+  proveEmpty(input.sites, all, input.threads, rows);
+  return true;
+}
+
+namespace {
+
+/// Whether to end where a site has no cell.
+enum class AtEmpty : std::uint8_t { go_on, end };
+
+/// Asks the device, and keeps what it finds.
+class DeviceSearch {
+ public:
+  DeviceSearch(const SearchInput& input, AtEmpty at_empty, NeighborRows& rows)
+      : input_(input), may_end_(at_empty == AtEmpty::end && !input.sites.weight.empty()), rows_(rows) {}
+
+  /// Whether an error of the functions below is that a site has no cell.
+  [[nodiscard]] bool ended() const { return ended_; }
+
+  Result<void> byGrid(const Tile& tile, std::span<const std::uint32_t> which, Effort effort,
+                      std::span<CellStatus> status) {
+    if (auto go_on = lookAtLikely(tile); !go_on) return go_on;
+    CellNeighbors found;
+    auto asked = askCells(input_.backend, tile.sites.size(), which, effort, input_.threads, found);
+    if (!asked) return asked;
+    std::ranges::copy(found.status, status.begin());
+    if (tile.whole.empty()) {
+      if (auto go_on = endIfEmpty(which, found); !go_on) return go_on;
+      rows_.add(which, std::move(found));
+      return {};
+    }
+    std::vector<std::uint32_t> whole;
+    for (const auto site : which) whole.push_back(tile.whole[site]);
+    parallelFor(which.size(), grain, input_.threads, [&](std::size_t begin, std::size_t end) {
+      for (auto e = begin; e < end; ++e) {
+        renumber(found, e, [&](std::uint32_t site) { return tile.whole[site]; });
+      }
+    });
+    if (auto go_on = endIfEmpty(whole, found); !go_on) return go_on;
+    rows_.add(whole, std::move(found));
+    return {};
+  }
+
+  /// Clips with the most room whatever the effort, and turns places in lists into sites.
+  Result<void> byLists(const Candidates& candidates, std::span<CellStatus> status) {
+    const Stopwatch watch;
+    packBatch(input_.sites, candidates, 0, candidates.site.size(), input_.threads, batch_);
+    pack_seconds_ += watch.seconds();
+    CellNeighbors found;
+    if (auto asked = askCells(input_.backend, batch_, input_.threads, found); !asked) return asked;
+    // There is no more room than that.
+    std::ranges::replace_copy(found.status, status.begin(), CellStatus::overflow, CellStatus::open);
+    for (std::size_t e = 0; e < candidates.site.size(); ++e) {
+      renumber(found, e, [&](std::uint32_t line) { return candidates.index[candidates.offsets[e] + line]; });
+    }
+    rows_.add(candidates.site, std::move(found));
+    return {};
+  }
+
+  [[nodiscard]] double packSeconds() const { return pack_seconds_; }
+
+ private:
+  static constexpr std::size_t grain = std::size_t{1} << 16;
+
+  /// Before the first cells, where all sites are one tile: one that has none is found early then.
+  Result<void> lookAtLikely(const Tile& tile) {
+    if (!may_end_ || has_looked_ || !tile.whole.empty()) return {};
+    has_looked_ = true;
+    const auto likely = likelyEmpty(input_.sites, input_.threads);
+    if (likely.empty()) return {};
+    CellNeighbors found;
+    auto asked = askCells(input_.backend, tile.sites.size(), likely, Effort::fast, input_.threads, found);
+    return asked ? endIfEmpty(likely, found) : asked;
+  }
+
+  /// Error: the answers about `which` prove that one of them has no cell.
+  Result<void> endIfEmpty(std::span<const std::uint32_t> which, const CellNeighbors& found) {
+    if (!may_end_) return {};
+    for (std::size_t e = 0; e < which.size(); ++e) {
+      if (found.status[e] != CellStatus::empty) continue;
+      const auto lines =
+          std::span(found.neighbor).subspan(found.offsets[e], found.offsets[e + 1] - found.offsets[e]);
+      ended_ = leaveNothing(input_.sites, which[e], lines);
+      if (ended_) return tl::unexpected(Error{ErrorCode::cancelled, "a site has no cell"});
+    }
+    return {};
+  }
+
+  const SearchInput& input_;
+  bool may_end_, has_looked_ = false, ended_ = false;
+  NeighborRows& rows_;
+  CellBatch<double> batch_;
+  double pack_seconds_ = 0;
+};
+
+Result<std::optional<NeighborRows>> findRows(const SearchInput& input, AtEmpty at_empty, Report& report) {
+  NeighborRows rows(input.sites.size(), input.threads);
+  Upload upload(input.backend, {});
+  CellLadder ladder(input, upload, 0);
+  DeviceSearch device(input, at_empty, rows);
+  if (input.sites.weight.empty() && areSnapped(input.sites)) ladder.choose({{}, allOf(input.sites)});
+  const auto left = ladder.climbDevice({[&](const Tile& tile, auto which, Effort effort, auto status) {
+                                          return device.byGrid(tile, which, effort, status);
+                                        },
+                                        [&](const Candidates& candidates, Effort, auto status) {
+                                          return device.byLists(candidates, status);
+                                        }});
+  if (device.ended()) return std::nullopt;
+  if (!left) return tl::unexpected(left.error());
+  if (auto found = ladder.findLeft(*left, rows); !found) return tl::unexpected(found.error());
+  ladder.describe(report);
+  if (input.search.method == Search::grid) {
+    report.time_ms.upload = 1e3 * upload.seconds();
+  } else if (report.time_ms.search >= 0) {
+    report.time_ms.search += 1e3 * device.packSeconds();
+  }
+  if (!input.sites.weight.empty()) proveEmpty(input.sites, allOf(input.sites), input.threads, rows);
+  return rows;
+}
+
+}  // namespace
+
+Result<NeighborRows> findNeighbors(const SearchInput& input, Report& report) {
+  auto rows = findRows(input, AtEmpty::go_on, report);
+  if (!rows) return tl::unexpected(rows.error());
+  return std::move(**rows);
+}
+
+Result<std::optional<NeighborRows>> findNeighborsUnlessEmpty(const SearchInput& input, Report& report) {
+  auto rows = findRows(input, AtEmpty::end, report);
+  if (!rows || !*rows || input.sites.weight.empty()) return rows;
+  for (std::size_t cell = 0; cell < (*rows)->size(); ++cell) {
+    if ((*rows)->status(cell) == CellStatus::empty) return std::nullopt;
+  }
+  return rows;
+}
+
+}  // namespace vorpipe::core

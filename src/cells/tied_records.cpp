@@ -1,0 +1,66 @@
+#include "cells/tied_records.h"
+
+#include <algorithm>
+
+#include "base/parallel.h"
+
+namespace vorpipe::core {
+namespace {
+
+constexpr std::size_t tied_records_grain = 1024;
+
+/// The centroid of a cell, relative to its origin, clamped to the domain: ties may reach slightly beyond a
+/// wall, and a cell that only touches the domain far beyond it.
+Point centroidInDomain(const SiteSet& sites, Point origin, Point centroid) {
+  const Box& domain = sites.domain;
+  return {std::clamp(centroid.x, domain.xmin - origin.x, domain.xmax - origin.x),
+          std::clamp(centroid.y, domain.ymin - origin.y, domain.ymax - origin.y)};
+}
+
+/// Records a cell all of whose edges are ties: its site is nearly hidden, or far outside. Without weights and
+/// with an area of 0 up to rounding, the cell only touches the domain, and is empty.
+void recordUnedged(const ProposedCells& proposed, std::uint32_t cell, const Records& records) {
+  const auto& sites = proposed.sites;
+  const auto row = proposed.cells.edges(cell);
+  std::vector<AnchoredPoint> corners;
+  placeCorners(sites, cell, row, corners);
+  const auto origin = measuringOrigin(sites, cell, corners.front());
+  const auto m = measureCell(origin, corners);
+  const Box& domain = sites.domain;
+  const double no_area = 1e-12 * (domain.xmax - domain.xmin) * (domain.ymax - domain.ymin);
+  if (sites.weight.empty() && !(m.area > no_area)) return records.empty(cell);
+  records.cell(cell, 0, std::max(m.area, 0.0), origin, centroidInDomain(sites, origin, m.centroid),
+               std::max(spreadOf(m), 0.0));
+}
+
+}  // namespace
+
+Measures recordMeasures(const SiteSet& sites, std::uint32_t cell, std::size_t edges,
+                        std::span<const AnchoredPoint> corners, const Records& records) {
+  const auto origin = measuringOrigin(sites, cell, corners.front());
+  const auto m = measureCell(origin, corners);
+  records.cell(cell, edges, m.area, origin, centroidInDomain(sites, origin, m.centroid), spreadOf(m));
+  return m;
+}
+
+void recordTiedCells(const ProposedCells& proposed, const TiedCells& tied, const Records& records) {
+  parallelFor(tied.cell.size(), tied_records_grain, proposed.threads,
+              [&](std::size_t begin, std::size_t end) {
+                std::vector<std::uint32_t> edges;
+                for (auto k = begin; k < end; ++k) {
+                  const auto cell = tied.cell[k];
+                  if (proposed.cells.status(cell) == CellStatus::empty) {
+                    records.empty(cell);
+                    continue;
+                  }
+                  keptEdges(proposed, tied, k, edges);
+                  if (edges.empty()) {
+                    recordUnedged(proposed, cell, records);
+                  } else {
+                    records.setEdges(cell, edges.size());
+                  }
+                }
+              });
+}
+
+}  // namespace vorpipe::core

@@ -1,0 +1,202 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "check/cell_rings.h"
+#include "check/outline.h"
+#include "check/places.h"
+#include "check/sorted_edges.h"
+
+namespace vorpipe::core::checks {
+namespace {
+
+/// By how much the area of a cell before ties join its corners, which is what is written, may differ from
+/// what its rings enclose: each edge in truth lies in its line, which its ends may be off, and around each
+/// vertex a place as wide as ties may belong to another cell.
+double movedByTies(const CheckedCells& run, const CellRings& rings, std::size_t i, double reach) {
+  const double off = run.ties(reach) + run.rounding(i);
+  const double at_vertex = 4 * off * off;
+  double moved = at_vertex;
+  rings.eachEdge([&](std::size_t e, Point a, Point b) {
+    const std::int64_t neighbor = run.diagram.neighbors[e];
+    if (neighbor < 0) return;
+    moved += 2 * at_vertex;
+    const auto j = static_cast<std::size_t>(neighbor);
+    const auto beyond = [&](Point p) {
+      return std::abs(beyondBisector(run.way(i, j), run.site(i), run.weightDifference(i, j), p));
+    };
+    moved += std::max(beyond(a), beyond(b)) * length(b - a);
+  });
+  return moved;
+}
+
+struct RingSums {
+  double area, perimeter, rounding;
+};
+
+std::string wrongRingArea(const CheckedCells& run, const CheckedOutline& outline, const CellRings& rings,
+                          const RingSums& sums, std::size_t i, double reach) {
+  const double said = run.diagram.area[i];
+  const double apart = std::abs(sums.area - said * run.scale * run.scale);
+  if (apart <= sums.rounding + movedByTies(run, rings, i, reach)) return {};
+  // Along the outline, ties may have left a cell nothing that belongs to it, or what belongs to cells that it
+  // has no edge with: how much is not known from its rings.
+  const double longest_tie = run.ties(run.shorter_side);
+  if (apart <= longest_tie * (sums.perimeter + longest_tie) && wrongArea(run, &outline, i).empty()) return {};
+  return fmt::format("the rings of site {} have the area {}, its record says {}", i,
+                     sums.area / run.scale / run.scale, said);
+}
+
+std::string wrongRings(const CheckedCells& run, const CheckedOutline& outline, std::size_t i, double reach) {
+  const CellRings rings(run, i);
+  if (run.edges(i) == 0) return {};
+  if (rings.size() == 0 || rings.begin(0) != run.begin(i)) {
+    return fmt::format("no ring of site {} begins where its cell does", i);
+  }
+  double area = 0, perimeter = 0, longest = 0;
+  const Point origin = run.vertex(run.begin(i));
+  std::string wrong;
+  rings.eachEdge([&](std::size_t e, Point a, Point b) {
+    area += cross(a - origin, b - origin) / 2;
+    const double side = length(b - a);
+    perimeter += side;
+    longest = std::max(longest, length(a - origin));
+    if (std::abs(side - run.diagram.edge_lengths[e] * run.scale) > run.rounding(i)) {
+      wrong = fmt::format("edge {} of site {} is not as long as its ends are apart", e - run.begin(i), i);
+    }
+  });
+  if (!wrong.empty()) return wrong;
+  const RingSums sums{area, perimeter, run.rounding(i) * (perimeter + longest)};
+  wrong = wrongRingArea(run, outline, rings, sums, i, reach);
+  if (!wrong.empty()) return wrong;
+  const double summed = run.rounding(i) * static_cast<double>(run.edges(i)) * (1 + perimeter);
+  if (std::abs(perimeter - run.diagram.perimeter[i] * run.scale) <= summed) return {};
+  return fmt::format("the rings of site {} have the perimeter {}, its record says {}", i,
+                     perimeter / run.scale, run.diagram.perimeter[i]);
+}
+
+bool isOnWall(const CheckedCells& run, std::int64_t wall, Point p) {
+  const Box& box = run.domain;
+  const double x = countedCoordinate(p.x), y = countedCoordinate(p.y);
+  return wall == wall_xmin   ? x == box.xmin
+         : wall == wall_xmax ? x == box.xmax
+         : wall == wall_ymin ? y == box.ymin
+                             : y == box.ymax;
+}
+
+std::string wrongEdges(const CheckedCells& run, std::size_t i, double reach) {
+  std::string wrong;
+  CellRings(run, i).eachEdge([&](std::size_t e, Point a, Point b) {
+    const std::int64_t neighbor = run.diagram.neighbors[e];
+    const auto j = static_cast<std::size_t>(neighbor);
+    const double slack = run.ties(reach) + run.rounding(i) + (neighbor < 0 ? 0 : run.rounding(j));
+    const auto beyond = [&](Point p) {
+      return std::abs(beyondBisector(run.way(i, j), run.site(i), run.weightDifference(i, j), p));
+    };
+    // checkBorder() has those of the outline.
+    const bool right =
+        neighbor == wall_outline || (neighbor < 0 ? isOnWall(run, neighbor, a) && isOnWall(run, neighbor, b)
+                                                  : beyond(a) <= slack && beyond(b) <= slack);
+    if (!right) wrong = fmt::format("edge {} of site {} is not where {} is", e - run.begin(i), i, neighbor);
+  });
+  return wrong;
+}
+
+/// Whether the outline cut cell i: how far it reached before, where ties may have moved the ends of its
+/// edges, is not known then. Of a cell in a narrow end of the outline, edges along that may be points.
+bool isCut(const CheckedCells& run, const CheckedOutline& outline, std::size_t i) {
+  for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
+    if (run.diagram.neighbors[e] == wall_outline) return true;
+    if (outline.at(run.vertex(e), run.rounding(i)) == CheckedOutline::Side::edge) return true;
+  }
+  return false;
+}
+
+std::string wrongTwin(const CheckedCells& run, const SortedEdges& edges, std::size_t i) {
+  std::string wrong;
+  CellRings(run, i).eachEdge([&](std::size_t e, Point a, Point b) {
+    const std::int64_t neighbor = run.diagram.neighbors[e];
+    if (neighbor < 0 || edges.has(static_cast<std::size_t>(neighbor), i, b, a)) return;
+    wrong = fmt::format("site {} has an edge with {}, which has another or none", i, neighbor);
+  });
+  return wrong;
+}
+
+std::string oneSided(const CheckedCells& run, const SortedEdges& edges, std::size_t i) {
+  for (std::size_t e = run.begin(i); e < run.end(i); ++e) {
+    const std::int64_t neighbor = run.diagram.neighbors[e];
+    if (neighbor < 0 || edges.has(static_cast<std::size_t>(neighbor), i)) continue;
+    return fmt::format("site {} has {} as a neighbor, and not the other way round", i, neighbor);
+  }
+  return {};
+}
+
+/// What is wrong if p belongs to the cell of `owner`.
+std::string wrongInCell(const CheckedCells& run, const CheckedOutline& outline, std::uint32_t owner,
+                        Point p) {
+  bool inside = false;
+  double away = std::numeric_limits<double>::infinity();
+  CellRings(run, owner).eachEdge([&](std::size_t, Point a, Point b) {
+    inside = inside != crossesRay(p, a, b);
+    away = std::min(away, distance(p, a, b));
+  });
+  return run.wrongAtAnyReach(owner, [&](double reach) -> std::string {
+    const double slack = run.ties(reach) + run.rounding(owner);
+    const auto side = outline.at(p, slack);
+    if (away <= slack || side == CheckedOutline::Side::edge) return {};
+    if (inside == (side == CheckedOutline::Side::inside)) return {};
+    return fmt::format("({}, {}) lies {} the outline, but {} in the cell of its nearest site {}",
+                       p.x / run.scale, p.y / run.scale, inside ? "outside" : "inside", inside ? "" : "not ",
+                       owner);
+  });
+}
+
+std::string wrongPlace(const CheckedCells& run, const CheckedOutline& outline, const NearestSite& nearest,
+                       Point p) {
+  std::string wrong;
+  // Of those that double does not tell apart, any may have it.
+  for (const auto site : nearest.allAt(p)) {
+    wrong = wrongInCell(run, outline, run.diagram.owner[site], p);
+    if (wrong.empty()) break;
+  }
+  return wrong;
+}
+
+bool haveRings(const CheckedCells& run, const CheckedOutline& outline, Broken& broken) {
+  if (!std::ranges::is_sorted(run.diagram.ring_starts)) {
+    broken.add("rings", "ring_starts do not ascend");
+    return false;
+  }
+  return broken.expect("rings", run.size(), run.threads, [&](std::size_t i) {
+    return run.wrongAtAnyReach(i, [&](double reach) { return wrongRings(run, outline, i, reach); });
+  });
+}
+
+}  // namespace
+
+void checkClipped(const CheckedCells& run, const CheckedOutline& outline, const NearestSite& nearest,
+                  Broken& broken) {
+  const auto each = [&](std::string_view promise, const auto& test) {
+    return broken.expect(promise, run.size(), run.threads, test);
+  };
+  const SortedEdges edges(run);
+  if (run.detail == Detail::measures || !haveRings(run, outline, broken)) {
+    each("neighbors", [&](std::size_t i) { return oneSided(run, edges, i); });
+    return;
+  }
+  each("edges", [&](std::size_t i) {
+    const auto wrong = run.wrongAtAnyReach(i, [&](double reach) { return wrongEdges(run, i, reach); });
+    return wrong.empty() || !isCut(run, outline, i) ? wrong : wrongEdges(run, i, run.shorter_side);
+  });
+  each("rings", [&](std::size_t i) { return wrongShape(run, outline, i); });
+  each("neighbors", [&](std::size_t i) { return wrongTwin(run, edges, i); });
+  checkBorder(run, outline, broken);
+  Random random(1);
+  checkNearestInCells(run, nearest, random, broken);
+  const std::vector<Point> places = samplePlaces(run, random);
+  broken.expect("nearest sites", places.size(), run.threads,
+                [&](std::size_t k) { return wrongPlace(run, outline, nearest, places[k]); });
+}
+
+}  // namespace vorpipe::core::checks

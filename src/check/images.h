@@ -1,0 +1,52 @@
+/// Images of sites in a periodic domain, as the checks see them.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "check/nearest_site.h"
+#include "check/run.h"
+
+namespace vorpipe::core::checks {
+
+/// The sites of a run as its domain takes them: the caller's, but in a periodic domain.
+struct InsideSites {
+  std::optional<Sites> wrapped;
+  [[nodiscard]] const Sites& of(const Sites& callers) const { return wrapped ? *wrapped : callers; }
+};
+
+/// Errors: those of wrapped().
+Result<InsideSites> insideOf(const Sites& sites, const Box& domain, Periodic periodic, int threads);
+
+/// Where sites stand, the same for those that the period makes equal.
+class SitePlaces {
+ public:
+  explicit SitePlaces(const CheckedSites& run) : run_(run) {}
+  [[nodiscard]] Point at(std::size_t i) const;
+
+ private:
+  const CheckedSites& run_;
+};
+
+/// An image of `site`, which stands `shift` periods from it, at `place`.
+struct NearImage {
+  std::uint32_t site;
+  Shift shift;
+  Point place;
+};
+
+/// A site or image of least distance to p, or with weights of least power.
+NearImage nearestImage(const CheckedSites& run, const NearestSite& nearest, Point p);
+
+/// All sites and images that double does not tell from the nearest, that first.
+std::vector<NearImage> nearestImages(const CheckedSites& run, const NearestSite& nearest, Point p);
+
+/// From one image to another.
+inline Point wayTo(const CheckedSites& run, const NearImage& from, const NearImage& to) {
+  return run.way(from.site, to.site, {to.shift[0] - from.shift[0], to.shift[1] - from.shift[1]});
+}
+
+/// The site or image of i of least distance to p.
+NearImage imageNear(const CheckedSites& run, std::uint32_t i, Point p);
+
+}  // namespace vorpipe::core::checks

@@ -1,0 +1,61 @@
+#include "check/places.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vorpipe::core::checks {
+namespace {
+
+constexpr std::size_t fewest_places = 2'000, most_places = 20'000, places_of_a_site = 256;
+
+/// A number of [0, 1), the same on every platform.
+double fraction(Random& random) { return std::ldexp(static_cast<double>(random() >> 11), -53); }
+
+}  // namespace
+
+std::vector<Point> samplePlaces(const CheckedCells& run, Random& random) {
+  std::vector<Point> places(std::clamp(places_of_a_site * run.size(), fewest_places, most_places));
+  const Box& box = run.domain;
+  for (Point& p : places) {
+    p.x = box.xmin + fraction(random) * (box.xmax - box.xmin);
+    p.y = box.ymin + fraction(random) * (box.ymax - box.ymin);
+  }
+  return places;
+}
+
+double distance(Point p, Point a, Point b) {
+  const Point edge = b - a, to = p - a;
+  const double square = dot(edge, edge);
+  const double along = square > 0 ? std::clamp(dot(to, edge) / square, 0.0, 1.0) : 0;
+  return length(to - Point{along * edge.x, along * edge.y});
+}
+
+void cutRing(Point normal, double offset, std::vector<Point>& ring) {
+  std::vector<Point> kept;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point a = ring[k], b = ring[k + 1 < ring.size() ? k + 1 : 0];
+    const double at_a = offset - dot(a, normal), at_b = offset - dot(b, normal);
+    if (at_a >= 0) kept.push_back(a);
+    if ((at_a < 0) == (at_b < 0)) continue;
+    const double along = at_a / (at_a - at_b);
+    Point p{a.x + along * (b.x - a.x), a.y + along * (b.y - a.y)};
+    // Along an axis the line is met exactly.
+    if (normal.y == 0) p.x = offset / normal.x;
+    if (normal.x == 0) p.y = offset / normal.y;
+    kept.push_back(p);
+  }
+  ring = std::move(kept);
+}
+
+double areaOf(std::span<const Point> ring) {
+  double twice = 0;
+  for (std::size_t k = 1; k + 1 < ring.size(); ++k) twice += cross(ring[k] - ring[0], ring[k + 1] - ring[0]);
+  return twice / 2;
+}
+
+bool crossesRay(Point p, Point a, Point b) {
+  if ((a.y > p.y) == (b.y > p.y)) return false;
+  return (cross(b - a, p - a) > 0) == (b.y > a.y);
+}
+
+}  // namespace vorpipe::core::checks

@@ -1,0 +1,65 @@
+/// What `fluid` writes while it runs: pictures, files for ParaView and checkpoints.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/fluid_trace.h"
+#include "cli/options/fluid_options.h"
+#include "cli/options/picture_options.h"
+#include "io/base/output_file.h"
+#include "io/cells/fluid_series.h"
+#include "view/recorder.h"
+#include "vorpipe.h"
+#include "vorpipe/fluid.h"
+
+namespace vorpipe::cli {
+
+/// What colors of a picture stand for: `color`, or where there is none what is usual.
+view::FlowColor flowColorOf(const FluidState& state, const PictureOptions& picture,
+                            std::optional<view::FlowColor> color);
+
+/// A picture of the cells; of a free surface the air is white.
+Result<Image> drawFluid(Session& session, const FluidState& state, const FluidOptions& options,
+                        const PictureOptions& picture, std::optional<view::FlowColor> color);
+
+/// Files that grow with the steps.
+class FluidRecord {
+ public:
+  /// Opens films, folders and the trace; a run that goes on with a checkpoint goes on with folders and trace.
+  /// Errors: those of openRecorder, openSeries, goOnWithFrames, goOnWithSeries and FluidTrace::open.
+  static Result<FluidRecord> open(const FluidTargets& targets, const PictureOptions& picture,
+                                  const FluidState* resumed);
+
+  /// Writes what there is to write of a step.
+  Result<void> add(Session& session, const FluidState& state, const FluidOptions& options);
+  /// A row of the trace.
+  Result<void> addRow(const FluidStep& step) { return trace_.add(step); }
+  /// Puts a film in place, and ends the trace.
+  Result<void> finish(RunLog& log);
+
+ private:
+  FluidRecord(const FluidTargets& targets, const PictureOptions& picture, FluidTrace trace)
+      : targets_(&targets), picture_(&picture), trace_(std::move(trace)) {}
+  Result<void> openFrames(const FluidState* resumed);
+  Result<void> openSeries(const FluidState* resumed);
+  Result<void> addToSeries(Session& session, const FluidState& state, const FluidOptions& options);
+
+  const FluidTargets* targets_;
+  const PictureOptions* picture_;
+  FluidTrace trace_;
+  std::unique_ptr<view::Recorder> recorder_;
+  bool first_is_drawn_ = false;  ///< by the run that this one goes on with
+  std::vector<SeriesStep> series_;
+};
+
+/// Refuses a checkpoint, trace or film that is one of the `files` at the end, or cannot be written, and files
+/// in folders of frames or series, which hold nothing else. Errors (input) name the option.
+Result<void> checkApart(const FluidTargets& targets, std::span<const OutputFile> files);
+
+/// Writes a checkpoint, whole or not at all.
+Result<void> saveCheckpoint(const std::string& path, const FluidState& state, const FluidOptions& options);
+
+}  // namespace vorpipe::cli

@@ -1,0 +1,138 @@
+#include "cli/fluid_trace.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "io/base/error.h"
+#include "io/base/input_file.h"
+
+namespace vorpipe::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view head =
+    "step,time,length,kinetic,potential,spring,energy,momentum_x,momentum_y,worst,farthest,diagrams,"
+    "linear_iterations,halvings,seconds\n";
+
+std::string rowOf(const FluidStep& step, bool with_times) {
+  const std::string seconds = with_times ? fmt::format("{:.6f}", step.seconds) : std::string();
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", step.step, step.time, step.length,
+                     step.kinetic, step.potential, step.spring, step.energy(), step.momentum.x,
+                     step.momentum.y, step.worst, step.farthest, step.diagrams, step.linear_iterations,
+                     step.halvings, seconds);
+}
+
+/// What there is of a trace up to the step of a checkpoint.
+Result<std::string> keptOf(const std::string& path, const FluidState& from) {
+  auto file = InputFile::open(path);
+  if (!file) return tl::unexpected(std::move(file.error()));
+  auto text = readText(*file);
+  if (!text) return text;
+  if (!text->starts_with(head)) return inputError(path + ": it is no trace of a fluid; name another file");
+  const std::size_t row = text->find(fmt::format("\n{},{},", from.step, from.time));
+  const std::size_t end = row == std::string::npos ? row : text->find('\n', row + 1);
+  if (end == std::string::npos) {
+    return inputError(
+        fmt::format("{}: its trace has no step {} at time {}, which the checkpoint is of; name another file",
+                    path, from.step, from.time));
+  }
+  text->resize(end + 1);
+  return text;
+}
+
+/// A file whose bytes go nowhere: what is in it was written before.
+class WrittenBefore final : public ByteSink {
+ public:
+  explicit WrittenBefore(std::string name) : ByteSink(std::move(name)) {}
+  Result<void> write(std::string_view) override { return {}; }
+};
+
+}  // namespace
+
+Result<FluidTrace> FluidTrace::open(const std::string& path, const FluidState* resumed) {
+  FluidTrace trace(path);
+  trace.text_ = trace.timeless_ = head;
+  std::error_code none;
+  if (path.empty() || resumed == nullptr || !fs::is_regular_file(path, none)) return trace;
+  auto kept = keptOf(path, *resumed);
+  if (!kept) return tl::unexpected(std::move(kept.error()));
+  trace.text_ = trace.timeless_ = std::move(*kept);
+  trace.goes_on_ = true;
+  return trace;
+}
+
+FluidTrace::FluidTrace(FluidTrace&& other) noexcept
+    : path_(std::move(other.path_)),
+      goes_on_(other.goes_on_),
+      text_(std::move(other.text_)),
+      timeless_(std::move(other.timeless_)),
+      direct_(std::move(other.direct_)),
+      descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+FluidTrace::~FluidTrace() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+/// Puts what there is so far in place of an older file, whole; rows follow.
+Result<void> FluidTrace::begin() {
+  auto file = OutputFile::create(path_);
+  if (!file) return tl::unexpected(std::move(file.error()));
+  if (auto written = file->write(text_); !written) return written;
+  if (file->target().empty()) {
+    direct_ = std::move(*file);
+    return {};
+  }
+  if (auto committed = file->commit(); !committed) return committed;
+  descriptor_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
+  if (descriptor_ >= 0) return {};
+  return systemError(ErrorCode::device, path_, "cannot be written", errno);
+}
+
+Result<void> FluidTrace::append(const std::string& row) {
+  if (direct_) return direct_->write(row);
+  // In one call, so that no row is left in part.
+  const auto written = ::write(descriptor_, row.data(), row.size());
+  if (written == static_cast<::ssize_t>(row.size())) return {};
+  const int code = written < 0 ? errno : ENOSPC;
+  if (written > 0 && ::ftruncate(descriptor_, static_cast<::off_t>(text_.size())) != 0) {
+    return systemError(ErrorCode::device, path_, "its last row is not whole", errno);
+  }
+  return systemError(ErrorCode::device, path_, "cannot be written", code);
+}
+
+Result<void> FluidTrace::add(const FluidStep& step) {
+  if (path_.empty()) return {};
+  const bool is_first = !direct_ && descriptor_ < 0;
+  if (is_first && goes_on_) return begin();
+  const std::string row = rowOf(step, true);
+  timeless_ += rowOf(step, false);
+  if (is_first) {
+    text_ += row;
+    return begin();
+  }
+  auto appended = append(row);
+  if (appended) text_ += row;
+  return appended;
+}
+
+Result<void> FluidTrace::finish(RunLog& log) {
+  if (path_.empty()) return {};
+  if (direct_) {
+    if (auto finished = direct_->finish(); !finished) return finished;
+  }
+  WrittenBefore file(path_);
+  return log.noteOutput(file, [&](ByteSink& to) {
+    log.noteTimeless(timeless_);
+    return to.write(text_);
+  });
+}
+
+}  // namespace vorpipe::cli

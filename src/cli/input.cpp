@@ -1,0 +1,172 @@
+#include "cli/input.h"
+
+#include <fmt/core.h>
+
+#include <utility>
+
+#include "base/stopwatch.h"
+#include "cli/progress.h"
+#include "io/base/error.h"
+#include "io/base/system_beside.h"
+#include "io/sites/density_place.h"
+#include "io/sites/outline_file.h"
+#include "io/sites/site_source.h"
+#include "io/sites/weights_file.h"
+
+namespace vorpipe::cli {
+namespace {
+
+Result<void> takeWeights(const InputOptions& options, Input& input) {
+  const std::string_view option = options.random_weights ? "--random-weights" : "--weights";
+  if (!options.random_weights && options.weights.empty()) return {};
+  if (!input.sites.weight.empty()) {
+    return inputError(fmt::format("{}: {} has weights of its own", option, options.sites));
+  }
+  if (options.random_weights) {
+    if (!input.seed) {
+      return inputError(fmt::format("{}: is for generators; give {} its weights by --weights or a column",
+                                    option, options.sites));
+    }
+    const auto [low, high] = *options.random_weights;
+    input.sites.weight = randomWeights(low, high, input.sites.size(), *input.seed);
+    return {};
+  }
+  auto weights = readWeights(options.weights, input.sites.size());
+  if (!weights) return named(option, std::move(weights.error()));
+  input.sites.weight = std::move(*weights);
+  return {};
+}
+
+/// The option that gives the sites their weights.
+std::string_view weightsOption(const InputOptions& options) {
+  if (options.random_weights) return "--random-weights";
+  return options.weights.empty() ? "--sites" : "--weights";
+}
+
+std::string_view optionOf(Subject subject, const InputOptions& options) {
+  switch (subject) {
+    case Subject::none:
+      break;
+    case Subject::sites:
+      return "--sites";
+    case Subject::weights:
+      return weightsOption(options);
+    case Subject::domain:
+    case Subject::outline:
+      return "--domain";
+    case Subject::period:
+      return "--periodic";
+    case Subject::density:
+      return "--density";
+    case Subject::search:
+      return "--search";
+    case Subject::masses:
+      return "--masses";
+  }
+  return {};
+}
+
+/// How the domain's messages name what the command line has.
+DomainWords domainWords(const InputOptions& options) {
+  return {options.sites == "-" ? "<stdin>" : options.sites,
+          "--domain",
+          "--domain XMIN,YMIN,XMAX,YMAX",
+          "--margin",
+          "--repair",
+          "--project",
+          "--project auto",
+          "--project LON,LAT",
+          "--periodic",
+          "--density",
+          "--density-box"};
+}
+
+/// Finds the domain by --domain, --margin, --repair and --project.
+Result<void> takeDomain(const InputOptions& options, Input& input, bool of_corners = false) {
+  if (!options.domain_layer.empty() && options.domain.file.empty())
+    return inputError("--domain-layer: is for a GeoPackage that --domain names");
+  DomainSettings settings{{},
+                          options.domain.file,
+                          options.domain.box,
+                          options.domain.hull,
+                          options.margin,
+                          options.repair,
+                          options.project,
+                          {},
+                          of_corners};
+  if (!options.domain.file.empty()) {
+    auto read = readOutline(options.domain.file, options.domain_layer);
+    if (!read) return named("--domain", std::move(read.error()));
+    settings.outline = std::move(read->outline);
+    settings.outline_system = std::move(read->system);
+  }
+  return findDomain(settings, input, domainWords(options));
+}
+
+}  // namespace
+
+Result<Input> loadInput(const InputOptions& options) {
+  const Stopwatch watch;
+  ReadOptions reading = options.reading;
+  if (options.sites == "-") reading.format = options.format.input;
+  auto source = loadSites(options.sites, options.seed, reading, options.domain.box);
+  if (!source) return named("--sites", std::move(source.error()));
+  Input input;
+  input.sites = std::move(source->table.sites);
+  input.attributes = std::move(source->table.attributes);
+  input.system = std::move(source->table.system);
+  input.notes = std::move(source->table.notes);
+  if (source->generator) input.seed = source->generator->seed;
+  input.from = source->generator ? SitesFrom::generator : SitesFrom::file;
+  input.periodic = options.periodic;
+  if (auto taken = takeWeights(options, input); !taken) return tl::unexpected(std::move(taken.error()));
+  if (auto taken = takeDomain(options, input); !taken) return tl::unexpected(std::move(taken.error()));
+  input.read_ms = watch.milliseconds();
+  return input;
+}
+
+Result<Input> inputAround(const InputOptions& options, Sites corners) {
+  Input input;
+  input.sites = std::move(corners);
+  input.from = SitesFrom::file;
+  if (auto beside = readSystemBeside(options.sites, input.system); !beside) {
+    return named("--sites", std::move(beside.error()));
+  }
+  if (auto taken = takeDomain(options, input, /*of_corners=*/true); !taken)
+    return tl::unexpected(std::move(taken.error()));
+  return input;
+}
+
+Result<DensityFile> densityOf(const DensityOptions& options) {
+  if (options.empty()) return {};
+  // A box that is named is in the unit of the domain, whatever lies beside the file.
+  auto read = readDensity(options.file, options.box);
+  if (!read) return named("--density", std::move(read.error()));
+  return read;
+}
+
+Result<void> placeUnder(const DensityFile& density, const DensityOptions& from, const InputOptions& options,
+                        Input& input) {
+  return placeDensity(density, from.file, input, domainWords(options));
+}
+
+tl::unexpected<Error> named(std::string_view option, Error error) {
+  if (error.code == ErrorCode::input) error.message.insert(0, fmt::format("{}: ", option));
+  return tl::unexpected(std::move(error));
+}
+
+tl::unexpected<Error> asOption(Error error, const InputOptions& options) {
+  if (error.subject == Subject::none) return tl::unexpected(std::move(error));
+  // The option stands for the subject's name.
+  const std::string name = fmt::format("{}: ", nameOf(error.subject));
+  if (error.message.starts_with(name)) error.message.erase(0, name.size());
+  return named(optionOf(error.subject, options), std::move(error));
+}
+
+Result<void> checkInput(const InputOptions& options, const Input& input, const CellsOptions& cells,
+                        int threads) {
+  auto checked = vorpipe::checkInput(input.sites, cells, threads);
+  return checked ? checked : asOption(std::move(checked.error()), options);
+}
+
+}  // namespace vorpipe::cli

@@ -1,0 +1,20 @@
+#include "cli/options/error_line.h"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+
+#include "io/base/quoted.h"
+
+namespace vorpipe::cli {
+
+void printError(std::string_view message) {
+  // What standard error does not take is lost: fmt::print would throw.
+  std::fputs(fmt::format("vorpipe: {}\n", escaped(message)).c_str(), stderr);
+}
+
+void printOutOfMemory() { std::fputs("vorpipe: there is not enough memory for this\n", stderr); }
+
+void printNote(std::string_view text) { printError(fmt::format("note: {}", text)); }
+
+}  // namespace vorpipe::cli

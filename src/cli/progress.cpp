@@ -1,0 +1,164 @@
+#include "cli/progress.h"
+
+#include <fmt/core.h>
+#include <signal.h>
+#include <sys/time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdio>
+#include <string>
+
+#include "cli/options/error_line.h"
+#include "io/base/unfinished.h"
+
+namespace vorpipe::cli {
+namespace {
+
+std::atomic<int> caught{0};
+std::atomic<int> answered{0};       ///< the signal after which a run ended with what it had
+std::atomic<bool> has_time{false};  ///< a run that was asked to stop may take long
+std::atomic<bool> over{false};      ///< a handler ends the program, or ignoreSignals keeps all from it
+std::atomic<bool> bar_is_shown{false};
+bool ignoring = false;  ///< ignoreSignals was called; one thread alone calls it
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free,
+              "signal handlers use them");
+
+constexpr int bar_width = 30;
+constexpr auto redraw_after = std::chrono::milliseconds(50);
+
+/// How long a run that was asked to stop may go on before its process is ended: a call of a driver or of a
+/// file system may take seconds.
+constexpr int grace_microseconds = 200'000;
+
+/// Ctrl-C, and what a batch system sends before it ends a process: at the end of the time that a job has, or
+/// of its time of the processors. And that the terminal is gone.
+constexpr std::array asking_to_end{SIGINT, SIGTERM, SIGXCPU, SIGHUP};
+
+void install(int signal, void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = static_cast<int>(SA_RESTART);
+  sigaction(signal, &action, nullptr);
+}
+
+void installForAll(void (*handler)(int)) {
+  for (const int signal : asking_to_end) {
+    struct sigaction before {};
+    // nohup has it ignored.
+    const bool stays =
+        signal == SIGHUP && sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN;
+    if (!stays) install(signal, handler);
+  }
+}
+
+/// Removes unfinished files and ends the process. Runs in a signal handler: async-signal-safe calls alone.
+void endProgram(int signal) {
+  if (over.exchange(true)) return;
+  removeUnfinished();
+  constexpr std::string_view clear = "\r\033[K", line = "vorpipe: interrupted\n";
+  bool written = !bar_is_shown || write(STDERR_FILENO, clear.data(), clear.size()) >= 0;
+  written = write(STDERR_FILENO, line.data(), line.size()) >= 0 && written;
+  _exit(written ? killed_by_signal + signal : killed_by_signal);
+}
+
+void askToStop(int signal) {
+  int none = 0;
+  if (!caught.compare_exchange_strong(none, signal)) return endProgram(signal);
+  // The system sends it again each second, until the second limit of `ulimit -t`.
+  if (signal == SIGXCPU) install(SIGXCPU, SIG_IGN);
+  if (has_time) return;
+  const itimerval grace{{0, 0}, {0, grace_microseconds}};
+  setitimer(ITIMER_REAL, &grace, nullptr);
+}
+
+}  // namespace
+
+void endOnSignals() { installForAll(endProgram); }
+
+void stopOnSignals() {
+  install(SIGALRM, [](int) { endProgram(caught); });
+  installForAll(askToStop);
+  // Then writing fails, with an error that says where, and what is unfinished is removed.
+  install(SIGPIPE, SIG_IGN);
+  install(SIGXFSZ, SIG_IGN);
+}
+
+void awaitResultOnSignals() { has_time = true; }
+
+bool takeSignal() {
+  has_time = false;
+  const int signal = caught.exchange(0);
+  if (signal != 0) answered = signal;
+  return signal != 0;
+}
+
+Progress untilSignal() {
+  return [](std::string_view, double) { return caught == 0; };
+}
+
+void ignoreSignals() {
+  if (over.exchange(true) && !ignoring) {
+    // A handler on another thread is ending the process.
+    for (;;) pause();
+  }
+  ignoring = true;
+}
+
+int signalExitCode() { return killed_by_signal + (caught != 0 ? caught : answered); }
+
+Result<void> stopIfAsked() {
+  if (caught != 0) return tl::unexpected(Error{ErrorCode::cancelled, "interrupted"});
+  return {};
+}
+
+bool isBarShown() { return bar_is_shown; }
+
+ProgressBar::ProgressBar(bool quiet) : shown_(!quiet && isatty(STDERR_FILENO) == 1) {}
+
+ProgressBar::~ProgressBar() { clear(); }
+
+Progress ProgressBar::callback() {
+  return [this](std::string_view stage, double fraction) {
+    draw(stage, fraction);
+    return caught == 0;
+  };
+}
+
+void ProgressBar::clear() {
+  if (!drawn_) return;
+  std::fputs("\r\033[K", stderr);
+  drawn_ = bar_is_shown = false;
+}
+
+void ProgressBar::draw(std::string_view stage, double fraction) {
+  if (!shown_) return;
+  auto known = done_.find(stage);
+  if (known == done_.end()) known = done_.emplace(stage, 0).first;
+  double& done = known->second;
+  done = std::max(done, std::clamp(fraction, 0.0, 1.0));
+  const auto now = std::chrono::steady_clock::now();
+  if (drawn_ && stage == stage_ && now - last_ < redraw_after) return;
+  put(stage, done);
+  stage_ = stage;
+}
+
+void ProgressBar::show(std::string_view text, double fraction) {
+  if (shown_) put(text, std::clamp(fraction, 0.0, 1.0));
+}
+
+void ProgressBar::put(std::string_view text, double fraction) {
+  const int full = static_cast<int>(fraction * bar_width);
+  // A terminal may be gone, which is no reason to end: fmt::print would throw.
+  std::fputs(fmt::format("\r\033[K{:<16} [{:#<{}}{:.<{}}] {:3.0f} %", text, "", full, "", bar_width - full,
+                         fraction * 100)
+                 .c_str(),
+             stderr);
+  std::fflush(stderr);
+  drawn_ = bar_is_shown = true;
+  last_ = std::chrono::steady_clock::now();
+}
+
+}  // namespace vorpipe::cli

@@ -1,0 +1,133 @@
+#include "cli/view_input.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <memory>
+#include <utility>
+
+#include "cli/input.h"
+#include "cli/run_end.h"
+#include "io/base/extension.h"
+#include "io/cells/fluid_state.h"
+#include "io/sites/density_file.h"
+
+namespace vorpipe::cli {
+namespace {
+
+constexpr std::string_view random_start = "random:100";
+
+/// A value that begins with - stands in one word with its option.
+void add(std::vector<std::string>& to, std::string_view option, std::string value) {
+  if (value.starts_with('-')) {
+    to.push_back(fmt::format("{}={}", option, value));
+  } else {
+    to.emplace_back(option);
+    to.push_back(std::move(value));
+  }
+}
+
+void addReading(std::vector<std::string>& to, const InputOptions& options) {
+  if (!options.reading.columns.empty()) {
+    add(to, "--columns", fmt::format("{}", fmt::join(options.reading.columns, ",")));
+  }
+  if (options.reading.skip_missing) add(to, "--missing", "skip");
+  if (!options.reading.layer.empty()) add(to, "--layer", options.reading.layer);
+}
+
+void addWeights(std::vector<std::string>& to, const InputOptions& options) {
+  if (!options.weights.empty()) add(to, "--weights", options.weights);
+  if (const auto& range = options.random_weights) {
+    add(to, "--random-weights", fmt::format("{},{}", range->low, range->high));
+  }
+}
+
+void addDomain(std::vector<std::string>& to, const InputOptions& options) {
+  const DomainChoice& domain = options.domain;
+  if (domain.hull) add(to, "--domain", "hull");
+  if (!domain.file.empty()) add(to, "--domain", domain.file);
+  if (!options.domain_layer.empty()) add(to, "--domain-layer", options.domain_layer);
+  if (const auto& box = domain.box) {
+    add(to, "--domain", fmt::format("{},{},{},{}", box->xmin, box->ymin, box->xmax, box->ymax));
+  }
+  if (const auto& margin = options.margin) {
+    // As many digits as a person may have written are those that come back.
+    add(to, "--margin",
+        margin->relative ? fmt::format("{:.15g}%", margin->value * 100) : fmt::format("{}", margin->value));
+  }
+  if (options.repair) to.emplace_back("--repair");
+  if (const auto& project = options.project) {
+    add(to, "--project",
+        project->center ? fmt::format("{},{}", project->center->x, project->center->y) : "auto");
+  }
+  constexpr std::array<std::string_view, 4> axes = {"none", "x", "y", "xy"};
+  if (options.periodic != Periodic::none) {
+    add(to, "--periodic", std::string(axes.at(static_cast<std::size_t>(options.periodic))));
+  }
+}
+
+Result<view::Opened> opened(const InputOptions& options, const TalkOptions& talk) {
+  auto input = loadInput(options);
+  if (!input) return tl::unexpected(std::move(input.error()));
+  CellsOptions cells{};
+  cells.domain = input->domain;
+  cells.outline = input->outline;
+  cells.periodic = input->periodic;
+  if (auto checked = checkInput(options, *input, cells, /*threads=*/0); !checked) {
+    return tl::unexpected(std::move(checked.error()));
+  }
+  printNotes(talk, *input);
+  return view::Opened{std::move(input->sites), input->domain, std::move(input->outline), input->periodic,
+                      argumentsOf(options)};
+}
+
+}  // namespace
+
+std::vector<std::string> argumentsOf(const InputOptions& options) {
+  if (options.sites == "-") return {};
+  std::vector<std::string> arguments;
+  add(arguments, "--sites", options.sites);
+  if (options.seed != InputOptions{}.seed) add(arguments, "--seed", std::to_string(options.seed));
+  addReading(arguments, options);
+  addWeights(arguments, options);
+  addDomain(arguments, options);
+  return arguments;
+}
+
+Result<view::Opened> openForView(const InputOptions& options, const TalkOptions& talk) {
+  if (!options.sites.empty()) return opened(options, talk);
+  InputOptions start;
+  start.sites = random_start;
+  start.reading.attributes = false;
+  return opened(start, talk);
+}
+
+Result<view::Loaded> loadForView(const std::string& path, const InputOptions& options) {
+  view::Loaded loaded;
+  if (lowerExtension(path) == ".png") {
+    auto density = readDensity(path);
+    if (!density) return tl::unexpected(std::move(density.error()));
+    // What is dropped covers what the window shows.
+    density->density.box.reset();
+    loaded.density = std::make_shared<const Density>(std::move(density->density));
+    return loaded;
+  }
+  if (lowerExtension(path) == ".npz") {
+    auto setup = readFluid(path);
+    if (!setup) return tl::unexpected(std::move(setup.error()));
+    setup->options.until = FluidOptions{}.until;
+    loaded.opened = view::openedFluid(view::toBegin(std::move(*setup)), path);
+    return loaded;
+  }
+  InputOptions dropped;
+  dropped.sites = path;
+  dropped.reading.attributes = false;
+  dropped.reading.skip_missing = options.reading.skip_missing;
+  auto file = opened(dropped, {.quiet = true});
+  if (!file) return tl::unexpected(std::move(file.error()));
+  loaded.opened = std::move(*file);
+  return loaded;
+}
+
+}  // namespace vorpipe::cli

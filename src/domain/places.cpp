@@ -1,0 +1,174 @@
+// Places on the Earth: whether they are, amid which, and in the plane.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/parallel.h"
+#include "base/refusal.h"
+#include "domain/degrees.h"
+#include "domain/turns.h"
+#include "vorpipe.h"
+
+namespace vorpipe {
+namespace {
+
+constexpr std::size_t places_grain = 1 << 12;
+
+/// False for NaN.
+bool isPlace(Point degrees) {
+  return std::abs(degrees.x) <= whole_turn && std::abs(degrees.y) <= quarter_turn;
+}
+
+tl::unexpected<Error> noPlace(Subject subject, const std::string& what, Point degrees) {
+  return tl::unexpected(refusalOf(
+      subject,
+      fmt::format("{} at {}, {} is no place on the Earth: a longitude is within {} degrees of 0, a latitude "
+                  "within {}",
+                  what, degrees.x, degrees.y, whole_turn, quarter_turn)));
+}
+
+/// From the center of the Earth, in units of its radius.
+using SpacePoint = std::array<double, 3>;
+
+SpacePoint inSpace(Point degrees) {
+  const double x = degrees.x * degree, y = degrees.y * degree;
+  return {std::cos(y) * std::cos(x), std::cos(y) * std::sin(x), std::sin(y)};
+}
+
+/// Where what is seen in this direction from the center of the Earth lies; degrees. Nothing: the center
+/// itself.
+std::optional<Point> placeToward(const SpacePoint& at) {
+  constexpr double least = 1e-9;
+  const double across = std::hypot(at[0], at[1]);
+  if (across >= least) return Point{std::atan2(at[1], at[0]) / degree, std::atan2(at[2], across) / degree};
+  // At a pole any longitude is as good.
+  if (std::abs(at[2]) >= least) return Point{0, std::copysign(quarter_turn, at[2])};
+  return {};
+}
+
+/// The box around places in space.
+class SpaceBox {
+ public:
+  void add(Point degrees) {
+    const SpacePoint at = inSpace(degrees);
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      low_[k] = std::min(low_[k], at[k]);
+      high_[k] = std::max(high_[k], at[k]);
+    }
+  }
+
+  /// Where its middle lies. Nothing: places are all around the Earth.
+  [[nodiscard]] std::optional<Point> middle() const {
+    return placeToward({low_[0] + high_[0], low_[1] + high_[1], low_[2] + high_[2]});
+  }
+
+ private:
+  SpacePoint low_ = {1, 1, 1}, high_ = {-1, -1, -1};
+};
+
+/// The middle of what lies to the left of a ring: of a hemisphere, whose border is all around the Earth.
+std::optional<Point> middleLeftOf(std::span<const Point> ring) {
+  SpacePoint sum{};
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const SpacePoint a = inSpace(ring[i]), b = inSpace(ring[(i + 1) % ring.size()]);
+    for (std::size_t k = 0; k < sum.size(); ++k) {
+      const std::size_t next = (k + 1) % sum.size(), last = (k + 2) % sum.size();
+      sum[k] += a[next] * b[last] - a[last] * b[next];
+    }
+  }
+  return placeToward(sum);
+}
+
+Result<Projection> projectionNear(Point middle) {
+  constexpr double steps = 100;  // of a degree
+  const auto rounded = [](double degrees) { return std::round(degrees * steps) / steps + 0.0; };
+  return Projection::around({rounded(middle.x), rounded(middle.y)});
+}
+
+/// Refuses a site that is no place.
+Result<void> checkPlaces(const Sites& degrees) {
+  for (std::size_t i = 0; i < degrees.size(); ++i) {
+    const Point place{degrees.x[i], degrees.y[i]};
+    if (!isPlace(place)) return noPlace(Subject::sites, fmt::format("site {}", i), place);
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<Projection> projectionAmid(const Sites& degrees) {
+  if (degrees.size() == 0) return tl::unexpected(refusalOf(Subject::sites, "there are none"));
+  if (auto checked = checkPlaces(degrees); !checked) return tl::unexpected(std::move(checked.error()));
+  SpaceBox box;
+  for (std::size_t i = 0; i < degrees.size(); ++i) box.add({degrees.x[i], degrees.y[i]});
+  return projectionNear(box.middle().value_or(Point{0, 0}));
+}
+
+Result<Projection> projectionAmid(const Outline& degrees) {
+  if (degrees.empty()) return tl::unexpected(refusalOf(Subject::outline, "it has no points"));
+  for (const Point place : degrees.points) {
+    if (!isPlace(place)) return noPlace(Subject::outline, "the point", place);
+  }
+  SpaceBox box;
+  for (const Point place : degrees.points) box.add(place);
+  if (const auto middle = box.middle()) return projectionNear(*middle);
+  const std::span<const Point> first(degrees.points.data(), degrees.ring_offsets[1]);
+  return projectionNear(middleLeftOf(first).value_or(Point{0, 0}));
+}
+
+Result<Sites> toPlane(const Projection& projection, const Sites& degrees, int threads) {
+  if (auto checked = checkPlaces(degrees); !checked) return tl::unexpected(std::move(checked.error()));
+  Sites plane;
+  plane.x.resize(degrees.size());
+  plane.y.resize(degrees.size());
+  plane.weight = degrees.weight;
+  parallelFor(degrees.size(), places_grain, threadCount(threads), [&](std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end; ++i) {
+      const Point at = projection.toPlane({degrees.x[i], degrees.y[i]});
+      plane.x[i] = at.x;
+      plane.y[i] = at.y;
+    }
+  });
+  return plane;
+}
+
+Sites turned(const Projection& projection, Sites degrees) {
+  // The meridian opposite to the center is east of it, as toDegrees has it.
+  for (double& x : degrees.x) x -= whole_turn * std::ceil((x - projection.center().x) / whole_turn - 0.5);
+  return degrees;
+}
+
+void toDegrees(const Projection& projection, const Sites& degrees, Diagram& diagram, int threads) {
+  const auto convert = [&](std::vector<Point>& points, const auto& convertOne) {
+    parallelFor(points.size(), places_grain, threadCount(threads), [&](std::size_t begin, std::size_t end) {
+      for (auto i = begin; i < end; ++i) points[i] = convertOne(i, points[i]);
+    });
+  };
+  convert(diagram.vertices, [&](std::size_t, Point at) { return projection.toDegrees(at); });
+  // Where there is no cell these are the site itself.
+  const auto ofSite = [&](std::size_t i, Point at) {
+    return diagram.status[i] == Status::ok ? projection.toDegrees(at) : Point{degrees.x[i], degrees.y[i]};
+  };
+  convert(diagram.centroid, ofSite);
+  convert(diagram.mass_centroid, ofSite);
+  if (diagram.vertices.empty()) return;
+  parallelFor(diagram.size(), places_grain, threadCount(threads), [&](std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end; ++i) core::joinTurns(degrees.x[i], i, diagram);
+  });
+}
+
+void toDegrees(const Projection& projection, Topology& topology, int threads) {
+  auto& vertices = topology.vertices;
+  parallelFor(vertices.size(), places_grain, threadCount(threads), [&](std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end; ++i) vertices[i] = projection.toDegrees(vertices[i]);
+  });
+}
+
+}  // namespace vorpipe

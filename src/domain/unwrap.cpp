@@ -1,0 +1,126 @@
+#include "domain/unwrap.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "base/parallel.h"
+#include "cells/cell_record.h"
+#include "cells/diagram_writer.h"
+
+namespace vorpipe::core {
+namespace {
+
+constexpr std::size_t unwrap_grain = 1 << 14;
+
+class CellUnwrapper {
+ public:
+  CellUnwrapper(const PeriodicSites& placed, const ImagedSites& imaged, Diagram& diagram)
+      : placed_(placed), imaged_(imaged), diagram_(diagram), unscale_(placed.exponent) {}
+
+  void cells(std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end; ++i) {
+      nameNeighbors(i);
+      moveCell(i);
+    }
+  }
+
+ private:
+  void nameNeighbors(std::size_t i) {
+    Diagram& d = diagram_;
+    const auto begin = d.cell_offsets[i], end = d.cell_offsets[i + 1];
+    const auto count = static_cast<std::int64_t>(imaged_.count);
+    const auto& home = placed_.home[i];
+    bool renamed = false;
+    for (auto e = begin; e < end; ++e) {
+      const auto entry = d.neighbors[e];
+      if (entry < 0) continue;
+      std::array<std::int8_t, 2> shift{0, 0};
+      if (entry >= count) {
+        const SiteImage& image = imaged_.images[static_cast<std::size_t>(entry - count)];
+        d.neighbors[e] = image.site;
+        shift = image.shift;
+        renamed = true;
+      }
+      const auto& other_home = placed_.home[static_cast<std::size_t>(d.neighbors[e])];
+      for (const std::size_t a : {0u, 1u}) d.neighbor_shifts[e][a] = shift[a] + home[a] - other_home[a];
+    }
+    if (renamed) beginAtLowest(begin, end);
+  }
+
+  /// As in any diagram, a list begins at its lowest neighbor.
+  void beginAtLowest(std::uint64_t begin, std::uint64_t end) {
+    Diagram& d = diagram_;
+    auto lowest = begin;
+    for (auto e = begin; e < end; ++e) {
+      if (std::tuple(d.neighbors[e], d.neighbor_shifts[e]) <
+          std::tuple(d.neighbors[lowest], d.neighbor_shifts[lowest])) {
+        lowest = e;
+      }
+    }
+    const auto rotate = [&](auto& list) {
+      const auto at = [&](std::uint64_t e) { return list.begin() + static_cast<std::ptrdiff_t>(e); };
+      std::rotate(at(begin), at(lowest), at(end));
+    };
+    rotate(d.neighbors);
+    rotate(d.neighbor_shifts);
+    rotate(d.vertices);
+    rotate(d.edge_lengths);
+  }
+
+  void moveCell(std::size_t i) {
+    Diagram& d = diagram_;
+    const auto [x, y] = placed_.home[i];
+    const auto moved = [&, x = x, y = y](Point p) {
+      return unscale_(Point{placed_.axis[0].number(p.x, x), placed_.axis[1].number(p.y, y)});
+    };
+    // The caller's site may stand elsewhere; the run's own is exact.
+    const Sites& sites = imaged_.sites;
+    d.centroid[i] = moved(d.status[i] == Status::ok ? d.centroid[i] : Point{sites.x[i], sites.y[i]});
+    d.area[i] = unscale_(d.area[i], 2);
+    d.perimeter[i] = unscale_(d.perimeter[i]);
+    for (double& moment : d.second_moments[i]) moment = unscale_(moment, 4);
+    for (auto e = d.cell_offsets[i]; e < d.cell_offsets[i + 1]; ++e) {
+      d.vertices[e] = moved(d.vertices[e]);
+      d.edge_lengths[e] = unscale_(d.edge_lengths[e]);
+    }
+  }
+
+  const PeriodicSites& placed_;
+  const ImagedSites& imaged_;
+  Diagram& diagram_;
+  Unscale unscale_;
+};
+
+}  // namespace
+
+void keepSites(const ImagedSites& imaged, Diagram& diagram) {
+  const auto count = imaged.count;
+  diagram.status.resize(count);
+  diagram.owner.resize(count);
+  diagram.area.resize(count);
+  diagram.perimeter.resize(count);
+  diagram.centroid.resize(count);
+  diagram.second_moments.resize(count);
+  diagram.cell_offsets.resize(count + 1);
+  const auto edges = diagram.cell_offsets.back();
+  diagram.vertices.resize(edges);
+  diagram.neighbors.resize(edges);
+  diagram.edge_lengths.resize(edges);
+  auto& report = diagram.report;
+  report.ok = static_cast<std::uint64_t>(std::ranges::count(diagram.status, Status::ok));
+  report.empty = static_cast<std::uint64_t>(std::ranges::count(diagram.status, Status::empty));
+  report.duplicate = count - report.ok - report.empty;
+  // Either none is hidden, or weights differ and all that are empty are.
+  report.hidden = std::min(report.hidden, report.empty);
+}
+
+void finishRecords(const PeriodicSites& placed, const ImagedSites& imaged, Detail detail, int threads,
+                   Diagram& diagram) {
+  diagram.neighbor_shifts.resize(diagram.neighbors.size());
+  CellUnwrapper unwrapper(placed, imaged, diagram);
+  parallelFor(imaged.count, unwrap_grain, threads,
+              [&](std::size_t begin, std::size_t end) { unwrapper.cells(begin, end); });
+  if (detail == Detail::measures) dropPolygons(diagram);
+}
+
+}  // namespace vorpipe::core

@@ -1,0 +1,191 @@
+#include "geometry/curve_order.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <numeric>
+#include <span>
+
+#include "base/big_vector.h"
+#include "base/parallel.h"
+
+namespace vorpipe::core {
+namespace {
+
+constexpr std::size_t curve_order_grain = std::size_t{1} << 15;
+
+/// A place on Hilbert's curve, and the site there.
+struct OnCurve {
+  std::uint64_t key;
+  std::uint32_t site;
+};
+
+/// Hilbert's curve through a square of 2^32 by 2^32, four levels at a time: by how the curve runs through a
+/// square and four digits of column and row, its next eight digits, and how it runs on.
+class Curve {
+ public:
+  Curve() {
+    for (std::uint32_t way = 0; way < 4; ++way) {
+      for (std::uint32_t place = 0; place < 256; ++place) steps_[way][place] = stepsOf(way, place);
+    }
+  }
+
+  [[nodiscard]] std::uint64_t keyOf(std::uint32_t column, std::uint32_t row) const {
+    std::uint64_t key = 0;
+    std::uint32_t way = 0;
+    for (int digit = 28; digit >= 0; digit -= 4) {
+      const auto& steps = steps_[way][((column >> digit) & 15) << 4 | ((row >> digit) & 15)];
+      key = key << 8 | steps.digits;
+      way = steps.way;
+    }
+    return key;
+  }
+
+ private:
+  struct Steps {
+    std::uint8_t digits, way;
+  };
+  struct Quarter {
+    std::uint32_t column, row, way;
+  };
+
+  static Steps stepsOf(std::uint32_t way, std::uint32_t place) {
+    static constexpr std::array<std::array<Quarter, 4>, 4> quarters{{
+        {{{0, 0, 1}, {0, 1, 0}, {1, 1, 0}, {1, 0, 2}}},
+        {{{0, 0, 0}, {1, 0, 1}, {1, 1, 1}, {0, 1, 3}}},
+        {{{1, 1, 3}, {0, 1, 2}, {0, 0, 2}, {1, 0, 0}}},
+        {{{1, 1, 2}, {1, 0, 3}, {0, 0, 3}, {0, 1, 1}}},
+    }};
+    std::uint32_t digits = 0;
+    for (int bit = 3; bit >= 0; --bit) {
+      const auto column = (place >> (4 + bit)) & 1, row = (place >> bit) & 1;
+      const auto& ways = quarters[way];
+      const auto q = std::ranges::find_if(
+          ways, [&](const Quarter& quarter) { return quarter.column == column && quarter.row == row; });
+      digits = digits << 2 | static_cast<std::uint32_t>(q - ways.begin());
+      way = q->way;
+    }
+    return {static_cast<std::uint8_t>(digits), static_cast<std::uint8_t>(way)};
+  }
+
+  std::array<std::array<Steps, 256>, 4> steps_{};
+};
+
+Box boxAround(const SiteSet& sites, std::span<const OnCurve> placed) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  Box box{infinite, infinite, -infinite, -infinite};
+  for (const auto& [key, i] : placed) {
+    box = {std::min(box.xmin, sites.x[i]), std::min(box.ymin, sites.y[i]), std::max(box.xmax, sites.x[i]),
+           std::max(box.ymax, sites.y[i])};
+  }
+  return box;
+}
+
+/// Puts sites on the curve over a box.
+void place(const SiteSet& sites, const Box& box, std::span<OnCurve> placed) {
+  static const Curve curve;
+  const double side = std::max(box.xmax - box.xmin, box.ymax - box.ymin);
+  const double scale = side > 0 ? 0x1.fffffffp31 / side : 0;
+  for (auto& [key, i] : placed) {
+    key = curve.keyOf(static_cast<std::uint32_t>((sites.x[i] - box.xmin) * scale),
+                      static_cast<std::uint32_t>((sites.y[i] - box.ymin) * scale));
+  }
+}
+
+/// Sorts by key and site; sites that share a key along a curve of their own.
+void sortFew(const SiteSet& sites, std::span<OnCurve> placed) {
+  std::ranges::sort(placed, [](const OnCurve& a, const OnCurve& b) {
+    return a.key != b.key ? a.key < b.key : a.site < b.site;
+  });
+  constexpr std::size_t already_near = 8;
+  if (placed.size() <= already_near || placed.front().key != placed.back().key) {
+    for (std::size_t i = 0; i < placed.size();) {
+      auto j = i + 1;
+      while (j < placed.size() && placed[j].key == placed[i].key) ++j;
+      if (j - i > already_near) sortFew(sites, placed.subspan(i, j - i));
+      i = j;
+    }
+    return;
+  }
+  const Box box = boxAround(sites, placed);
+  place(sites, box, placed);
+  if (!(box.xmax > box.xmin || box.ymax > box.ymin)) return;
+  sortFew(sites, placed);
+}
+
+/// Sorts by the first digits of keys, stably: the last of these digits first, eleven bits at a time.
+class RadixSort {
+ public:
+  static constexpr int passes = 3, bits = 11, low = 64 - passes * bits;
+
+  RadixSort(BigVector<OnCurve>& placed, int threads)
+      : placed_(placed),
+        other_(placed.size()),
+        blocks_(std::clamp<std::size_t>(placed.size() / curve_order_grain, 1,
+                                        static_cast<std::size_t>(threadCount(threads)))),
+        size_((placed.size() + blocks_ - 1) / blocks_),
+        count_(blocks_),
+        threads_(threads) {}
+
+  void run() {
+    for (int pass = 0; pass < passes; ++pass) sortBy(low + bits * pass);
+  }
+
+ private:
+  static constexpr std::size_t values = std::size_t{1} << bits;
+
+  template <class Work>
+  void forBlocks(const Work& work) {
+    parallelFor(placed_.size(), size_, threads_,
+                [&](std::size_t begin, std::size_t end) { work(begin / size_, begin, end); });
+  }
+
+  void sortBy(int shift) {
+    const auto digit = [shift](const OnCurve& p) { return (p.key >> shift) & (values - 1); };
+    forBlocks([&](std::size_t block, std::size_t begin, std::size_t end) {
+      count_[block].assign(values, 0);
+      for (auto k = begin; k < end; ++k) ++count_[block][digit(placed_[k])];
+    });
+    std::size_t first = 0;
+    for (std::size_t value = 0; value < values; ++value) {
+      for (auto& count : count_) first += std::exchange(count[value], first);
+    }
+    forBlocks([&](std::size_t block, std::size_t begin, std::size_t end) {
+      auto& next = count_[block];
+      for (auto k = begin; k < end; ++k) other_[next[digit(placed_[k])]++] = placed_[k];
+    });
+    std::swap(placed_, other_);
+  }
+
+  BigVector<OnCurve>& placed_;
+  BigVector<OnCurve> other_;
+  std::size_t blocks_, size_;
+  std::vector<std::vector<std::size_t>> count_;  ///< by block and value of the digit
+  int threads_;
+};
+
+}  // namespace
+
+void sortAlongCurve(const SiteSet& sites, std::vector<std::uint32_t>& which, int threads) {
+  if (which.empty()) return;
+  BigVector<OnCurve> placed(which.size());
+  std::transform(which.begin(), which.end(), placed.begin(), [](std::uint32_t i) { return OnCurve{0, i}; });
+  const Box box = boxAround(sites, placed);
+  const auto forRanges = [&](const auto& work) {
+    parallelFor(placed.size(), curve_order_grain, threads,
+                [&](std::size_t begin, std::size_t end) { work(begin, end); });
+  };
+  forRanges([&](std::size_t begin, std::size_t end) {
+    place(sites, box, std::span(placed).subspan(begin, end - begin));
+  });
+  RadixSort(placed, threads).run();
+  for (std::size_t i = 0; i < placed.size();) {
+    auto j = i + 1;
+    while (j < placed.size() && placed[j].key >> RadixSort::low == placed[i].key >> RadixSort::low) ++j;
+    if (j - i > 1) sortFew(sites, std::span(placed).subspan(i, j - i));
+    i = j;
+  }
+  std::transform(placed.begin(), placed.end(), which.begin(), [](const OnCurve& p) { return p.site; });
+}
+
+}  // namespace vorpipe::core

@@ -1,0 +1,20 @@
+/// On which side of a line through two given points a vertex of the diagram lies, exactly: in the range of
+/// predicates.h, with a filter in double. line_predicates.cpp derives the bounds.
+#pragma once
+
+#include <optional>
+
+#include "geometry/predicates.h"
+
+namespace vorpipe::core {
+
+/// Where the power center of a, b and c, without weights their circumcenter, lies beside the line from p to
+/// q: 1: to the left; -1: to the right; 0: on it. Nothing where a, b and c lie on a line.
+std::optional<int> centerSide(Point p, Point q, const WeightedPoint& a, const WeightedPoint& b,
+                              const WeightedPoint& c);
+
+/// The same for the point of the wall x = `wall` where the powers to a and b are equal. Nothing where their
+/// bisector is parallel to the wall.
+std::optional<int> sideAtWall(Point p, Point q, const WeightedPoint& a, const WeightedPoint& b, double wall);
+
+}  // namespace vorpipe::core

@@ -1,0 +1,57 @@
+#include "io/base/field_text.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "io/base/json_text.h"
+#include "io/base/utf8.h"
+
+namespace vorpipe {
+namespace {
+
+/// Whether a character stands in a string of JSON as it is.
+bool isPlain(char c) {
+  constexpr unsigned char first_printable = 0x20, first_of_several = 0x80;
+  const auto byte = static_cast<unsigned char>(c);
+  return byte >= first_printable && byte < first_of_several && c != '"' && c != '\\';
+}
+
+bool isBlank(char c) { return c == ' ' || c == '\t'; }
+
+/// Readers may take for the separator what the header has most of, outside of quotes: all that may be one.
+bool needsQuotes(std::string_view field) {
+  return field.empty() || isBlank(field.front()) || isBlank(field.back()) ||
+         field.find_first_of("\",;\t\r\n") != std::string_view::npos;
+}
+
+}  // namespace
+
+void printCsvField(Bytes& text, std::string_view field) {
+  if (!needsQuotes(field)) {
+    text.append(field);
+    return;
+  }
+  text.push_back('"');
+  for (const char c : field) {
+    if (c == '"') text.push_back('"');
+    text.push_back(c);
+  }
+  text.push_back('"');
+}
+
+void printJsonString(Bytes& text, std::string_view string) {
+  if (!std::ranges::all_of(string, isPlain)) {
+    text.append(jsonString(string));
+    return;
+  }
+  text.push_back('"');
+  text.append(string);
+  text.push_back('"');
+}
+
+std::string utf8Of(std::string_view text) {
+  if (isUtf8(text)) return std::string(text);
+  return nlohmann::json::parse(jsonString(text)).get<std::string>();
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,126 @@
+/// The elements of a .npy file, in the order in which they stand in the file.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "io/base/error.h"
+#include "io/base/input_file.h"
+#include "io/base/npy_header.h"
+
+namespace vorpipe {
+
+/// `bytes` as one Value of the byte order given.
+template <class Value>
+Value valueOf(const char* bytes, bool big_endian) {
+  char native[sizeof(Value)];
+  std::memcpy(native, bytes, sizeof(Value));
+  if (big_endian != (std::endian::native == std::endian::big)) {
+    std::reverse(native, native + sizeof(Value));
+  }
+  return std::bit_cast<Value>(native);
+}
+
+/// Calls `take(index, value)` for each of `count` elements in a row, through a buffer of fixed size;
+/// take returns Result<void>, and its first error ends the reading. Error (input): the file ends first.
+template <class Value, class Take>
+Result<void> eachElement(InputFile& file, const NpyHeader& header, std::uint64_t count, Take take) {
+  constexpr std::size_t chunk = std::size_t{1} << 16;
+  std::vector<char> buffer(chunk * sizeof(Value));
+  for (std::uint64_t first = 0; first < count; first += chunk) {
+    const auto length = static_cast<std::size_t>(std::min<std::uint64_t>(chunk, count - first));
+    const auto got = file.read(std::span(buffer).first(length * sizeof(Value)));
+    if (!got) {
+      return tl::unexpected(got.error());
+    }
+    if (*got < length * sizeof(Value)) {
+      return inputError(file.name() + ": is truncated: its data end after " +
+                        std::to_string(first * sizeof(Value) + *got) + " of " +
+                        std::to_string(count * sizeof(Value)) + " bytes");
+    }
+    for (std::size_t i = 0; i < length; ++i) {
+      const auto value = valueOf<Value>(buffer.data() + i * sizeof(Value), header.big_endian);
+      if (Result<void> taken = take(first + i, value); !taken) {
+        return taken;
+      }
+    }
+  }
+  // What has no size beforehand, gzip among it, is read to its end, where its checksum is.
+  char more = 0;
+  const auto rest = file.read(std::span(&more, 1));
+  if (!rest) return tl::unexpected(rest.error());
+  if (*rest > 0) return inputError(file.name() + ": is too long: bytes follow the last element of its array");
+  return {};
+}
+
+/// Whether eachNumber() takes the elements: all of NumPy's numbers, but for float16, longdouble and complex
+/// ones, and its booleans.
+inline bool areNumbers(const NpyHeader& header) {
+  const std::size_t size = header.size;
+  if (header.kind == 'f') return size == sizeof(float) || size == sizeof(double);
+  if (header.kind == 'b') return size == 1;
+  return (header.kind == 'i' || header.kind == 'u') && std::has_single_bit(size) && size <= 8;
+}
+
+/// Calls `use(Value())` with the type of elements that areNumbers() says yes of.
+template <class Use>
+auto withType(const NpyHeader& header, Use use) {
+  const std::size_t size = header.size;
+  if (header.kind == 'f') return size == sizeof(float) ? use(float()) : use(double());
+  if (header.kind == 'i') {
+    return size == 1   ? use(std::int8_t())
+           : size == 2 ? use(std::int16_t())
+           : size == 4 ? use(std::int32_t())
+                       : use(std::int64_t());
+  }
+  return size == 1   ? use(std::uint8_t())
+         : size == 2 ? use(std::uint16_t())
+         : size == 4 ? use(std::uint32_t())
+                     : use(std::uint64_t());
+}
+
+/// Whether a double is this very number: not one above 2^53 that would be another one.
+template <class Value>
+bool isExact(Value value) {
+  if constexpr (std::is_integral_v<Value> && sizeof(Value) == 8) {
+    constexpr auto most = Value{1} << std::numeric_limits<double>::digits;
+    return value <= most && (std::is_unsigned_v<Value> || value >= Value{0} - most);
+  }
+  return true;
+}
+
+/// eachElement() of any type of numbers, which `take(index, value)` gets as they are. Error (input): one that
+/// no double is equal to, too.
+template <class Take>
+Result<void> eachNumber(InputFile& file, const NpyHeader& header, std::uint64_t count, Take take) {
+  return withType(header, [&]<class Value>(Value) {
+    return eachElement<Value>(file, header, count, [&](std::uint64_t index, Value value) -> Result<void> {
+      if (isExact(value)) return take(index, value);
+      return inputError(file.name() + ": element " + std::to_string(index) + " (counted from 0) is " +
+                        std::to_string(value) + ", above 2^53: no double is the same number");
+    });
+  });
+}
+
+/// Pixels in a row or a column of an array that is an image.
+inline constexpr std::uint64_t max_extent = 1 << 20;
+
+/// The same for all elements of an array of two axes: `take(row, column, value)`.
+template <class Value, class Take>
+Result<void> eachPixel(InputFile& file, const NpyHeader& header, Take take) {
+  const std::uint64_t rows = header.shape[0], columns = header.shape[1];
+  return eachElement<Value>(file, header, rows * columns, [&](std::uint64_t index, Value value) {
+    return header.fortran_order ? take(index % rows, index / rows, value)
+                                : take(index / columns, index % columns, value);
+  });
+}
+
+}  // namespace vorpipe

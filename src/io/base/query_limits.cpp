@@ -1,0 +1,140 @@
+#include "io/base/query_limits.h"
+
+#include <fmt/core.h>
+#include <sqlite3.h>
+
+#include <algorithm>
+#include <array>
+#include <ctime>
+#include <mutex>
+#include <string_view>
+
+namespace vorpipe {
+namespace {
+
+constexpr int steps_at_a_time = 200;
+
+/// What views of maps call: functions whose work is in proportion to what they are given and return.
+constexpr auto functions = std::to_array<std::string_view>(
+    {"->",         "->>",        "abs",          "acos",       "acosh",     "asin",         "asinh",
+     "atan",       "atan2",      "atanh",        "avg",        "ceil",      "ceiling",      "char",
+     "coalesce",   "concat",     "concat_ws",    "cos",        "cosh",      "count",        "cume_dist",
+     "date",       "datetime",   "degrees",      "dense_rank", "exp",       "first_value",  "floor",
+     "format",     "glob",       "group_concat", "hex",        "ifnull",    "iif",          "json_extract",
+     "julianday",  "lag",        "last_value",   "lead",       "length",    "like",         "likelihood",
+     "likely",     "ln",         "log",          "log10",      "log2",      "lower",        "max",
+     "min",        "mod",        "nth_value",    "ntile",      "nullif",    "octet_length", "percent_rank",
+     "pi",         "pow",        "power",        "printf",     "quote",     "radians",      "rank",
+     "round",      "row_number", "sign",         "sin",        "sinh",      "sqrt",         "strftime",
+     "string_agg", "substr",     "substring",    "sum",        "tan",       "tanh",         "time",
+     "total",      "trunc",      "typeof",       "unicode",    "unixepoch", "unlikely",     "upper"});
+
+/// The same of short texts: these compare all of a text with all of another.
+constexpr auto slow_functions =
+    std::to_array<std::string_view>({"instr", "ltrim", "replace", "rtrim", "trim"});
+
+bool isAmong(const auto& names, std::string_view name) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+/// Of this thread: a machine that sleeps, or a disk that is slow, does not count.
+double processorSeconds() {
+  constexpr double nanosecond = 1e-9;
+  timespec now{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * nanosecond;
+}
+
+/// Bounds what SQLite has of memory. That is about the whole process, so it is for moments in which SQLite
+/// asks nobody: views that name each other twice are written out before a query runs.
+class HeapLimit {
+ public:
+  explicit HeapLimit(std::int64_t most) : soft_(sqlite3_soft_heap_limit64(-1)) {
+    hard_ = sqlite3_hard_heap_limit64(most);
+  }
+  ~HeapLimit() {
+    sqlite3_hard_heap_limit64(hard_);
+    sqlite3_soft_heap_limit64(soft_);
+  }
+  HeapLimit(const HeapLimit&) = delete;
+  HeapLimit& operator=(const HeapLimit&) = delete;
+
+ private:
+  static std::mutex& mutex() {
+    static std::mutex one;
+    return one;
+  }
+  std::lock_guard<std::mutex> alone_{mutex()};
+  std::int64_t soft_, hard_ = 0;
+};
+
+}  // namespace
+
+bool QueryLimits::goesOn() {
+  if (sqlite3_memory_used() > most_memory_) {
+    refusal_ = "it asks for more memory than a file of its size has";
+  } else if (steps_left_ == 0 || processorSeconds() > last_second_) {
+    refusal_ = "it asks for far more work than a file of its size has";
+  }
+  return refusal_.empty();
+}
+
+int QueryLimits::allow(int action, const char* function) {
+  if (!goesOn()) return SQLITE_DENY;
+  if (action == SQLITE_RECURSIVE) {
+    refusal_ = "a view in it is recursive, and may never end; save the layer as a table";
+  } else if (action == SQLITE_FUNCTION) {
+    slow_ = slow_ || isAmong(slow_functions, function);
+    if (!isAmong(functions, function) && !isAmong(slow_functions, function)) {
+      refusal_ =
+          fmt::format("SQL in it calls {}, which is left to no file; save the layer as a table", function);
+    }
+  }
+  return refusal_.empty() ? SQLITE_OK : SQLITE_DENY;
+}
+
+int QueryLimits::hold(sqlite3* database, std::uint64_t file_bytes) {
+  constexpr std::uint64_t shortest = std::uint64_t{1} << 16, longest = 1'000'000'000;
+  constexpr std::uint64_t few_steps = 100'000'000, steps_of_byte = 1000;
+  constexpr std::uint64_t little_memory = std::uint64_t{1} << 26, memory_of_byte = 8;
+  constexpr double few_seconds = 10, seconds_of_byte = 2e-6;
+  // So many columns are the most that a layer has; each takes some instructions.
+  constexpr int instructions = 25'000, pattern = 100;
+  database_ = database;
+  // Views may not call what has effects.
+  sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  sqlite3_limit(database, SQLITE_LIMIT_LENGTH, static_cast<int>(std::clamp(file_bytes, shortest, longest)));
+  sqlite3_limit(database, SQLITE_LIMIT_VDBE_OP, instructions);
+  sqlite3_limit(database, SQLITE_LIMIT_LIKE_PATTERN_LENGTH, pattern);
+  // What has to be sorted or joined takes more steps than there are bytes, but at most this multiple.
+  steps_left_ = (few_steps + file_bytes * steps_of_byte) / steps_at_a_time;
+  last_second_ = processorSeconds() + few_seconds + static_cast<double>(file_bytes) * seconds_of_byte;
+  most_memory_ =
+      sqlite3_memory_used() + static_cast<std::int64_t>(little_memory + file_bytes * memory_of_byte);
+  // What is sorted stays in memory, which is counted; temporary files would not be.
+  const int code = sqlite3_exec(database, "PRAGMA cell_size_check = ON; PRAGMA temp_store = MEMORY", nullptr,
+                                nullptr, nullptr);
+  if (code != SQLITE_OK) return code;
+  const auto step = [](void* limits) {
+    auto& its = *static_cast<QueryLimits*>(limits);
+    const bool goes_on = its.goesOn();
+    if (goes_on) --its.steps_left_;
+    return goes_on ? 0 : 1;
+  };
+  sqlite3_progress_handler(database, steps_at_a_time, step, this);
+  const auto authorize = [](void* limits, int action, const char*, const char* function, const char*,
+                            const char*) {
+    return static_cast<QueryLimits*>(limits)->allow(action, function);
+  };
+  return sqlite3_set_authorizer(database, authorize, this);
+}
+
+int QueryLimits::prepare(const std::string& sql, sqlite3_stmt*& statement) const {
+  constexpr int short_value = 4096;
+  const HeapLimit nested_views(most_memory_);
+  const int code = sqlite3_prepare_v2(database_, sql.c_str(), -1, &statement, nullptr);
+  if (slow_) sqlite3_limit(database_, SQLITE_LIMIT_LENGTH, short_value);
+  return code;
+}
+
+}  // namespace vorpipe

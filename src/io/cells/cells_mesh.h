@@ -1,0 +1,32 @@
+/// Cells as faces that share their vertices.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "io/base/byte_sink.h"
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+/// Faces without holes, which is all that the formats of meshes know: one for each piece of a cell; a piece
+/// with holes as triangles.
+struct CellsMesh {
+  std::vector<Point> points;           ///< each position once, in the order in which the faces meet them
+  std::vector<std::int32_t> corners;   ///< indices of points, counter-clockwise, face after face
+  std::vector<std::uint64_t> offsets;  ///< size: faces + 1; where the corners of each face begin
+  std::vector<std::uint32_t> sites;    ///< by face, ascending
+  [[nodiscard]] std::size_t size() const { return sites.size(); }
+  [[nodiscard]] std::span<const std::int32_t> cornersOf(std::size_t face) const {
+    return std::span(corners).subspan(offsets[face], offsets[face + 1] - offsets[face]);
+  }
+};
+
+/// Joins vertices as distinctPoints() does. Errors: the cells have more vertices than the
+/// indices of mesh formats, 32-bit and signed, can count (input); a piece with holes could not be cut into
+/// triangles (device). `sink` is named.
+Result<CellsMesh> cellsMesh(const ByteSink& sink, const Diagram& diagram);
+
+}  // namespace vorpipe

@@ -1,0 +1,203 @@
+#include "io/cells/fluid_state.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "io/base/error.h"
+#include "io/base/npy_array.h"
+#include "io/base/npz_file.h"
+#include "io/base/quoted.h"
+#include "io/base/zip_file.h"
+
+namespace vorpipe {
+namespace {
+
+/// Arrays of an archive, in the order in which they were added.
+class Archive {
+ public:
+  template <class Number, std::uint64_t columns = 1, class Row>
+  void add(const char* name, std::span<const Row> rows) {
+    if (rows.empty()) return;
+    NpyArray array = npyArray<Number, columns>(rows);
+    entries_.push_back({std::string(name) + ".npy", std::move(array.header), zipBody(array.elements)});
+  }
+  Result<void> write(ByteSink& sink) const { return writeZip(sink, entries_); }
+
+ private:
+  std::vector<ZipEntry> entries_;
+};
+
+template <class Value>
+std::span<const Value> one(const Value& value) {
+  return {&value, 1};
+}
+
+std::vector<Point> pointsOf(const std::vector<double>& numbers) {
+  std::vector<Point> points;
+  for (std::size_t k = 0; k + 1 < numbers.size(); k += 2) points.push_back({numbers[k], numbers[k + 1]});
+  return points;
+}
+
+constexpr std::array<std::string_view, 21> array_names{
+    "sites",   "weights",   "velocity", "volume",   "density",  "pressure", "trend",
+    "order",   "domain",    "gravity",  "carried",  "time",     "until",    "length",
+    "epsilon", "tolerance", "step",     "diagrams", "periodic", "surface",  "scheme"};
+constexpr std::array<std::string_view, 4> periodic_names{"none", "x", "y", "xy"};
+constexpr std::array<std::string_view, 2> surface_names{"none", "free"},
+    scheme_names{"springs", "projection"};
+
+/// A state is all that later steps depend on: an array that is no part of it was meant to be one.
+Result<void> checkNames(const NpzFile& file) {
+  for (const std::string& name : file.names()) {
+    if (std::ranges::find(array_names, name) != array_names.end()) continue;
+    // Plurals among them, and longer words.
+    constexpr std::size_t same = 3;
+    const auto meant = std::ranges::find_if(
+        array_names, [&](std::string_view known) { return name.substr(0, same) == known.substr(0, same); });
+    return inputError(fmt::format("{}: a fluid has no array {}; {}", file.name(), inQuotes(name),
+                                  meant != array_names.end()
+                                      ? fmt::format("did you mean {}?", *meant)
+                                      : fmt::format("known are {}", fmt::join(array_names, ", "))));
+  }
+  return {};
+}
+
+/// Reads arrays one after the other; the first error stays.
+class Reader {
+ public:
+  explicit Reader(const NpzFile& file) : file_(file) {}
+
+  template <class Number>
+  std::vector<Number> many(const char* name, std::uint64_t columns = 1) {
+    auto read = file_.numbers<Number>(name, columns);
+    if (read) return std::move(*read);
+    if (!error) error = std::move(read.error());
+    return {};
+  }
+  /// So many; empty where there is no such array.
+  template <class Number>
+  std::vector<Number> several(const char* name, std::size_t count) {
+    auto read = many<Number>(name);
+    if (!error && file_.has(name) && read.size() != count)
+      refuse(fmt::format("{} has {} numbers, not {}", name, read.size(), count));
+    return error ? std::vector<Number>() : read;
+  }
+  /// Leaves the value where there is none.
+  template <class Number>
+  void single(const char* name, Number& value) {
+    const auto read = several<Number>(name, 1);
+    if (!read.empty()) value = read.front();
+  }
+  /// The same for one of these names, as text or by its number.
+  template <class Name>
+  void name(const char* array, std::span<const std::string_view> names, Name& value) {
+    if (const auto text = file_.text(array)) {
+      const auto found = std::ranges::find(names, *text);
+      if (found == names.end())
+        return refuse(fmt::format("{} is {}, not one of {}", array, inQuotes(*text), fmt::join(names, ", ")));
+      value = static_cast<Name>(found - names.begin());
+      return;
+    }
+    auto number = static_cast<std::uint8_t>(value);
+    single(array, number);
+    if (number >= names.size()) refuse(fmt::format("{} is {}, not below {}", array, number, names.size()));
+    value = static_cast<Name>(number);
+  }
+  void refuse(const std::string& what) {
+    if (!error) error = Error{ErrorCode::input, fmt::format("{}: {}", file_.name(), what)};
+  }
+
+  std::optional<Error> error;
+
+ private:
+  const NpzFile& file_;
+};
+
+}  // namespace
+
+Result<void> writeFluid(ByteSink& sink, const FluidState& state, const FluidOptions& options) {
+  std::vector<Point> places;
+  for (std::size_t i = 0; i < state.sites.size(); ++i) places.push_back({state.sites.x[i], state.sites.y[i]});
+  const Box& box = options.domain;
+  const std::array<double, 4> domain{box.xmin, box.ymin, box.xmax, box.ymax};
+  const auto spanOf = [](const auto& values) { return std::span(values.data(), values.size()); };
+  const std::array<std::uint8_t, 3> names{static_cast<std::uint8_t>(options.periodic),
+                                          static_cast<std::uint8_t>(options.surface),
+                                          static_cast<std::uint8_t>(options.scheme)};
+  Archive archive;
+  archive.add<double, 2>("sites", spanOf(places));
+  archive.add<double>("weights", spanOf(state.sites.weight));
+  archive.add<double, 2>("velocity", spanOf(state.velocity));
+  archive.add<double>("volume", spanOf(state.volume));
+  archive.add<double>("density", spanOf(state.density));
+  archive.add<double>("pressure", spanOf(state.pressure));
+  archive.add<double>("trend", spanOf(state.trend));
+  archive.add<std::uint32_t>("order", spanOf(state.order));
+  archive.add<double>("domain", spanOf(domain));
+  archive.add<double>("gravity", std::span(&options.gravity.x, 2));
+  if (state.carried.x != 0 || state.carried.y != 0)
+    archive.add<double>("carried", std::span(&state.carried.x, 2));
+  archive.add<double>("time", one(state.time));
+  archive.add<double>("until", one(options.until));
+  archive.add<double>("length", one(options.step));
+  const double epsilon = options.epsilon != 0 ? options.epsilon : state.epsilon;
+  archive.add<double>("epsilon", one(epsilon));
+  archive.add<double>("tolerance", one(options.tolerance));
+  archive.add<std::uint64_t>("step", one(state.step));
+  archive.add<std::uint64_t>("diagrams", one(options.diagrams));
+  archive.add<std::uint8_t>("periodic", one(names[0]));
+  archive.add<std::uint8_t>("surface", one(names[1]));
+  archive.add<std::uint8_t>("scheme", one(names[2]));
+  return archive.write(sink);
+}
+
+Result<FluidSetup> readFluid(const std::string& path) {
+  const auto file = NpzFile::read(path);
+  if (!file) return tl::unexpected(file.error());
+  for (const char* needed : {"sites", "domain"}) {
+    if (!file->has(needed)) return inputError(fmt::format("{}: it has no array {}", path, needed));
+  }
+  FluidSetup setup{};
+  FluidState& state = setup.state;
+  FluidOptions& options = setup.options;
+  if (auto known = checkNames(*file); !known) return tl::unexpected(std::move(known.error()));
+  Reader read(*file);
+  for (const Point place : pointsOf(read.many<double>("sites", 2))) {
+    state.sites.x.push_back(place.x);
+    state.sites.y.push_back(place.y);
+  }
+  state.sites.weight = read.many<double>("weights");
+  state.velocity = pointsOf(read.many<double>("velocity", 2));
+  state.volume = read.many<double>("volume");
+  state.density = read.many<double>("density");
+  state.pressure = read.many<double>("pressure");
+  state.trend = read.many<double>("trend");
+  state.order = read.many<std::uint32_t>("order");
+  const auto domain = read.several<double>("domain", 4), gravity = read.several<double>("gravity", 2);
+  const auto carried = read.several<double>("carried", 2);
+  if (!domain.empty()) options.domain = {domain[0], domain[1], domain[2], domain[3]};
+  if (!gravity.empty()) options.gravity = {gravity[0], gravity[1]};
+  if (!carried.empty()) state.carried = {carried[0], carried[1]};
+  read.single("time", state.time);
+  if (!std::isfinite(state.time)) read.refuse("time is not finite");
+  read.single("until", options.until);
+  read.single("length", options.step);
+  read.single("epsilon", options.epsilon);
+  read.single("tolerance", options.tolerance);
+  read.single("step", state.step);
+  read.single("diagrams", options.diagrams);
+  read.name("periodic", periodic_names, options.periodic);
+  read.name("surface", surface_names, options.surface);
+  read.name("scheme", scheme_names, options.scheme);
+  if (read.error) return tl::unexpected(std::move(*read.error));
+  return setup;
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,19 @@
+/// Polygons with holes as triangles, through GEOS.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "io/cells/cell_rings.h"
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+/// Counter-clockwise triangles that fill a piece of a cell, between its own vertices; none where GEOS finds
+/// that the rings are not those of a polygon.
+std::optional<std::vector<std::array<Point, 3>>> trianglesOf(const Diagram& diagram,
+                                                             std::span<const Ring> piece);
+
+}  // namespace vorpipe

@@ -1,0 +1,227 @@
+#include "io/sites/csv_columns.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "io/base/lower_case.h"
+#include "io/base/quoted.h"
+#include "io/sites/column_choice.h"
+
+namespace vorpipe {
+namespace {
+
+using Found = tl::expected<CsvColumns, ColumnProblem>;
+using Column = std::optional<std::size_t>;
+
+struct Synonym {
+  std::string_view name;
+  CoordinateKind kind;
+};
+
+constexpr auto of_plane = CoordinateKind::plane, of_degrees = CoordinateKind::degrees;
+constexpr std::array<Synonym, 6> x_names = {{{"x", CoordinateKind::unknown},
+                                             {"lon", of_degrees},
+                                             {"lng", of_degrees},
+                                             {"long", of_degrees},
+                                             {"longitude", of_degrees},
+                                             {"easting", of_plane}}};
+constexpr std::array<Synonym, 4> y_names = {
+    {{"y", CoordinateKind::unknown}, {"lat", of_degrees}, {"latitude", of_degrees}, {"northing", of_plane}}};
+constexpr std::array<std::string_view, 4> geometry_names = {"wkt", "geometry", "geom", "the_geom"};
+
+tl::unexpected<ColumnProblem> problem(std::size_t column, std::string what) {
+  return tl::unexpected(ColumnProblem{column, std::move(what)});
+}
+
+const Synonym* synonymOf(std::string_view name, std::span<const Synonym> synonyms) {
+  const std::string lower = lowerCase(name);
+  const auto found = std::ranges::find(synonyms, lower, &Synonym::name);
+  return found == synonyms.end() ? nullptr : &*found;
+}
+
+bool isGeometry(const std::string& name) {
+  return std::ranges::find(geometry_names, lowerCase(name)) != geometry_names.end();
+}
+
+/// The only column of which `is` holds.
+template <class Is>
+tl::expected<Column, ColumnProblem> onlyColumn(std::span<const std::string> names, const Is& is) {
+  Column found;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (!is(names[k])) continue;
+    if (found && names[*found] == names[k]) {
+      return problem(k, fmt::format("the header names column {} twice", inQuotes(names[k])));
+    }
+    if (found) {
+      return problem(k, fmt::format("the header names both {} and {}; --columns says which",
+                                    inQuotes(names[*found]), inQuotes(names[k])));
+    }
+    found = k;
+  }
+  return found;
+}
+
+tl::expected<Column, ColumnProblem> exactly(std::span<const std::string> names, std::string_view name) {
+  return onlyColumn(names, [name](const std::string& other) { return other == name; });
+}
+
+std::string headerText(std::span<const std::string> names) {
+  return inQuotes(fmt::format("{}", fmt::join(names, ",")));
+}
+
+/// A column by number or name, exact before any case.
+tl::expected<std::size_t, ColumnProblem> chosenColumn(std::span<const std::string> names,
+                                                      const std::string& text) {
+  if (const auto number = columnNumber(text)) {
+    if (*number >= 1 && *number <= names.size()) return *number - 1;
+    return problem(0, fmt::format("there is no column {}; there are {}", text, names.size()));
+  }
+  auto found = exactly(names, text);
+  if (!found) return tl::unexpected(found.error());
+  if (!*found) {
+    found = onlyColumn(names, [&](const std::string& name) { return lowerCase(name) == lowerCase(text); });
+    if (!found) return tl::unexpected(found.error());
+  }
+  if (*found) return **found;
+  return problem(0, fmt::format("the header {} names no column {}", headerText(names), inQuotes(text)));
+}
+
+CoordinateKind kindOf(const Synonym* x, const Synonym* y) {
+  const auto kind_of = [](const Synonym* synonym) {
+    return synonym == nullptr ? CoordinateKind::unknown : synonym->kind;
+  };
+  return kind_of(x) == kind_of(y) ? kind_of(x) : CoordinateKind::unknown;
+}
+
+/// x, y and perhaps a weight; or a column of WKT, which is one alone.
+Found chosenColumns(std::span<const std::string> names, std::span<const std::string> chosen) {
+  std::vector<std::size_t> found;
+  for (const std::string& text : chosen) {
+    const auto column = chosenColumn(names, text);
+    if (!column) return tl::unexpected(column.error());
+    if (std::ranges::find(found, *column) != found.end()) {
+      return problem(*column, fmt::format("column {} is chosen twice", inQuotes(names[*column])));
+    }
+    found.push_back(*column);
+  }
+  CsvColumns columns;
+  if (found.size() == 1) {
+    columns.geometry = found[0];
+    return columns;
+  }
+  if (found.size() > 3)
+    return problem(0, fmt::format("{} columns are chosen; x, y and a weight are 3", found.size()));
+  columns.x = found[0];
+  columns.y = found[1];
+  columns.kind = kindOf(synonymOf(names[found[0]], x_names), synonymOf(names[found[1]], y_names));
+  if (found.size() < 3) return columns;
+  columns.weight = found[2];
+  columns.weight_kind = weightNamed(names[found[2]], true).value_or(WeightKind::weight);
+  if (columns.weight_kind == WeightKind::radius) {
+    columns.note =
+        fmt::format("column {} is taken as {}", inQuotes(names[found[2]]), meaningOf(columns.weight_kind));
+  }
+  return columns;
+}
+
+/// Sets weight, as the header tells.
+tl::expected<void, ColumnProblem> findWeight(std::span<const std::string> names, CsvColumns& columns) {
+  const auto weight =
+      onlyColumn(names, [](const std::string& name) { return weightNamed(name, true).has_value(); });
+  if (!weight) return tl::unexpected(weight.error());
+  columns.weight = *weight;
+  if (*weight) columns.weight_kind = *weightNamed(names[**weight], true);
+  return {};
+}
+
+/// Sets x and y, or the column of WKT.
+tl::expected<void, ColumnProblem> findPlaces(std::span<const std::string> names, CsvColumns& columns) {
+  auto x = exactly(names, "x");
+  auto y = exactly(names, "y");
+  if (x && y && (!*x || !*y)) {
+    x = onlyColumn(names, [](const std::string& name) { return synonymOf(name, x_names) != nullptr; });
+    y = onlyColumn(names, [](const std::string& name) { return synonymOf(name, y_names) != nullptr; });
+  }
+  if (!x) return tl::unexpected(x.error());
+  if (!y) return tl::unexpected(y.error());
+  if (*x && *y) {
+    columns.x = *x;
+    columns.y = *y;
+    columns.kind = kindOf(synonymOf(names[**x], x_names), synonymOf(names[**y], y_names));
+    return {};
+  }
+  const auto geometry = onlyColumn(names, isGeometry);
+  if (!geometry) return tl::unexpected(geometry.error());
+  columns.geometry = *geometry;
+  if (*geometry) return {};
+  return problem(0,
+                 fmt::format("the header {} names no column \"{}\"; the first line must name the columns, as "
+                             "in \"x,y\", or --columns says which they are",
+                             headerText(names), !*x ? "x" : "y"));
+}
+
+/// What is not called x, y, weight or radius, and is taken for it.
+std::string noteOf(std::span<const std::string> names, const CsvColumns& columns) {
+  std::vector<std::string> called, meaning;
+  const auto add = [&](std::size_t column, std::string_view is) {
+    called.push_back(inQuotes(names[column]));
+    meaning.emplace_back(is);
+  };
+  if (columns.x && lowerCase(names[*columns.x]) != "x") add(*columns.x, "x");
+  if (columns.y && lowerCase(names[*columns.y]) != "y") add(*columns.y, "y");
+  if (columns.geometry) add(*columns.geometry, "points in WKT");
+  const bool radius = columns.weight_kind == WeightKind::radius;
+  if (columns.weight && names[*columns.weight] != (radius ? "radius" : "weight")) {
+    add(*columns.weight, meaningOf(columns.weight_kind));
+  }
+  if (called.empty()) return {};
+  return fmt::format("{} {} taken as {}; --columns names others", fmt::join(called, ", "),
+                     called.size() == 1 ? "is" : "are", fmt::join(meaning, ", "));
+}
+
+}  // namespace
+
+Found namedColumns(std::span<const std::string> names, std::span<const std::string> chosen) {
+  if (!chosen.empty()) return chosenColumns(names, chosen);
+  CsvColumns columns;
+  if (auto found = findPlaces(names, columns); !found) return tl::unexpected(found.error());
+  if (auto found = findWeight(names, columns); !found) return tl::unexpected(found.error());
+  columns.note = noteOf(names, columns);
+  return columns;
+}
+
+bool sayColumns(std::span<const std::string> names) {
+  return std::ranges::any_of(names, [](const std::string& name) {
+    return synonymOf(name, x_names) != nullptr || synonymOf(name, y_names) != nullptr || isGeometry(name) ||
+           weightNamed(name, true);
+  });
+}
+
+Found unnamedColumns(std::size_t count, bool third_is_number, std::span<const std::string> chosen) {
+  const std::vector<std::string> none(count);
+  if (!chosen.empty()) return chosenColumns(none, chosen);
+  CsvColumns columns;
+  columns.x = 0;
+  columns.y = 1;
+  columns.note = "there is no header: columns 1 and 2 are taken as x and y";
+  if (count == 3 && third_is_number) {
+    columns.weight = 2;
+    columns.note =
+        "there is no header: columns 1, 2 and 3 are taken as x, y and weights; --columns 1,2 leaves 3 out";
+  }
+  return columns;
+}
+
+std::optional<std::pair<std::size_t, std::size_t>> placesWithoutHeader(std::span<const std::string> chosen) {
+  if (chosen.empty()) return std::pair<std::size_t, std::size_t>(0, 1);
+  if (chosen.size() == 1) return std::nullopt;
+  const auto x = columnNumber(chosen[0]), y = columnNumber(chosen[1]);
+  if (!x || !y || *x < 1 || *y < 1) return std::nullopt;
+  return std::pair(*x - 1, *y - 1);
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,118 @@
+#include "motion/equal_masses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "base/block_sums.h"
+#include "motion/allowed_places.h"
+#include "motion/linear/conjugate_gradients.h"
+#include "motion/linear/mass_change.h"
+
+namespace vorpipe::moving {
+namespace {
+
+/// The shortest ways, by the sum of their squares, that change masses by `missing`, to first order.
+std::vector<Point> shortestWays(const MassChange& change, const std::vector<double>& missing, int threads) {
+  constexpr double enough = 1e-3;
+  const std::vector<double> alike(missing.size(), 1.0);
+  std::vector<double> pressure;
+  solvePressure(change, alike, missing, enough * normOf(missing, threads), threads, pressure);
+  std::vector<Point> way;
+  change.push(pressure, alike, way);
+  return way;
+}
+
+/// One attempt after the other.
+class Equalizer {
+ public:
+  Equalizer(Session& session, Sites sites, const CellsOptions& options)
+      : options_(options),
+        cells_(session, options),
+        allowed_(options.domain, options.outline, options.periodic),
+        threads_(session.threads()),
+        sites_(std::move(sites)) {}
+
+  Result<void> run(double tolerance, std::uint64_t most) {
+    auto measured = measure(sites_);
+    if (!measured) return tl::unexpected(std::move(measured.error()));
+    worst_ = *measured;
+    while (worst_ > tolerance && diagrams_ < most) {
+      const auto ways = shortestWays({cells_, sites_, options_.domain, threads_}, missing_, threads_);
+      const auto better = search(ways, most);
+      if (!better) return tl::unexpected(better.error());
+      if (!*better) break;
+    }
+    return {};
+  }
+
+  [[nodiscard]] const Sites& sites() const { return sites_; }
+  [[nodiscard]] std::uint64_t diagrams() const { return diagrams_; }
+  [[nodiscard]] double worst() const { return worst_; }
+
+ private:
+  /// The worst part by which a mass differs from the mean of all that have one; what each misses is noted.
+  Result<double> measure(const Sites& at) {
+    if (auto done = cells_.update(at); !done) return tl::unexpected(std::move(done.error()));
+    ++diagrams_;
+    const auto& mass = cells_.moments().mass;
+    const double sum = carefulSum(mass.size(), threads_, [&](std::size_t i) { return mass[i]; });
+    const double cells =
+        carefulSum(mass.size(), threads_, [&](std::size_t i) { return mass[i] > 0 ? 1.0 : 0.0; });
+    const double mean = sum / cells;
+    now_missing_.resize(mass.size());
+    double worst = 0;
+    for (std::size_t i = 0; i < mass.size(); ++i) {
+      now_missing_[i] = mass[i] > 0 ? mean - mass[i] : 0;
+      worst = std::max(worst, std::abs(now_missing_[i]) / mean);
+    }
+    missing_.swap(now_missing_);
+    return worst;
+  }
+
+  /// Takes the longest part of the ways, half as long each time, that makes the worst cell better.
+  Result<bool> search(const std::vector<Point>& ways, std::uint64_t most) {
+    constexpr double least = 0x1p-6;
+    for (double length = 1; length >= least && diagrams_ < most; length /= 2) {
+      Sites at = sites_;
+      forAll(at.size(), threads_, [&](std::size_t i) {
+        const Point to = allowed_.nearestTo({at.x[i] + length * ways[i].x, at.y[i] + length * ways[i].y});
+        at.x[i] = to.x;
+        at.y[i] = to.y;
+      });
+      if (options_.periodic != Periodic::none) {
+        auto placed = wrapped(at, options_.domain, options_.periodic, threads_);
+        if (!placed) return tl::unexpected(std::move(placed.error()));
+        at = std::move(*placed);
+      }
+      const auto measured = measure(at);
+      if (!measured) return tl::unexpected(measured.error());
+      if (!(*measured < worst_)) continue;
+      worst_ = *measured;
+      sites_ = std::move(at);
+      return true;
+    }
+    return false;
+  }
+
+  const CellsOptions& options_;
+  MovingCells cells_;
+  AllowedPlaces allowed_;
+  int threads_;
+  Sites sites_;
+  std::vector<double> missing_{}, now_missing_{};
+  double worst_ = 0;
+  std::uint64_t diagrams_ = 0;
+};
+
+}  // namespace
+
+Result<EqualMasses> equalizeMasses(Session& session, Sites sites, const CellsOptions& options,
+                                   double tolerance, std::uint64_t most) {
+  Equalizer equalizer(session, std::move(sites), options);
+  if (auto done = equalizer.run(tolerance, most); !done) return tl::unexpected(std::move(done.error()));
+  return EqualMasses{equalizer.sites(), equalizer.diagrams(), equalizer.worst()};
+}
+
+}  // namespace vorpipe::moving

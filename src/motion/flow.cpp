@@ -1,0 +1,268 @@
+#include "motion/flow.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "base/block_sums.h"
+#include "motion/linear/conjugate_gradients.h"
+#include "motion/linear/mass_change.h"
+#include "motion/softness.h"
+
+namespace vorpipe::moving {
+namespace {
+
+/// What projected velocities may change areas by in a step, as a part of what areas may be off. Measured:
+/// velocities of a vortex are no better after less.
+constexpr double enough_projected = 0.1;
+
+/// The tolerance of areas in the middle of a step, where only the directions of projections come from them.
+constexpr double tolerance_in_the_middle = 1e-3;
+
+CellsOptions cellsOptions(const FluidOptions& options) {
+  CellsOptions cells{};
+  cells.domain = options.domain;
+  cells.periodic = options.periodic;
+  cells.search = options.search;
+  cells.progress = options.progress;
+  return cells;
+}
+
+/// The least density of the parcels. Springs are as stiff as epsilon says for it, and softer for what is
+/// heavier: so that the unit of mass makes no difference.
+double lightest(const Parcels& parcels) {
+  double least = parcels.mass[0] / parcels.volume[0];
+  for (std::size_t i = 0; i < parcels.size(); ++i) {
+    least = std::min(least, parcels.mass[i] / parcels.volume[i]);
+  }
+  return least;
+}
+
+double square(Point a) { return a.x * a.x + a.y * a.y; }
+
+tl::unexpected<Error> cancelled(std::string_view before) {
+  return tl::unexpected(Error{ErrorCode::cancelled, "stopped before " + std::string(before)});
+}
+
+/// Adds time times what accelerates.
+void kick(std::vector<Point>& velocity, const std::vector<Point>& acceleration, double time, int threads) {
+  forAll(velocity.size(), threads, [&](std::size_t i) {
+    velocity[i].x += time * acceleration[i].x;
+    velocity[i].y += time * acceleration[i].y;
+  });
+}
+
+/// Takes from the velocities what changes areas: what is left is the nearest velocity that changes none, as
+/// masses weigh it. `least`, `goes_on`, `pressure` and the result as solvePressure() has them.
+std::uint64_t project(const MassChange& change, std::span<const double> mass, double least, int threads,
+                      const std::function<bool()>& goes_on, std::vector<double>& pressure,
+                      std::vector<Point>& velocity) {
+  std::vector<double> changed;
+  change.apply(velocity, changed);
+  const auto iterations = solvePressure(change, mass, changed, least, threads, pressure, goes_on);
+  std::vector<Point> pushed;
+  change.push(pressure, mass, pushed);
+  kick(velocity, pushed, -1, threads);
+  return iterations;
+}
+
+}  // namespace
+
+Flow::Flow(Session& session, const FluidOptions& options, const Parcels& parcels)
+    : options_(options),
+      threads_(session.threads()),
+      spacing_(meanSpacing(parcels.volume)),
+      stiffness_(options.scheme == FluidScheme::springs
+                     ? lightest(parcels) / (options.epsilon * options.epsilon)
+                     : 0),
+      cells_(session, cellsOptions(options), options.surface, parcels.volume) {}
+
+/// Puts sites back into the period, and notes by how much what falls through it.
+Result<void> Flow::wrap(Parcels& parcels) const {
+  if (options_.periodic == Periodic::none) return {};
+  auto inside = wrapped(parcels.sites, options_.domain, options_.periodic, threads_);
+  if (!inside) return tl::unexpected(std::move(inside.error()));
+  const Box& box = options_.domain;
+  const auto carried = [&](const std::vector<double>& from, const std::vector<double>& to, double side) {
+    return carefulSum(parcels.size(), threads_, [&](std::size_t i) {
+      const double way = to[i] - from[i];
+      // Sites inside may be moved by rounding.
+      return std::abs(way) > side / 2 ? parcels.mass[i] * way : 0;
+    });
+  };
+  if (options_.gravity.x != 0) {
+    parcels.carried.x += carried(parcels.sites.x, inside->x, box.xmax - box.xmin);
+  }
+  if (options_.gravity.y != 0) {
+    parcels.carried.y += carried(parcels.sites.y, inside->y, box.ymax - box.ymin);
+  }
+  parcels.sites = std::move(*inside);
+  return {};
+}
+
+/// Finds weights with which the cells have their areas. They begin as they would be if they changed as they
+/// did last, which spares about one diagram of three.
+Result<bool> Flow::areas(Parcels& parcels, double time, double tolerance) {
+  std::vector<double>& weight = parcels.sites.weight;
+  const std::vector<double> before = weight;
+  const bool has_weights = time > 0 && before.size() == parcels.size();
+  if (has_weights && parcels.trend.size() == parcels.size()) {
+    forAll(parcels.size(), threads_, [&](std::size_t i) { weight[i] += time * parcels.trend[i]; });
+  }
+  if (auto put_back = wrap(parcels); !put_back) return tl::unexpected(std::move(put_back.error()));
+  const auto end = cells_.solve(parcels.sites, {tolerance, options_.diagrams});
+  if (!end) return tl::unexpected(end.error());
+  if (*end == TransportEnd::cancelled) {
+    return cancelled("each cell had its area");
+  }
+  diagrams_ += cells_.trace().size();
+  for (const TransportStep& step : cells_.trace()) iterations_ += step.linear_iterations;
+  if (has_weights) {
+    parcels.trend.resize(parcels.size());
+    forAll(parcels.size(), threads_,
+           [&](std::size_t i) { parcels.trend[i] = (weight[i] - before[i]) / time; });
+  }
+  return *end == TransportEnd::converged;
+}
+
+/// Springs pull sites to the centroids of their cells. Weights are then pressures, up to a factor: by so much
+/// the energy of springs grows with the volume of a cell.
+void Flow::accelerate(Parcels& parcels) const {
+  const bool springs = options_.scheme == FluidScheme::springs;
+  const CellMoments& moments = cells_.cells().moments();
+  parcels.acceleration.resize(parcels.size());
+  if (springs) parcels.pressure.resize(parcels.size());
+  forAll(parcels.size(), threads_, [&](std::size_t i) {
+    const double own = stiffness_ * parcels.volume[i] / parcels.mass[i];
+    const Point centroid = moments.centroid[i];
+    parcels.acceleration[i] = {own * (centroid.x - parcels.sites.x[i]) + options_.gravity.x,
+                               own * (centroid.y - parcels.sites.y[i]) + options_.gravity.y};
+    if (springs) parcels.pressure[i] = 0.5 * stiffness_ * parcels.sites.weight[i];
+  });
+}
+
+Result<bool> Flow::place(Parcels& parcels, double time) { return place(parcels, time, options_.tolerance); }
+
+Result<bool> Flow::place(Parcels& parcels, double time, double tolerance) {
+  auto placed = areas(parcels, time, tolerance);
+  if (placed && *placed) accelerate(parcels);
+  return placed;
+}
+
+void Flow::drift(Parcels& parcels, double time) const {
+  forAll(parcels.size(), threads_, [&](std::size_t i) {
+    parcels.sites.x[i] += time * parcels.velocity[i].x;
+    parcels.sites.y[i] += time * parcels.velocity[i].y;
+  });
+}
+
+/// Velocity Verlet of x' = v, v' = (c - x) / epsilon^2 + g, with c the centroid of the cell (Gallouet and
+/// Merigot 2018, section 5, who take symplectic Euler).
+Result<bool> Flow::springs(Parcels& parcels, double length) {
+  kick(parcels.velocity, parcels.acceleration, length / 2, threads_);
+  drift(parcels, length);
+  auto placed = place(parcels, length);
+  if (placed && *placed) kick(parcels.velocity, parcels.acceleration, length / 2, threads_);
+  return placed;
+}
+
+/// Zehnder, Narain and Thomaszewski 2018, algorithm 1, for sites that carry their velocities: half a step,
+/// reflection about the velocities that change no area, the other half, projection to them.
+Result<bool> Flow::reflection(Parcels& parcels, double length) {
+  const auto half = [&](double tolerance) {
+    drift(parcels, length / 2);
+    auto placed = place(parcels, length / 2, tolerance);
+    if (placed && *placed) kick(parcels.velocity, parcels.acceleration, length / 2, threads_);
+    return placed;
+  };
+  const double least = enough_projected * options_.tolerance * normOf(parcels.volume, threads_) / length;
+  // A pressure may take longer than all else.
+  bool stopped = false;
+  const auto goes_on = [&] {
+    stopped = stopped || (options_.progress && !options_.progress("pressure", 0));
+    return !stopped;
+  };
+  const auto projectInto = [&](std::vector<double>& pressure) {
+    const MassChange change(cells_.cells(), parcels.sites, options_.domain, threads_);
+    iterations_ += project(change, parcels.mass, least, threads_, goes_on, pressure, parcels.velocity);
+  };
+  auto placed = half(std::max(options_.tolerance, tolerance_in_the_middle));
+  if (!placed || !*placed) return placed;
+  const std::vector<Point> before = parcels.velocity;
+  // The step before left a pressure: what changes areas grows with the time since, and so does this.
+  const double scale = -length / 2;
+  for (double& pressure : parcels.pressure) pressure *= scale;
+  projectInto(parcels.pressure);
+  if (stopped) return cancelled("a pressure was found");
+  for (double& pressure : parcels.pressure) pressure /= scale;
+  forAll(parcels.size(), threads_, [&](std::size_t i) {
+    parcels.velocity[i].x += parcels.velocity[i].x - before[i].x;
+    parcels.velocity[i].y += parcels.velocity[i].y - before[i].y;
+  });
+  placed = half(options_.tolerance);
+  if (!placed || !*placed) return placed;
+  std::vector<double> pressure;
+  projectInto(pressure);
+  if (stopped) return cancelled("a pressure was found");
+  return true;
+}
+
+Result<bool> Flow::advance(Parcels& parcels, double length) {
+  return options_.scheme == FluidScheme::springs ? springs(parcels, length) : reflection(parcels, length);
+}
+
+/// A site goes no farther than a part of the spacing, and springs swing in no less than 8 pi steps, with
+/// which the energy keeps to 1e-3. By projection epsilon is a time as well: what slows down makes no longer
+/// steps than the spacing over its usual speed.
+double Flow::length(const Parcels& parcels) const {
+  if (options_.step > 0) return options_.step;
+  const bool free = options_.surface == Surface::free;
+  const double part = (free ? 0.2 : 0.5) * spacing_;
+  double fastest = 0;
+  for (const Point& v : parcels.velocity) fastest = std::max(fastest, square(v));
+  const double pull = std::sqrt(square(options_.gravity));
+  double length = options_.epsilon / (options_.scheme == FluidScheme::springs ? 4 : 2);
+  if (fastest > 0) length = std::min(length, part / std::sqrt(fastest));
+  if (pull > 0) length = std::min(length, std::sqrt(part / pull) / 2);
+  return length;
+}
+
+void Flow::measure(const Parcels& parcels, FluidStep& step) const {
+  const CellMoments& moments = cells_.cells().moments();
+  const auto sum = [&](const auto& term) { return carefulSum(parcels.size(), threads_, term); };
+  const auto away = [&](std::size_t i) {
+    return Point{moments.centroid[i].x - parcels.sites.x[i], moments.centroid[i].y - parcels.sites.y[i]};
+  };
+  step.kinetic = sum([&](std::size_t i) { return parcels.mass[i] * square(parcels.velocity[i]) / 2; });
+  // Springs accelerate sites; by projection a site may leave the middle of its cell, which the mass is in.
+  const bool at_sites = options_.scheme == FluidScheme::springs;
+  step.potential = -sum([&](std::size_t i) {
+    const Point at = at_sites ? Point{parcels.sites.x[i], parcels.sites.y[i]} : moments.centroid[i];
+    return parcels.mass[i] * (options_.gravity.x * at.x + options_.gravity.y * at.y);
+  });
+  step.potential += options_.gravity.x * parcels.carried.x + options_.gravity.y * parcels.carried.y;
+  step.spring = 0;
+  if (options_.scheme == FluidScheme::springs) {
+    step.spring = sum([&](std::size_t i) { return moments.spread[i] + moments.mass[i] * square(away(i)); }) *
+                  stiffness_ / 2;
+  }
+  step.momentum.x = sum([&](std::size_t i) { return parcels.mass[i] * parcels.velocity[i].x; });
+  step.momentum.y = sum([&](std::size_t i) { return parcels.mass[i] * parcels.velocity[i].y; });
+  step.worst = step.farthest = step.fastest = 0;
+  for (std::size_t i = 0; i < parcels.size(); ++i) {
+    step.worst = std::max(step.worst, std::abs(moments.mass[i] - parcels.volume[i]) / parcels.volume[i]);
+    step.farthest = std::max(step.farthest, square(away(i)));
+    step.fastest = std::max(step.fastest, square(parcels.velocity[i]));
+  }
+  step.fastest = std::sqrt(step.fastest);
+  step.farthest = std::sqrt(step.farthest) / spacing_;
+}
+
+void Flow::count(FluidStep& step) {
+  step.diagrams += std::exchange(diagrams_, 0);
+  step.linear_iterations += std::exchange(iterations_, 0);
+}
+
+}  // namespace vorpipe::moving

@@ -1,0 +1,136 @@
+#include "motion/linear/mass_change.h"
+
+#include <cmath>
+
+#include "base/block_sums.h"
+
+namespace vorpipe::moving {
+namespace {
+
+double dot(std::span<const double> a, std::span<const double> b, int threads) {
+  return carefulSum(a.size(), threads, [&](std::size_t i) { return a[i] * b[i]; });
+}
+
+}  // namespace
+
+MassChange::MassChange(const MovingCells& cells, const Sites& sites, const Box& domain, int threads)
+    : threads_(threads) {
+  const CellsThatMeet& meet = cells.neighbors();
+  const EdgesOfCells& edges = cells.edges();
+  const std::size_t count = sites.size();
+  const auto forCell = [&](std::size_t i, const auto& each) {
+    for (auto k = meet.offsets[i]; k < meet.offsets[i + 1]; ++k) {
+      const bool other = !isWall(meet.neighbors[k]) && static_cast<std::size_t>(meet.neighbors[k]) != i;
+      if (other && edges.coupling[k] > 0) each(k);
+    }
+  };
+  offsets_.resize(count + 1);
+  forAll(count, threads, [&](std::size_t i) {
+    std::uint64_t entries = 0;
+    forCell(i, [&](std::uint64_t) { ++entries; });
+    offsets_[i + 1] = entries;
+  });
+  for (std::size_t i = 0; i < count; ++i) offsets_[i + 1] += offsets_[i];
+  entries_.resize(offsets_[count]);
+  const double width = domain.xmax - domain.xmin, height = domain.ymax - domain.ymin;
+  forAll(count, threads, [&](std::size_t i) {
+    auto out = offsets_[i];
+    forCell(i, [&](std::uint64_t k) {
+      const auto j = static_cast<std::uint32_t>(meet.neighbors[k]);
+      Point other{sites.x[j], sites.y[j]};
+      if (!meet.shifts.empty()) {
+        other.x += meet.shifts[k][0] * width;
+        other.y += meet.shifts[k][1] * height;
+      }
+      const double c = 2 * edges.coupling[k];
+      const Point b = edges.middle[k];
+      entries_[out++] = {
+          j, {c * (other.x - b.x), c * (other.y - b.y)}, {c * (sites.x[i] - b.x), c * (sites.y[i] - b.y)}};
+    });
+  });
+}
+
+void MassChange::apply(std::span<const Point> velocity, std::vector<double>& change) const {
+  change.resize(velocity.size());
+  forAll(velocity.size(), threads_, [&](std::size_t i) {
+    double sum = 0;
+    const Point own = velocity[i];
+    for (auto k = offsets_[i]; k < offsets_[i + 1]; ++k) {
+      const Entry& e = entries_[k];
+      const Point other = velocity[e.other];
+      sum += e.from_other.x * other.x + e.from_other.y * other.y;
+      sum -= e.from_own.x * own.x + e.from_own.y * own.y;
+    }
+    change[i] = sum;
+  });
+}
+
+void MassChange::push(std::span<const double> pressure, std::span<const double> inertia,
+                      std::vector<Point>& result) const {
+  result.resize(pressure.size());
+  forAll(pressure.size(), threads_, [&](std::size_t i) {
+    Point sum{0, 0};
+    for (auto k = offsets_[i]; k < offsets_[i + 1]; ++k) {
+      const Entry& e = entries_[k];
+      const double rise = pressure[e.other] - pressure[i];
+      sum.x += e.from_own.x * rise;
+      sum.y += e.from_own.y * rise;
+    }
+    result[i] = {sum.x / inertia[i], sum.y / inertia[i]};
+  });
+}
+
+std::vector<double> MassChange::diagonal(std::span<const double> inertia) const {
+  std::vector<double> diagonal(inertia.size());
+  forAll(inertia.size(), threads_, [&](std::size_t i) {
+    Point own{0, 0};
+    double sum = 0;
+    for (auto k = offsets_[i]; k < offsets_[i + 1]; ++k) {
+      const Entry& e = entries_[k];
+      sum += (e.from_other.x * e.from_other.x + e.from_other.y * e.from_other.y) / inertia[e.other];
+      own.x += e.from_own.x;
+      own.y += e.from_own.y;
+    }
+    diagonal[i] = sum + (own.x * own.x + own.y * own.y) / inertia[i];
+  });
+  return diagonal;
+}
+
+std::uint64_t solvePressure(const MassChange& change, std::span<const double> inertia,
+                            std::span<const double> wanted, double least, int threads,
+                            std::vector<double>& pressure, const std::function<bool()>& goes_on) {
+  const std::size_t count = inertia.size();
+  constexpr std::uint64_t most_iterations = 10000;
+  if (pressure.size() != count) pressure.assign(count, 0.0);
+  const std::vector<double> diagonal = change.diagonal(inertia);
+  std::vector<double> rest(wanted.begin(), wanted.end()), scaled(count), way, answer;
+  std::vector<Point> pushed;
+  change.push(pressure, inertia, pushed);
+  change.apply(pushed, answer);
+  forAll(count, threads, [&](std::size_t i) { rest[i] -= answer[i]; });
+  const auto scale = [&] {
+    forAll(count, threads, [&](std::size_t i) { scaled[i] = diagonal[i] > 0 ? rest[i] / diagonal[i] : 0; });
+    return dot(rest, scaled, threads);
+  };
+  double product = scale();
+  way = scaled;
+  std::uint64_t iteration = 0;
+  for (; iteration < most_iterations && goes_on() && dot(rest, rest, threads) > least * least; ++iteration) {
+    change.push(way, inertia, pushed);
+    change.apply(pushed, answer);
+    const double curvature = dot(way, answer, threads);
+    if (!(curvature > 0)) break;
+    const double length = product / curvature;
+    forAll(count, threads, [&](std::size_t i) {
+      pressure[i] += length * way[i];
+      rest[i] -= length * answer[i];
+    });
+    const double next = scale();
+    const double turn = next / product;
+    product = next;
+    forAll(count, threads, [&](std::size_t i) { way[i] = scaled[i] + turn * way[i]; });
+  }
+  return iteration;
+}
+
+}  // namespace vorpipe::moving

@@ -1,0 +1,41 @@
+/// A multigrid by aggregation (Notay 2010, "An aggregation-based algebraic multigrid method").
+#pragma once
+
+#include <vector>
+
+#include "motion/linear/factored.h"
+#include "motion/linear/level.h"
+#include "motion/linear/parts.h"
+#include "motion/linear/two_steps.h"
+
+namespace vorpipe::moving {
+
+/// Solves approximately with a matrix. Rows of a level are added up to rows of the next until few are left,
+/// which are factored. Memory is kept from one matrix to the next.
+class Multigrid {
+ public:
+  /// The matrix has fewer couplings than 2^32.
+  void build(const Laplacian& matrix, int threads);
+
+  /// Where the right side goes, which solve() changes.
+  std::vector<float>& right() { return levels_.front().right; }
+  /// Solves approximately for it, but for a factor, which is the same for all right sides. What comes of a
+  /// right side is almost, but not quite, linear in it.
+  const std::vector<float>& solve();
+
+ private:
+  void factorCoarsest();
+  void solveCoarsest();
+  void cycle(std::size_t number);
+
+  int threads_ = 1;
+  std::size_t count_ = 0;  ///< of the levels that this matrix has
+  std::vector<Level> levels_;
+  std::vector<TwoSteps> steps_;  ///< by level
+
+  Factored coarsest_;
+  SingularParts singular_;  ///< of the coarsest level
+  std::vector<double> coarsest_right_, coarsest_x_;
+};
+
+}  // namespace vorpipe::moving

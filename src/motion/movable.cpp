@@ -1,0 +1,75 @@
+#include "motion/movable.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "base/refusal.h"
+
+namespace vorpipe::moving {
+namespace {
+
+struct Range {
+  double least, most;
+  [[nodiscard]] bool contains(double value) const { return value >= least && value <= most; }
+};
+
+constexpr Range sides{1e-40, 1e40}, densities{1e-30, 1e30};
+
+}  // namespace
+
+Result<void> checkMovable(const Sites& sites, const CellsOptions& options, int threads) {
+  if (auto checked = checkInput(sites, options, threads); !checked) return checked;
+  const double width = options.domain.xmax - options.domain.xmin;
+  const double height = options.domain.ymax - options.domain.ymin;
+  if (!sides.contains(width) || !sides.contains(height)) {
+    return tl::unexpected(refusal(
+        Subject::domain, fmt::format("the domain is {} wide and {} high: what moves sites takes sides of "
+                                     "{:.0e} to {:.0e}; scale the sites",
+                                     width, height, sides.least, sides.most)));
+  }
+  const auto& values = options.density.values;
+  if (values.empty()) return {};
+  const double largest = *std::ranges::max_element(values);
+  if (densities.contains(largest)) return {};
+  return tl::unexpected(refusalOf(
+      Subject::density, fmt::format("its largest value is {}: what moves sites takes {:.0e} to {:.0e}",
+                                    largest, densities.least, densities.most)));
+}
+
+RepeatingAxes repeats(Periodic periodic) {
+  return {periodic == Periodic::x || periodic == Periodic::xy,
+          periodic == Periodic::y || periodic == Periodic::xy};
+}
+
+Result<void> checkPlaces(const Sites& sites, const Box& domain, Periodic periodic) {
+  std::vector<std::uint32_t> order(sites.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const RepeatingAxes along = repeats(periodic);
+  const auto placeOf = [&](std::uint32_t i) {
+    return std::pair(along.x && sites.x[i] == domain.xmax ? domain.xmin : sites.x[i],
+                     along.y && sites.y[i] == domain.ymax ? domain.ymin : sites.y[i]);
+  };
+  std::ranges::sort(order,
+                    [&](auto a, auto b) { return std::pair(placeOf(a), a) < std::pair(placeOf(b), b); });
+  const auto same =
+      std::ranges::adjacent_find(order, [&](auto a, auto b) { return placeOf(a) == placeOf(b); });
+  if (same == order.end()) return {};
+  return tl::unexpected(refusal(
+      Subject::sites,
+      fmt::format("sites {} and {} (counted from 0) are at one place, so that neither can have its mass",
+                  *same, *std::next(same))));
+}
+
+Result<void> checkTolerance(double tolerance) {
+  if (tolerance >= 0 && std::isfinite(tolerance)) return {};
+  return tl::unexpected(
+      Error{ErrorCode::input, fmt::format("tolerance: {} is not a finite number of 0 or more", tolerance)});
+}
+
+}  // namespace vorpipe::moving

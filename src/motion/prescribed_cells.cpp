@@ -1,0 +1,311 @@
+#include "motion/prescribed_cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/block_sums.h"
+#include "base/refusal.h"
+#include "base/stopwatch.h"
+#include "motion/lacking_part.h"
+#include "motion/linear/laplacian_solver.h"
+#include "motion/mass_matrix.h"
+#include "motion/misfit.h"
+#include "motion/roomy_box.h"
+#include "motion/start_weights.h"
+#include "vorpipe.h"
+
+namespace vorpipe::moving {
+namespace {
+
+/// Weights of an earlier time leave cells at least this part of their masses, or others are better.
+constexpr double least_of_old = 0.02;
+/// A shorter part of a Newton step is not tried.
+constexpr double least_length = 0x1p-30;
+/// From here on a Newton step that gains nothing has met rounding.
+constexpr double near_rounding = 1e-6;
+
+}  // namespace
+
+struct PrescribedCells::State {
+  State(Session& session, const CellsOptions& from, Surface around, std::vector<double> given)
+      : threads(session.threads()),
+        options(from),
+        surface(around),
+        masses(std::move(given)),
+        cells(session, from, around) {}
+
+  int threads;
+  CellsOptions options;
+  Surface surface;
+  std::vector<double> masses;
+  MovingCells cells;
+  LaplacianSolver solver{threads};
+  std::vector<TransportStep> trace{};
+
+  // Of one time:
+  PrescribedLimits limits{};
+  TransportWatcher watcher{};
+  Stopwatch watch{};
+  Misfit misfit{};                    ///< of the weights that are kept
+  std::vector<double> kept{};         ///< weights
+  std::vector<double> missing{};      ///< of the weights that are kept
+  std::vector<double> now_missing{};  ///< of those that were tried last
+  std::vector<double> way{};          ///< the Newton step
+  Laplacian matrix{};
+  bool current = false;  ///< the cells are those of the weights that are kept
+  bool stopped = false;  ///< the watcher said so
+
+  Result<bool> measure(const Sites& sites, TransportStep step, Misfit& now);
+  Result<bool> beginWith(Sites& sites, std::vector<double> weights, double least);
+  Result<bool> beginAnywhere(Sites& sites);
+  Result<bool> begin(Sites& sites);
+  void keep(const Sites& sites, const Misfit& now);
+  void tell();
+  Result<bool> joinParts(Sites& sites, double enough);
+  Result<std::uint64_t> findWay(Sites& sites, double enough);
+  Result<TransportEnd> iterate(Sites& sites);
+  Result<bool> search(Sites& sites, std::uint64_t newton, double enough, double& length);
+  [[nodiscard]] double firstLength() const;
+  [[nodiscard]] bool mayMeasure() const { return trace.size() < limits.diagrams && !stopped; }
+};
+
+/// One diagram, which the trace notes. Whether all cells have mass.
+Result<bool> PrescribedCells::State::measure(const Sites& sites, TransportStep step, Misfit& now) {
+  current = false;
+  auto whole = cells.updateUnlessEmpty(sites);
+  if (!whole) return whole;
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  now = *whole ? misfitOf(cells.moments(), masses, surface, threads, now_missing)
+               : Misfit{unknown, unknown, unknown};
+  step.diagram = trace.size();
+  step.norm = now.norm;
+  step.worst = now.worst;
+  step.least = now.least;
+  step.seconds = watch.seconds();
+  trace.push_back(step);
+  return whole;
+}
+
+void PrescribedCells::State::keep(const Sites& sites, const Misfit& now) {
+  misfit = now;
+  kept = sites.weight;
+  missing.swap(now_missing);
+  current = true;
+  trace.back().taken = true;
+}
+
+/// Tells the watcher of the last diagram.
+void PrescribedCells::State::tell() {
+  if (watcher && !watcher(trace.back())) stopped = true;
+}
+
+/// Whether these weights leave every cell at least that part of its mass. They are kept then.
+Result<bool> PrescribedCells::State::beginWith(Sites& sites, std::vector<double> weights, double least) {
+  sites.weight = std::move(weights);
+  Misfit now;
+  auto whole = measure(sites, {}, now);
+  if (!whole) return whole;
+  const bool enough = *whole && now.least >= least;
+  if (enough) keep(sites, now);
+  tell();
+  return enough;
+}
+
+/// Begins with weights that do not depend on those that the sites have.
+Result<bool> PrescribedCells::State::beginAnywhere(Sites& sites) {
+  constexpr double any = 0;
+  const std::vector<double> equal(sites.size(), 0.0);
+  std::vector<std::vector<double>> starts;
+  if (surface == Surface::free) {
+    starts.push_back(discWeights(masses));
+    const double least = *std::ranges::min_element(starts.front());
+    starts.emplace_back(sites.size(), least);
+  } else if (options.periodic == Periodic::xy) {
+    starts.push_back(equal);
+  } else {
+    starts = {equal, spreadWeights(sites, options.domain, options.periodic)};
+    if (!fillDomain(sites, options.domain, options.periodic)) std::swap(starts[0], starts[1]);
+  }
+  Result<bool> begun = false;
+  for (std::size_t k = 0; k < starts.size() && begun && !*begun && mayMeasure(); ++k) {
+    if (surface == Surface::none) centerWeights(starts[k], threads);
+    begun = beginWith(sites, std::move(starts[k]), any);
+  }
+  const bool everywhere = options.outline.empty() && options.density.values.empty();
+  if (!begun || *begun || everywhere || !mayMeasure() || options.periodic == Periodic::xy) return begun;
+  std::vector<double> roomy = spreadWeights(sites, roomyBox(options), options.periodic);
+  centerWeights(roomy, threads);
+  return beginWith(sites, std::move(roomy), any);
+}
+
+Result<bool> PrescribedCells::State::begin(Sites& sites) {
+  if (sites.weight.size() == sites.size()) {
+    auto begun = beginWith(sites, sites.weight, least_of_old);
+    if (!begun || *begun) return begun;
+  }
+  return beginAnywhere(sites);
+}
+
+/// No Newton step moves mass between parts that no edge joins. This raises the weights of the part that lacks
+/// most, until one of its cells reaches into another part; whether that was done.
+Result<bool> PrescribedCells::State::joinParts(Sites& sites, double enough) {
+  massMatrix(cells.neighbors(), cells.edges(), threads, matrix);
+  const bool may_be_parts = !options.outline.empty() || !options.density.values.empty();
+  if (surface != Surface::none || !may_be_parts) return false;
+  const LackingPart part = lackingPart(matrix, missing, threads);
+  const double total = carefulSum(masses.size(), threads, [&](std::size_t i) { return masses[i]; });
+  const double mean = total / static_cast<double>(masses.size());
+  if (part.cells.empty() || part.lack <= limits.tolerance * mean) return false;
+  const Box& box = options.domain;
+  const double area = (box.xmax - box.xmin) * (box.ymax - box.ymin);
+  double none = 0, too_much = std::numeric_limits<double>::infinity();
+  for (double raise = area / static_cast<double>(sites.size()); mayMeasure();) {
+    sites.weight = kept;
+    for (const auto i : part.cells) sites.weight[i] += raise;
+    centerWeights(sites.weight, threads);
+    Misfit now;
+    const auto whole = measure(sites, {}, now);
+    if (!whole) return whole;
+    tell();
+    const double lack = *whole ? std::abs(lackOf(part.cells, now_missing)) : part.lack;
+    // Less by this part is no rounding.
+    const bool moved = lack < 0.999 * part.lack;
+    if (*whole && now.least >= enough && moved) {
+      keep(sites, now);
+      return true;
+    }
+    const bool nothing = *whole && lackOf(part.cells, now_missing) > 0 && !moved;
+    (nothing ? none : too_much) = raise;
+    const double next = std::isfinite(too_much) ? none + (too_much - none) / 2 : 2 * raise;
+    if (next == raise || !std::isfinite(next)) break;
+    raise = next;
+  }
+  return false;
+}
+
+/// Finds the Newton step from the weights that are kept; returns the iterations of the linear solver.
+Result<std::uint64_t> PrescribedCells::State::findWay(Sites& sites, double enough) {
+  Result<bool> joined = true;
+  while (joined && *joined) joined = joinParts(sites, enough);
+  if (!joined) return tl::unexpected(std::move(joined.error()));
+  // What was tried last may not be what is kept.
+  if (!current) {
+    sites.weight = kept;
+    Misfit now;
+    if (auto again = measure(sites, {}, now); !again) return tl::unexpected(std::move(again.error()));
+    keep(sites, now);
+    massMatrix(cells.neighbors(), cells.edges(), threads, matrix);
+  }
+  // A system solved to r leaves r of the misfit where the step itself would leave its square.
+  constexpr double coarsest = 1e-3, finest = 1e-9;
+  const double tolerance = std::clamp(0.1 * misfit.worst, finest, coarsest);
+  auto solved = solver.solve(matrix, missing, tolerance, way);
+  if (!solved) return tl::unexpected(std::move(solved.error()));
+  return solved->iterations;
+}
+
+/// Takes the longest part of the step, half as long each time, that leaves cells enough mass and the misfit
+/// less (Kitagawa, Merigot and Thibert 2019, algorithm 1). Whether there was one.
+Result<bool> PrescribedCells::State::search(Sites& sites, std::uint64_t newton, double enough,
+                                            double& length) {
+  const auto iterations = findWay(sites, enough);
+  if (!iterations) return tl::unexpected(iterations.error());
+  while (length >= least_length && mayMeasure()) {
+    forAll(sites.size(), threads, [&](std::size_t i) { sites.weight[i] = kept[i] + length * way[i]; });
+    TransportStep step;
+    step.newton = newton;
+    step.length = length;
+    step.linear_iterations = *iterations;
+    Misfit now;
+    const auto whole = measure(sites, step, now);
+    if (!whole) return whole;
+    const bool less = now.norm <= (1 - length / 2) * misfit.norm;
+    const bool taken = *whole && now.least >= enough && less;
+    if (taken) keep(sites, now);
+    tell();
+    if (taken) return true;
+    // Near the end a whole step is right; that it gains nothing is rounding.
+    if (*whole && length == 1 && misfit.worst < near_rounding) {
+      if (now.worst < misfit.worst) keep(sites, now);
+      return false;
+    }
+    length /= 2;
+  }
+  return false;
+}
+
+/// The part of the first Newton step that is tried first: masses that are far off take a short one.
+double PrescribedCells::State::firstLength() const {
+  const double sum = carefulSum(masses.size(), threads, [&](std::size_t i) { return masses[i] * masses[i]; });
+  const double off = misfit.norm / std::sqrt(sum);
+  return off > 1 ? 0x1p-5 : misfit.least < 0.1 ? 0.25 : 1;
+}
+
+Result<TransportEnd> PrescribedCells::State::iterate(Sites& sites) {
+  const double enough = 0.5 * std::min(misfit.least, 1.0);
+  double length = firstLength();
+  for (std::uint64_t newton = 1; misfit.worst > limits.tolerance; ++newton) {
+    if (stopped) return TransportEnd::cancelled;
+    if (!mayMeasure()) return TransportEnd::diagrams;
+    const double tried = length;
+    const auto stepped = search(sites, newton, enough, length);
+    if (!stepped) return tl::unexpected(stepped.error());
+    if (*stepped) {
+      // What had to be halved would have to be halved again at once.
+      if (length == tried) length = std::min(1.0, 2 * length);
+      continue;
+    }
+    if (misfit.worst <= limits.tolerance) break;
+    if (stopped) return TransportEnd::cancelled;
+    return mayMeasure() ? TransportEnd::stagnated : TransportEnd::diagrams;
+  }
+  return TransportEnd::converged;
+}
+
+PrescribedCells::PrescribedCells(Session& session, const CellsOptions& options, Surface surface,
+                                 std::vector<double> masses)
+    : state_(std::make_unique<State>(session, options, surface, std::move(masses))) {}
+PrescribedCells::PrescribedCells(PrescribedCells&&) noexcept = default;
+PrescribedCells& PrescribedCells::operator=(PrescribedCells&&) noexcept = default;
+PrescribedCells::~PrescribedCells() = default;
+
+Result<TransportEnd> PrescribedCells::solve(Sites& sites, const PrescribedLimits& limits,
+                                            const TransportWatcher& watcher) {
+  State& s = *state_;
+  s.limits = limits;
+  s.watcher = watcher;
+  s.watch = {};
+  s.trace.clear();
+  s.stopped = s.current = false;
+  const auto begun = s.begin(sites);
+  if (!begun) return tl::unexpected(begun.error());
+  if (!*begun && s.stopped) {
+    return tl::unexpected(Error{ErrorCode::cancelled, "stopped before every cell had some of its mass"});
+  }
+  if (!*begun) {
+    return tl::unexpected(
+        refusal(Subject::sites, "no weights to begin with were found that give each site a cell with mass"));
+  }
+  auto end = s.iterate(sites);
+  if (!end && end.error().code == ErrorCode::cancelled) {
+    sites.weight = s.kept;
+    return TransportEnd::cancelled;
+  }
+  if (!end) return end;
+  if (!s.current) {
+    sites.weight = s.kept;
+    Misfit now;
+    if (auto again = s.measure(sites, {}, now); !again) return tl::unexpected(again.error());
+    s.keep(sites, now);
+    s.tell();
+  }
+  return end;
+}
+
+bool PrescribedCells::areMeasured() const { return state_->current; }
+const MovingCells& PrescribedCells::cells() const { return state_->cells; }
+const std::vector<TransportStep>& PrescribedCells::trace() const { return state_->trace; }
+
+}  // namespace vorpipe::moving

@@ -1,0 +1,377 @@
+#include <fmt/core.h>
+
+#include <cmath>
+#include <limits>
+#include <new>
+#include <utility>
+
+#include "base/block_sums.h"
+#include "base/stopwatch.h"
+#include "motion/allowed_places.h"
+#include "motion/equal_masses.h"
+#include "motion/lattice_energy.h"
+#include "motion/lost_sites.h"
+#include "motion/measured_sites.h"
+#include "motion/memory_order.h"
+#include "motion/movable.h"
+#include "motion/quasi_newton.h"
+#include "vorpipe.h"
+#include "vorpipe/stipple.h"
+
+namespace vorpipe {
+
+using namespace moving;
+
+namespace {
+
+/// Along a way of descent energy must fall by this part of what its slope promises (Armijo).
+constexpr double enough_fall = 1e-4;
+/// Energies that differ by less than this part of their terms are equal, for all that is known.
+constexpr double energy_rounding = 1e-15;
+/// Shorter steps are not tried.
+constexpr double least_step = 0x1p-12;
+/// Diagrams in a row without a gain, after which a relaxation ends.
+constexpr int most_idle = 20;
+
+CellsOptions cellsOptions(const RelaxOptions& options) {
+  CellsOptions cells{};
+  cells.domain = options.domain;
+  cells.outline = options.outline;
+  cells.periodic = options.periodic;
+  cells.density = options.equal_masses ? forEqualMasses(options.density) : options.density;
+  cells.search = options.search;
+  cells.progress = options.progress;
+  return cells;
+}
+
+/// How many of the diagrams are left to make masses equal.
+std::uint64_t lastDiagrams(const RelaxOptions& options) {
+  constexpr std::uint64_t most = 12;
+  const bool wanted = options.equal_masses && !options.density.values.empty();
+  return wanted ? std::min(most, options.iterations / 4) : 0;
+}
+
+}  // namespace
+
+struct Relaxation::State {
+  State(Session& with, RelaxOptions from, Sites begin)
+      : session(with),
+        options(std::move(from)),
+        cells(session, cellsOptions(options)),
+        allowed(options.domain, options.outline, options.periodic),
+        threads(session.threads()),
+        sites(std::move(begin)) {}
+
+  Session& session;
+  RelaxOptions options;
+  MovingCells cells;
+  AllowedPlaces allowed;
+  int threads;
+  Stopwatch watch{};
+  double lattice = 0;  ///< energy of the hexagonal lattice, times its number of cells
+
+  std::vector<std::uint32_t> order{};  ///< of `sites`: see memoryOrder()
+  Sites sites;                         ///< that are the result so far
+  Sites callers{};                     ///< the same in the caller's order, once they were asked for
+  bool callers_are_old = true;
+  MeasuredSites at{};
+  std::vector<RelaxStep> trace{};
+  RelaxEnd end = RelaxEnd::iterations;
+  bool ended = false;
+  Report report{};
+  std::string equal_note{};
+  LostSites lost{};  ///< all that were given places so far
+
+  QuasiNewton newton{threads};
+  std::vector<double> direction{};
+  double step = 0;        ///< of the direction that is next; 0: a new direction is to be found
+  bool steepest = false;  ///< the direction is that of Lloyd's step
+  bool current = false;   ///< the moments are those of `sites`, not of a step that was taken back
+  double least_energy = std::numeric_limits<double>::infinity(), least_way = least_energy;
+  int idle = 0;
+
+  Result<MeasuredSites> measure(const Sites& where);
+  Result<bool> advance();
+  Result<bool> moveLost();
+  Result<bool> tryStep();
+  Result<void> equalize();
+  void findDirection();
+  void takeBack(std::size_t diagrams);
+  void keep(Sites where, MeasuredSites measured);
+  [[nodiscard]] Result<Sites> moved(double length) const;
+  [[nodiscard]] Result<Sites> placed(Sites where) const;
+  [[nodiscard]] bool isAtRest();
+};
+
+/// Computes the diagram of sites that stand in `where`, and notes it.
+Result<MeasuredSites> Relaxation::State::measure(const Sites& where) {
+  if (auto done = cells.update(where); !done) return tl::unexpected(std::move(done.error()));
+  MeasuredSites measured = measureSites(where, cells.moments(), allowed, threads);
+  report = cells.report();
+  const auto count = static_cast<double>(measured.cells);
+  if (lattice == 0) lattice = latticeEnergy(measured.area);
+  RelaxStep step_done{trace.size()};
+  step_done.energy = measured.energy;
+  // What a lattice would have depends on the weights.
+  step_done.hexagonal = where.weight.empty() ? measured.energy * count / lattice : std::nan("");
+  step_done.farthest = measured.farthest / std::sqrt(measured.area / count);
+  step_done.seconds = watch.seconds();
+  trace.push_back(step_done);
+  return measured;
+}
+
+void Relaxation::State::keep(Sites where, MeasuredSites measured) {
+  sites = std::move(where);
+  at = std::move(measured);
+  current = true;
+  callers_are_old = true;
+}
+
+/// The sites as the domain takes them.
+Result<Sites> Relaxation::State::placed(Sites where) const {
+  if (options.periodic == Periodic::none) return where;
+  return wrapped(where, options.domain, options.periodic, threads);
+}
+
+/// The sites moved along the direction, and not out of the domain.
+Result<Sites> Relaxation::State::moved(double length) const {
+  const std::size_t count = sites.size();
+  Sites where = sites;
+  forAll(count, threads, [&](std::size_t i) {
+    const Point to{sites.x[i] + length * direction[i], sites.y[i] + length * direction[count + i]};
+    const Point place = at.inverse[i] > 0 ? allowed.nearestTo(to) : Point{sites.x[i], sites.y[i]};
+    where.x[i] = place.x;
+    where.y[i] = place.y;
+  });
+  return placed(std::move(where));
+}
+
+/// Whether nothing is left to gain but rounding: the last sites did not move, or neither energy nor what is
+/// left of their ways has become less for long.
+bool Relaxation::State::isAtRest() {
+  const Box& box = options.domain;
+  const double reach =
+      std::max({std::abs(box.xmin), std::abs(box.xmax), std::abs(box.ymin), std::abs(box.ymax)});
+  if (at.farthest <= 4 * std::numeric_limits<double>::epsilon() * reach) return true;
+  const bool falls = at.energy < least_energy - energy_rounding * 10 * at.scale;
+  const bool nears = at.farthest < 0.9 * least_way;
+  least_energy = falls ? at.energy : least_energy;
+  least_way = nears ? at.farthest : least_way;
+  idle = falls || nears ? 0 : idle + 1;
+  return idle >= most_idle;
+}
+
+/// The direction of the next step. One that would lead a site out of the domain leads it where Lloyd's does.
+void Relaxation::State::findDirection() {
+  const std::size_t count = sites.size();
+  step = 1;
+  steepest = options.method == RelaxMethod::lloyd || newton.empty();
+  if (!steepest) {
+    newton.direction(at.gradient, at.inverse, direction);
+    forAll(count, threads, [&](std::size_t i) {
+      const Point to{sites.x[i] + direction[i], sites.y[i] + direction[count + i]};
+      if (allowed.contain(to) && at.inverse[i] > 0) return;
+      direction[i] = at.way[i];
+      direction[count + i] = at.way[count + i];
+    });
+    const double slope =
+        carefulSum(2 * count, threads, [&](std::size_t k) { return at.gradient[k] * direction[k]; });
+    steepest = !(slope < 0);
+  }
+  if (!steepest) return;
+  newton.clear();
+  direction = at.way;
+}
+
+/// A step of Lloyd's that also gives places to sites which own nothing.
+Result<bool> Relaxation::State::moveLost() {
+  direction = at.way;
+  auto where = moved(1);
+  if (!where) return tl::unexpected(std::move(where.error()));
+  const LostSites now = placeLostSites(sites, cells.moments(), allowed, *where);
+  lost.hidden = now.hidden;
+  if (!now.moved()) return false;
+  auto places = placed(std::move(*where));
+  if (!places) return tl::unexpected(std::move(places.error()));
+  auto measured = measure(*places);
+  if (!measured) return tl::unexpected(std::move(measured.error()));
+  lost.duplicates += now.duplicates;
+  lost.outside += now.outside;
+  // The same ones again and again, where there is little mass.
+  lost.massless = std::max(lost.massless, now.massless);
+  keep(std::move(*places), std::move(*measured));
+  newton.clear();
+  step = 0;
+  return true;
+}
+
+/// One diagram of a line search. Whether a shorter step, or another direction, is left to be tried.
+Result<bool> Relaxation::State::tryStep() {
+  if (step == 0) findDirection();
+  const std::size_t count = sites.size();
+  auto where = moved(step);
+  if (!where) return tl::unexpected(std::move(where.error()));
+  auto measured = measure(*where);
+  if (!measured) return tl::unexpected(std::move(measured.error()));
+  const bool lloyd = options.method == RelaxMethod::lloyd;
+  const auto falls = [&] {
+    const double slope =
+        carefulSum(2 * count, threads, [&](std::size_t k) { return at.gradient[k] * direction[k]; });
+    return measured->energy <= at.energy + enough_fall * step * slope + energy_rounding * at.scale;
+  };
+  if (lloyd || falls()) {
+    if (!lloyd) {
+      std::vector<double> way(2 * count), change(2 * count);
+      forAll(2 * count, threads, [&](std::size_t k) {
+        way[k] = step * direction[k];
+        change[k] = measured->gradient[k] - at.gradient[k];
+      });
+      newton.add(std::move(way), std::move(change));
+    }
+    keep(std::move(*where), std::move(*measured));
+    step = 0;
+    return true;
+  }
+  trace.back().taken = false;
+  current = false;
+  step /= 2;
+  if (step >= least_step) return true;
+  step = 0;
+  newton.clear();
+  return !steepest;
+}
+
+Result<bool> Relaxation::State::advance() {
+  const auto stop = [&](RelaxEnd why) {
+    end = why;
+    ended = true;
+    return false;
+  };
+  const double spacing = std::sqrt(at.area / static_cast<double>(at.cells));
+  if (options.tolerance > 0 && at.farthest <= options.tolerance * spacing && step == 0) {
+    return stop(RelaxEnd::tolerance);
+  }
+  if (trace.size() > options.iterations - lastDiagrams(options)) return stop(RelaxEnd::iterations);
+  Result<bool> more = false;
+  if (step == 0 && at.has_lost && current) more = moveLost();
+  if (more && !*more) {
+    if (step == 0 && isAtRest()) return stop(RelaxEnd::stagnated);
+    more = tryStep();
+  }
+  if (more) return *more ? true : stop(RelaxEnd::stagnated);
+  if (more.error().code != ErrorCode::cancelled) return more;
+  return stop(RelaxEnd::cancelled);
+}
+
+/// Makes masses equal in the end.
+Result<void> Relaxation::State::equalize() {
+  const std::uint64_t most = lastDiagrams(options);
+  if (most < 2 || end == RelaxEnd::cancelled) return {};
+  CellsOptions plain = cellsOptions(options);
+  plain.density = options.density;
+  constexpr double tolerance = 0.01;
+  auto equal = equalizeMasses(session, sites, plain, tolerance, most - 1);
+  Result<MeasuredSites> measured = equal ? measure(equal->sites) : tl::unexpected(std::move(equal.error()));
+  if (!measured && measured.error().code == ErrorCode::cancelled) {
+    end = RelaxEnd::cancelled;
+    return {};
+  }
+  if (!measured) return tl::unexpected(std::move(measured.error()));
+  keep(std::move(equal->sites), std::move(*measured));
+  if (equal->worst > tolerance) {
+    equal_note = fmt::format(
+        "masses differ by up to {:.2g} % of their mean after {} diagrams that made them "
+        "equal; with more iterations there are more of these",
+        100 * equal->worst, equal->diagrams);
+  }
+  return {};
+}
+
+const RelaxStep& lastTaken(const std::vector<RelaxStep>& trace) {
+  // The first diagram, of the sites as they came, is always taken.
+  return *std::find_if(trace.rbegin(), trace.rend(), [](const RelaxStep& step) { return step.taken; });
+}
+
+Relaxation::Relaxation() = default;
+Relaxation::Relaxation(Relaxation&&) noexcept = default;
+Relaxation& Relaxation::operator=(Relaxation&&) noexcept = default;
+Relaxation::~Relaxation() = default;
+
+Result<Relaxation> Relaxation::begin(Session& session, Sites sites, RelaxOptions options) {
+  const auto cells = cellsOptions(options);
+  if (auto checked = checkTolerance(options.tolerance); !checked) {
+    return tl::unexpected(std::move(checked.error()));
+  }
+  if (auto checked = checkMovable(sites, cells, session.threads()); !checked)
+    return tl::unexpected(std::move(checked.error()));
+  Relaxation relaxation;
+  relaxation.state_ = std::make_unique<State>(session, std::move(options), std::move(sites));
+  State& state = *relaxation.state_;
+  // Along periodic axes places are rounded; sites that do not move stay where the caller has them.
+  const bool repeats = state.options.periodic != Periodic::none;
+  Sites given = repeats ? state.sites : Sites{};
+  auto places = state.placed(std::move(state.sites));
+  if (!places) return tl::unexpected(std::move(places.error()));
+  if (!state.options.density.values.empty()) {
+    const auto lattice = latticeEnergy(session, *places, cells);
+    if (!lattice) return tl::unexpected(lattice.error());
+    state.lattice = *lattice;
+  }
+  state.order = memoryOrder(*places, state.options.domain);
+  Sites ordered = inOrder(*places, state.order);
+  auto measured = state.measure(ordered);
+  if (!measured && measured.error().code == ErrorCode::input) {
+    // What is wrong is told of the caller's sites by their numbers.
+    if (auto told = state.cells.update(*places); !told) return tl::unexpected(std::move(told.error()));
+  }
+  if (!measured) return tl::unexpected(std::move(measured.error()));
+  state.keep(std::move(ordered), std::move(*measured));
+  state.callers = std::move(repeats ? given : *places);
+  state.callers_are_old = false;
+  return relaxation;
+}
+
+/// A step that failed has not been: the next one begins anew, from the same sites.
+void Relaxation::State::takeBack(std::size_t diagrams) {
+  trace.resize(diagrams);
+  newton.clear();
+  step = 0;
+  current = ended = false;
+}
+
+Result<bool> Relaxation::step() {
+  State& state = *state_;
+  if (state.ended) return false;
+  const std::size_t diagrams = state.trace.size();
+  Result<bool> more = false;
+  try {
+    more = state.advance();
+    if (more && !*more) {
+      if (auto equal = state.equalize(); !equal) more = tl::unexpected(std::move(equal.error()));
+    }
+  } catch (const std::bad_alloc&) {
+    state.takeBack(diagrams);  // before the message, for which there may be no memory either
+    return tl::unexpected(Error{ErrorCode::device, "out of memory; fewer sites would fit"});
+  }
+  if (!more) state.takeBack(diagrams);
+  return more;
+}
+
+const Sites& Relaxation::sites() const {
+  State& state = *state_;
+  if (std::exchange(state.callers_are_old, false)) backFrom(state.order, state.sites, state.callers);
+  return state.callers;
+}
+const std::vector<RelaxStep>& Relaxation::trace() const { return state_->trace; }
+RelaxEnd Relaxation::end() const { return state_->end; }
+
+const Report& Relaxation::report() const {
+  State& state = *state_;
+  Report& report = state.report;
+  report.notes = state.cells.report().notes;
+  for (std::string& line : state.lost.notes()) report.notes.push_back(std::move(line));
+  if (!state.equal_note.empty()) report.notes.push_back(state.equal_note);
+  return report;
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,127 @@
+#include <cmath>
+#include <string>
+
+#include "base/parallel.h"
+#include "base/refusal.h"
+#include "picture/blend.h"
+#include "vorpipe.h"
+#include "vorpipe/free_surface.h"
+
+namespace vorpipe {
+namespace {
+
+/// Rows that one thread takes at a time.
+constexpr std::size_t air_grain = 16;
+
+/// Where pixels are, and how much of them is not air.
+class PixelsOfDiscs {
+ public:
+  PixelsOfDiscs(const Sites& sites, const RenderOptions& options)
+      : sites_(sites),
+        box_(shownBox(options)),
+        frame_(shownFrame(options)),
+        width_((box_.xmax - box_.xmin) / frame_.width),
+        height_((box_.ymax - box_.ymin) / frame_.height) {}
+
+  /// Whether the middle of a pixel lies in the disc of a site.
+  [[nodiscard]] bool has(std::uint32_t site, int row, int column) const {
+    return holds(site, column + 0.5, row + 0.5);
+  }
+
+  /// The part of the places of a pixel, in as many rows and columns, that do.
+  [[nodiscard]] double partOf(std::uint32_t site, int row, int column, int places) const {
+    int held = 0;
+    for (int k = 0; k < places * places; ++k) {
+      held += holds(site, column + (k % places + 0.5) / places, row + (k / places + 0.5) / places) ? 1 : 0;
+    }
+    return static_cast<double>(held) / (places * places);
+  }
+
+ private:
+  [[nodiscard]] bool holds(std::uint32_t site, double column, double row) const {
+    if (sites_.weight.empty()) return false;
+    const double dx = box_.xmin + (column - frame_.left) * width_ - sites_.x[site];
+    const double dy = box_.ymax - (row - frame_.top) * height_ - sites_.y[site];
+    return dx * dx + dy * dy <= sites_.weight[site];
+  }
+
+  const Sites& sites_;
+  Box box_;
+  PictureFrame frame_;
+  double width_, height_;  ///< of a pixel
+};
+
+Result<void> refuseWhatIsOverAir(const RenderOptions& options) {
+  const auto refused = [](const char* what) {
+    return tl::unexpected(
+        refusal(Subject::none, std::string("a picture with a free surface takes no ") + what + " yet"));
+  };
+  if (options.periodic != Periodic::none) return refused("period");
+  // Their values would be those of the cells before air was taken from them.
+  if (options.color == ColorBy::area || options.color == ColorBy::neighbors) {
+    return refused("colors by area or neighbors");
+  }
+  if (options.legend) return refused("legend");
+  if (options.labels) return refused("labels");
+  if (options.dual) return refused("dual");
+  if (options.show_sites) return refused("sites");
+  return {};
+}
+
+/// A color that covers a part of its pixel.
+std::uint32_t partly(std::uint32_t rgba, double part) {
+  const auto alpha = static_cast<std::uint32_t>(std::lround((rgba >> 24) * part));
+  return alpha == 0 ? 0 : (rgba & 0xFFFFFFu) | alpha << 24;
+}
+
+/// A color that covers a part of a white pixel.
+std::uint32_t overWhite(std::uint32_t rgba, double part) {
+  constexpr double most = 255;
+  const double over = part * (rgba >> 24) / most;
+  std::uint32_t mixed = 0xFF000000U;
+  for (int shift = 0; shift < 24; shift += 8) {
+    const double channel = over * (rgba >> shift & 0xFF) + (1 - over) * most;
+    mixed |= static_cast<std::uint32_t>(std::lround(channel)) << shift;
+  }
+  return mixed;
+}
+
+/// `air` gets the color of each pixel some of which is air, and the part of it that is not; it loses its site
+/// where its middle is air.
+template <class Air>
+void forAir(const Sites& sites, const RenderOptions& options, Image& image, int threads, const Air& air) {
+  const PixelsOfDiscs pixels(sites, options);
+  const auto part_of = [&](std::uint32_t site, int row, int column) -> double {
+    if (options.antialias > 1) return pixels.partOf(site, row, column, options.antialias);
+    return pixels.has(site, row, column) ? 1 : 0;
+  };
+  parallelFor(static_cast<std::size_t>(image.height), air_grain, threads,
+              [&](std::size_t begin, std::size_t end) {
+                for (int row = static_cast<int>(begin); row < static_cast<int>(end); ++row) {
+                  for (int column = 0; column < image.width; ++column) {
+                    const std::size_t at = core::pixelAt(image, row, column);
+                    std::uint32_t& site = image.ids[at];
+                    if (site == no_site) continue;
+                    const double part = part_of(site, row, column);
+                    if (part < 1) air(image.rgba[at], part);
+                    if (!pixels.has(site, row, column)) site = no_site;
+                  }
+                }
+              });
+}
+
+}  // namespace
+
+Result<void> takeOutAir(const Sites& sites, const RenderOptions& options, Image& image, int threads) {
+  if (auto checked = refuseWhatIsOverAir(options); !checked) return checked;
+  forAir(sites, options, image, threads,
+         [](std::uint32_t& pixel, double part) { pixel = partly(pixel, part); });
+  return {};
+}
+
+void whitenAir(const Sites& sites, const RenderOptions& options, Image& image, int threads) {
+  forAir(sites, options, image, threads,
+         [](std::uint32_t& pixel, double part) { pixel = overWhite(pixel, part); });
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,30 @@
+/// Draws cells from lists of sites.
+#pragma once
+
+#include "cells/candidates.h"
+#include "picture/canvas.h"
+
+namespace vorpipe::core {
+
+class BatchDrawing {
+ public:
+  explicit BatchDrawing(const Canvas& canvas) : canvas_(canvas) {}
+
+  /// Draws every entry of `candidates`, in as many batches as the device wants. Returns the status of each:
+  /// `missing` for a list that is longer than a batch; `unsecured` as well for a cell
+  /// that is so large that floats might lose more of it than shows.
+  Result<std::vector<CellStatus>> draw(const View& view, const Candidates& candidates, Effort effort);
+
+  [[nodiscard]] double seconds() const { return seconds_; }
+
+ private:
+  Result<void> drawBatch(const View& view, const CellBatch<float>& batch, std::span<const std::uint32_t> site,
+                         Effort effort, std::span<CellStatus> status);
+
+  Canvas canvas_;
+  std::vector<DrawMark> marks_;
+  CellBatch<float> batch_;
+  double seconds_ = 0;
+};
+
+}  // namespace vorpipe::core

@@ -1,0 +1,60 @@
+#include "picture/frame.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace vorpipe::core {
+namespace {
+
+/// `rest` is what pixels beside the frame get.
+void spread(std::vector<std::uint32_t>& pixels, const PictureFrame& frame, int width, int height,
+            std::uint32_t rest) {
+  const auto at = [&](std::ptrdiff_t index) { return pixels.begin() + index; };
+  const auto placeOf = [&](std::ptrdiff_t row) { return (frame.top + row) * width + frame.left; };
+  pixels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  // From the last row on: each moves to a higher place, so that none is overwritten before it has moved.
+  for (std::ptrdiff_t row = frame.height - 1; row >= 0; --row) {
+    const std::ptrdiff_t from = row * frame.width, to = placeOf(row);
+    std::copy_backward(at(from), at(from + frame.width), at(to + frame.width));
+  }
+  std::ptrdiff_t rest_from = 0;
+  for (std::ptrdiff_t row = 0; row < frame.height; ++row) {
+    std::fill(at(rest_from), at(placeOf(row)), rest);
+    rest_from = placeOf(row) + frame.width;
+  }
+  std::fill(at(rest_from), pixels.end(), rest);
+}
+
+}  // namespace
+
+Image partOf(const Image& image, const PictureFrame& part) {
+  Image cut{part.width, part.height, {}, {}};
+  for (int row = 0; row < part.height; ++row) {
+    const auto from = static_cast<std::ptrdiff_t>(part.top + row) * image.width + part.left;
+    const auto append = [&](const std::vector<std::uint32_t>& pixels, std::vector<std::uint32_t>& to) {
+      to.insert(to.end(), pixels.begin() + from, pixels.begin() + from + part.width);
+    };
+    append(image.rgba, cut.rgba);
+    append(image.ids, cut.ids);
+  }
+  return cut;
+}
+
+void putPart(const Image& from, const PictureFrame& part, Image& image) {
+  for (int row = 0; row < part.height; ++row) {
+    const auto first = static_cast<std::ptrdiff_t>(row) * part.width;
+    const auto to = static_cast<std::ptrdiff_t>(part.top + row) * image.width + part.left;
+    std::copy_n(from.rgba.begin() + first, part.width, image.rgba.begin() + to);
+    std::copy_n(from.ids.begin() + first, part.width, image.ids.begin() + to);
+  }
+}
+
+void putIntoFrame(const PictureFrame& frame, int width, int height, Image& image) {
+  if (image.width == width && image.height == height) return;
+  spread(image.rgba, frame, width, height, 0);
+  spread(image.ids, frame, width, height, no_site);
+  image.width = width;
+  image.height = height;
+}
+
+}  // namespace vorpipe::core

@@ -1,0 +1,126 @@
+#include "picture/kept_picture.h"
+
+#include <algorithm>
+#include <atomic>
+#include <utility>
+
+#include "base/inside.h"
+#include "base/parallel.h"
+#include "base/stopwatch.h"
+#include "domain/edge_tree.h"
+#include "picture/palette_index.h"
+#include "sites/bin_sort.h"
+#include "sites/scene.h"
+#include "sites/weights.h"
+#include "vorpipe/shapes.h"
+
+namespace vorpipe::core {
+namespace {
+
+constexpr std::size_t kept_picture_grain = 1 << 12;
+
+/// Whether all sites lie in the domain and inside the outline. Each position then has a cell of which the
+/// outline leaves something.
+bool areInside(const Sites& sites, const Box& domain, const Rings& rings, int exponent, int threads) {
+  const OutlineIndex index(rings);
+  const PowerOfTwo scale(exponent);
+  std::atomic<bool> all = true;
+  parallelFor(sites.size(), kept_picture_grain, threads, [&](std::size_t begin, std::size_t end) {
+    for (auto i = begin; i < end && all; ++i) {
+      const double x = sites.x[i], y = sites.y[i];
+      if (!isInside(domain, x, y) || !index.contains({scale(x), scale(y)})) all = false;
+    }
+  });
+  return all;
+}
+
+/// Prepared sites alone.
+Result<FoundCells> prepareSites(const Machine& machine, const Sites& sites, const RenderOptions& options) {
+  const Stopwatch watch;
+  FoundCells found;
+  auto scene = sceneOf(sites, options, machine.threads);
+  if (!scene) return tl::unexpected(scene.error());
+  found.scene = std::move(*scene);
+  const CallersSites callers{sites, [&](std::uint32_t i) { return found.scene.siteOf(i); },
+                             found.scene.picture};
+  auto run = beginRun(machine, found.scene.sitesOr(sites), found.scene.clip, &callers);
+  if (!run) return tl::unexpected(run.error());
+  found.run = std::move(*run);
+  found.diagram.report.time_ms.order = 1e3 * watch.seconds();
+  return found;
+}
+
+/// Which sites of a set have no cell, if `cells` say it: a device does not see whether the cell of a site
+/// with weights is very small or empty.
+std::vector<std::uint8_t> hiddenSites(const SiteSet& set, const Scene& scene, const Diagram& cells) {
+  if (set.weight.empty()) return {};
+  std::vector<std::uint8_t> hidden(set.size());
+  std::transform(set.id.begin(), set.id.end(), hidden.begin(), [&](std::uint32_t id) {
+    return cells.status[scene.siteOf(id)] == Status::empty ? std::uint8_t{1} : std::uint8_t{0};
+  });
+  return hidden;
+}
+
+/// A site without a cell may have an image at the end of the band that seems to have one.
+void dropHidden(const std::vector<std::uint8_t>& hidden, NeighborRows& cells) {
+  for (std::size_t i = 0; i < hidden.size(); ++i) {
+    if (hidden[i] != 0) cells.drop(i, CellStatus::empty);
+  }
+}
+
+bool areSame(const KeptPicture::Colors& colors, const RenderOptions& options) {
+  const bool same_range = colors.range.has_value() == options.color_range.has_value() &&
+                          (!colors.range || (colors.range->low == options.color_range->low &&
+                                             colors.range->high == options.color_range->high));
+  return colors.by == options.color && colors.scale == options.color_scale && same_range &&
+         colors.legend == options.legend;
+}
+
+}  // namespace
+
+Result<bool> needsCells(const Sites& sites, const RenderOptions& options, int threads) {
+  if (options.color == ColorBy::area || options.color == ColorBy::neighbors || hasWeights(sites)) return true;
+  if (options.outline.empty()) return false;
+  const int exponent = scaleExponent(options.domain);
+  const auto rings = ringsOf(options.outline, exponent);
+  if (!rings) return tl::unexpected(rings.error());
+  return !areInside(sites, options.domain, *rings, exponent, threads);
+}
+
+Result<KeptPicture> findPicture(const Machine& machine, const Sites& sites, const RenderOptions& options,
+                                bool with_cells) {
+  auto rings = ringsOf(options.outline, scaleExponent(options.domain));
+  if (!rings) return tl::unexpected(rings.error());
+  CellsOptions cells = cellsOptions(options);
+  cells.detail = marksDetail(options);
+  auto found = with_cells ? findCells(machine, sites, cells, ImagesFor::pictures)
+                          : prepareSites(machine, sites, options);
+  if (!found) return tl::unexpected(found.error());
+  KeptPicture kept{std::move(*rings), std::move(*found), {}};
+  kept.before.held.uploads = machine.uploads;
+  SiteRun& run = *kept.found.run;
+  if (run.cells) {
+    SiteSet& set = run.prepared.set;
+    set.hidden = hiddenSites(set, kept.found.scene, kept.found.diagram);
+    kept.before.known = std::exchange(run.cells, std::nullopt);
+    dropHidden(set.hidden, *kept.before.known);
+  }
+  return kept;
+}
+
+Result<void> colorPicture(const Sites& sites, const RenderOptions& options, int threads, KeptPicture& kept) {
+  if (kept.colors && areSame(*kept.colors, options)) return {};
+  auto found = paletteIndices(sites, kept.found.diagram, options, threads);
+  if (!found) return tl::unexpected(found.error());
+  const SiteSet& set = kept.found.run->prepared.set;
+  std::vector<std::uint8_t> indices(set.size());
+  std::ranges::transform(set.id, indices.begin(),
+                         [&](std::uint32_t id) { return found->index[kept.found.scene.siteOf(id)]; });
+  const bool same = kept.colors && kept.colors->index == indices;
+  if (!same) kept.before.held.after.reset();
+  kept.colors = KeptPicture::Colors{options.color,  options.color_scale, options.color_range,
+                                    options.legend, std::move(indices),  std::move(found->key)};
+  return {};
+}
+
+}  // namespace vorpipe::core

@@ -1,0 +1,198 @@
+#include "picture/picture.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "base/stopwatch.h"
+#include "domain/pixel_mask.h"
+#include "picture/colormap.h"
+#include "picture/draw_legend.h"
+#include "picture/draw_marks.h"
+#include "picture/draw_places.h"
+#include "picture/frame.h"
+#include "sites/scene.h"
+#include "vorpipe.h"
+
+namespace vorpipe::core {
+namespace {
+
+/// A site has a cell if it or one of its images was drawn with one.
+std::vector<Status> drawnStatuses(const SiteSet& set, const Scene& scene,
+                                  const std::vector<CellStatus>& drawn) {
+  std::vector<Status> status(scene.imaged.count, Status::duplicate);
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    auto& site = status[scene.siteOf(set.id[i])];
+    if (drawn[i] != CellStatus::empty) {
+      site = Status::ok;
+    } else if (site == Status::duplicate) {
+      site = Status::empty;
+    }
+  }
+  return status;
+}
+
+void countStatuses(const std::vector<Status>& status, Report& report) {
+  for (const auto each : status) {
+    ++(each == Status::ok ? report.ok : each == Status::empty ? report.empty : report.duplicate);
+  }
+}
+
+/// Takes over what the cells took, to which the drawing adds; what was done for a picture before took
+/// nothing.
+void beginReport(const KeptPicture& kept, Report& report) {
+  const Report& cells = kept.found.diagram.report;
+  report.hidden = cells.hidden;
+  if (kept.before.done) {
+    report.time_ms.order = 0;
+    return;
+  }
+  report.retried = cells.retried;
+  report.in_double = cells.in_double;
+  report.exact = cells.exact;
+  report.time_ms = cells.time_ms;
+  report.pipelines = cells.pipelines;
+  report.validation_messages = cells.validation_messages;
+}
+
+/// The color of each cell that has a label, by site.
+std::vector<std::uint32_t> colorsIn(const KeptPicture& kept, const Marks& marks, const Palette& palette) {
+  if (marks.labels.empty()) return {};
+  const SiteSet& set = kept.found.run->prepared.set;
+  std::vector<std::uint32_t> colors(kept.found.scene.imaged.count);
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    colors[kept.found.scene.siteOf(set.id[i])] = palette[kept.colors->index[i]];
+  }
+  return colors;
+}
+
+/// Of cells without fill.
+Palette whitePalette() {
+  Palette palette;
+  palette.fill(white);
+  return palette;
+}
+
+/// Draws what lies over cells, masks what lies outside of the outline, and makes the picture as large as it
+/// is to be. `places` draws cells with several places in a pixel.
+Result<void> finish(const Sites& sites, const KeptPicture& kept, const RenderOptions& options, int threads,
+                    const Marks& marks, const Palette& palette, PlacesDrawing* places, Image& image) {
+  const Scene& scene = kept.found.scene;
+  const PictureFrame frame = shownFrame(options), shown = domainFrame(options);
+  const PictureFrame in_frame{shown.left - frame.left, shown.top - frame.top, shown.width, shown.height};
+  putIntoFrame(in_frame, frame.width, frame.height, image);
+  if (!options.outline.empty()) {
+    maskOutside(kept.rings, shownBox(options), kept.found.run->prepared.exponent, threads, image);
+  }
+  const Overlays overlays{options, marks, scene.sitesOr(sites), shownIn(scene, options), in_frame, threads};
+  const auto draw = [&](int first, int last) { return places->draw(first, last); };
+  if (auto drawn = drawOverlays(overlays, draw, image); !drawn) return drawn;
+  nameSites(scene, image.ids);
+  putIntoFrame(frame, options.width, options.height, image);
+  drawLabels(marks, options, colorsIn(kept, marks, palette), image);
+  if (options.legend) {
+    drawLegend(legendOf(*kept.colors->key, options.colormap, options.width, options.height), image);
+  }
+  return {};
+}
+
+}  // namespace
+
+}  // namespace vorpipe::core
+
+namespace vorpipe {
+
+CellsOptions cellsOptions(const RenderOptions& picture) {
+  CellsOptions cells{};
+  cells.domain = picture.domain;
+  cells.outline = picture.outline;
+  cells.periodic = picture.periodic;
+  cells.search = picture.search;
+  cells.detail = Detail::measures;
+  cells.progress = picture.progress;
+  return cells;
+}
+
+}  // namespace vorpipe
+
+namespace vorpipe::core {
+
+Result<Rendering> renderKept(const Machine& machine, const Sites& sites, const RenderOptions& options,
+                             const Marks& marks, KeptPicture& kept) {
+  const auto colormap = paletteByName(options.colormap);
+  if (!colormap) return tl::unexpected(colormap.error());
+  const Palette palette = options.fill ? *colormap : whitePalette();
+  Rendering rendering;
+  Report& report = rendering.report;
+  beginReport(kept, report);
+  const Stopwatch order_watch;
+  if (auto colored = colorPicture(sites, options, machine.threads, kept); !colored) {
+    return tl::unexpected(colored.error());
+  }
+  rendering.key = kept.colors->key;
+  auto& cells = kept.found.diagram;
+  auto& run = kept.found.run;
+  const Scene& scene = kept.found.scene;
+  const SiteSet& set = run->prepared.set;
+  const auto& palette_indices = kept.colors->index;
+  const ShownPart shown = shownPart(scene, options, run->prepared.exponent);
+  WhatToDraw what = whatToDraw(set, options, shown);
+  report.time_ms.order += 1e3 * order_watch.seconds();
+
+  CellDrawing drawing({machine.backend, run->judge, set, options.search, machine.threads, options.progress},
+                      palette_indices, std::move(what), kept.before);
+  const NearestSites nearest{run->judge, set, palette_indices, scene.sitesOr(sites).size(), machine.threads};
+  const auto room = static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height);
+  auto picture = drawParts(machine.backend, drawing, nearest, shown, palette, room);
+  if (!picture) return tl::unexpected(picture.error());
+  rendering.image = std::move(picture->image);
+  report.time_ms.download = 1e3 * picture->download_seconds;
+  report.pixels = picture->uncovered;
+  drawing.describe(report);
+  std::optional<PlacesDrawing> places;
+  if (options.antialias > 1) places.emplace(machine, nearest, options, palette, kept);
+  const Stopwatch finish_watch;
+  if (auto done = finish(sites, kept, options, machine.threads, marks, palette, places ? &*places : nullptr,
+                         rendering.image);
+      !done) {
+    return tl::unexpected(done.error());
+  }
+  if (places) report.time_ms.draw += 1e3 * finish_watch.seconds();
+  rendering.status = kept.hasCells() ? cells.status : drawnStatuses(set, scene, kept.before.status);
+  countStatuses(rendering.status, report);
+  rendering.owner = kept.hasCells() ? cells.owner : run->prepared.owner;
+  rendering.owner.resize(scene.imaged.count);
+  kept.before.done = true;
+  nameDevice(machine.backend, report);
+  return rendering;
+}
+
+Result<void> checkRender(const RenderOptions& options) {
+  if (auto checked = checkPicture(options); !checked) return checked;
+  if (const auto palette = paletteByName(options.colormap); !palette) return tl::unexpected(palette.error());
+  return {};
+}
+
+Result<Rendering> renderOn(const Machine& machine, const Sites& sites, const RenderOptions& options) {
+  if (auto checked = checkRender(options); !checked) return tl::unexpected(checked.error());
+  const auto with_cells = needsCells(sites, options, machine.threads);
+  if (!with_cells) return tl::unexpected(with_cells.error());
+  // Before the cells that are drawn, since only one run at a time has the exact tier. Where the picture is
+  // not drawn from cells as data, these change no pixel's site.
+  std::optional<Diagram> apart;
+  if (marksNeedCells(options) && !*with_cells) {
+    CellsOptions wanted = cellsOptions(options);
+    wanted.detail = marksDetail(options);
+    auto found = cellsOn(machine, sites, wanted);
+    if (!found) return tl::unexpected(found.error());
+    apart = std::move(*found);
+  }
+  auto kept = findPicture(machine, sites, options, *with_cells);
+  if (!kept) return tl::unexpected(kept.error());
+  const auto marks = marksOf(sites, apart ? *apart : kept->found.diagram, options, machine.threads);
+  if (!marks) return tl::unexpected(marks.error());
+  apart.reset();
+  return renderKept(machine, sites, options, *marks, *kept);
+}
+
+}  // namespace vorpipe::core

@@ -1,0 +1,113 @@
+#include "session/arithmetic.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "session/subpixel_grid.h"
+
+namespace vorpipe::core {
+namespace {
+
+constexpr std::size_t rows_of_a_kind = 16384;
+/// Operands lie between 2^-40 and 2^40, so that no result is too large or too small.
+constexpr std::uint32_t least_float_exponent = 127 - 40, exponents = 80;
+
+/// Random mantissa, exponent and sign.
+float anyNumber(std::mt19937_64& random) {
+  const std::uint64_t bits = random();
+  const auto exponent = least_float_exponent + static_cast<std::uint32_t>((bits >> 32) % exponents);
+  return std::bit_cast<float>(static_cast<std::uint32_t>(bits & 0x807FFFFFu) | exponent << 23);
+}
+
+/// In [2^exponent, 2^(exponent + 1)).
+float numberFrom(std::mt19937_64& random, int exponent) {
+  const auto bits = static_cast<std::uint32_t>(random()) & 0x7FFFFFu;
+  return std::ldexp(std::bit_cast<float>(0x3F800000u | bits), exponent);
+}
+
+/// For the expressions of one operation. c takes the rounded product away: what is left of a b + c is its
+/// rounding error if product and sum are one operation, else nothing.
+std::vector<Operands> anyOperands(std::mt19937_64& random) {
+  std::vector<Operands> rows(rows_of_a_kind);
+  for (Operands& row : rows) {
+    row.a = anyNumber(random);
+    row.b = anyNumber(random);
+    row.c = -(row.a * row.b);
+    row.d = 0;
+  }
+  return rows;
+}
+
+/// As high and low parts of coordinates are: both differences are exact, if they are taken first.
+std::vector<Operands> coordinates(std::mt19937_64& random) {
+  std::vector<Operands> rows(rows_of_a_kind);
+  for (Operands& row : rows) {
+    row = {numberFrom(random, 0), numberFrom(random, 0), numberFrom(random, -25), numberFrom(random, -25)};
+  }
+  return rows;
+}
+
+/// A product of normal numbers and a sum of denormal ones, both of which are 2^-130.
+constexpr Operands for_denormal_product{0x1p-100F, 0x1p-30F, 0, 0};
+constexpr Operands for_denormal_sum{0x1p-131F, 0x1p-131F, 0, 0};
+
+/// Infinite where `found` is no number.
+double errorInUlp(float found, double exact) {
+  if (exact == 0) return found == 0 ? 0 : HUGE_VAL;
+  const double error = std::abs(found - exact);
+  if (!std::isfinite(error)) return HUGE_VAL;
+  return std::ldexp(error, 23 - std::ilogb(exact));
+}
+
+// Double has more than twice the digits of float: a quotient, a root or a sum that it rounds is exact enough.
+void compareOperations(const Operands& row, const Computed& found, Arithmetic& worst) {
+  const double a = row.a, b = row.b, root = std::sqrt(std::abs(a));
+  const auto take = [](double& most, double error) { most = std::max(most, error); };
+  take(worst.quotient, errorInUlp(found.quotient, a / b));
+  take(worst.root, errorInUlp(found.root, root));
+  take(worst.inverse_root, errorInUlp(found.inverse_root, 1 / root));
+  take(worst.product, errorInUlp(found.product, a * b));
+  take(worst.sum, errorInUlp(found.sum, a + b));
+  const bool product_is_rounded = a * b != -double{row.c};
+  worst.fuses = worst.fuses || (product_is_rounded && found.product_sum != 0);
+  worst.fuses_precise = worst.fuses_precise || (product_is_rounded && found.rounded_twice != 0);
+}
+
+}  // namespace
+
+Result<Arithmetic> measureArithmetic(Backend& backend) {
+  std::mt19937_64 random(1);
+  std::vector<Operands> rows = anyOperands(random);
+  std::vector<Computed> found(rows.size());
+  Arithmetic measured;
+  if (auto done = backend.compute(rows, found); !done) return tl::unexpected(done.error());
+  for (std::size_t i = 0; i < rows.size(); ++i) compareOperations(rows[i], found[i], measured);
+  rows = coordinates(random);
+  rows.push_back(for_denormal_product);
+  rows.push_back(for_denormal_sum);
+  found.resize(rows.size());
+  if (auto done = backend.compute(rows, found); !done) return tl::unexpected(done.error());
+  for (std::size_t i = 0; i < rows_of_a_kind; ++i) {
+    const auto [a, b, c, d] = rows[i];
+    const double exact = (double{a} - b) + (double{c} - d);
+    measured.offset = std::max(measured.offset, errorInUlp(found[i].offset, exact));
+  }
+  measured.keeps_denormals =
+      found[rows_of_a_kind].product == 0x1p-130F && found[rows_of_a_kind + 1].sum == 0x1p-130F;
+  if (backend.info().has_vertices) {
+    const auto bits = measureSubpixelBits(backend);
+    if (!bits) return tl::unexpected(bits.error());
+    measured.subpixel_bits = *bits;
+  }
+  const DeviceInfo& device = backend.info().device;
+  measured.report.backend = device.backend;
+  measured.report.device = device.name;
+  measured.report.driver = device.driver;
+  measured.report.validation_messages = backend.validationMessages();
+  return measured;
+}
+
+}  // namespace vorpipe::core

@@ -1,0 +1,68 @@
+/// The device of a session, which goes on with less at a time where it refuses memory, and with the next
+/// backend where the caller left the choice.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "backend/registry/registry.h"
+#include "session/bounded_backend.h"
+
+namespace vorpipe::core {
+
+class DeviceInUse {
+ public:
+  /// Errors: those of openBackend.
+  static Result<DeviceInUse> open(const BackendOptions& options);
+
+  /// Calls work with the backend, as often as it takes: with less at a time while the device refuses memory
+  /// and there is something to halve; then, under a name that leaves a choice, with the next backend that
+  /// opens. work begins anew each time. Made has a `report`, to which is added what became of earlier tries.
+  /// Errors: those of work; that of the last backend, if all of them failed. An error that work makes of an
+  /// answer is one of the device.
+  template <class Made, class Work>
+  Result<Made> run(const Work& work) {
+    std::vector<std::string> notes, messages;
+    for (;;) {
+      if (auto opened = reopen(); !opened) return tl::unexpected(opened.error());
+      BoundedBackend bounded(*opened_.backend, bounds_, &uploads_);
+      Result<Made> made = work(bounded);
+      if (made) {
+        auto& report = made->report;
+        report.notes.insert(report.notes.begin(), notes.begin(), notes.end());
+        auto& said = report.validation_messages;
+        said.insert(said.begin(), messages.begin(), messages.end());
+      }
+      if (made || made.error().code != ErrorCode::device) return made;
+      for (auto& message : bounded.validationMessages()) messages.push_back(std::move(message));
+      if (!fallBack(made.error(), bounded, notes)) return tl::unexpected(withEarlier(made.error(), notes));
+    }
+  }
+
+  /// How often a run uploaded something, and how often a device was opened, which holds nothing then.
+  [[nodiscard]] const std::uint64_t& uploads() const { return uploads_; }
+
+  [[nodiscard]] const DeviceInfo& info() const { return info_; }
+  [[nodiscard]] const std::string& choice() const { return choice_; }
+
+ private:
+  DeviceInUse(BackendOptions options, OpenedBackend opened);
+
+  Result<void> reopen();
+  bool fallBack(const Error& failure, const BoundedBackend& failed, std::vector<std::string>& notes);
+  void take(OpenedBackend opened);
+  static Error withEarlier(Error error, const std::vector<std::string>& notes);
+
+  BackendOptions options_;  ///< with the name of the backend in use
+  OpenedBackend opened_;    ///< without a backend after a failure, until it is opened again
+  std::vector<std::string> others_;
+  Bounds bounds_;
+  std::uint64_t uploads_ = 0;
+  bool is_less_ = false;  ///< the last note says that bounds_ were lowered
+  DeviceInfo info_;
+  std::string choice_;
+};
+
+}  // namespace vorpipe::core

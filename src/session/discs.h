@@ -1,0 +1,59 @@
+/// The discs around the sites of a set, and the lines that the edges of their cells lie on.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "geometry/chord.h"
+#include "session/box_moments.h"
+
+namespace vorpipe::core {
+
+/// In scaled units; what it is made of outlives it.
+class Discs {
+ public:
+  /// `weight` is by input index, in the caller's units.
+  Discs(const FoundBox& found, const std::vector<double>& weight)
+      : set_(found.run->prepared.set), exponent_(found.run->prepared.exponent), weight_(weight) {}
+
+  [[nodiscard]] double squaredRadius(std::size_t cell) const {
+    return weight_.empty() ? 0 : std::ldexp(weight_[set_.id[cell]], 2 * exponent_);
+  }
+
+  /// The line of the edge to `neighbor`, relative to the site of `cell`. It follows from the two sites, since
+  /// the ends of an edge may be so far from a small disc that they do not tell exactly where the line passes.
+  [[nodiscard]] EdgeLine lineOf(std::size_t cell, std::int32_t neighbor) const {
+    if (neighbor < 0) return wallLine(cell, neighbor);
+    const auto other = static_cast<std::size_t>(neighbor);
+    const double dx = set_.x[other] - set_.x[cell], dy = set_.y[other] - set_.y[cell];
+    const double squared = dx * dx + dy * dy, distance = std::sqrt(squared);
+    const double lead = set_.weight.empty() ? 0 : set_.weight[cell] - set_.weight[other];
+    return {{dx / distance, dy / distance}, (squared + lead) / (2 * distance)};
+  }
+
+  /// Of two sites the one whose disc tells more exactly where their edge crosses the circles: that of the
+  /// smaller disc, and of equal ones that of the lower index.
+  [[nodiscard]] std::size_t smallerOf(std::size_t cell, std::size_t other) const {
+    const double a = squaredRadius(cell), b = squaredRadius(other);
+    return a < b || (a == b && set_.id[cell] < set_.id[other]) ? cell : other;
+  }
+
+  [[nodiscard]] Point siteOf(std::size_t cell) const { return {set_.x[cell], set_.y[cell]}; }
+
+ private:
+  [[nodiscard]] EdgeLine wallLine(std::size_t cell, std::int32_t wall) const {
+    const double at = wallCoordinate(set_.domain, wall);
+    if (isVerticalWall(wall)) {
+      const double outwards = wall == wall_xmax ? 1 : -1;
+      return {{outwards, 0}, outwards * (at - set_.x[cell])};
+    }
+    const double outwards = wall == wall_ymax ? 1 : -1;
+    return {{0, outwards}, outwards * (at - set_.y[cell])};
+  }
+
+  const SiteSet& set_;
+  int exponent_;
+  const std::vector<double>& weight_;
+};
+
+}  // namespace vorpipe::core

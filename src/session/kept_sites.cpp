@@ -1,0 +1,183 @@
+#include <array>
+#include <new>
+#include <optional>
+#include <utility>
+
+#include "picture/picture.h"
+#include "session/input_check.h"
+#include "session/session_state.h"
+#include "vorpipe.h"
+#include "vorpipe/shapes.h"
+
+namespace vorpipe {
+
+using namespace core;
+
+namespace {
+
+bool areSame(const Box& a, const Box& b) {
+  return a.xmin == b.xmin && a.ymin == b.ymin && a.xmax == b.xmax && a.ymax == b.ymax;
+}
+
+bool areSame(const Outline& a, const Outline& b) {
+  return a.points == b.points && a.ring_offsets == b.ring_offsets && a.polygon_offsets == b.polygon_offsets;
+}
+
+/// Whether two runs over the same sites find the same cells.
+bool findTheSame(const CellsOptions& a, const CellsOptions& b) {
+  return areSame(a.domain, b.domain) && a.periodic == b.periodic && a.search.method == b.search.method &&
+         a.search.neighbors == b.search.neighbors && areSame(a.outline, b.outline);
+}
+
+bool areSame(const Density& a, const Density& b) {
+  const bool same_place = a.box.has_value() == b.box.has_value() && (!a.box || areSame(*a.box, *b.box));
+  return same_place && a.width == b.width && a.height == b.height && a.values == b.values;
+}
+
+/// Where a run that made nothing to return says how it went.
+struct Noted {
+  Report report;
+};
+
+}  // namespace
+
+struct KeptSites::State {
+  /// What pictures are drawn from, with the exact tier that knows the same sites.
+  struct Kept {
+    std::unique_ptr<ExactTier> exact;
+    KeptPicture picture;
+  };
+
+  Session* session;
+  Sites sites;
+  /// What `kept` is of, once it was found to be nothing to refuse; its density is that of `with_mass`.
+  std::optional<CellsOptions> options{};
+  std::optional<bool> by_site_needs_cells{};
+  /// Without cells and with them. Pictures of either are drawn in other ways, so that a pixel may go to
+  /// another of two sites that are as near.
+  std::array<std::optional<Kept>, 2> kept{};
+  std::optional<Diagram> with_mass{};
+  std::optional<Diagram> polygons{};  ///< that marks of pictures are found from
+
+  Result<void> take(const CellsOptions& wanted);
+  Result<Marks> marks(const RenderOptions& wanted);
+  Result<bool> needsCells(const RenderOptions& wanted, int threads);
+  Result<Kept*> find(const Session::State& on, Backend& backend, const RenderOptions& wanted,
+                     bool with_cells);
+};
+
+/// Forgets what other options need anew.
+Result<void> KeptSites::State::take(const CellsOptions& wanted) {
+  if (options && findTheSame(*options, wanted)) return {};
+  options.reset();
+  by_site_needs_cells.reset();
+  kept = {};
+  with_mass.reset();
+  polygons.reset();
+  if (auto checked = checkOptions(sites, wanted); !checked) return checked;
+  options = wanted;
+  options->density = {};
+  options->progress = {};
+  return {};
+}
+
+Result<Marks> KeptSites::State::marks(const RenderOptions& wanted) {
+  if (!marksNeedCells(wanted)) return Marks{};
+  if (!polygons) {
+    CellsOptions cells = cellsOptions(wanted);
+    cells.detail = Detail::polygons;
+    auto found = session->cells(sites, cells);
+    if (!found) return tl::unexpected(found.error());
+    polygons = std::move(*found);
+  }
+  return marksOf(sites, *polygons, wanted, session->state_->threads);
+}
+
+Result<bool> KeptSites::State::needsCells(const RenderOptions& wanted, int threads) {
+  if (wanted.color == ColorBy::area || wanted.color == ColorBy::neighbors) return true;
+  if (!by_site_needs_cells) {
+    const auto needed = core::needsCells(sites, wanted, threads);
+    if (!needed) return needed;
+    by_site_needs_cells = *needed;
+  }
+  return *by_site_needs_cells;
+}
+
+Result<KeptSites::State::Kept*> KeptSites::State::find(const Session::State& on, Backend& backend,
+                                                       const RenderOptions& wanted, bool with_cells) {
+  auto& there = kept[with_cells ? 1 : 0];
+  if (there) return &*there;
+  auto exact = openExactTier(on.threads);
+  auto found = findPicture(on.with(backend, *exact), sites, wanted, with_cells);
+  if (!found) return tl::unexpected(found.error());
+  there = Kept{std::move(exact), std::move(*found)};
+  return &*there;
+}
+
+KeptSites::KeptSites(Session& session, Sites sites)
+    : state_(std::make_unique<State>(State{&session, std::move(sites)})) {}
+KeptSites::KeptSites(KeptSites&&) noexcept = default;
+KeptSites& KeptSites::operator=(KeptSites&&) noexcept = default;
+KeptSites::~KeptSites() = default;
+
+const Sites& KeptSites::sites() const { return state_->sites; }
+
+Result<Rendering> KeptSites::render(const RenderOptions& options) {
+  try {
+    Session::State& on = *state_->session->state_;
+    if (auto taken = state_->take(cellsOptions(options)); !taken) return tl::unexpected(taken.error());
+    if (auto checked = checkRender(options); !checked) return tl::unexpected(checked.error());
+    const auto with_cells = state_->needsCells(options, on.threads);
+    if (!with_cells) return tl::unexpected(with_cells.error());
+    const auto marks = state_->marks(options);
+    if (!marks) return tl::unexpected(marks.error());
+    return on.device.run<Rendering>([&](Backend& backend) -> Result<Rendering> {
+      const auto kept = state_->find(on, backend, options, *with_cells);
+      if (!kept) return tl::unexpected(kept.error());
+      auto& [exact, picture] = **kept;
+      return renderKept(on.with(backend, *exact), state_->sites, options, *marks, picture);
+    });
+  } catch (const std::bad_alloc&) {
+    return tl::unexpected(outOfMemory());
+  }
+}
+
+Result<const Diagram*> KeptSites::measures(const CellsOptions& options) {
+  try {
+    State& s = *state_;
+    if (auto taken = s.take(options); !taken) return tl::unexpected(taken.error());
+    CellsOptions wanted = options;
+    wanted.detail = Detail::measures;
+    if (!options.density.values.empty()) {
+      if (s.with_mass && areSame(s.options->density, options.density)) return &*s.with_mass;
+      s.with_mass.reset();
+      auto cells = s.session->cells(s.sites, wanted);
+      if (!cells) return tl::unexpected(cells.error());
+      s.options->density = options.density;
+      s.with_mass = std::move(*cells);
+      return &*s.with_mass;
+    }
+    RenderOptions picture{};
+    picture.domain = options.domain;
+    picture.outline = options.outline;
+    picture.periodic = options.periodic;
+    picture.search = options.search;
+    picture.progress = options.progress;
+    Session::State& on = *s.session->state_;
+    State::Kept* kept = nullptr;
+    const auto noted = on.device.run<Noted>([&](Backend& backend) -> Result<Noted> {
+      const auto found = s.find(on, backend, picture, true);
+      if (!found) return tl::unexpected(found.error());
+      kept = *found;
+      return Noted{};
+    });
+    if (!noted) return tl::unexpected(noted.error());
+    Report& report = kept->picture.found.diagram.report;
+    report.notes.insert(report.notes.begin(), noted->report.notes.begin(), noted->report.notes.end());
+    return &kept->picture.found.diagram;
+  } catch (const std::bad_alloc&) {
+    return tl::unexpected(outOfMemory());
+  }
+}
+
+}  // namespace vorpipe

@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <memory>
+#include <new>
+#include <optional>
+#include <utility>
+
+#include "backend/registry/registry.h"
+#include "base/inside.h"
+#include "base/parallel.h"
+#include "domain/edge_tree.h"
+#include "session/block_order.h"
+#include "sites/band.h"
+#include "sites/bin_sort.h"
+#include "sites/site_set.h"
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+using namespace core;
+
+namespace {
+
+constexpr std::size_t locator_grain = 1 << 12;
+/// Places that are put into an order.
+constexpr std::size_t most_at_once = std::size_t{1} << 20;
+
+/// A valid outline, to ask which places it holds.
+struct OutlineSearch {
+  explicit OutlineSearch(Rings from) : rings(std::move(from)), index(rings) {}
+
+  Rings rings;
+  OutlineIndex index;
+};
+
+/// The domain that repeats itself, and which images there are.
+struct Repeated {
+  std::array<PeriodicAxis, 2> axis;
+  SiteImages images;
+};
+
+/// Moves a scaled coordinate into the domain; whether it has a place there.
+bool putInside(const PeriodicAxis& axis, double& coordinate) {
+  constexpr double most_periods = 0x1p50;
+  if (!axis.periodic) return axis.contains(coordinate);
+  const auto placed = axis.put(coordinate);
+  coordinate = placed.place;
+  return std::abs(placed.periods) <= most_periods;
+}
+
+}  // namespace
+
+struct Locator::State {
+  Box domain{};
+  int threads = 0;
+  PowerOfTwo scale{0};  ///< from the caller's units
+  SiteSet sites;
+  PowerOfTwo set_scale{0};  ///< from those of `repeated`, or from the caller's
+  std::optional<Repeated> repeated;
+  std::unique_ptr<OutlineSearch> outline;
+  std::unique_ptr<PlaceSearch> search;
+
+  Result<void> takeSites(const Sites& callers, const CellsOptions& options);
+  Result<void> prepareSet(const Sites& from, const Box& box, const CallersSites* callers);
+  [[nodiscard]] std::uint32_t at(Point place) const;
+};
+
+Result<void> Locator::State::prepareSet(const Sites& from, const Box& box, const CallersSites* callers) {
+  auto prepared = prepare(from, box, threads, callers);
+  if (!prepared) return tl::unexpected(prepared.error());
+  sites = std::move(prepared->set);
+  set_scale = PowerOfTwo(prepared->exponent);
+  return {};
+}
+
+Result<void> Locator::State::takeSites(const Sites& callers, const CellsOptions& options) {
+  if (options.periodic == Periodic::none) return prepareSet(callers, options.domain, nullptr);
+  auto placed = placeSites(callers, options.domain, options.periodic, threads);
+  if (!placed) return tl::unexpected(placed.error());
+  // What a picture of the domain needs is all that places in it do.
+  ImagedSites imaged = withImages(*placed, bandForPlaces(*placed, threads));
+  const CallersSites named{callers, [&](std::uint32_t i) { return imaged.siteOf(i); }, placed->domain()};
+  if (auto ready = prepareSet(imaged.sites, imaged.box, &named); !ready) return ready;
+  repeated = Repeated{placed->axis, std::move(static_cast<SiteImages&>(imaged))};
+  return {};
+}
+
+std::uint32_t Locator::State::at(Point place) const {
+  Point p = place;
+  if (repeated) {
+    p = {scale(p.x), scale(p.y)};
+    if (!putInside(repeated->axis[0], p.x) || !putInside(repeated->axis[1], p.y)) return no_site;
+  } else if (!isInside(domain, p.x, p.y)) {
+    return no_site;
+  }
+  p = {set_scale(p.x), set_scale(p.y)};
+  if (outline && !outline->index.contains(p) && !outline->index.isOnEdge(p)) return no_site;
+  const std::uint32_t nearest = search->nearest(p);
+  if (nearest == no_site) return no_site;
+  const std::uint32_t id = sites.id[nearest];
+  return repeated ? repeated->images.siteOf(id) : id;
+}
+
+Locator::Locator() = default;
+Locator::Locator(Locator&&) noexcept = default;
+Locator& Locator::operator=(Locator&&) noexcept = default;
+Locator::~Locator() = default;
+
+Result<Locator> Locator::make(const Sites& sites, const CellsOptions& options, int threads) {
+  try {
+    if (auto checked = checkOutline(options.outline, options.periodic); !checked) {
+      return tl::unexpected(checked.error());
+    }
+    Locator locator;
+    locator.state_ = std::make_unique<State>();
+    State& state = *locator.state_;
+    state.domain = options.domain;
+    state.threads = threads;
+    if (auto taken = state.takeSites(sites, options); !taken) return tl::unexpected(taken.error());
+    const int exponent = scaleExponent(options.domain);
+    state.scale = PowerOfTwo(exponent);
+    if (!options.outline.empty()) {
+      auto rings = ringsOf(options.outline, exponent);
+      if (!rings) return tl::unexpected(rings.error());
+      state.outline = std::make_unique<OutlineSearch>(std::move(*rings));
+    }
+    state.search = openPlaceSearch(state.sites, threads);
+    return locator;
+  } catch (const std::bad_alloc&) {
+    return tl::unexpected(Error{ErrorCode::device, "out of memory; fewer sites would fit"});
+  }
+}
+
+std::uint32_t Locator::at(Point place) const { return state_->at(place); }
+
+void Locator::at(std::span<const Point> places, std::span<std::uint32_t> sites) const {
+  assert(places.size() == sites.size());
+  // In any order each search would read memory that no cache has, which takes ten times as long.
+  for (std::size_t first = 0; first < places.size(); first += most_at_once) {
+    const auto some = places.subspan(first, std::min(most_at_once, places.size() - first));
+    const auto order = orderByBlocks(some, state_->domain);
+    parallelFor(some.size(), locator_grain, state_->threads, [&](std::size_t begin, std::size_t end) {
+      for (auto k = begin; k < end; ++k) sites[first + order[k]] = state_->at(some[order[k]]);
+    });
+  }
+}
+
+}  // namespace vorpipe

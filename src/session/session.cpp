@@ -1,0 +1,83 @@
+#include <new>
+
+#include "backend/registry/registry.h"
+#include "domain/cell_mass.h"
+#include "domain/cells_run.h"
+#include "picture/picture.h"
+#include "session/arithmetic.h"
+#include "session/input_check.h"
+#include "session/session_state.h"
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+using namespace core;
+
+Error outOfMemory() {
+  return {ErrorCode::device, "out of memory; fewer sites or a smaller picture would fit"};
+}
+
+namespace {
+
+/// Cells, and their mass if there is a density.
+Result<Diagram> cellsAndMass(const Machine& machine, const Sites& sites, const CellsOptions& options) {
+  if (auto checked = checkOptions(sites, options); !checked) return tl::unexpected(checked.error());
+  if (options.density.values.empty()) return cellsOn(machine, sites, options);
+  auto found = findCells(machine, sites, options, ImagesFor::pictures);
+  if (!found) return tl::unexpected(found.error());
+  if (auto weighed = measureMass(options, sites, machine.threads, *found); !weighed) {
+    return tl::unexpected(weighed.error());
+  }
+  return std::move(found->diagram);
+}
+
+}  // namespace
+
+Session::Session() = default;
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+Session::~Session() = default;
+
+Result<Session> Session::open(const BackendOptions& options) {
+  auto device = DeviceInUse::open(options);
+  if (!device) return tl::unexpected(device.error());
+  Session session;
+  session.state_ =
+      std::make_unique<State>(State{std::move(*device), openExactTier(options.threads), options.threads});
+  return session;
+}
+
+Result<Rendering> Session::render(const Sites& sites, const RenderOptions& options) {
+  try {
+    if (auto checked = checkOptions(sites, cellsOptions(options)); !checked) {
+      return tl::unexpected(checked.error());
+    }
+    return state_->device.run<Rendering>(
+        [&](Backend& backend) { return renderOn(state_->with(backend), sites, options); });
+  } catch (const std::bad_alloc&) {
+    return tl::unexpected(outOfMemory());
+  }
+}
+
+Result<Diagram> Session::cells(const Sites& sites, const CellsOptions& options) {
+  try {
+    return state_->device.run<Diagram>(
+        [&](Backend& backend) { return cellsAndMass(state_->with(backend), sites, options); });
+  } catch (const std::bad_alloc&) {
+    return tl::unexpected(outOfMemory());
+  }
+}
+
+Result<Arithmetic> Session::arithmetic() {
+  try {
+    return state_->device.run<Arithmetic>([](Backend& backend) { return measureArithmetic(backend); });
+  } catch (const std::bad_alloc&) {
+    return tl::unexpected(outOfMemory());
+  }
+}
+
+const DeviceInfo& Session::device() const { return state_->device.info(); }
+const std::string& Session::choice() const { return state_->device.choice(); }
+int Session::threads() const { return state_->threads; }
+
+}  // namespace vorpipe

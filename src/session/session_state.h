@@ -1,0 +1,28 @@
+/// What a session works with.
+#pragma once
+
+#include <memory>
+
+#include "backend/registry/registry.h"
+#include "cells/machine.h"
+#include "session/device_in_use.h"
+#include "vorpipe.h"
+
+namespace vorpipe {
+
+struct Session::State {
+  core::DeviceInUse device;
+  std::unique_ptr<ExactTier> exact;
+  int threads;
+
+  [[nodiscard]] core::Machine with(Backend& backend) const { return with(backend, *exact); }
+  /// With an exact tier of the caller's own.
+  [[nodiscard]] core::Machine with(Backend& backend, ExactTier& tier) const {
+    return {backend, tier, threads, &device.uploads()};
+  }
+};
+
+/// Why a run ended by std::bad_alloc.
+Error outOfMemory();
+
+}  // namespace vorpipe

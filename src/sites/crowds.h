@@ -1,0 +1,18 @@
+/// Where a grid is too coarse for its sites.
+#pragma once
+
+#include "sites/grid.h"
+
+namespace vorpipe::core {
+
+struct Crowds {
+  std::vector<std::uint32_t> even;     ///< sites whose cells a walk over the grid finds soon, ascending
+  std::vector<std::uint32_t> crowded;  ///< the others, ascending
+};
+
+/// Sorts the sites `which` (ascending) by how many stand in the 3 x 3 bins around them. If many of them are
+/// crowded, all are: then their triangulation is made in any case, and it costs little to have it hold the
+/// rest.
+Crowds sortByCrowds(const Grid& grid, std::span<const std::uint32_t> which, int threads);
+
+}  // namespace vorpipe::core

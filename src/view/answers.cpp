@@ -1,0 +1,215 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "view/keys.h"
+#include "view/same_settings.h"
+#include "view/viewer.h"
+#include "vorpipe/legend.h"
+
+namespace vorpipe::view {
+namespace {
+
+/// As many frames does the panel draw the times of.
+constexpr std::size_t history_length = 120;
+
+}  // namespace
+
+void Viewer::accept(Frame& frame) {
+  if (frame.fluid && !acceptFluid(frame)) return;
+  if (frame.relaxed_from && frame.relaxed_from != frame.sites) {
+    const bool fits = settings_.motion != Motion::rests && document_.relax(frame.relaxed_from, frame.sites);
+    // Sites have changed by something else while they moved: this is a picture of others.
+    if (!fits) return;
+    // What was wished meanwhile was of the sites before.
+    if (frame.wish < wished_) want(Changed::view);
+  }
+  if (frame.step) step_ = frame.step;
+  if (frame.relaxed) message_ = "No site moves any more.";
+  if (frame.relaxed || (frame.step && settings_.motion == Motion::steps_once)) {
+    settings_.motion = Motion::rests;
+    document_.settle();
+  }
+  if (frame.wish == wished_) drawn_settings_ = wished_settings_;
+  if (!frame.rendering->report.notes.empty()) message_ = frame.rendering->report.notes.front();
+  history_.push_back(static_cast<float>(frame.milliseconds));
+  if (history_.size() > history_length) history_.erase(history_.begin());
+  ++pictures_;
+  frame_ = std::move(frame);
+  preview_.reset();
+  ++shown_version_;
+}
+
+/// Where two backends are compared, their pictures as one: the line between them stands in the window,
+/// wherever the pictures do.
+void Viewer::putSideBySide() {
+  const Frame* const frame = seen();
+  if (frame == nullptr || !frame->compared || !settings_.compared) {
+    if (std::exchange(put_, nullptr) != nullptr) ++shown_version_;
+    return;
+  }
+  const Image& image = frame->rendering->image;
+  const Placement at = camera_.placementOf(*frame->picture.view);
+  const double along = (settings_.wipe * camera_.width() - at.left) / at.width;
+  const int column = static_cast<int>(std::lround(std::clamp(along, 0.0, 1.0) * image.width));
+  if (put_ != nullptr && column == put_column_ && shown_version_ == put_version_) return;
+  put_ = &wipe_.put(image, *frame->compared, column);
+  put_column_ = column;
+  put_version_ = ++shown_version_;
+}
+
+void Viewer::refuse(const Answer& answer) {
+  if (!frame_ && answer.wish > 0) {
+    fault_ = answer.error;
+    return;
+  }
+  message_ = answer.error->message;
+  if (answer.wish == 0) return;
+  // What stays is sharp.
+  if (std::exchange(preview_, std::nullopt)) ++shown_version_;
+  settings_.motion = Motion::rests;
+  document_.settle();
+  if (document_.fluid() && !document_.fluid()->is_begun && document_.canUndo()) {
+    const std::string why = message_;
+    undoOrRedo(Action::undo);
+    message_ = why;
+    return;
+  }
+  if (answer.wish < wished_ || drawTheSame(settings_, drawn_settings_)) return;
+  // What could be drawn before is drawn again.
+  settings_.picture = drawn_settings_.picture;
+  settings_.backend = drawn_settings_.backend;
+  settings_.compared = drawn_settings_.compared;
+  settings_.cells = drawn_settings_.cells;
+  want(Changed::sites);
+}
+
+void Viewer::open(Loaded loaded, const std::string& path) {
+  if (loaded.density) {
+    density_ = std::move(loaded.density);
+    settings_.density_path = path;
+    message_ = fmt::format("Sites relax by the density of {}.", path);
+    return;
+  }
+  putAnother(std::move(*loaded.opened));
+  message_ = "Opened " + path;
+}
+
+/// What was opened, in place of what is there.
+void Viewer::putAnother(Opened opened) {
+  pointer_.release();
+  settings_.motion = Motion::rests;
+  step_.reset();
+  strokes_.clear();
+  steps_.clear();
+  if (opened.fluid) {
+    settings_.flow_color = usualFlowColor(opened.fluid->setup.state, settings_.picture.color);
+  }
+  document_.open(std::move(opened));
+  camera_.setDomain(document_.opened().domain);
+  want(Changed::sites);
+}
+
+void Viewer::accept(Answer& answer) {
+  answered_ = std::max(answered_, answer.wish);
+  if (!answer.saved.empty() || !answer.loaded_path.empty() || (answer.error && answer.wish == 0)) --files_;
+  std::ranges::move(answer.validation, std::back_inserter(validation_));
+  if (answer.device) device_ = std::move(answer.device);
+  if (!answer.devices.empty()) devices_ = std::move(answer.devices);
+  if (answer.measures) measures_ = std::move(answer.measures);
+  if (answer.frame) accept(*answer.frame);
+  if (answer.preview && frame_) {
+    preview_ = std::move(answer.preview);
+    ++shown_version_;
+  }
+  if (answer.error) refuse(answer);
+  if (answer.loaded) open(std::move(*answer.loaded), answer.loaded_path);
+  if (!answer.saved.empty()) {
+    if (command_waits_ && answer.saved == command_sites_) {
+      tellCommand();
+    } else {
+      message_ = "Saved " + answer.saved;
+    }
+  }
+}
+
+bool Viewer::takeAnswers() {
+  bool any = false;
+  while (auto answer = frames_.next()) {
+    any = true;
+    accept(*answer);
+  }
+  if (any) putSideBySide();
+  saveWhatIsSettled();
+  return any;
+}
+
+Shown Viewer::shown() const {
+  const Frame* const frame = seen();
+  if (frame == nullptr) return {};
+  const Image* const image = put_ != nullptr ? put_ : &frame->rendering->image;
+  return {image, shown_version_, camera_.placementOf(*frame->picture.view)};
+}
+
+std::uint32_t Viewer::ownerAt(Place place) const {
+  const Frame* const frame = seen();
+  if (frame == nullptr || frame->sites != document_.sites()) return no_site;
+  const Image& image = frame->rendering->image;
+  const Placement stands = camera_.placementOf(*frame->picture.view);
+  const double column = std::floor((place.x - stands.left) / stands.width * image.width);
+  const double row = std::floor((place.y - stands.top) / stands.height * image.height);
+  if (!(column >= 0 && column < image.width && row >= 0 && row < image.height)) return no_site;
+  return image.ids[static_cast<std::size_t>(row) * static_cast<std::size_t>(image.width) +
+                   static_cast<std::size_t>(column)];
+}
+
+std::optional<Hovered> Viewer::hovered() const {
+  if (!pointer_.place() || !measures_ || measures_->sites != document_.sites()) return std::nullopt;
+  const std::uint32_t site = ownerAt(*pointer_.place());
+  if (site == no_site) return std::nullopt;
+  return Hovered{site, document_.place(site), document_.weight(site), measures_->area[site],
+                 measures_->neighbors[site]};
+}
+
+PanelInput Viewer::panelInput(const std::string& presenter, double present_milliseconds) const {
+  PanelInput input{settings_, hovered()};
+  if (frame_) {
+    const Times& times = frame_->rendering->report.time_ms;
+    const auto part = [](double time) { return std::max(time, 0.0); };
+    input.times = {frame_->milliseconds,
+                   part(times.order),
+                   part(times.search) + part(times.cells),
+                   part(times.draw),
+                   part(times.download),
+                   present_milliseconds,
+                   history_};
+  }
+  input.devices = devices_;
+  input.presenter = presenter;
+  input.message = message_;
+  input.sites = document_.sites()->size();
+  input.relaxed = step_;
+  input.fluid = fluidShown();
+  if (settings_.compared && frame_ && frame_->compared) {
+    input.compared = Compared{frame_->differing, frame_->compared->rgba.size(), frame_->compared_by};
+  }
+  if (frame_ && frame_->picture.legend && frame_->rendering->key) {
+    const RenderOptions& drawn = frame_->picture;
+    const Legend legend = legendOf(*frame_->rendering->key, drawn.colormap, drawn.width, drawn.height);
+    const LegendBox& box = legend.boxes.front();
+    input.legend = Placement{box.left, box.top, box.width, box.height};
+  }
+  input.scale = scale_;
+  input.can_undo = document_.canUndo();
+  input.can_redo = document_.canRedo();
+  input.width = camera_.width();
+  input.height = camera_.height();
+  if (device_) input.computed_by = fmt::format("{} on {}", device_->backend, device_->name);
+  for (HelpLine& line : helpLines()) input.keys.emplace_back(std::move(line.keys), std::move(line.what));
+  return input;
+}
+
+}  // namespace vorpipe::view

@@ -1,0 +1,136 @@
+#include "view/command.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+namespace vorpipe::view {
+namespace {
+
+/// Options, one after the other.
+class Arguments {
+ public:
+  explicit Arguments(std::vector<std::string> first) : all_(std::move(first)) {}
+
+  void flag(bool is_set, std::string_view name) {
+    if (is_set) all_.emplace_back(name);
+  }
+  /// A value that begins like an option stands in one word with its name.
+  template <class Value>
+  void add(std::string_view name, const Value& value) {
+    std::string text = fmt::format("{}", value);
+    if (text.starts_with('-')) {
+      all_.push_back(fmt::format("{}={}", name, text));
+    } else {
+      all_.emplace_back(name);
+      all_.push_back(std::move(text));
+    }
+  }
+  void box(std::string_view name, const Box& box) {
+    add(name, fmt::format("{},{},{},{}", box.xmin, box.ymin, box.xmax, box.ymax));
+  }
+  void append(const std::vector<std::string>& more) { all_.insert(all_.end(), more.begin(), more.end()); }
+  std::vector<std::string> take() { return std::move(all_); }
+
+ private:
+  std::vector<std::string> all_;
+};
+
+template <class Enum, std::size_t N>
+std::string_view nameIn(const std::array<std::string_view, N>& names, Enum value) {
+  return names.at(static_cast<std::size_t>(value));
+}
+
+constexpr std::array<std::string_view, 4> color_names = {"site", "area", "neighbors", "weight"};
+constexpr std::array<std::string_view, 3> flow_color_names = {"none", "density", "speed"};
+constexpr std::array<std::string_view, 4> scale_names = {"automatic", "linear", "log", "quantile"};
+constexpr std::array<std::string_view, 4> periodic_names = {"none", "x", "y", "xy"};
+
+void addSites(Arguments& to, const Document& document, const CommandFiles& files) {
+  const Opened& opened = document.opened();
+  if (document.isAsOpened() && !opened.arguments.empty()) return to.append(opened.arguments);
+  to.add("--sites", files.sites);
+  if (opened.outline.empty()) {
+    to.box("--domain", opened.domain);
+  } else {
+    to.add("--domain", files.outline);
+  }
+  if (opened.periodic != Periodic::none) to.add("--periodic", nameIn(periodic_names, opened.periodic));
+}
+
+void addColors(Arguments& to, const RenderOptions& picture) {
+  to.flag(!picture.fill, "--no-fill");
+  if (picture.color != ColorBy::site) to.add("--color", nameIn(color_names, picture.color));
+  if (picture.colormap != RenderOptions{}.colormap) to.add("--colormap", picture.colormap);
+  if (picture.color_scale != ColorScale::automatic) {
+    to.add("--color-scale", nameIn(scale_names, picture.color_scale));
+  }
+  if (picture.color_range) {
+    to.add("--color-range", fmt::format("{},{}", picture.color_range->low, picture.color_range->high));
+  }
+  to.flag(picture.legend, "--legend");
+}
+
+void addMarks(Arguments& to, const RenderOptions& picture) {
+  const RenderOptions usual{};
+  to.flag(picture.edges, "--edges");
+  if ((picture.edges || picture.dual) && picture.edge_width != usual.edge_width)
+    to.add("--edge-width", picture.edge_width);
+  to.flag(picture.show_sites, "--show-sites");
+  if (picture.show_sites && picture.dot_size != usual.dot_size) to.add("--dot-size", picture.dot_size);
+  to.flag(picture.dual, "--dual");
+  to.flag(picture.labels, "--labels");
+  if (picture.labels && picture.label_size != usual.label_size) to.add("--label-size", picture.label_size);
+  if (picture.antialias != usual.antialias) to.add("--antialias", picture.antialias);
+}
+
+void addSearch(Arguments& to, const SearchOptions& search) {
+  if (search.method == Search::flann) to.add("--search", fmt::format("flann:{}", search.neighbors));
+}
+
+void addBackend(Arguments& to, const BackendOptions& backend) {
+  if (backend.name != BackendOptions{}.name) to.add("--backend", backend.name);
+  if (!backend.device.empty()) to.add("--device", backend.device);
+  if (backend.threads > 0) to.add("--threads", backend.threads);
+  for (const std::string& feature : backend.mask.disabled) to.add("--disable", feature);
+  for (const auto& [name, value] : backend.mask.limits) to.add("--limit", fmt::format("{}={}", name, value));
+}
+
+void addPicture(Arguments& to, const RenderOptions& picture, const BackendOptions& backend) {
+  if (picture.view) to.box("--view", *picture.view);
+  to.add("--size", fmt::format("{}x{}", picture.width, picture.height));
+  // The view has the picture's aspect.
+  to.add("--fit", "stretch");
+  addColors(to, picture);
+  addMarks(to, picture);
+  addSearch(to, picture.search);
+  addBackend(to, backend);
+}
+
+}  // namespace
+
+std::vector<std::string> commandFor(const Document& document, const RenderOptions& picture,
+                                    const BackendOptions& backend, const CommandFiles& files) {
+  Arguments arguments({"vorpipe", "render"});
+  addSites(arguments, document, files);
+  addPicture(arguments, picture, backend);
+  arguments.add("-o", files.picture);
+  return arguments.take();
+}
+
+std::vector<std::string> commandForFluid(const std::string& checkpoint, const RenderOptions& picture,
+                                         FlowColor color, const BackendOptions& backend) {
+  Arguments arguments({"vorpipe", "fluid"});
+  arguments.add("--resume", checkpoint);
+  arguments.add("--steps", 100);
+  // It takes no masks.
+  BackendOptions unmasked = backend;
+  unmasked.mask = {};
+  addPicture(arguments, picture, unmasked);
+  arguments.add("--flow-color", nameIn(flow_color_names, color));
+  arguments.add("--frames", "frames");
+  return arguments.take();
+}
+
+}  // namespace vorpipe::view

@@ -1,0 +1,13 @@
+/// A film that ffmpeg makes.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "view/recorder.h"
+
+namespace vorpipe::view {
+
+Result<std::unique_ptr<Recorder>> openFilm(const std::string& path);
+
+}  // namespace vorpipe::view

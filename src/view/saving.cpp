@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "io/base/shell_line.h"
+#include "view/command.h"
+#include "view/viewer.h"
+
+namespace vorpipe::view {
+namespace {
+
+/// A name in the current folder that no file has: vorpipe.png, vorpipe-2.png and so on.
+std::string freeName(std::string_view stem, std::string_view extension) {
+  std::string name = fmt::format("{}{}", stem, extension);
+  std::error_code ignored;
+  for (int number = 2; std::filesystem::exists(name, ignored); ++number) {
+    name = fmt::format("{}-{}{}", stem, number, extension);
+  }
+  return name;
+}
+
+}  // namespace
+
+void Viewer::save(const char* extension) { to_save_.emplace_back(extension); }
+
+/// Pictures of what is shown: once they are sharp.
+void Viewer::saveWhatIsSettled() {
+  const bool sharp = frame_ && frame_->sites == document_.sites() && wanted_ == Wanted::nothing &&
+                     (answered_ == wished_ || settings_.motion == Motion::runs);
+  if (!sharp || files_ > 0) return;
+  // One after the other, so that each finds its name.
+  if (to_save_.empty()) return;
+  const std::string extension = std::move(to_save_.front());
+  to_save_.erase(to_save_.begin());
+  ++files_;
+  const char* const stem = extension == ".csv" ? "sites" : extension == ".npz" ? "fluid" : "vorpipe";
+  frames_.save({freeName(stem, extension), frame_->sites, frame_->picture, frame_->rendering,
+                extension == ".npz" ? document_.fluid() : frame_->fluid, frame_->flow_color});
+}
+
+/// The backend as the command line has it, where `auto` comes to another one.
+BackendOptions Viewer::drawnBy() const {
+  BackendOptions backend = settings_.backend;
+  const bool otherwise = device_ && device_->type == "cpu" && device_->backend != "cpu";
+  if (backend.name == "auto" && backend.device.empty() && otherwise) backend.name = device_->backend;
+  return backend;
+}
+
+/// Where sites are not those of a file, they are written first.
+void Viewer::copyCommand() {
+  if (document_.fluid()) return copyFluidCommand();
+  const bool is_file = document_.isAsOpened() && !document_.opened().arguments.empty();
+  if (!is_file && document_.sites()->size() == 0) {
+    message_ = "There are no sites yet.";
+    return;
+  }
+  const bool is_written = !command_sites_.empty() && command_revision_ == document_.revision();
+  if (!is_file && !is_written) command_sites_ = freeName("vorpipe-sites", ".csv");
+  CommandFiles files{command_sites_, {}};
+  if (!is_file && !document_.opened().outline.empty()) {
+    files.outline = freeName("vorpipe-outline", ".wkt");
+    if (const auto written = writeOutline(files.outline, document_.opened().outline); !written) {
+      message_ = written.error().message;
+      return;
+    }
+  }
+  command_ = shellLine(commandFor(document_, picture(), drawnBy(), files));
+  if (is_file || is_written) return tellCommand();
+  command_revision_ = document_.revision();
+  command_waits_ = true;
+  ++files_;
+  frames_.save({command_sites_, document_.sites(), picture(), {}});
+}
+
+/// A fluid goes on from a checkpoint.
+void Viewer::copyFluidCommand() {
+  const bool is_written = !command_sites_.empty() && command_revision_ == document_.revision();
+  if (!is_written) command_sites_ = freeName("vorpipe-fluid", ".npz");
+  command_ = shellLine(commandForFluid(command_sites_, picture(), settings_.flow_color, drawnBy()));
+  if (is_written) return tellCommand();
+  command_revision_ = document_.revision();
+  command_waits_ = true;
+  ++files_;
+  frames_.save({command_sites_, document_.sites(), picture(), {}, document_.fluid()});
+}
+
+void Viewer::tellCommand() {
+  command_waits_ = false;
+  if (given_.copy) given_.copy(command_);
+  if (given_.print) given_.print(command_);
+  message_ = document_.fluid() ? "Copied, and printed: the command line that draws the fluid from here on."
+                               : "Copied, and printed: the command line that makes this picture.";
+}
+
+}  // namespace vorpipe::view

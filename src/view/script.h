@@ -1,0 +1,37 @@
+/// Scripts: what people write to drive a window, one event to a line.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "view/window/event.h"
+#include "vorpipe/result.h"
+
+namespace vorpipe::view {
+
+struct ScriptLine {
+  Event event;
+  std::size_t number = 0;  ///< of the line, from 1
+};
+
+struct Script {
+  std::string name;  ///< of the file, for messages
+  std::vector<ScriptLine> lines;
+};
+
+/// The names that Key::name has.
+const std::vector<std::string>& keyNames();
+
+/// Reads a script; "-" is standard input. Errors: a word that is wrong, with file, line and column (input);
+/// reading failed (device).
+Result<Script> readScript(const std::string& path);
+
+/// The same of a text.
+Result<Script> parseScript(const std::string& name, std::string_view text);
+
+/// The line that stands for an event in a script.
+std::string scriptLine(const Event& event);
+
+}  // namespace vorpipe::view

@@ -1,0 +1,53 @@
+/// What a window shows of its sites, apart from where: what keys, the panel and the command line change.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "view/flowing.h"
+#include "vorpipe/devices.h"
+#include "vorpipe/picture.h"
+#include "vorpipe/relax.h"
+
+namespace vorpipe::view {
+
+/// Whether sites move by themselves.
+enum class Motion : std::uint8_t { rests, steps_once, runs };
+
+/// What stirs a fluid.
+struct Brush {
+  double radius = 0.1;  ///< as a part of the shorter side of the domain
+  double push = 1;      ///< how much a stroke adds, in speeds that are usual in the fluid
+};
+
+struct Settings {
+  /// Colors, edges, sites, dual, labels, legend, outline, period, domain; width, height and view are the
+  /// window's.
+  RenderOptions picture{};
+  FlowColor flow_color = FlowColor::none;  ///< of fluids
+  bool cells = true;                       ///< filled; else cells are white
+  bool panel = true, help = false;
+  BackendOptions backend{};
+  std::optional<BackendOptions> compared{};  ///< draws the same, to the right of a line
+  double wipe = 0.5;                         ///< where that stands, of the window's width
+  RelaxMethod method = RelaxMethod::lloyd;
+  Motion motion = Motion::rests;
+  Density density{};         ///< for relaxing
+  std::string density_path;  ///< where it came from
+  Brush brush{};
+  std::uint64_t parcels = 2048;  ///< of a fluid that is begun
+};
+
+/// A backend to compare one with: what it shares is how many threads it has, and who watches.
+inline BackendOptions comparedWith(const BackendOptions& backend, std::string name, std::string device) {
+  BackendOptions other{};
+  other.name = std::move(name);
+  other.device = std::move(device);
+  other.threads = backend.threads;
+  other.validation = backend.validation;
+  return other;
+}
+
+}  // namespace vorpipe::view

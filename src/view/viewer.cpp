@@ -1,0 +1,231 @@
+#include "view/viewer.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "view/keys.h"
+#include "view/same_settings.h"
+#include "vorpipe/legend.h"
+
+namespace vorpipe::view {
+namespace {
+
+/// Pixels from the line between two pictures within which the pointer has it.
+constexpr double wipe_reach = 5;
+
+}  // namespace
+
+Viewer::Viewer(ViewerOptions options, int width, int height, std::function<void()> wake)
+    : given_(std::move(options)),
+      document_(std::move(given_.opened)),
+      settings_(std::move(given_.settings)),
+      density_(std::move(given_.density)),
+      camera_(document_.opened().domain, width, height),
+      frames_(std::move(wake), given_.load) {
+  if (document_.fluid() && settings_.motion == Motion::rests) message_ = how_to_flow;
+}
+
+void Viewer::want(Changed changed) {
+  if (changed == Changed::nothing) return;
+  const bool goes_on = changed == Changed::view || changed == Changed::drag;
+  wanted_ = std::max(wanted_, goes_on ? Wanted::same_gesture : Wanted::other);
+}
+
+void Viewer::take(const Event& event) {
+  if (const auto* const key = std::get_if<Key>(&event)) {
+    if (key->name == "escape" && settings_.help) {
+      settings_.help = false;
+    } else if (const KeyBinding* const binding = bindingOf(*key)) {
+      message_.clear();
+      Settings changed = settings_;
+      if (const auto* const action = std::get_if<Action>(&binding->does)) return act(*action);
+      std::get<void (*)(Settings&)>(binding->does)(changed);
+      change(changed);
+    }
+    return;
+  }
+  if (const auto* const drop = std::get_if<Drop>(&event)) {
+    for (const std::string& path : drop->paths) {
+      ++files_;
+      frames_.load(path);
+    }
+    return;
+  }
+  if (std::holds_alternative<Close>(event)) closes_ = true;
+  const bool wipes = settings_.compared && wipe_.take(event, pointer_.place(), camera_.width(),
+                                                      wipe_reach * scale_, settings_.wipe);
+  if (wipes && !std::holds_alternative<Move>(event)) return;
+  const std::uint32_t owner = pointer_.place() ? ownerAt(*pointer_.place()) : no_site;
+  changed(pointer_.take(event, document_, camera_, owner));
+}
+
+void Viewer::act(Action action) {
+  switch (action) {
+    case Action::undo:
+    case Action::redo:
+      return undoOrRedo(action);
+    case Action::fit:
+      camera_.fit();
+      return want(Changed::view);
+    case Action::step:
+    case Action::run:
+    case Action::pause: {
+      Settings changed = settings_;
+      changed.motion = action == Action::step  ? Motion::steps_once
+                       : action == Action::run ? Motion::runs
+                                               : Motion::rests;
+      return change(changed);
+    }
+    case Action::save_png:
+      return save(".png");
+    case Action::save_svg:
+      return save(".svg");
+    case Action::begin_again:
+      return beginAgain();
+    case Action::save_sites:
+      return save(".csv");
+    case Action::save_fluid:
+      if (document_.fluid()) return save(".npz");
+      message_ = no_fluid;
+      return;
+    case Action::copy_command:
+      return copyCommand();
+    case Action::next_backend:
+      return nextBackend();
+    case Action::compare:
+      return compare();
+    case Action::close:
+      closes_ = true;
+  }
+}
+
+void Viewer::undoOrRedo(Action action) {
+  const Box before = document_.opened().domain;
+  pointer_.release();
+  settings_.motion = Motion::rests;
+  strokes_.clear();
+  step_.reset();
+  action == Action::undo ? document_.undo() : document_.redo();
+  if (!isEqual(before, document_.opened().domain)) camera_.setDomain(document_.opened().domain);
+  want(Changed::sites);
+}
+
+void Viewer::change(const Settings& settings) {
+  const bool moves_otherwise = settings.motion != settings_.motion || settings.method != settings_.method ||
+                               settings.density_path != settings_.density_path;
+  // Each frame comes here: what rests already ends no drag, and no turns of the wheel.
+  const bool pauses = settings.motion == Motion::rests && settings_.motion != Motion::rests;
+  if (pauses) document_.settle();
+  if (!settings.compared) wipe_.release();
+  if (settings.density_path.empty()) density_.reset();
+  if (moves_otherwise || !drawTheSame(settings, settings_)) want(Changed::sites);
+  settings_ = settings;
+}
+
+std::vector<std::string> Viewer::backendsThatWork() const {
+  std::vector<std::string> names;
+  for (const DeviceInfo& device : devices_) {
+    if (device.usable && std::ranges::find(names, device.backend) == names.end()) {
+      names.push_back(device.backend);
+    }
+  }
+  return names;
+}
+
+/// With the next backend of those that work here, or no more.
+void Viewer::compare() {
+  Settings changed = settings_;
+  if (changed.compared) {
+    changed.compared.reset();
+    return change(changed);
+  }
+  const auto names = backendsThatWork();
+  if (names.empty() || !device_) return;
+  const auto now = std::ranges::find(names, device_->backend);
+  const bool last = now == names.end() || now + 1 == names.end();
+  changed.compared = comparedWith(settings_.backend, last ? names.front() : *(now + 1), "");
+  change(changed);
+}
+
+void Viewer::nextBackend() {
+  const auto names = backendsThatWork();
+  if (names.empty() || !device_) return;
+  const auto now = std::ranges::find(names, device_->backend);
+  const bool last = now == names.end() || now + 1 == names.end();
+  settings_.backend.name = last ? names.front() : *(now + 1);
+  settings_.backend.device.clear();
+  want(Changed::sites);
+}
+
+void Viewer::resize(int width, int height) {
+  minimized_ = width <= 0 || height <= 0;
+  if (minimized_ || (width == camera_.width() && height == camera_.height())) return;
+  camera_.resize(width, height);
+  want(Changed::sites);
+}
+
+void Viewer::setCovered(double left, double right) {
+  const Box before = camera_.view();
+  camera_.setCovered(left, right);
+  if (!isEqual(before, camera_.view())) want(Changed::view);
+}
+
+void Viewer::setScale(double scale) {
+  scale_ = scale;
+  pointer_.setScale(scale);
+}
+
+void Viewer::drawAgain() { want(Changed::sites); }
+
+RenderOptions Viewer::picture() const {
+  RenderOptions options = settings_.picture;
+  const Opened& opened = document_.opened();
+  options.domain = opened.domain;
+  options.outline = opened.outline;
+  options.periodic = opened.periodic;
+  options.width = camera_.width();
+  options.height = camera_.height();
+  options.view = camera_.view();
+  options.fit = Fit::stretch;
+  options.fill = settings_.cells;
+  // Colors that are not there have no legend, and a small window has no room for it.
+  const bool has_room =
+      options.width >= least_with_legend.width && options.height >= least_with_legend.height;
+  options.legend = options.legend && options.fill && has_room;
+  return options;
+}
+
+void Viewer::wish() {
+  putSideBySide();
+  const bool in_flight = answered_ < wished_;
+  const bool moves = (settings_.motion != Motion::rests || !strokes_.empty()) && !in_flight;
+  if (minimized_ || closes_ || (wanted_ == Wanted::nothing && !moves)) return;
+  if (settings_.picture.color == ColorBy::weight && document_.sites()->weight.empty()) {
+    settings_.picture.color = ColorBy::site;
+    settings_.picture.legend = false;
+    message_ = "The sites have no weights to color by; Ctrl+Wheel over a cell changes its weight.";
+  }
+  if (std::exchange(wanted_, Wanted::nothing) == Wanted::other) ++gesture_;
+  Wish wish{++wished_, gesture_, document_.sites(), picture(), settings_.backend};
+  // Without a GPU `auto` comes to cpu, which is slow where cells have weights (decision D133).
+  const bool weighs = document_.fluid() || !document_.sites()->weight.empty();
+  if (settings_.backend.name == "auto" && weighs) wish.not_cpu = given_.shown_by;
+  wish.compared = settings_.compared;
+  wish.motion = pointer_.holdsSite() ? Motion::rests : settings_.motion;
+  wish.method = settings_.method;
+  wish.density = density_;
+  wish.fluid = document_.fluid();
+  wish.flow_color = settings_.flow_color;
+  wish.strokes = strokes_;
+  wished_settings_ = settings_;
+  frames_.wish(std::move(wish));
+}
+
+bool Viewer::isSettled(std::uint64_t wish) const {
+  if (minimized_) return files_ == 0;
+  const bool is_drawn = answered_ >= (settings_.motion == Motion::runs ? wish : wished_);
+  return is_drawn && wanted_ == Wanted::nothing && files_ == 0 && to_save_.empty() &&
+         settings_.motion != Motion::steps_once && (strokes_.empty() || settings_.motion == Motion::runs);
+}
+
+}  // namespace vorpipe::view
