@@ -9,8 +9,8 @@ set(kinds "^vorpipe(\\.h$|/)" "^base/" "^backend/registry/" "^c/")
 set(may_include
     "^vorpipe/"
     "^(vorpipe\\.h|base/.*)$"
-    "^(vorpipe\\.h|backend/[^/]*\\.h|backend/registry/.*|backend/cpu/(cpu|exact_tier)\\.h|backend/vulkan/vulkan_backend\\.h|backend/opengl/opengl_backend\\.h)$"
-    "^(vorpipe\\.h|vorpipe/.*|vorpipe_c\\.h|c/[^/]*|io/.*|selftest/selftest_json\\.h)$")
+    "^(vorpipe\\.h|base/try\\.h|backend/[^/]*\\.h|backend/registry/.*|backend/cpu/(cpu|exact_tier)\\.h|backend/vulkan/vulkan_backend\\.h|backend/opengl/opengl_backend\\.h)$"
+    "^(vorpipe\\.h|vorpipe/.*|vorpipe_c\\.h|base/try\\.h|c/[^/]*|io/.*|selftest/selftest_json\\.h)$")
 
 file(STRINGS ${root}/src/CMakeLists.txt lines REGEX "^vorpipe_module\\(")
 if(NOT lines)

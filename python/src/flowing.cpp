@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "arrays.h"
+#include "base/try.h"
 #include "choices.h"
 #include "errors.h"
 #include "io/base/extension.h"
@@ -202,7 +203,7 @@ void FluidRun::push(std::vector<Point> velocities) {
   session_->run(py::none(),
                 [self = shared_from_this(), velocities = std::move(velocities)](
                     Session&, const Progress&) -> Result<void> {
-                  if (auto pushed = self->fluid_->push(velocities); !pushed) return pushed;
+                  VORPIPE_TRY(self->fluid_->push(velocities));
                   self->publish();
                   return {};
                 });

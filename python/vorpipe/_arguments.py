@@ -35,7 +35,7 @@ def numbers(argument: str, value: Any) -> Floats:
                 raise TypeError
             return array.astype(np.float64)
         except (TypeError, ValueError):
-            raise refuse(argument, f'no array of numbers, but of {array.dtype}') from None
+            raise refuse(argument, f'expected numbers, got {array.dtype}') from None
     return array.astype(np.float64, copy=False)
 
 
@@ -46,7 +46,7 @@ def array_of(argument: str, value: Any) -> npt.NDArray[Any]:
     try:
         return np.asarray(value)
     except (TypeError, ValueError):
-        raise refuse(argument, 'no array of numbers: its rows are not all alike') from None
+        raise refuse(argument, 'expected numbers in rows of one length') from None
 
 
 def points_of(value: Any, argument: str = 'points') -> Floats:

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/stopwatch.h"
+#include "base/try.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -30,10 +31,10 @@ Result<void> runInSteps(const Progress& progress, const char* stage, const Stage
   constexpr double seconds_between = 0.2;
   auto step = std::min(first_step, most);
   for (std::size_t begin = 0; begin < range.count;) {
-    if (auto go_on = reportProgress(progress, stage, range.done + begin, range.of); !go_on) return go_on;
+    VORPIPE_TRY(reportProgress(progress, stage, range.done + begin, range.of));
     const auto count = std::min(step, range.count - begin);
     const Stopwatch watch;
-    if (auto worked = work(begin, count); !worked) return worked;
+    VORPIPE_TRY(work(begin, count));
     begin += count;
     if (watch.seconds() < seconds_between / 4) step = std::min(4 * step, most);
     if (watch.seconds() > seconds_between) step = std::max<std::size_t>(step / 2, 1);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/try.h"
 #include "bench/tables.h"
 
 namespace vorpipe::bench {
@@ -43,7 +44,7 @@ Result<Findings> inputs(Lab& lab) {
     auto& of_backend = outcomes.emplace_back();
     for (const auto& name : sites) of_backend.push_back(&lab.plan({backend, name}));
   }
-  if (auto measured = lab.measure("inputs"); !measured) return tl::unexpected(measured.error());
+  VORPIPE_TRY(lab.measure("inputs"));
   Table table{"inputs",
               "Inputs: all cells, areas, centroids and neighbors",
               {{"backend", "backend"},

@@ -11,6 +11,7 @@
 #include "backend/registry/registry.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "base/try.h"
 #include "bench/driver_threads.h"
 #include "domain/cells_run.h"
 #include "io/sites/site_source.h"
@@ -137,7 +138,7 @@ Result<void> Lab::measure(const std::string& what) {
     courses.push_back({what, [this, outcome = outcome.get()](bool counts) -> Result<void> {
                          const bool is_short = outcome->last_seconds > 0 && outcome->last_seconds < short_run;
                          if (counts && is_short) {
-                           if (auto warmed = run(*outcome, false); !warmed) return warmed;
+                           VORPIPE_TRY(run(*outcome, false));
                          }
                          return run(*outcome, counts);
                        }});

@@ -9,6 +9,8 @@
 #include <numeric>
 #include <random>
 
+#include "base/try.h"
+
 namespace vorpipe::bench {
 namespace {
 
@@ -86,7 +88,7 @@ Result<void> runRound(std::span<Course> courses, bool counts, Generator& generat
     std::swap(order[left - 1], order[generator() % left]);
   for (const auto index : order) {
     Course& course = courses[index];
-    if (auto wanted = go_on(course); !wanted) return wanted;
+    VORPIPE_TRY(go_on(course));
     if (!course.failed.empty()) continue;
     if (auto done = course.run(counts); !done) {
       if (done.error().code == ErrorCode::cancelled) return done;
@@ -180,7 +182,7 @@ Result<void> interleave(std::span<Course> courses, int repetitions, const Progre
     return tl::unexpected(Error{ErrorCode::cancelled, "interrupted"});
   };
   for (int round = 0; round <= repetitions; ++round) {
-    if (auto run = runRound(courses, round > 0, generator, go_on); !run) return run;
+    VORPIPE_TRY(runRound(courses, round > 0, generator, go_on));
   }
   return {};
 }

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "base/try.h"
 #include "bench/child.h"
 #include "bench/tables.h"
 
@@ -40,9 +41,7 @@ Result<std::uint64_t> peakOf(const Lab& lab, const Kind& kind, const std::string
   const auto options = optionsOf(lab.settings(), backend);
   words.insert(words.end(), options.begin(), options.end());
   words.insert(words.end(), kind.arguments.begin(), kind.arguments.end());
-  if (auto done = runChild(lab.settings().program, words, folder + "/errors", go_on); !done) {
-    return tl::unexpected(done.error());
-  }
+  VORPIPE_TRY(runChild(lab.settings().program, words, folder + "/errors", go_on));
   std::ifstream file(stats);
   const auto json = nlohmann::json::parse(file, nullptr, false);
   const auto peak = json.find("peak_memory_bytes");
@@ -118,9 +117,7 @@ Result<Findings> memory(Lab& lab) {
   for (const auto& backend : settings.backends) {
     for (const Kind& kind : kinds) {
       Curve curve{backend, {}};
-      if (auto added = addRows(lab, kind, backend, sizes, folder.path(), go_on, table, curve); !added) {
-        return tl::unexpected(added.error());
-      }
+      VORPIPE_TRY(addRows(lab, kind, backend, sizes, folder.path(), go_on, table, curve));
       if (&kind == &kinds.front()) plot.curves.push_back(std::move(curve));
       ++done;
     }

@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 
+#include "base/try.h"
 #include "bench/tables.h"
 
 namespace vorpipe::bench {
@@ -180,7 +181,7 @@ Result<Findings> scaling(Lab& lab) {
   for (Line& line : pixels) {
     for (auto& [x, outcome] : line.points) x *= x;
   }
-  if (auto measured = lab.measure("scaling"); !measured) return tl::unexpected(measured.error());
+  VORPIPE_TRY(lab.measure("scaling"));
 
   Findings findings;
   findings.tables = {sitesTable(sites), fitTable(sites, pixels), threadsTable(threads, for_threads),

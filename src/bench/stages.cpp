@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/try.h"
 #include "bench/tables.h"
 
 namespace vorpipe::bench {
@@ -133,7 +134,7 @@ Result<Findings> stages(Lab& lab) {
       outcomes.emplace_back(kind.what, &lab.plan(job));
     }
   }
-  if (auto measured = lab.measure("stages"); !measured) return tl::unexpected(measured.error());
+  VORPIPE_TRY(lab.measure("stages"));
   Findings findings;
   findings.tables = {hostTable(outcomes, fmt::format("Stages of a run, random:{}", count)),
                      bytesTable(outcomes), deviceTable(outcomes)};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/try.h"
 #include "bench/tables.h"
 
 namespace vorpipe::bench {
@@ -213,7 +214,7 @@ Result<Findings> thesis(Lab& lab) {
              hex = planPattern(lab, "hex", sizes);
   const auto resolutions = planResolutions(lab, for_resolution);
   const auto regular = planRegular(lab, regular_sizes);
-  if (auto measured = lab.measure("thesis"); !measured) return tl::unexpected(measured.error());
+  VORPIPE_TRY(lab.measure("thesis"));
 
   Findings findings;
   findings.tables = {patternTable(random, "random", "Tables 3.2 and 3.3 (a) of the thesis: random sites"),

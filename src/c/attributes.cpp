@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/try.h"
 #include "c/failure.h"
 #include "c/handles.h"
 #include "c/options.h"
@@ -40,7 +41,7 @@ Result<Attribute> attributeOf(const char* name, vorpipe_attribute_type type, con
     attribute.add(data == nullptr ? std::nullopt : std::optional(std::string_view(data, size)));
   }
   if (type == VORPIPE_INFERRED) attribute.inferType();
-  if (auto checked = checkAttribute(attribute); !checked) return tl::unexpected(std::move(checked.error()));
+  VORPIPE_TRY(checkAttribute(attribute));
   return attribute;
 }
 

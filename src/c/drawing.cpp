@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "base/try.h"
 #include "c/failure.h"
 #include "c/files.h"
 #include "c/handles.h"
@@ -32,7 +33,7 @@ Result<void> draw(vorpipe_session& session, const vorpipe_input& input, const vo
   if (!placed) return tl::unexpected(placed.error());
   const auto options = renderOptions(**placed, given);
   if (!options) return tl::unexpected(options.error());
-  if (auto checked = checkPicture(*options); !checked) return checked;
+  VORPIPE_TRY(checkPicture(*options));
   CellsOptions cells = cellsOptions(*options);
   cells.detail = Detail::polygons;
   const Sites& sites = *(*placed)->sites;

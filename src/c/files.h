@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "base/try.h"
 #include "c/vorpipe_c.h"
 #include "io/base/byte_sink.h"
 #include "io/base/output_file.h"
@@ -22,7 +23,7 @@ template <class Write>
 Result<void> save(const std::string& path, const Write& write) {
   auto file = OutputFile::create(path);
   if (!file) return tl::unexpected(file.error());
-  if (auto written = write(*file); !written) return written;
+  VORPIPE_TRY(write(*file));
   return file->commit();
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/try.h"
 #include "c/array.h"
 #include "c/failure.h"
 #include "c/files.h"
@@ -89,13 +90,13 @@ Result<vorpipe_array> arrayOf(const vorpipe_fluid& fluid, vorpipe_fluid_field fi
 /// Lets a fluid go on until then.
 Result<void> goOn(vorpipe_fluid& fluid, double until) {
   const SessionUse use(*fluid.session);
-  if (auto begun = use.begun(); !begun) return begun;
+  VORPIPE_TRY(use.begun());
   return fluid.fluid.goOn(until);
 }
 
 Result<bool> step(vorpipe_fluid& fluid) {
   const SessionUse use(*fluid.session);
-  if (auto begun = use.begun(); !begun) return tl::unexpected(std::move(begun.error()));
+  VORPIPE_TRY(use.begun());
   return fluid.fluid.step();
 }
 
@@ -110,7 +111,7 @@ Result<void> run(vorpipe_fluid& run, const vorpipe_fluid_run_options* given) {
   if (until == never && wanted->steps == 0) {
     return inputError("until: name when to end, or a number of steps");
   }
-  if (auto on = goOn(run, until); !on) return on;
+  VORPIPE_TRY(goOn(run, until));
   const auto goes_on = watcherOf(wanted->watch, wanted->watch_user, &figuresOf);
   for (std::uint64_t done = 0; wanted->steps == 0 || done < wanted->steps; ++done) {
     const auto more = step(run);

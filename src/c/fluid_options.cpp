@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/try.h"
 #include "c/moving_options.h"
 #include "c/options.h"
 #include "io/base/error.h"
@@ -70,7 +71,7 @@ Result<FluidSetup> fluidSetup(const vorpipe_input& input, const PlacedInput& pla
   setup.state.velocity = numbersOf<Point>(wanted.velocities, count);
   setup.state.volume = numbersOf<double>(wanted.volumes, count);
   setup.state.density = numbersOf<double>(wanted.densities, count);
-  if (auto taken = takeOptions(wanted, setup.options); !taken) return tl::unexpected(taken.error());
+  VORPIPE_TRY(takeOptions(wanted, setup.options));
   return setup;
 }
 
@@ -89,7 +90,7 @@ Result<FluidSetup> fluidSetup(const std::string& name, std::uint64_t parcels,
   const auto search = searchOf(wanted.search, wanted.search_neighbors);
   if (!search) return tl::unexpected(search.error());
   setup->options.search = *search;
-  if (auto taken = takeOptions(wanted, setup->options); !taken) return tl::unexpected(taken.error());
+  VORPIPE_TRY(takeOptions(wanted, setup->options));
   return setup;
 }
 

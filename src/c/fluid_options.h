@@ -18,7 +18,7 @@ Result<FluidSetup> fluidSetup(const vorpipe_input& input, const PlacedInput& pla
 Result<FluidSetup> fluidSetup(const std::string& name, std::uint64_t parcels,
                               const vorpipe_fluid_options& wanted);
 
-/// What a step has come to, as vorpipe_c.h shows it.
+/// The result of a step, as in vorpipe_c.h.
 vorpipe_fluid_figures figuresOf(const FluidStep& step);
 
 }  // namespace vorpipe::c

@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 
+#include "base/try.h"
 #include "c/structs.h"
 #include "io/base/error.h"
 
@@ -131,7 +132,7 @@ Result<RenderOptions> renderOptions(const PlacedInput& placed, const vorpipe_ren
   options.show_sites = taken_options->show_sites != 0;
   options.search = *search;
   options.progress = progressOf(taken_options->progress, taken_options->progress_user);
-  if (auto looks = takeLooks(placed, *taken_options, options); !looks) return tl::unexpected(looks.error());
+  VORPIPE_TRY(takeLooks(placed, *taken_options, options));
   if (options.color == ColorBy::weight && placed.sites->weight.empty()) {
     return tl::unexpected(Error{ErrorCode::input, "color: weight needs weights", false, Subject::weights});
   }

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/cells/cell_attributes.h"
 #include "io/sites/density_place.h"
@@ -51,9 +52,7 @@ Result<PlacedInput> foundFor(const vorpipe_input& input) {
   found.system = input.system;
   if (input.sites->size() > 0) {
     found.sites = *input.sites;
-    if (auto done = findDomain(input.domain, found, wordsFor(input)); !done) {
-      return tl::unexpected(std::move(done.error()));
-    }
+    VORPIPE_TRY(findDomain(input.domain, found, wordsFor(input)));
   }
   if (found.projection) placed.given = givenInDegrees(found);
   const bool moved =
@@ -92,9 +91,7 @@ Result<std::shared_ptr<const PlacedInput>> withDensity(const vorpipe_input& inpu
   PlacedSites placed = input.placed->domain;
   const DensityFile density{{input.density.width, input.density.height, {0}, input.density.box},
                             input.density_system};
-  if (auto looked = placeDensity(density, input.density_name, placed, wordsFor(input)); !looked) {
-    return tl::unexpected(std::move(looked.error()));
-  }
+  VORPIPE_TRY(placeDensity(density, input.density_name, placed, wordsFor(input)));
   addNotes(input, std::move(placed.notes));
   input.density_looked_at = input.placed;
   return input.placed;

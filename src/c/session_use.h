@@ -9,7 +9,7 @@
 namespace vorpipe::c {
 
 /// Takes a session for a run. While it has another, of which the caller's progress may ask for this one, or
-/// another thread, the run is refused: it would find what the first one is amid of.
+/// another thread, the run is refused: it would see half-written state.
 class SessionUse {
  public:
   explicit SessionUse(vorpipe_session& session)

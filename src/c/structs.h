@@ -6,6 +6,7 @@
 #include <string_view>
 #include <type_traits>
 
+#include "base/try.h"
 #include "c/vorpipe_c.h"
 #include "vorpipe.h"
 
@@ -22,9 +23,7 @@ Result<Options> taken(const Options* given, std::string_view name) {
   static_assert(std::is_trivially_copyable_v<Options>);
   Options options{};
   if (given == nullptr) return options;
-  if (auto checked = checkStruct(given, given->struct_size, sizeof(Options), name); !checked) {
-    return tl::unexpected(checked.error());
-  }
+  VORPIPE_TRY(checkStruct(given, given->struct_size, sizeof(Options), name));
   std::memcpy(&options, given, std::min<std::size_t>(given->struct_size, sizeof(Options)));
   return options;
 }

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/try.h"
 #include "c/array.h"
 #include "c/failure.h"
 #include "c/handles.h"
@@ -36,7 +37,7 @@ Result<void> checkMasses(const vorpipe_transport_options& wanted) {
 
 Result<TransportOptions> transportOptions(const vorpipe_input& input, const PlacedInput& placed,
                                           const vorpipe_transport_options& wanted) {
-  if (auto checked = checkMasses(wanted); !checked) return tl::unexpected(std::move(checked.error()));
+  VORPIPE_TRY(checkMasses(wanted));
   constexpr std::array surfaces{Surface::none, Surface::free};
   const auto surface = chosen(surfaces, wanted.surface, "surface");
   if (!surface) return tl::unexpected(surface.error());
@@ -88,9 +89,7 @@ Result<std::unique_ptr<vorpipe_transported>> find(vorpipe_session& session, cons
   const Sites& sites = *(*placed)->sites;
   if (wanted->normalize != 0 || wanted->fill > 0) {
     const double part = wanted->fill > 0 ? wanted->fill : 1;
-    if (auto fit = fillDomain(session.session, sites.size(), part, *options); !fit) {
-      return tl::unexpected(std::move(fit.error()));
-    }
+    VORPIPE_TRY(fillDomain(session.session, sites.size(), part, *options));
   }
   auto found =
       transport(session.session, sites, *options, watcherOf(wanted->watch, wanted->watch_user, &toldOf));

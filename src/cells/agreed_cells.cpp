@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/refusal.h"
+#include "base/try.h"
 #include "cells/diagram_writer.h"
 #include "cells/neighbor_search.h"
 #include "cells/reconcile.h"
@@ -23,9 +24,7 @@ Result<TiedCells> reconcile(const SearchInput& input, NeighborRows& rows, const 
   if (!tied || std::abs(areaGap(records.by_input, domain, input.threads)) <= area_rounding) return tied;
   std::vector<std::uint32_t> all(input.sites.size());
   std::iota(all.begin(), all.end(), 0u);
-  if (auto found = findAgain(input, all, Precision::in_double, rows); !found) {
-    return tl::unexpected(found.error());
-  }
+  VORPIPE_TRY(findAgain(input, all, Precision::in_double, rows));
   report.in_double += all.size();
   tied = reconcileCells(input, rows, records, report);
   if (!tied) return tied;

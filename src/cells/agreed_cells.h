@@ -16,7 +16,7 @@ struct AgreedCells {
 };
 
 /// Finds the cells of a run, which was begun with `sites` on the same machine, and agrees on them. `spread`
-/// is as Records has it. `report` gets what was done. Errors: as Session::cells'.
+/// is as in Records. `report` gets what was done. Errors: as Session::cells'.
 Result<AgreedCells> agreeOnCells(const Machine& machine, SiteRun& run, const Sites& sites,
                                  const CellsOptions& options, std::span<double> spread, Report& report);
 

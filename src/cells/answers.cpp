@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/parallel.h"
+#include "base/try.h"
 #include "cells/neighbor_rows.h"
 #include "geometry/wall_predicates.h"
 
@@ -106,13 +107,13 @@ struct Limits {
 
 Result<void> askCells(Backend& backend, std::size_t sites, std::span<const std::uint32_t> which,
                       Effort effort, int threads, CellNeighbors& out) {
-  if (auto done = backend.cells(which, effort, out); !done) return done;
+  VORPIPE_TRY(backend.cells(which, effort, out));
   const auto count = static_cast<std::int64_t>(sites);
   return secure(backend, which.size(), threads, out, [&](std::size_t e) { return Limits{which[e], count}; });
 }
 
 Result<void> askCells(Backend& backend, const CellBatch<double>& batch, int threads, CellNeighbors& out) {
-  if (auto done = backend.cells(batch, out); !done) return done;
+  VORPIPE_TRY(backend.cells(batch, out));
   return secure(backend, batch.entries.size(), threads, out, [&](std::size_t e) {
     return Limits{no_own_site, batch.entries[e].count};
   });
@@ -120,14 +121,14 @@ Result<void> askCells(Backend& backend, const CellBatch<double>& batch, int thre
 
 Result<void> askToDraw(Backend& backend, std::span<const std::uint32_t> which, Effort effort,
                        std::span<CellStatus> status) {
-  if (auto drawn = backend.draw(which, effort, status); !drawn) return drawn;
+  VORPIPE_TRY(backend.draw(which, effort, status));
   secure(status);
   return {};
 }
 
 Result<void> askToDraw(Backend& backend, const CellBatch<float>& batch, std::span<const DrawMark> marks,
                        Effort effort, std::span<CellStatus> status) {
-  if (auto drawn = backend.draw(batch, marks, effort, status); !drawn) return drawn;
+  VORPIPE_TRY(backend.draw(batch, marks, effort, status));
   secure(status);
   return {};
 }

@@ -88,7 +88,7 @@ struct Records {
   void setEdges(std::size_t cell, std::size_t edges) const {
     by_input[sites.id[cell]].edges = static_cast<std::uint32_t>(edges);
   }
-  /// `centroid` is relative to `origin`, as measuringOrigin has it; `about_centroid` is the integral of the
+  /// `centroid` is relative to `origin`, as in measuringOrigin; `about_centroid` is the integral of the
   /// squared distance to it, which is not read where spread is not wanted.
   void cell(std::size_t cell, std::size_t edges, double area, Point origin, Point centroid,
             double about_centroid) const {

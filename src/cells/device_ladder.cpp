@@ -5,6 +5,7 @@
 
 #include "base/distinct.h"
 #include "base/progress_steps.h"
+#include "base/try.h"
 
 namespace vorpipe::core {
 namespace {
@@ -30,9 +31,7 @@ Result<std::vector<std::uint32_t>> CellLadder::climbDevice(const Ask& ask) {
   done_ = 0;
   sortOutOnce();
   const bool by_grid = input_.search.method == Search::grid;
-  if (auto climbed = by_grid ? climbGrid(ask) : climbLists(ask); !climbed) {
-    return tl::unexpected(climbed.error());
-  }
+  VORPIPE_TRY(by_grid ? climbGrid(ask) : climbLists(ask));
   sortDistinct(left_, static_cast<std::uint32_t>(input_.sites.size()));
   const auto kept = std::ranges::set_difference(on_device_, left_, on_device_.begin()).out;
   on_device_.erase(kept, on_device_.end());
@@ -82,15 +81,15 @@ Result<void> CellLadder::tryTile(const Tile& tile, const Ask& ask) {
     leave(tile, tile.own);
     return {};
   }
-  if (auto given = upload_.give(tile); !given) return given;
+  VORPIPE_TRY(upload_.give(tile));
   const Sample sample(tile.own);
   const auto before = left_.size();
   hidden_ = 0;
   Large large;
-  if (auto tried = tryFast(tile, sample.cells, ask, large); !tried) return tried;
+  VORPIPE_TRY(tryFast(tile, sample.cells, ask, large));
   // A few that need more room do not change what the sample tells.
   if (4 * large.cells.size() > sample.cells.size()) {
-    if (auto tried = tryLarge(tile, ask, large); !tried) return tried;
+    VORPIPE_TRY(tryLarge(tile, ask, large));
   }
   const auto failed = left_.size() - before;
   if (sample.isHopeless(failed) || areMany(sample.expected(failed)) || sample.areMostlyHidden(hidden_)) {
@@ -98,7 +97,7 @@ Result<void> CellLadder::tryTile(const Tile& tile, const Ask& ask) {
     leave(tile, sample.rest);
     return {};
   }
-  if (auto tried = tryFast(tile, sample.rest, ask, large); !tried) return tried;
+  VORPIPE_TRY(tryFast(tile, sample.rest, ask, large));
   return tryLarge(tile, ask, large);
 }
 
@@ -124,7 +123,7 @@ Result<void> CellLadder::tryCells(const Tile& tile, Which which, Effort effort, 
   const auto work = [&](std::size_t begin, std::size_t count) -> Result<void> {
     const auto part = which.subspan(begin, count);
     status.assign(count, CellStatus::missing);
-    if (auto asked = ask.by_grid(tile, part, effort, status); !asked) return asked;
+    VORPIPE_TRY(ask.by_grid(tile, part, effort, status));
     for (std::size_t e = 0; e < count; ++e) {
       hidden_ += status[e] == CellStatus::empty ? 1u : 0u;
       if (isDone(status[e])) continue;
@@ -141,9 +140,7 @@ Result<void> CellLadder::tryCells(const Tile& tile, Which which, Effort effort, 
   };
   const StageRange range{which.size(), done_, on_device_.size()};
   const auto most = input_.backend.info().max_entries;
-  if (auto done = runInSteps(input_.progress, fast ? "cells" : "large cells", range, most, work); !done) {
-    return done;
-  }
+  VORPIPE_TRY(runInSteps(input_.progress, fast ? "cells" : "large cells", range, most, work));
   done_ += which.size() - (large.cells.size() - before);
   return {};
 }
@@ -201,7 +198,7 @@ Result<CellLadder::Outcome> CellLadder::tryLists(Which which, std::size_t k, Eff
     const auto candidates = lists_->neighbors(part, k);
     search_seconds_ += watch.seconds();
     status.assign(count, CellStatus::missing);
-    if (auto asked = ask.by_lists(candidates, effort, status); !asked) return asked;
+    VORPIPE_TRY(ask.by_lists(candidates, effort, status));
     for (std::size_t e = 0; e < count; ++e) {
       if (isDone(status[e])) continue;
       const bool again = fast && status[e] == CellStatus::overflow;
@@ -212,10 +209,7 @@ Result<CellLadder::Outcome> CellLadder::tryLists(Which which, std::size_t k, Eff
     }
     return {};
   };
-  if (auto done = runInSteps(input_.progress, fast ? "cells" : "large cells", which.size(), at_once, work);
-      !done) {
-    return tl::unexpected(done.error());
-  }
+  VORPIPE_TRY(runInSteps(input_.progress, fast ? "cells" : "large cells", which.size(), at_once, work));
   return outcome;
 }
 

@@ -14,7 +14,8 @@ bool leaveNothing(const SiteSet& sites, std::uint32_t cell, std::span<const std:
 /// Takes the lines from those cells of `which` that are empty in a set with weights; where they do not prove
 /// that, the cell becomes `open`.
 ///
-/// A wrong cell disagrees with its neighbors, but if it is missing they agree as well.
+/// Neighbors cannot reveal a wrongly empty cell: both sides agree that it is absent. So emptiness has its own
+/// proof.
 void proveEmpty(const SiteSet& sites, std::span<const std::uint32_t> which, int threads, NeighborRows& cells);
 
 }  // namespace vorpipe::core

@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "base/progress_steps.h"
+#include "base/try.h"
 #include "cells/mesh_cells.h"
 
 namespace vorpipe::core {
@@ -132,9 +133,7 @@ Result<std::vector<std::uint32_t>> Judge::findSome(std::span<const std::uint32_t
     return {};
   };
   const auto* stage = precision == Precision::exact ? "exact cells" : "cells in double";
-  if (auto done = runInSteps(progress, stage, entries.size(), most_at_once, work); !done) {
-    return tl::unexpected(done.error());
-  }
+  VORPIPE_TRY(runInSteps(progress, stage, entries.size(), most_at_once, work));
   return open;
 }
 

@@ -6,6 +6,7 @@
 #include "backend/collect.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "base/try.h"
 #include "cells/answers.h"
 #include "cells/bisectors.h"
 #include "cells/hidden_cells.h"
@@ -58,13 +59,13 @@ class DeviceSearch {
 
   Result<void> byGrid(const Tile& tile, std::span<const std::uint32_t> which, Effort effort,
                       std::span<CellStatus> status) {
-    if (auto go_on = lookAtLikely(tile); !go_on) return go_on;
+    VORPIPE_TRY(lookAtLikely(tile));
     CellNeighbors found;
     auto asked = askCells(input_.backend, tile.sites.size(), which, effort, input_.threads, found);
     if (!asked) return asked;
     std::ranges::copy(found.status, status.begin());
     if (tile.whole.empty()) {
-      if (auto go_on = endIfEmpty(which, found); !go_on) return go_on;
+      VORPIPE_TRY(endIfEmpty(which, found));
       rows_.add(which, std::move(found));
       return {};
     }
@@ -75,7 +76,7 @@ class DeviceSearch {
         renumber(found, e, [&](std::uint32_t site) { return tile.whole[site]; });
       }
     });
-    if (auto go_on = endIfEmpty(whole, found); !go_on) return go_on;
+    VORPIPE_TRY(endIfEmpty(whole, found));
     rows_.add(whole, std::move(found));
     return {};
   }
@@ -86,7 +87,7 @@ class DeviceSearch {
     packBatch(input_.sites, candidates, 0, candidates.site.size(), input_.threads, batch_);
     pack_seconds_ += watch.seconds();
     CellNeighbors found;
-    if (auto asked = askCells(input_.backend, batch_, input_.threads, found); !asked) return asked;
+    VORPIPE_TRY(askCells(input_.backend, batch_, input_.threads, found));
     // There is no more room than that.
     std::ranges::replace_copy(found.status, status.begin(), CellStatus::overflow, CellStatus::open);
     for (std::size_t e = 0; e < candidates.site.size(); ++e) {
@@ -146,7 +147,7 @@ Result<std::optional<NeighborRows>> findRows(const SearchInput& input, AtEmpty a
                                         }});
   if (device.ended()) return std::nullopt;
   if (!left) return tl::unexpected(left.error());
-  if (auto found = ladder.findLeft(*left, rows); !found) return tl::unexpected(found.error());
+  VORPIPE_TRY(ladder.findLeft(*left, rows));
   ladder.describe(report);
   if (input.search.method == Search::grid) {
     report.time_ms.upload = 1e3 * upload.seconds();

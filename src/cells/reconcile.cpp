@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/refusal.h"
+#include "base/try.h"
 #include "cells/hidden_cells.h"
 #include "cells/tied_records.h"
 
@@ -202,9 +203,7 @@ class Reconciliation {
   /// right if both of its cells have it.
   Result<bool> find(const std::vector<std::uint32_t>& which, Precision precision) {
     addWithNeighbors(rows_, which, changed_);
-    if (auto found = findAgain(input_, which, precision, rows_); !found) {
-      return tl::unexpected(found.error());
-    }
+    VORPIPE_TRY(findAgain(input_, which, precision, rows_));
     (precision == Precision::exact ? report_.exact : report_.in_double) += which.size();
     addWithNeighbors(rows_, which, changed_);
     sortUnique(changed_);

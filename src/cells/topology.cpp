@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/disjoint_sets.h"
+#include "base/try.h"
 #include "cells/edge_twins.h"
 
 namespace vorpipe {
@@ -70,7 +71,7 @@ void numberEdges(const Diagram& diagram, Topology& topology) {
 }  // namespace
 
 Result<Topology> topologyOf(const Diagram& diagram, int threads) {
-  if (auto checked = checkArrays(diagram); !checked) return tl::unexpected(checked.error());
+  VORPIPE_TRY(checkArrays(diagram));
   auto distinct = distinctPoints(diagram.vertices);
   if (!distinct) return tl::unexpected(distinct.error());
   Topology topology;

@@ -1,6 +1,7 @@
 #include "cells/uploader.h"
 
 #include "base/stopwatch.h"
+#include "base/try.h"
 
 namespace vorpipe::core {
 
@@ -12,10 +13,7 @@ Result<void> Upload::give(const Tile& tile) {
     tile_palette_index_.clear();
     for (const auto site : tile.whole) tile_palette_index_.push_back(palette_index_[site]);
   }
-  if (auto uploaded = backend_.upload(tile.sites, all ? palette_index_ : std::span(tile_palette_index_));
-      !uploaded) {
-    return uploaded;
-  }
+  VORPIPE_TRY(backend_.upload(tile.sites, all ? palette_index_ : std::span(tile_palette_index_)));
   has_all_ = all;
   if (held_ != nullptr) {
     held_->after.reset();

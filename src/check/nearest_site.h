@@ -34,7 +34,7 @@ class NearestSite {
   /// A heaviest of the sites that may be nearest to a place; any without weights.
   [[nodiscard]] std::uint32_t heaviest() const;
 
-  /// How many nodes of the tree all long searches so far have come by. Most searches are short; they are long
+  /// Number of tree nodes visited by long searches so far. Most searches are short; they are long
   /// where most sites are about as far, as seen from the center of a circle.
   [[nodiscard]] std::uint64_t visited() const;
 

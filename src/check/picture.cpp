@@ -4,6 +4,7 @@
 #include <new>
 #include <optional>
 
+#include "base/try.h"
 #include "check/outline.h"
 #include "vorpipe.h"
 
@@ -182,7 +183,7 @@ namespace vorpipe {
 Result<std::vector<std::string>> check(const Sites& sites, const RenderOptions& options,
                                        const Rendering& rendering, int threads) {
   try {
-    if (auto checked = checkView(options); !checked) return tl::unexpected(checked.error());
+    VORPIPE_TRY(checkView(options));
     const auto inside = core::checks::insideOf(sites, options.domain, options.periodic, threads);
     if (!inside) return tl::unexpected(inside.error());
     core::checks::CheckedSites run(inside->of(sites), options.domain, options.periodic, threads);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/refusal.h"
+#include "base/try.h"
 #include "vorpipe.h"
 
 namespace vorpipe {
@@ -219,7 +220,7 @@ Result<IdDiff> diffIds(Ids a, Ids b, const Sites& sites, const RenderOptions& op
   if (!valid) {
     return tl::unexpected(refusalOf(Subject::domain, "needs finite xmin < xmax and ymin < ymax"));
   }
-  if (auto checked = checkView(options); !checked) return tl::unexpected(checked.error());
+  VORPIPE_TRY(checkView(options));
   const PixelGrid pictures{options.width, options.height};
   const PictureFrame frame = shownFrame(options), shown = domainFrame(options);
   const PixelGrid grid{shown.width, shown.height, options.width, shown.top, shown.left};

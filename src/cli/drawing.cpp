@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/try.h"
 #include "io/cells/forecast_files.h"
 #include "vorpipe/shapes.h"
 
@@ -44,14 +45,10 @@ Result<std::vector<std::string>> checkDrawing(const Sites& sites, const RenderOp
     return {};
   };
   if (drawing.pixels) {
-    if (auto taken = take(check(sites, options, *drawing.pixels, threads)); !taken) {
-      return tl::unexpected(std::move(taken.error()));
-    }
+    VORPIPE_TRY(take(check(sites, options, *drawing.pixels, threads)));
   }
   if (drawing.cells) {
-    if (auto taken = take(check(sites, shapesOptions(options), *drawing.cells, threads)); !taken) {
-      return tl::unexpected(std::move(taken.error()));
-    }
+    VORPIPE_TRY(take(check(sites, shapesOptions(options), *drawing.cells, threads)));
   }
   return broken;
 }

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/sites/sites_file.h"
 #include "vorpipe/stipple.h"
@@ -64,11 +65,9 @@ Result<Input> inputUnder(const DensityFile& given, const DensityOptions& from, I
   if (!fits) return tl::unexpected(fits.error());
   auto input = loadInput(options);
   if (!input) return input;
-  if (auto placed = placeUnder(given, from, options, *input); !placed)
-    return tl::unexpected(std::move(placed.error()));
+  VORPIPE_TRY(placeUnder(given, from, options, *input));
   if (*drawn) {
-    if (auto done = drawSites(*input, density, options); !done)
-      return tl::unexpected(std::move(done.error()));
+    VORPIPE_TRY(drawSites(*input, density, options));
   }
   return input;
 }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "base/try.h"
 #include "cli/fluid_folders.h"
 #include "cli/input.h"
 #include "cli/picture.h"
@@ -108,10 +109,10 @@ Result<void> FluidRecord::add(Session& session, const FluidState& state, const F
   if (recorder_ && !std::exchange(first_is_drawn_, false)) {
     const auto image = drawFluid(session, state, options, *picture_, targets_->color);
     if (!image) return tl::unexpected(image.error());
-    if (auto added = recorder_->add(*image); !added) return added;
+    VORPIPE_TRY(recorder_->add(*image));
   }
   if (!targets_->series.empty()) {
-    if (auto added = addToSeries(session, state, options); !added) return added;
+    VORPIPE_TRY(addToSeries(session, state, options));
   }
   if (!targets_->checkpoint.empty()) return saveCheckpoint(targets_->checkpoint, state, options);
   return {};
@@ -124,17 +125,17 @@ Result<void> FluidRecord::addToSeries(Session& session, const FluidState& state,
   const std::string name = seriesFileOf(state.step);
   auto file = OutputFile::create((fs::path(targets_->series) / name).string());
   if (!file) return tl::unexpected(std::move(file.error()));
-  if (auto written = writeFluidStep(*file, state, options, *cells); !written) return written;
-  if (auto committed = file->commit(); !committed) return committed;
+  VORPIPE_TRY(writeFluidStep(*file, state, options, *cells));
+  VORPIPE_TRY(file->commit());
   if (series_.empty() || series_.back().file != name) series_.push_back({state.time, name});
   auto list = OutputFile::create((fs::path(targets_->series) / "series.pvd").string());
   if (!list) return tl::unexpected(std::move(list.error()));
-  if (auto written = writeSeries(*list, series_); !written) return written;
+  VORPIPE_TRY(writeSeries(*list, series_));
   return list->commit();
 }
 
 Result<void> FluidRecord::finish(RunLog& log) {
-  if (auto finished = trace_.finish(log); !finished) return finished;
+  VORPIPE_TRY(trace_.finish(log));
   return recorder_ ? recorder_->finish() : Result<void>();
 }
 
@@ -154,13 +155,13 @@ Result<void> checkApart(const FluidTargets& targets, std::span<const OutputFile>
   };
   const bool is_film = lowerExtension(targets.frames) == ".mp4";
   if (!targets.checkpoint.empty()) {
-    if (auto apart = checkFile("--checkpoint", targets.checkpoint); !apart) return apart;
+    VORPIPE_TRY(checkFile("--checkpoint", targets.checkpoint));
   }
   if (!targets.trace.empty()) {
-    if (auto apart = checkFile("--trace", targets.trace); !apart) return apart;
+    VORPIPE_TRY(checkFile("--trace", targets.trace));
   }
   if (is_film) {
-    if (auto apart = checkFile("--frames", targets.frames); !apart) return apart;
+    VORPIPE_TRY(checkFile("--frames", targets.frames));
   } else if (!targets.frames.empty()) {
     folders.push_back({"--frames", placeOf(targets.frames)});
   }
@@ -181,7 +182,7 @@ Result<void> checkApart(const FluidTargets& targets, std::span<const OutputFile>
 Result<void> saveCheckpoint(const std::string& path, const FluidState& state, const FluidOptions& options) {
   auto file = OutputFile::create(path);
   if (!file) return tl::unexpected(std::move(file.error()));
-  if (auto written = writeFluid(*file, state, options); !written) return written;
+  VORPIPE_TRY(writeFluid(*file, state, options));
   return file->commit();
 }
 

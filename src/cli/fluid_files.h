@@ -28,7 +28,7 @@ Result<Image> drawFluid(Session& session, const FluidState& state, const FluidOp
 /// Files that grow with the steps.
 class FluidRecord {
  public:
-  /// Opens films, folders and the trace; a run that goes on with a checkpoint goes on with folders and trace.
+  /// Opens films, folders and the trace; a run that continues from a checkpoint continues folders and trace.
   /// Errors: those of openRecorder, openSeries, goOnWithFrames, goOnWithSeries and FluidTrace::open.
   static Result<FluidRecord> open(const FluidTargets& targets, const PictureOptions& picture,
                                   const FluidState* resumed);
@@ -51,7 +51,7 @@ class FluidRecord {
   const PictureOptions* picture_;
   FluidTrace trace_;
   std::unique_ptr<view::Recorder> recorder_;
-  bool first_is_drawn_ = false;  ///< by the run that this one goes on with
+  bool first_is_drawn_ = false;  ///< by the run that this one continues
   std::vector<SeriesStep> series_;
 };
 

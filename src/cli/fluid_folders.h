@@ -1,4 +1,4 @@
-/// The folders that `fluid` writes into, which a run that goes on with a checkpoint goes on with.
+/// The folders that `fluid` writes into; a run that continues from a checkpoint continues them.
 #pragma once
 
 #include <cstdint>
@@ -22,8 +22,8 @@ Result<void> openSeries(const std::string& folder);
 /// readSeries; the folder holds something else, or a series without this step.
 Result<std::vector<SeriesStep>> goOnWithSeries(const std::string& folder, const FluidState& from);
 
-/// The number of the next picture of a run that goes on with a checkpoint and has one every `every` steps: 1
-/// is that of step 0.
+/// The number of the next picture of a run that continues from a checkpoint and has one every `every` steps:
+/// 1 is that of step 0.
 struct NextFrame {
   std::uint64_t number = 1;
   bool is_there = false;  ///< that of the checkpoint itself, before the next

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/input_file.h"
 
@@ -85,12 +86,12 @@ FluidTrace::~FluidTrace() {
 Result<void> FluidTrace::begin() {
   auto file = OutputFile::create(path_);
   if (!file) return tl::unexpected(std::move(file.error()));
-  if (auto written = file->write(text_); !written) return written;
+  VORPIPE_TRY(file->write(text_));
   if (file->target().empty()) {
     direct_ = std::move(*file);
     return {};
   }
-  if (auto committed = file->commit(); !committed) return committed;
+  VORPIPE_TRY(file->commit());
   descriptor_ = ::open(path_.c_str(), O_WRONLY | O_APPEND | O_CLOEXEC);
   if (descriptor_ >= 0) return {};
   return systemError(ErrorCode::device, path_, "cannot be written", errno);
@@ -126,7 +127,7 @@ Result<void> FluidTrace::add(const FluidStep& step) {
 Result<void> FluidTrace::finish(RunLog& log) {
   if (path_.empty()) return {};
   if (direct_) {
-    if (auto finished = direct_->finish(); !finished) return finished;
+    VORPIPE_TRY(direct_->finish());
   }
   WrittenBefore file(path_);
   return log.noteOutput(file, [&](ByteSink& to) {

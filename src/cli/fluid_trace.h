@@ -24,7 +24,7 @@ class FluidTrace {
   FluidTrace& operator=(FluidTrace&& other) = delete;
   ~FluidTrace();
 
-  /// The first step is the one that the fluid begins at, which a trace that goes on has already. Errors:
+  /// The first step is the one that the fluid begins at, which a continued trace has already. Errors:
   /// those of OutputFile; (device) the system does not take it: the file has the rows before.
   Result<void> add(const FluidStep& step);
 

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "vorpipe/free_surface.h"
 
@@ -38,9 +39,7 @@ Result<Drawing> drawFree(Session& session, const Sites& sites, const RenderOptio
   if (needs.pixels) {
     auto pixels = session.render(sites, options);
     if (!pixels) return tl::unexpected(std::move(pixels.error()));
-    if (auto taken = takeOutAir(sites, options, pixels->image, session.threads()); !taken) {
-      return tl::unexpected(std::move(taken.error()));
-    }
+    VORPIPE_TRY(takeOutAir(sites, options, pixels->image, session.threads()));
     drawing.pixels = std::move(*pixels);
   }
   return drawing;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/stopwatch.h"
+#include "base/try.h"
 #include "cli/progress.h"
 #include "io/base/error.h"
 #include "io/base/system_beside.h"
@@ -119,8 +120,8 @@ Result<Input> loadInput(const InputOptions& options) {
   if (source->generator) input.seed = source->generator->seed;
   input.from = source->generator ? SitesFrom::generator : SitesFrom::file;
   input.periodic = options.periodic;
-  if (auto taken = takeWeights(options, input); !taken) return tl::unexpected(std::move(taken.error()));
-  if (auto taken = takeDomain(options, input); !taken) return tl::unexpected(std::move(taken.error()));
+  VORPIPE_TRY(takeWeights(options, input));
+  VORPIPE_TRY(takeDomain(options, input));
   input.read_ms = watch.milliseconds();
   return input;
 }
@@ -132,8 +133,7 @@ Result<Input> inputAround(const InputOptions& options, Sites corners) {
   if (auto beside = readSystemBeside(options.sites, input.system); !beside) {
     return named("--sites", std::move(beside.error()));
   }
-  if (auto taken = takeDomain(options, input, /*of_corners=*/true); !taken)
-    return tl::unexpected(std::move(taken.error()));
+  VORPIPE_TRY(takeDomain(options, input, /*of_corners=*/true));
   return input;
 }
 

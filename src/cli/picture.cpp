@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "vorpipe.h"
 
@@ -72,7 +73,7 @@ Result<RenderOptions> pictureOf(const PictureOptions& picture, const InputOption
     options.edge_width = *picture.edge_width;
   }
   if (auto checked = checkView(options); !checked) return inputError("--view: " + checked.error().message);
-  if (auto checked = checkPicture(options, sites, input); !checked) return tl::unexpected(checked.error());
+  VORPIPE_TRY(checkPicture(options, sites, input));
   return options;
 }
 

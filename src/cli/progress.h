@@ -45,7 +45,7 @@ Result<void> stopIfAsked();
 /// Whether there is a bar on standard error. Signal handlers may ask.
 bool isBarShown();
 
-/// A bar on standard error. A stage that is left and taken up again goes on where it was; within a stage
+/// A bar on standard error. A stage that is left and taken up again continues where it was; within a stage
 /// the bar does not go back.
 class ProgressBar {
  public:

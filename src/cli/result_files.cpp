@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "base/try.h"
 #include "cli/free_drawing.h"
 #include "cli/picture.h"
 #include "io/cells/forecast_files.h"
@@ -54,8 +55,7 @@ void planFiles(MemoryPlan& plan, const Workload& work, const ResultTargets& targ
 }
 
 Result<void> checkBefore(const ResultJob& job) {
-  if (auto checked = checkInput(job.options, job.input, cellsOptions(job), job.threads); !checked)
-    return checked;
+  VORPIPE_TRY(checkInput(job.options, job.input, cellsOptions(job), job.threads));
   if (job.targets.pictures.empty()) return {};
   const auto render = pictureOf(job.picture, job.options, job.input);
   if (!render) return tl::unexpected(render.error());

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "base/try.h"
 #include "cli/options/error_line.h"
 #include "cli/progress.h"
 #include "io/base/error.h"
@@ -68,7 +69,7 @@ Result<void> checkNotRead(std::span<const std::string> paths) {
 }
 
 Result<std::vector<OutputFile>> openOutputs(std::span<const std::string> paths) {
-  if (auto apart = checkNotRead(paths); !apart) return tl::unexpected(std::move(apart.error()));
+  VORPIPE_TRY(checkNotRead(paths));
   stopOnSignals();
   return createOutputs(paths);
 }
@@ -76,10 +77,10 @@ Result<std::vector<OutputFile>> openOutputs(std::span<const std::string> paths) 
 Result<void> writeOutputs(std::span<OutputFile> files, std::span<const Writer> writers) {
   assert(files.size() == writers.size());
   for (std::size_t i = 0; i < files.size(); ++i) {
-    if (const auto written = writers[i](files[i]); !written) return written;
+    VORPIPE_TRY(writers[i](files[i]));
   }
   ignoreSignals();
-  if (const auto go_on = stopIfAsked(); !go_on) return go_on;
+  VORPIPE_TRY(stopIfAsked());
   return commitAll(files);
 }
 

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <utility>
 
+#include "base/try.h"
 #include "cli/options/error_line.h"
 #include "cli/progress.h"
 #include "io/base/error.h"
@@ -72,7 +73,7 @@ Result<std::vector<double>> loadMasses(const MassOptions& masses, Input& input) 
     return named("--masses", std::move(read.error()));
   }
   if (masses.skip_zero) {
-    if (auto skipped = skipZero(*read, input); !skipped) return tl::unexpected(skipped.error());
+    VORPIPE_TRY(skipZero(*read, input));
   }
   return read;
 }

@@ -32,7 +32,7 @@ const TransportStep& lastKept(const std::vector<TransportStep>& trace);
 /// Newton steps that were tried.
 std::uint64_t newtonSteps(const std::vector<TransportStep>& trace);
 
-/// "converged", as reports have it.
+/// "converged", as in reports.
 std::string_view wordOf(TransportEnd end);
 
 /// Where the worst cell of a step came to between that of the first one and the tolerance, by their powers.
@@ -45,7 +45,7 @@ Error withAdvice(Error error, const MassOptions& masses);
 /// "worst cell off by 1e-13 of its mass after 6 Newton steps, 7 diagrams (converged)".
 std::string summaryOf(const Transported& found);
 
-/// The exit code; prints how the run ended, where it did not come to the tolerance.
+/// The exit code; prints how the run ended, where it did not reach the tolerance.
 ExitCode exitCodeOf(const Transported& found, bool interrupted);
 
 /// The rows of --trace; without `with_times` what every run has alike.

@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/try.h"
 #include "cli/input.h"
 #include "cli/run_end.h"
 #include "io/base/extension.h"
@@ -74,9 +75,7 @@ Result<view::Opened> opened(const InputOptions& options, const TalkOptions& talk
   cells.domain = input->domain;
   cells.outline = input->outline;
   cells.periodic = input->periodic;
-  if (auto checked = checkInput(options, *input, cells, /*threads=*/0); !checked) {
-    return tl::unexpected(std::move(checked.error()));
-  }
+  VORPIPE_TRY(checkInput(options, *input, cells, /*threads=*/0));
   printNotes(talk, *input);
   return view::Opened{std::move(input->sites), input->domain, std::move(input->outline), input->periodic,
                       argumentsOf(options)};

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/stopwatch.h"
+#include "base/try.h"
 #include "cells/box_diagram.h"
 #include "cells/diagram_writer.h"
 #include "domain/clip_diagram.h"
@@ -47,9 +48,7 @@ Result<FoundCells> findCells(const Machine& machine, const Sites& sites, const C
   diagram->report.time_ms.order = order_ms;
   FoundCells found{std::move(*diagram), std::move(*run), plainScene(sites, options.domain)};
   if (!options.outline.empty()) {
-    if (auto clipped = clip(machine, sites, options, found); !clipped) {
-      return tl::unexpected(clipped.error());
-    }
+    VORPIPE_TRY(clip(machine, sites, options, found));
   }
   if (purpose == ImagesFor::cells) found.run.reset();
   return found;

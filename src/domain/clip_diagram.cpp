@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "base/refusal.h"
+#include "base/try.h"
 #include "cells/diagram_writer.h"
 #include "domain/group_clipper.h"
 #include "domain/own_parts.h"
@@ -176,7 +177,7 @@ Result<OwnParts> clipToOutline(const ClippedRun& run, const Outline& outline, Di
   writeClipped(cells, clipped, diagram);
   OwnParts parts = measureOwnParts(run, index, clipped, first.near, diagram);
   countCells(diagram);
-  if (auto right = checkAreas(cells, *rings, diagram); !right) return tl::unexpected(right.error());
+  VORPIPE_TRY(checkAreas(cells, *rings, diagram));
   return parts;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/try.h"
 #include "domain/geos_outline.h"
 #include "domain/refused.h"
 #include "domain/repaired.h"
@@ -89,7 +90,7 @@ class Mending {
     const auto fault = faultOf(geos_, whole.get(), words_.place);
     if (!fault) return tl::unexpected(fault.error());
     if (!*fault) return MendedOutline{outline_, {}};
-    if (auto checked = checkEach(); !checked) return tl::unexpected(std::move(checked.error()));
+    VORPIPE_TRY(checkEach());
     return unite();
   }
 
@@ -201,7 +202,7 @@ namespace vorpipe {
 Result<MendedOutline> mended(const Outline& outline, bool repair, const OutlineWords& words) {
   if (outline.empty()) return MendedOutline{};
   try {
-    if (auto checked = core::checkRings(outline); !checked) return tl::unexpected(std::move(checked.error()));
+    VORPIPE_TRY(core::checkRings(outline));
     return core::Mending(outline, repair, words).run();
   } catch (const std::bad_alloc&) {
     return tl::unexpected(Error{ErrorCode::device, "there is not enough memory to mend the outline"});

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/refusal.h"
+#include "base/try.h"
 #include "domain/degrees.h"
 #include "vorpipe.h"
 
@@ -156,7 +157,7 @@ Result<Outline> outlineOfDegrees(const Box& degrees) {
 }
 
 Result<Outline> toPlane(const Projection& projection, const Outline& degrees) {
-  if (auto amid = projectionAmid(degrees); !amid) return tl::unexpected(std::move(amid.error()));
+  VORPIPE_TRY(projectionAmid(degrees));
   const double allowed = allowedDeviation(projection, degrees);
   Outline outline;
   outline.ring_offsets = {0};

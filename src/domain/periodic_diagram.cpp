@@ -6,6 +6,7 @@
 
 #include "base/refusal.h"
 #include "base/stopwatch.h"
+#include "base/try.h"
 #include "cells/box_diagram.h"
 #include "cells/diagram_writer.h"
 #include "domain/band_proof.h"
@@ -123,7 +124,7 @@ Result<PeriodicCells> periodicCellsOn(const Machine& machine, const Sites& sites
   Runs runs(machine, sites, *placed, options, purpose);
   runs.times.order = 1e3 * order_watch.seconds();
   for (;;) {
-    if (auto run = runs.cells(band); !run) return tl::unexpected(run.error());
+    VORPIPE_TRY(runs.cells(band));
     auto next = runs.settle(band);
     if (!next) return tl::unexpected(next.error());
     if (next->width == band.width) break;

@@ -12,6 +12,7 @@
 
 #include "base/parallel.h"
 #include "base/refusal.h"
+#include "base/try.h"
 #include "domain/degrees.h"
 #include "domain/turns.h"
 #include "vorpipe.h"
@@ -105,7 +106,7 @@ Result<void> checkPlaces(const Sites& degrees) {
 
 Result<Projection> projectionAmid(const Sites& degrees) {
   if (degrees.size() == 0) return tl::unexpected(refusalOf(Subject::sites, "there are none"));
-  if (auto checked = checkPlaces(degrees); !checked) return tl::unexpected(std::move(checked.error()));
+  VORPIPE_TRY(checkPlaces(degrees));
   SpaceBox box;
   for (std::size_t i = 0; i < degrees.size(); ++i) box.add({degrees.x[i], degrees.y[i]});
   return projectionNear(box.middle().value_or(Point{0, 0}));
@@ -124,7 +125,7 @@ Result<Projection> projectionAmid(const Outline& degrees) {
 }
 
 Result<Sites> toPlane(const Projection& projection, const Sites& degrees, int threads) {
-  if (auto checked = checkPlaces(degrees); !checked) return tl::unexpected(std::move(checked.error()));
+  VORPIPE_TRY(checkPlaces(degrees));
   Sites plane;
   plane.x.resize(degrees.size());
   plane.y.resize(degrees.size());

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "base/try.h"
 #include "domain/geos_outline.h"
 #include "domain/refused.h"
 #include "domain/rings.h"
@@ -107,7 +108,7 @@ Result<void> checkRings(const Outline& outline) {
     }
   }
   for (std::size_t r = 0; r + 1 < outline.ring_offsets.size(); ++r) {
-    if (auto checked = checkRing(outline, r); !checked) return checked;
+    VORPIPE_TRY(checkRing(outline, r));
   }
   return checkSize(outline);
 }
@@ -118,7 +119,7 @@ Result<void> checkOutline(const Outline& outline, Periodic periodic) {
     return refuseOutline(
         "a periodic domain has none, since its cells reach beyond the domain; leave one of them out");
   }
-  if (auto checked = checkRings(outline); !checked) return checked;
+  VORPIPE_TRY(checkRings(outline));
   return checkPolygons(outline);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/block_sums.h"
+#include "base/try.h"
 #include "motion/allowed_places.h"
 #include "motion/linear/conjugate_gradients.h"
 #include "motion/linear/mass_change.h"
@@ -54,7 +55,7 @@ class Equalizer {
  private:
   /// The worst part by which a mass differs from the mean of all that have one; what each misses is noted.
   Result<double> measure(const Sites& at) {
-    if (auto done = cells_.update(at); !done) return tl::unexpected(std::move(done.error()));
+    VORPIPE_TRY(cells_.update(at));
     ++diagrams_;
     const auto& mass = cells_.moments().mass;
     const double sum = carefulSum(mass.size(), threads_, [&](std::size_t i) { return mass[i]; });
@@ -111,7 +112,7 @@ class Equalizer {
 Result<EqualMasses> equalizeMasses(Session& session, Sites sites, const CellsOptions& options,
                                    double tolerance, std::uint64_t most) {
   Equalizer equalizer(session, std::move(sites), options);
-  if (auto done = equalizer.run(tolerance, most); !done) return tl::unexpected(std::move(done.error()));
+  VORPIPE_TRY(equalizer.run(tolerance, most));
   return EqualMasses{equalizer.sites(), equalizer.diagrams(), equalizer.worst()};
 }
 

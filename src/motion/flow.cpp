@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/block_sums.h"
+#include "base/try.h"
 #include "motion/linear/conjugate_gradients.h"
 #include "motion/linear/mass_change.h"
 #include "motion/softness.h"
@@ -111,7 +112,7 @@ Result<bool> Flow::areas(Parcels& parcels, double time, double tolerance) {
   if (has_weights && parcels.trend.size() == parcels.size()) {
     forAll(parcels.size(), threads_, [&](std::size_t i) { weight[i] += time * parcels.trend[i]; });
   }
-  if (auto put_back = wrap(parcels); !put_back) return tl::unexpected(std::move(put_back.error()));
+  VORPIPE_TRY(wrap(parcels));
   const auto end = cells_.solve(parcels.sites, {tolerance, options_.diagrams});
   if (!end) return tl::unexpected(end.error());
   if (*end == TransportEnd::cancelled) {

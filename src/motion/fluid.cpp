@@ -11,6 +11,7 @@
 
 #include "base/block_sums.h"
 #include "base/stopwatch.h"
+#include "base/try.h"
 #include "motion/flow.h"
 #include "motion/movable.h"
 #include "motion/parcels.h"
@@ -58,7 +59,7 @@ Result<void> checkOptions(const FluidOptions& options) {
   }
   if (!isUsable(options.gravity)) return refuseRange("gravity");
   if (std::isnan(options.until)) return refuse("until: it is not a number");
-  if (auto checked = checkTolerance(options.tolerance); !checked) return checked;
+  VORPIPE_TRY(checkTolerance(options.tolerance));
   if (options.tolerance == 0) return refuse("tolerance: it is not more than 0");
   if (options.scheme == FluidScheme::projection && options.surface == Surface::free) {
     return refuse("scheme: projection is for domains that are full; springs have free surfaces");
@@ -171,7 +172,7 @@ void Fluid::State::judge(const FluidStep& step) {
   if (!has_exploded && !(step.energy() <= highest)) {
     has_exploded = true;
     notes.push_back(
-        fmt::format("energy has come to {:.3g} at time {:.3g}, out of nothing: steps are too long",
+        fmt::format("energy has grown to {:.3g} at time {:.3g}, out of nothing: steps are too long",
                     step.energy(), step.time));
   }
   if (has_exploded || is_outgrown || options.scheme != FluidScheme::springs) return;
@@ -244,7 +245,7 @@ Result<bool> Fluid::State::move(double length, FluidStep& step) {
 Result<bool> Fluid::State::advance() {
   if (end != FluidEnd::none) return false;
   if (is_torn) {
-    if (auto placed = placeAgain(); !placed) return tl::unexpected(std::move(placed.error()));
+    VORPIPE_TRY(placeAgain());
   }
   FluidStep step{callers.step + 1};
   const double left = options.until - callers.time;
@@ -302,20 +303,14 @@ Fluid::~Fluid() = default;
 
 Result<Fluid> Fluid::begin(Session& session, FluidState state, FluidOptions options) {
   if (options.epsilon == 0) options.epsilon = state.epsilon;
-  if (auto checked = checkOptions(options); !checked) return tl::unexpected(std::move(checked.error()));
+  VORPIPE_TRY(checkOptions(options));
   CellsOptions cells{};
   cells.domain = options.domain;
   cells.periodic = options.periodic;
   cells.search = options.search;
-  if (auto checked = checkMovable(state.sites, cells, session.threads()); !checked) {
-    return tl::unexpected(std::move(checked.error()));
-  }
-  if (auto complete = completeState(options, state); !complete) {
-    return tl::unexpected(std::move(complete.error()));
-  }
-  if (auto distinct = checkDistinct(state.sites, options, session.threads()); !distinct) {
-    return tl::unexpected(std::move(distinct.error()));
-  }
+  VORPIPE_TRY(checkMovable(state.sites, cells, session.threads()));
+  VORPIPE_TRY(completeState(options, state));
+  VORPIPE_TRY(checkDistinct(state.sites, options, session.threads()));
   const bool is_chosen = options.epsilon == 0;
   if (is_chosen) options.epsilon = usualEpsilon(state, options);
   state.epsilon = options.epsilon;
@@ -347,7 +342,7 @@ Result<void> Fluid::goOn(double until) {
   if (std::isnan(until)) return refuse("until: it is not a number");
   s.options.until = until;
   if (s.end == FluidEnd::areas || s.end == FluidEnd::cancelled) {
-    if (auto placed = s.placeAgain(); !placed) return placed;
+    VORPIPE_TRY(s.placeAgain());
   }
   s.end = FluidEnd::none;
   return {};

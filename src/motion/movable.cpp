@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/refusal.h"
+#include "base/try.h"
 
 namespace vorpipe::moving {
 namespace {
@@ -24,7 +25,7 @@ constexpr Range sides{1e-40, 1e40}, densities{1e-30, 1e30};
 }  // namespace
 
 Result<void> checkMovable(const Sites& sites, const CellsOptions& options, int threads) {
-  if (auto checked = checkInput(sites, options, threads); !checked) return checked;
+  VORPIPE_TRY(checkInput(sites, options, threads));
   const double width = options.domain.xmax - options.domain.xmin;
   const double height = options.domain.ymax - options.domain.ymin;
   if (!sides.contains(width) || !sides.contains(height)) {

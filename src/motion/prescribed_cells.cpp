@@ -8,6 +8,7 @@
 #include "base/block_sums.h"
 #include "base/refusal.h"
 #include "base/stopwatch.h"
+#include "base/try.h"
 #include "motion/lacking_part.h"
 #include "motion/linear/laplacian_solver.h"
 #include "motion/mass_matrix.h"
@@ -194,7 +195,7 @@ Result<std::uint64_t> PrescribedCells::State::findWay(Sites& sites, double enoug
   if (!current) {
     sites.weight = kept;
     Misfit now;
-    if (auto again = measure(sites, {}, now); !again) return tl::unexpected(std::move(again.error()));
+    VORPIPE_TRY(measure(sites, {}, now));
     keep(sites, now);
     massMatrix(cells.neighbors(), cells.edges(), threads, matrix);
   }
@@ -297,7 +298,7 @@ Result<TransportEnd> PrescribedCells::solve(Sites& sites, const PrescribedLimits
   if (!s.current) {
     sites.weight = s.kept;
     Misfit now;
-    if (auto again = s.measure(sites, {}, now); !again) return tl::unexpected(again.error());
+    VORPIPE_TRY(s.measure(sites, {}, now));
     s.keep(sites, now);
     s.tell();
   }

@@ -7,6 +7,7 @@
 
 #include "base/block_sums.h"
 #include "base/stopwatch.h"
+#include "base/try.h"
 #include "motion/allowed_places.h"
 #include "motion/equal_masses.h"
 #include "motion/lattice_energy.h"
@@ -105,7 +106,7 @@ struct Relaxation::State {
 
 /// Computes the diagram of sites that stand in `where`, and notes it.
 Result<MeasuredSites> Relaxation::State::measure(const Sites& where) {
-  if (auto done = cells.update(where); !done) return tl::unexpected(std::move(done.error()));
+  VORPIPE_TRY(cells.update(where));
   MeasuredSites measured = measureSites(where, cells.moments(), allowed, threads);
   report = cells.report();
   const auto count = static_cast<double>(measured.cells);
@@ -299,11 +300,8 @@ Relaxation::~Relaxation() = default;
 
 Result<Relaxation> Relaxation::begin(Session& session, Sites sites, RelaxOptions options) {
   const auto cells = cellsOptions(options);
-  if (auto checked = checkTolerance(options.tolerance); !checked) {
-    return tl::unexpected(std::move(checked.error()));
-  }
-  if (auto checked = checkMovable(sites, cells, session.threads()); !checked)
-    return tl::unexpected(std::move(checked.error()));
+  VORPIPE_TRY(checkTolerance(options.tolerance));
+  VORPIPE_TRY(checkMovable(sites, cells, session.threads()));
   Relaxation relaxation;
   relaxation.state_ = std::make_unique<State>(session, std::move(options), std::move(sites));
   State& state = *relaxation.state_;
@@ -322,7 +320,7 @@ Result<Relaxation> Relaxation::begin(Session& session, Sites sites, RelaxOptions
   auto measured = state.measure(ordered);
   if (!measured && measured.error().code == ErrorCode::input) {
     // What is wrong is told of the caller's sites by their numbers.
-    if (auto told = state.cells.update(*places); !told) return tl::unexpected(std::move(told.error()));
+    VORPIPE_TRY(state.cells.update(*places));
   }
   if (!measured) return tl::unexpected(std::move(measured.error()));
   state.keep(std::move(ordered), std::move(*measured));

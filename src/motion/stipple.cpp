@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/refusal.h"
+#include "base/try.h"
 #include "motion/allowed_places.h"
 
 namespace vorpipe {
@@ -126,9 +127,7 @@ Result<Sites> drawnFrom(const Density& density, const Box& domain, const Outline
                         std::uint64_t count, std::uint64_t seed) {
   const auto refuse = [](const char* what) { return tl::unexpected(refusalOf(Subject::density, what)); };
   if (density.values.empty()) return refuse("there is none to draw sites from");
-  if (auto checked = checkDensityOver(domain, density); !checked) {
-    return tl::unexpected(std::move(checked.error()));
-  }
+  VORPIPE_TRY(checkDensityOver(domain, density));
   const Draw draw(density, domain);
   if (!(draw.mass() > 0) || !std::isfinite(draw.mass())) return refuse("has no mass to draw sites from");
   const moving::AllowedPlaces allowed(domain, outline, Periodic::none);

@@ -3,6 +3,7 @@
 
 #include "base/block_sums.h"
 #include "base/refusal.h"
+#include "base/try.h"
 #include "motion/density_levels.h"
 #include "motion/memory_order.h"
 #include "motion/movable.h"
@@ -52,17 +53,13 @@ CellMoments back(const std::vector<std::uint32_t>& order, const CellMoments& cel
 Result<Transported> transport(Session& session, Sites sites, const TransportOptions& options,
                               const TransportWatcher& watcher) {
   const CellsOptions cells = cellsOptions(options);
-  if (auto checked = checkTolerance(options.tolerance); !checked) {
-    return tl::unexpected(std::move(checked.error()));
-  }
-  if (auto checked = checkMovable(sites, cells, session.threads()); !checked)
-    return tl::unexpected(std::move(checked.error()));
+  VORPIPE_TRY(checkTolerance(options.tolerance));
+  VORPIPE_TRY(checkMovable(sites, cells, session.threads()));
   auto places = options.periodic == Periodic::none
                     ? Result<Sites>(std::move(sites))
                     : wrapped(sites, options.domain, options.periodic, session.threads());
   if (!places) return tl::unexpected(std::move(places.error()));
-  if (auto checked = checkPlaces(*places, options.domain, options.periodic); !checked)
-    return tl::unexpected(std::move(checked.error()));
+  VORPIPE_TRY(checkPlaces(*places, options.domain, options.periodic));
   const auto whole = massOfDomain(session, options);
   if (!whole) return tl::unexpected(whole.error());
   const auto targets = targetsOf(options, places->size(), *whole);

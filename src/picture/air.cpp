@@ -3,6 +3,7 @@
 
 #include "base/parallel.h"
 #include "base/refusal.h"
+#include "base/try.h"
 #include "picture/blend.h"
 #include "vorpipe.h"
 #include "vorpipe/free_surface.h"
@@ -113,7 +114,7 @@ void forAir(const Sites& sites, const RenderOptions& options, Image& image, int 
 }  // namespace
 
 Result<void> takeOutAir(const Sites& sites, const RenderOptions& options, Image& image, int threads) {
-  if (auto checked = refuseWhatIsOverAir(options); !checked) return checked;
+  VORPIPE_TRY(refuseWhatIsOverAir(options));
   forAir(sites, options, image, threads,
          [](std::uint32_t& pixel, double part) { pixel = partly(pixel, part); });
   return {};

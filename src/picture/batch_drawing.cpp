@@ -5,6 +5,7 @@
 #include "backend/precision.h"
 #include "base/parallel.h"
 #include "base/stopwatch.h"
+#include "base/try.h"
 #include "cells/answers.h"
 #include "cells/bisectors.h"
 
@@ -42,11 +43,8 @@ Result<std::vector<CellStatus>> BatchDrawing::draw(const View& view, const Candi
     packBatch(canvas_.sites, candidates, begin, end, canvas_.threads, batch_);
     boundReach(lossAllowed(view, info.subpixel_bits), canvas_.threads, batch_);
     const auto count = end - begin;
-    if (auto drawn = drawBatch(view, batch_, std::span(candidates.site).subspan(begin, count), effort,
-                               std::span(status).subspan(begin, count));
-        !drawn) {
-      return tl::unexpected(drawn.error());
-    }
+    VORPIPE_TRY(drawBatch(view, batch_, std::span(candidates.site).subspan(begin, count), effort,
+                          std::span(status).subspan(begin, count)));
   }
   return status;
 }
@@ -67,7 +65,7 @@ Result<void> BatchDrawing::drawBatch(const View& view, const CellBatch<float>& b
     }
   });
   const Stopwatch watch;
-  if (auto drawn = askToDraw(canvas_.backend, batch, marks_, effort, status); !drawn) return drawn;
+  VORPIPE_TRY(askToDraw(canvas_.backend, batch, marks_, effort, status));
   seconds_ += watch.seconds();
   return {};
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/stopwatch.h"
+#include "base/try.h"
 
 namespace vorpipe::core {
 namespace {
@@ -78,14 +79,14 @@ void CellDrawing::choose() {
 }
 
 Result<void> CellDrawing::draw(const View& view) {
-  if (auto given = giveAll(); !given) return given;
-  if (auto begun = input_.backend.begin(view); !begun) return begun;
+  VORPIPE_TRY(giveAll());
+  VORPIPE_TRY(input_.backend.begin(view));
   if (!before_.known) {
-    if (auto climbed = climb(view); !climbed) return climbed;
+    VORPIPE_TRY(climb(view));
   }
   if (!as_polygons_.empty()) {
     const NeighborRows& cells = before_.known ? *before_.known : *before_.judged;
-    if (auto drawn = polygons_.draw(view, as_polygons_, cells, input_.progress); !drawn) return drawn;
+    VORPIPE_TRY(polygons_.draw(view, as_polygons_, cells, input_.progress));
   }
   return giveAll();
 }
@@ -94,7 +95,7 @@ Result<void> CellDrawing::draw(const View& view) {
 Result<void> CellDrawing::climb(const View& view) {
   const auto by_grid = [&](const Tile&, auto which, Effort effort, auto status) -> Result<void> {
     const Stopwatch watch;
-    if (auto drawn = askToDraw(input_.backend, which, effort, status); !drawn) return drawn;
+    VORPIPE_TRY(askToDraw(input_.backend, which, effort, status));
     grid_seconds_ += watch.seconds();
     askForRoom(effort, status);
     return {};
@@ -135,7 +136,7 @@ Result<void> CellDrawing::judge(std::span<const std::uint32_t> which) {
 
 Result<void> CellDrawing::read(const View& view, std::span<std::uint32_t> rgba,
                                std::span<std::uint32_t> ids) {
-  if (auto read = input_.backend.read(rgba, ids); !read) return read;
+  VORPIPE_TRY(input_.backend.read(rgba, ids));
   pixels_.apply(before_.status, view.palette, rgba, ids);
   return {};
 }

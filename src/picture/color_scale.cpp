@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/parallel_sort.h"
+#include "base/try.h"
 #include "picture/color_ticks.h"
 
 namespace vorpipe::core {
@@ -64,8 +65,7 @@ Result<ColorPlaces> ColorPlaces::of(const Coloring& coloring, std::vector<double
   key.color = coloring.color;
   key.scale = scaleOf(coloring);
   if (coloring.range) {
-    if (auto checked = checkRange(*coloring.range, key.scale); !checked)
-      return tl::unexpected(checked.error());
+    VORPIPE_TRY(checkRange(*coloring.range, key.scale));
   }
   if (key.scale == ColorScale::log) std::erase_if(values, [](double value) { return value <= 0; });
   if (key.scale == ColorScale::quantile && coloring.range) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/stopwatch.h"
+#include "base/try.h"
 #include "picture/near_view.h"
 
 namespace vorpipe::core {
@@ -59,18 +60,18 @@ Result<Drawn> drawParts(Backend& backend, CellDrawing& drawing, const NearestSit
   std::vector<std::uint32_t> ids;
   for (const auto& part : partsOf(shown.width, shown.height, backend.info().max_view)) {
     const View view = viewOf(shown, part, palette);
-    if (auto done = drawing.draw(view); !done) return tl::unexpected(done.error());
+    VORPIPE_TRY(drawing.draw(view));
     rgba.resize(static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height));
     ids.resize(rgba.size());
     Stopwatch watch;
-    if (auto read = drawing.read(view, rgba, ids); !read) return tl::unexpected(read.error());
+    VORPIPE_TRY(drawing.read(view, rgba, ids));
     drawn.uncovered += coverRest(nearest, view, rgba, ids);
     place(part, rgba, image, image.rgba);
     place(part, ids, image, image.ids);
     drawn.download_seconds += watch.seconds();
   }
   if (pixels == 0) {
-    if (auto found = drawing.findStatuses(); !found) return tl::unexpected(found.error());
+    VORPIPE_TRY(drawing.findStatuses());
   }
   return drawn;
 }

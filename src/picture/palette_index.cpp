@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/parallel.h"
+#include "base/try.h"
 #include "picture/color_scale.h"
 #include "picture/colormap.h"
 
@@ -44,7 +45,7 @@ Result<void> checkNoScale(const RenderOptions& options) {
 Result<PaletteIndices> paletteIndices(const Sites& sites, const Diagram& cells, const RenderOptions& options,
                                       int threads) {
   if (options.color == ColorBy::site) {
-    if (auto checked = checkNoScale(options); !checked) return tl::unexpected(checked.error());
+    VORPIPE_TRY(checkNoScale(options));
     return PaletteIndices{indicesBySite(sites.size()), {}};
   }
   if (options.color == ColorBy::weight && sites.weight.empty()) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/stopwatch.h"
+#include "base/try.h"
 #include "domain/pixel_mask.h"
 #include "picture/colormap.h"
 #include "picture/draw_legend.h"
@@ -86,7 +87,7 @@ Result<void> finish(const Sites& sites, const KeptPicture& kept, const RenderOpt
   }
   const Overlays overlays{options, marks, scene.sitesOr(sites), shownIn(scene, options), in_frame, threads};
   const auto draw = [&](int first, int last) { return places->draw(first, last); };
-  if (auto drawn = drawOverlays(overlays, draw, image); !drawn) return drawn;
+  VORPIPE_TRY(drawOverlays(overlays, draw, image));
   nameSites(scene, image.ids);
   putIntoFrame(frame, options.width, options.height, image);
   drawLabels(marks, options, colorsIn(kept, marks, palette), image);
@@ -126,9 +127,7 @@ Result<Rendering> renderKept(const Machine& machine, const Sites& sites, const R
   Report& report = rendering.report;
   beginReport(kept, report);
   const Stopwatch order_watch;
-  if (auto colored = colorPicture(sites, options, machine.threads, kept); !colored) {
-    return tl::unexpected(colored.error());
-  }
+  VORPIPE_TRY(colorPicture(sites, options, machine.threads, kept));
   rendering.key = kept.colors->key;
   auto& cells = kept.found.diagram;
   auto& run = kept.found.run;
@@ -152,11 +151,8 @@ Result<Rendering> renderKept(const Machine& machine, const Sites& sites, const R
   std::optional<PlacesDrawing> places;
   if (options.antialias > 1) places.emplace(machine, nearest, options, palette, kept);
   const Stopwatch finish_watch;
-  if (auto done = finish(sites, kept, options, machine.threads, marks, palette, places ? &*places : nullptr,
-                         rendering.image);
-      !done) {
-    return tl::unexpected(done.error());
-  }
+  VORPIPE_TRY(finish(sites, kept, options, machine.threads, marks, palette, places ? &*places : nullptr,
+                     rendering.image));
   if (places) report.time_ms.draw += 1e3 * finish_watch.seconds();
   rendering.status = kept.hasCells() ? cells.status : drawnStatuses(set, scene, kept.before.status);
   countStatuses(rendering.status, report);
@@ -168,13 +164,13 @@ Result<Rendering> renderKept(const Machine& machine, const Sites& sites, const R
 }
 
 Result<void> checkRender(const RenderOptions& options) {
-  if (auto checked = checkPicture(options); !checked) return checked;
-  if (const auto palette = paletteByName(options.colormap); !palette) return tl::unexpected(palette.error());
+  VORPIPE_TRY(checkPicture(options));
+  VORPIPE_TRY(paletteByName(options.colormap));
   return {};
 }
 
 Result<Rendering> renderOn(const Machine& machine, const Sites& sites, const RenderOptions& options) {
-  if (auto checked = checkRender(options); !checked) return tl::unexpected(checked.error());
+  VORPIPE_TRY(checkRender(options));
   const auto with_cells = needsCells(sites, options, machine.threads);
   if (!with_cells) return tl::unexpected(with_cells.error());
   // Before the cells that are drawn, since only one run at a time has the exact tier. Where the picture is

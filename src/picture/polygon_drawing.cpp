@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "base/progress_steps.h"
+#include "base/try.h"
 #include "cells/size_order.h"
 #include "cells/vertex_batch.h"
 #include "picture/pixel_polygon.h"
@@ -140,7 +141,7 @@ Result<void> PolygonDrawing::send(const std::vector<Triangles>& parts) {
       // More than fits: each triangle has its own corners.
       for (const auto corner : part.corner_of) {
         if (joined.corners.size() + 3 > most && joined.corner_of.size() % 3 == 0) {
-          if (auto sent = flush(); !sent) return sent;
+          VORPIPE_TRY(flush());
         }
         joined.corner_of.push_back(static_cast<std::uint32_t>(joined.corners.size()));
         joined.corners.push_back(part.corners[corner]);
@@ -149,7 +150,7 @@ Result<void> PolygonDrawing::send(const std::vector<Triangles>& parts) {
     }
     if (joined.corners.size() + part.corners.size() > most ||
         joined.corner_of.size() + part.corner_of.size() > 3 * most) {
-      if (auto sent = flush(); !sent) return sent;
+      VORPIPE_TRY(flush());
     }
     const auto first = static_cast<std::uint32_t>(joined.corners.size());
     joined.corners.insert(joined.corners.end(), part.corners.begin(), part.corners.end());
@@ -162,7 +163,7 @@ Result<void> PolygonDrawing::sendSome(std::span<const DrawMark> corners,
                                       std::span<const std::uint32_t> triangles) {
   if (triangles.empty()) return {};
   const Stopwatch watch;
-  if (auto drawn = canvas_.backend.drawTriangles(corners, triangles); !drawn) return drawn;
+  VORPIPE_TRY(canvas_.backend.drawTriangles(corners, triangles));
   seconds_ += watch.seconds();
   return {};
 }

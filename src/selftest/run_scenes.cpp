@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "base/try.h"
 #include "selftest/judge.h"
 #include "selftest/scene.h"
 
@@ -68,10 +69,10 @@ class Test {
   }
 
   Result<void> run() {
-    if (auto measured = measureArithmetic(); !measured) return measured;
+    VORPIPE_TRY(measureArithmetic());
     if (options_.group_done) options_.group_done(report_, {});
     for (std::size_t k = 0; k < kinds_.size(); k++) {
-      if (auto done = runKind(kinds_[k]); !done) return done;
+      VORPIPE_TRY(runKind(kinds_[k]));
       const bool ends_group = k + 1 == kinds_.size() || kinds_[k + 1].group != kinds_[k].group;
       if (ends_group && options_.group_done) options_.group_done(report_, kinds_[k].group);
     }
@@ -147,7 +148,7 @@ Result<void> Test::measureArithmetic() {
 Result<void> Test::runKind(const SceneKind& kind) {
   for (std::uint64_t k = 0; k < roundsOf(kind); k++) {
     const Scale scale{options_.quick, options_.seed + k};
-    if (auto done = runRound({kind, scale, kind.make(scale), maskOf(kind.masked, scale)}); !done) return done;
+    VORPIPE_TRY(runRound({kind, scale, kind.make(scale), maskOf(kind.masked, scale)}));
   }
   return {};
 }
@@ -167,7 +168,7 @@ Result<void> Test::runRound(const Round& round) {
     done_++;
     const bool means_nothing = round.kind.masked != Masked::nothing && !tested_[index].masked;
     if (means_nothing) continue;
-    if (auto done = runOn(index, round, *judges, fault); !done) return done;
+    VORPIPE_TRY(runOn(index, round, *judges, fault));
   }
   return {};
 }

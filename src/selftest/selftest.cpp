@@ -9,6 +9,7 @@
 #include <map>
 #include <new>
 
+#include "base/try.h"
 #include "selftest/run_scenes.h"
 
 namespace vorpipe {
@@ -110,9 +111,7 @@ Result<SelftestReport> run(const SelftestOptions& options) {
   BackendOptions judge;
   judge.name = "cpu";
   judge.threads = options.threads;
-  if (auto done = runScenes(sceneKinds(), tested, sessionRuns(judge), options, report); !done) {
-    return tl::unexpected(std::move(done.error()));
-  }
+  VORPIPE_TRY(runScenes(sceneKinds(), tested, sessionRuns(judge), options, report));
   report.milliseconds =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return report;

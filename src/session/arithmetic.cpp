@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "base/try.h"
 #include "session/subpixel_grid.h"
 
 namespace vorpipe::core {
@@ -83,13 +84,13 @@ Result<Arithmetic> measureArithmetic(Backend& backend) {
   std::vector<Operands> rows = anyOperands(random);
   std::vector<Computed> found(rows.size());
   Arithmetic measured;
-  if (auto done = backend.compute(rows, found); !done) return tl::unexpected(done.error());
+  VORPIPE_TRY(backend.compute(rows, found));
   for (std::size_t i = 0; i < rows.size(); ++i) compareOperations(rows[i], found[i], measured);
   rows = coordinates(random);
   rows.push_back(for_denormal_product);
   rows.push_back(for_denormal_sum);
   found.resize(rows.size());
-  if (auto done = backend.compute(rows, found); !done) return tl::unexpected(done.error());
+  VORPIPE_TRY(backend.compute(rows, found));
   for (std::size_t i = 0; i < rows_of_a_kind; ++i) {
     const auto [a, b, c, d] = rows[i];
     const double exact = (double{a} - b) + (double{c} - d);

@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "base/refusal.h"
 #include "base/stopwatch.h"
+#include "base/try.h"
 #include "cells/diagram_writer.h"
 #include "session/closed.h"
 #include "session/input_check.h"
@@ -70,11 +71,11 @@ class TiledRun {
     }
     made_.tiles = tiles.size();
     for (const TileBlock& tile : tiles) {
-      if (auto done = measure(tile); !done) return tl::unexpected(done.error());
+      VORPIPE_TRY(measure(tile));
       if (open_.sites.size() < options_.usual / open_at_once) continue;
-      if (auto done = settle(); !done) return tl::unexpected(done.error());
+      VORPIPE_TRY(settle());
     }
-    if (auto done = settle(); !done) return tl::unexpected(done.error());
+    VORPIPE_TRY(settle());
     made_.area_sum = sum_.high;
     return std::move(made_);
   }
@@ -205,7 +206,7 @@ Result<TiledReport> CellsInTiles::measure(const SitesInPlace& sites, const Cells
     CellsOptions checked{};
     checked.domain = options_.domain;
     checked.search = options_.search;
-    if (auto fine = checkOptions({}, checked); !fine) return tl::unexpected(fine.error());
+    VORPIPE_TRY(checkOptions({}, checked));
     Session::State& on = *session_.state_;
     const Stopwatch watch;
     auto cells = SiteCells::over(sites, options_.domain, on.threads, options_.progress);
@@ -229,7 +230,7 @@ Result<TiledReport> CellsInTiles::measure(const SitesInPlace& sites, const Cells
     };
     auto made = TiledRun(find, options_, on.threads, *cells, counted).run();
     if (!made) return made;
-    if (auto fine = checkSum(*made, options_.domain); !fine) return tl::unexpected(fine.error());
+    VORPIPE_TRY(checkSum(*made, options_.domain));
     Times& times = made->report.time_ms;
     times.order = order_ms;
     times.cells = watch.milliseconds() - order_ms - times.upload - times.search;

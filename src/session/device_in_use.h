@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "backend/registry/registry.h"
+#include "base/try.h"
 #include "session/bounded_backend.h"
 
 namespace vorpipe::core {
@@ -26,7 +27,7 @@ class DeviceInUse {
   Result<Made> run(const Work& work) {
     std::vector<std::string> notes, messages;
     for (;;) {
-      if (auto opened = reopen(); !opened) return tl::unexpected(opened.error());
+      VORPIPE_TRY(reopen());
       BoundedBackend bounded(*opened_.backend, bounds_, &uploads_);
       Result<Made> made = work(bounded);
       if (made) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "base/try.h"
 #include "geometry/disc_cut.h"
 #include "session/session_state.h"
 #include "vorpipe.h"
@@ -169,7 +170,7 @@ Result<Diagram> freeCells(Session& session, const Sites& sites, const CellsOptio
                           int points_of_turn) {
   try {
     MovingCells moving(session, options, Surface::free);
-    if (auto updated = moving.update(sites); !updated) return tl::unexpected(std::move(updated.error()));
+    VORPIPE_TRY(moving.update(sites));
     CellsOptions wanted = options;
     wanted.detail = Detail::polygons;
     auto cells = session.cells(sites, wanted);

@@ -6,6 +6,7 @@
 #include <new>
 
 #include "base/refusal.h"
+#include "base/try.h"
 #include "cells/flann_search.h"
 #include "domain/cell_mass.h"
 #include "domain/rings.h"
@@ -68,22 +69,22 @@ Result<void> checkMass(const Density& density, const Box& domain) {
 }  // namespace
 
 Result<void> checkOptions(const Sites& sites, const CellsOptions& options) {
-  if (auto checked = checkSearch(options.search); !checked) return checked;
+  VORPIPE_TRY(checkSearch(options.search));
   if (options.search.method == Search::flann && hasWeights(sites)) {
     return tl::unexpected(refusalOf(Subject::search,
                                     "of sites with weights, those beyond the nearest that FLANN finds may "
                                     "cut a cell as well; take the grid"));
   }
   if (!options.density.values.empty()) {
-    if (auto checked = checkDensity(options.density); !checked) return checked;
+    VORPIPE_TRY(checkDensity(options.density));
     if (options.density.box && options.periodic != Periodic::none) {
       return tl::unexpected(
           refusalOf(Subject::density,
                     "has a place of its own, and a domain that repeats itself has one in each period"));
     }
   }
-  if (auto checked = checkOutline(options.outline, options.periodic); !checked) return checked;
-  if (auto checked = checkArea(options.domain); !checked) return checked;
+  VORPIPE_TRY(checkOutline(options.outline, options.periodic));
+  VORPIPE_TRY(checkArea(options.domain));
   return checkMass(options.density, options.domain);
 }
 
@@ -93,7 +94,7 @@ namespace vorpipe {
 
 Result<void> checkInput(const Sites& sites, const CellsOptions& options, int threads) {
   try {
-    if (auto checked = core::checkOptions(sites, options); !checked) return checked;
+    VORPIPE_TRY(core::checkOptions(sites, options));
     if (options.periodic == Periodic::none) return core::checkSites(sites, options.domain, threads);
     const auto placed = core::placeSites(sites, options.domain, options.periodic, threads);
     return placed ? Result<void>{} : tl::unexpected(placed.error());

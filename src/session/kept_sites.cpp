@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/try.h"
 #include "picture/picture.h"
 #include "session/input_check.h"
 #include "session/session_state.h"
@@ -74,7 +75,7 @@ Result<void> KeptSites::State::take(const CellsOptions& wanted) {
   kept = {};
   with_mass.reset();
   polygons.reset();
-  if (auto checked = checkOptions(sites, wanted); !checked) return checked;
+  VORPIPE_TRY(checkOptions(sites, wanted));
   options = wanted;
   options->density = {};
   options->progress = {};
@@ -125,8 +126,8 @@ const Sites& KeptSites::sites() const { return state_->sites; }
 Result<Rendering> KeptSites::render(const RenderOptions& options) {
   try {
     Session::State& on = *state_->session->state_;
-    if (auto taken = state_->take(cellsOptions(options)); !taken) return tl::unexpected(taken.error());
-    if (auto checked = checkRender(options); !checked) return tl::unexpected(checked.error());
+    VORPIPE_TRY(state_->take(cellsOptions(options)));
+    VORPIPE_TRY(checkRender(options));
     const auto with_cells = state_->needsCells(options, on.threads);
     if (!with_cells) return tl::unexpected(with_cells.error());
     const auto marks = state_->marks(options);
@@ -145,7 +146,7 @@ Result<Rendering> KeptSites::render(const RenderOptions& options) {
 Result<const Diagram*> KeptSites::measures(const CellsOptions& options) {
   try {
     State& s = *state_;
-    if (auto taken = s.take(options); !taken) return tl::unexpected(taken.error());
+    VORPIPE_TRY(s.take(options));
     CellsOptions wanted = options;
     wanted.detail = Detail::measures;
     if (!options.density.values.empty()) {

@@ -10,6 +10,7 @@
 #include "backend/registry/registry.h"
 #include "base/inside.h"
 #include "base/parallel.h"
+#include "base/try.h"
 #include "domain/edge_tree.h"
 #include "session/block_order.h"
 #include "sites/band.h"
@@ -82,7 +83,7 @@ Result<void> Locator::State::takeSites(const Sites& callers, const CellsOptions&
   // What a picture of the domain needs is all that places in it do.
   ImagedSites imaged = withImages(*placed, bandForPlaces(*placed, threads));
   const CallersSites named{callers, [&](std::uint32_t i) { return imaged.siteOf(i); }, placed->domain()};
-  if (auto ready = prepareSet(imaged.sites, imaged.box, &named); !ready) return ready;
+  VORPIPE_TRY(prepareSet(imaged.sites, imaged.box, &named));
   repeated = Repeated{placed->axis, std::move(static_cast<SiteImages&>(imaged))};
   return {};
 }
@@ -110,15 +111,13 @@ Locator::~Locator() = default;
 
 Result<Locator> Locator::make(const Sites& sites, const CellsOptions& options, int threads) {
   try {
-    if (auto checked = checkOutline(options.outline, options.periodic); !checked) {
-      return tl::unexpected(checked.error());
-    }
+    VORPIPE_TRY(checkOutline(options.outline, options.periodic));
     Locator locator;
     locator.state_ = std::make_unique<State>();
     State& state = *locator.state_;
     state.domain = options.domain;
     state.threads = threads;
-    if (auto taken = state.takeSites(sites, options); !taken) return tl::unexpected(taken.error());
+    VORPIPE_TRY(state.takeSites(sites, options));
     const int exponent = scaleExponent(options.domain);
     state.scale = PowerOfTwo(exponent);
     if (!options.outline.empty()) {

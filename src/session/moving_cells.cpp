@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "base/try.h"
 #include "domain/cell_mass.h"
 #include "domain/cells_run.h"
 #include "session/box_edges.h"
@@ -137,12 +138,12 @@ Result<void> MovingCells::State::update(const Sites& sites, bool unless_empty) {
     return tl::unexpected(Error{ErrorCode::input, "as many sites as before are to move"});
   }
   try {
-    if (auto checked = checkOptions(sites, options); !checked) return checked;
+    VORPIPE_TRY(checkOptions(sites, options));
     if (surface == Surface::free) {
-      if (auto checked = checkFreeSurface(options, density); !checked) return checked;
+      VORPIPE_TRY(checkFreeSurface(options, density));
     }
     if (!count && !density.values.empty()) {
-      if (auto checked = checkDensity(density); !checked) return checked;
+      VORPIPE_TRY(checkDensity(density));
     }
     has_neighbors = has_edges = false;
     auto updated = needsPolygons() ? findPolygons(sites) : findInBox(sites, unless_empty);
@@ -158,7 +159,7 @@ Result<void> MovingCells::update(const Sites& sites) { return state_->update(sit
 
 Result<bool> MovingCells::updateUnlessEmpty(const Sites& sites) {
   State& s = *state_;
-  if (auto updated = s.update(sites, true); !updated) return tl::unexpected(std::move(updated.error()));
+  VORPIPE_TRY(s.update(sites, true));
   if (!s.needsPolygons() && !s.found.cells) return false;
   return std::ranges::all_of(s.moments.mass, [](double mass) { return mass > 0; });
 }

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "base/refusal.h"
+#include "base/try.h"
 #include "session/closed.h"
 
 namespace vorpipe::core {
@@ -123,7 +124,7 @@ Result<void> settleOpenCells(
     const auto found = find(part, frameOf(cells));
     if (!found) return tl::unexpected(found.error());
     Left left = lookAround(cells, part, *found, at_corner, threads);
-    if (auto took = settled(part, *found, left.settled); !took) return took;
+    VORPIPE_TRY(settled(part, *found, left.settled));
     own = std::move(left.open);
     // Those of earlier rounds stay: what ties with a corner need not be a neighbor.
     append(others, left.around);

@@ -1,6 +1,7 @@
 #include <new>
 
 #include "backend/registry/registry.h"
+#include "base/try.h"
 #include "domain/cell_mass.h"
 #include "domain/cells_run.h"
 #include "picture/picture.h"
@@ -21,13 +22,11 @@ namespace {
 
 /// Cells, and their mass if there is a density.
 Result<Diagram> cellsAndMass(const Machine& machine, const Sites& sites, const CellsOptions& options) {
-  if (auto checked = checkOptions(sites, options); !checked) return tl::unexpected(checked.error());
+  VORPIPE_TRY(checkOptions(sites, options));
   if (options.density.values.empty()) return cellsOn(machine, sites, options);
   auto found = findCells(machine, sites, options, ImagesFor::pictures);
   if (!found) return tl::unexpected(found.error());
-  if (auto weighed = measureMass(options, sites, machine.threads, *found); !weighed) {
-    return tl::unexpected(weighed.error());
-  }
+  VORPIPE_TRY(measureMass(options, sites, machine.threads, *found));
   return std::move(found->diagram);
 }
 
@@ -49,9 +48,7 @@ Result<Session> Session::open(const BackendOptions& options) {
 
 Result<Rendering> Session::render(const Sites& sites, const RenderOptions& options) {
   try {
-    if (auto checked = checkOptions(sites, cellsOptions(options)); !checked) {
-      return tl::unexpected(checked.error());
-    }
+    VORPIPE_TRY(checkOptions(sites, cellsOptions(options)));
     return state_->device.run<Rendering>(
         [&](Backend& backend) { return renderOn(state_->with(backend), sites, options); });
   } catch (const std::bad_alloc&) {

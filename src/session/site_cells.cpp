@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "base/refusal.h"
+#include "base/try.h"
 
 namespace vorpipe::core {
 namespace {
@@ -29,7 +30,7 @@ SiteCells::SiteCells(const SitesInPlace& sites, const Box& domain)
 
 Result<SiteCells> SiteCells::over(const SitesInPlace& sites, const Box& domain, int threads,
                                   const Progress& progress) {
-  if (auto checked = checkDomain(domain); !checked) return tl::unexpected(checked.error());
+  VORPIPE_TRY(checkDomain(domain));
   if (sites.count == 0) return tl::unexpected(refusal(Subject::sites, "there are no sites"));
   if (sites.count > most_sites) {
     return tl::unexpected(
@@ -37,7 +38,7 @@ Result<SiteCells> SiteCells::over(const SitesInPlace& sites, const Box& domain, 
   }
   SiteCells cells(sites, domain);
   if (!goesOn(progress, 0)) return tl::unexpected(cancelled());
-  if (auto found = cells.findGrid(threads); !found) return tl::unexpected(found.error());
+  VORPIPE_TRY(cells.findGrid(threads));
   if (!goesOn(progress, 0.5)) return tl::unexpected(cancelled());
   cells.sort(threads);
   cells.addUp();

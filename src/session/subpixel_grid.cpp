@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "base/try.h"
+
 namespace vorpipe::core {
 namespace {
 
@@ -45,11 +47,11 @@ std::vector<DrawMark> marksOf() {
 /// column.
 Result<void> drawShapes(Backend& backend, int first, std::vector<int>& heights) {
   const View view{{0, 0, side, side}, side, side, {}};
-  if (auto begun = backend.begin(view); !begun) return begun;
+  VORPIPE_TRY(backend.begin(view));
   std::vector<CellStatus> status(shapes);
-  if (auto drawn = backend.draw(shapesFrom(first), marksOf(), Effort::fast, status); !drawn) return drawn;
+  VORPIPE_TRY(backend.draw(shapesFrom(first), marksOf(), Effort::fast, status));
   std::vector<std::uint32_t> rgba(std::size_t{side} * side), ids(rgba.size());
-  if (auto read = backend.read(rgba, ids); !read) return read;
+  VORPIPE_TRY(backend.read(rgba, ids));
   for (int k = 0; k < shapes; k++) {
     int height = 0;
     for (int row = 0; row < side; row++) {
@@ -67,8 +69,7 @@ Result<std::optional<int>> measureSubpixelBits(Backend& backend) {
   if (backend.info().max_view < side) return std::nullopt;
   std::vector<int> heights;
   for (int round = 0; round < grid_rounds; round++) {
-    if (auto drawn = drawShapes(backend, round * shapes, heights); !drawn)
-      return tl::unexpected(drawn.error());
+    VORPIPE_TRY(drawShapes(backend, round * shapes, heights));
   }
   std::vector<std::size_t> jumps;
   for (std::size_t k = 1; k < heights.size(); k++) {

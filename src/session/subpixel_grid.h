@@ -7,7 +7,7 @@
 
 namespace vorpipe::core {
 
-/// Draws edges at places that differ by little, and counts on how many of them they come to lie: how many
+/// Draws edges at places that differ by little, and counts on how many distinct places they end up: how many
 /// bits of a place inside a pixel the device keeps, most_subpixel_bits at most; 0 where edges do not move as
 /// they should; none where its views are too small to tell. The picture is lost. Error (device): the device
 /// failed.

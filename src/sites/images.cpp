@@ -8,6 +8,7 @@
 #include "base/double_double.h"
 #include "base/parallel.h"
 #include "base/refusal.h"
+#include "base/try.h"
 #include "sites/bin_sort.h"
 #include "sites/site_set.h"
 
@@ -141,9 +142,7 @@ PeriodicAxis::Placed PeriodicAxis::put(double scaled) const {
 
 Result<PeriodicSites> placeSites(const Sites& sites, const Box& domain, Periodic periodic, int threads) {
   // What prepare refuses it would name by the places of images.
-  if (const auto checked = checkSites(sites, domain, threads); !checked) {
-    return tl::unexpected(checked.error());
-  }
+  VORPIPE_TRY(checkSites(sites, domain, threads));
   const int exponent = scaleExponent(domain);
   const PowerOfTwo scale(exponent);
   const Box box = scaledDomain(domain, exponent);

@@ -10,6 +10,7 @@
 #include "backend/tie.h"
 #include "base/parallel.h"
 #include "base/refusal.h"
+#include "base/try.h"
 #include "sites/bin_sort.h"
 #include "sites/frame.h"
 #include "sites/grid.h"
@@ -82,8 +83,8 @@ void dropTiny(std::vector<double>& coordinates, int threads) {
 }  // namespace
 
 Result<void> checkSites(const Sites& sites, const Box& domain, int threads) {
-  if (auto checked = checkDomain(domain); !checked) return checked;
-  if (auto checked = checkNumber(sites); !checked) return checked;
+  VORPIPE_TRY(checkDomain(domain));
+  VORPIPE_TRY(checkNumber(sites));
   const int exponent = scaleExponent(domain);
   const PowerOfTwo scale(exponent);
   if (!extentOf(sites, scale, domain, threads).usable) return tl::unexpected(firstUnusable(sites, scale));
@@ -92,8 +93,8 @@ Result<void> checkSites(const Sites& sites, const Box& domain, int threads) {
 }
 
 Result<Prepared> prepare(const Sites& sites, const Box& domain, int threads, const CallersSites* callers) {
-  if (auto checked = checkDomain(domain); !checked) return tl::unexpected(checked.error());
-  if (auto checked = checkNumber(sites); !checked) return tl::unexpected(checked.error());
+  VORPIPE_TRY(checkDomain(domain));
+  VORPIPE_TRY(checkNumber(sites));
   Prepared prepared;
   prepared.exponent = scaleExponent(domain);
   const PowerOfTwo scale(prepared.exponent);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/try.h"
 #include "sites/crowds.h"
 #include "sites/cut_out.h"
 
@@ -74,7 +75,7 @@ Result<std::vector<std::uint32_t>> forTiles(const SiteSet& sites, const BackendI
   auto [even, left] = sortByCrowds(sites.grid, which, threads);
   if (even.empty()) return std::move(left);
   if (fits(sites, info)) {
-    if (auto worked = work({sites, even, {}}); !worked) return tl::unexpected(worked.error());
+    VORPIPE_TRY(work({sites, even, {}}));
     return std::move(left);
   }
   const auto heavy = std::min<std::uint64_t>(sites.heavy.size(), info.max_sites);
@@ -84,7 +85,7 @@ Result<std::vector<std::uint32_t>> forTiles(const SiteSet& sites, const BackendI
     const auto own = ownCells(sites.grid, tile, even);
     if (own.empty()) continue;
     const auto set = cutOut(sites, withMargin(sites.grid, tile, halo), whole);
-    if (auto worked = work({set, own, whole}); !worked) return tl::unexpected(worked.error());
+    VORPIPE_TRY(work({set, own, whole}));
   }
   for (const auto& bin : plan.unfit) {
     const auto cells = ofRow(sites.grid, bin, bin.south, even);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/stopwatch.h"
+#include "base/try.h"
 #include "io/base/output_file.h"
 #include "io/pictures/png_file.h"
 #include "view/player.h"
@@ -101,7 +102,7 @@ void App::takeEvents() {
 Result<void> App::drawFrame() {
   if (isIdle()) return {};
   --to_draw_;
-  if (auto drawn = stage_.draw(); !drawn) return drawn;
+  VORPIPE_TRY(stage_.draw());
   // The panel may have changed something.
   viewer_.wish();
   if (recorder_ && !player_) return recordShown();
@@ -112,7 +113,7 @@ Result<void> App::drawFrame() {
 Result<void> App::recordUpToNow() {
   const auto due = static_cast<std::uint64_t>(watch_.seconds() * frame_rate);
   for (; last_shown_.width > 0 && recorded_ < due; ++recorded_) {
-    if (auto added = recorder_->add(last_shown_); !added) return added;
+    VORPIPE_TRY(recorder_->add(last_shown_));
   }
   return {};
 }
@@ -121,7 +122,7 @@ Result<void> App::recordUpToNow() {
 Result<void> App::recordShown() {
   if (viewer_.frame() == nullptr || screen_.width() == 0) return {};
   if (last_shown_.width == 0) watch_ = {};
-  if (auto recorded = recordUpToNow(); !recorded) return recorded;
+  VORPIPE_TRY(recordUpToNow());
   auto image = stage_.read(/*with_panel=*/true);
   if (!image) return tl::unexpected(std::move(image.error()));
   last_shown_ = std::move(*image);
@@ -142,7 +143,7 @@ Result<void> App::countPictures() {
   if (!image) return tl::unexpected(std::move(image.error()));
   auto file = OutputFile::create(options_.screenshot);
   if (!file) return tl::unexpected(std::move(file.error()));
-  if (auto written = writePng(*file, image->width, image->height, image->rgba); !written) return written;
+  VORPIPE_TRY(writePng(*file, image->width, image->height, image->rgba));
   is_over_ = true;
   return file->commit();
 }
@@ -155,13 +156,13 @@ Result<void> App::runOn() {
     if (viewer_.takeAnswers()) to_draw_ = frames_after_change;
     if (viewer_.fault()) return tl::unexpected(*viewer_.fault());
     viewer_.wish();
-    if (auto drawn = drawFrame(); !drawn) return drawn;
+    VORPIPE_TRY(drawFrame());
     if (player_ && !player_->isOver() && isShown()) {
       const bool waited = player_->waits();
-      if (auto played = player_->goOn(); !played) return played;
+      VORPIPE_TRY(player_->goOn());
       if (!player_->waits() || !waited) to_draw_ = frames_after_change;
     }
-    if (auto counted = countPictures(); !counted) return counted;
+    VORPIPE_TRY(countPictures());
   }
   return {};
 }
@@ -169,7 +170,7 @@ Result<void> App::runOn() {
 Result<void> App::finish() {
   if (!recorder_) return {};
   if (!player_) {
-    if (auto recorded = recordUpToNow(); !recorded) return recorded;
+    VORPIPE_TRY(recordUpToNow());
   }
   return recorder_->finish();
 }
@@ -184,9 +185,9 @@ AppEnd App::end() {
 
 Result<AppEnd> run(Screen& screen, AppOptions options) {
   App app(screen, options);
-  if (auto begun = app.begin(); !begun) return tl::unexpected(std::move(begun.error()));
-  if (auto done = app.runOn(); !done) return tl::unexpected(std::move(done.error()));
-  if (auto finished = app.finish(); !finished) return tl::unexpected(std::move(finished.error()));
+  VORPIPE_TRY(app.begin());
+  VORPIPE_TRY(app.runOn());
+  VORPIPE_TRY(app.finish());
   return app.end();
 }
 

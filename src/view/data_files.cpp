@@ -2,6 +2,7 @@
 
 #include <iterator>
 
+#include "base/try.h"
 #include "io/base/output_file.h"
 #include "view/command.h"
 
@@ -11,7 +12,7 @@ namespace {
 Result<void> writeText(const std::string& path, std::string_view text) {
   auto file = OutputFile::create(path);
   if (!file) return tl::unexpected(std::move(file.error()));
-  if (auto written = file->write(text); !written) return written;
+  VORPIPE_TRY(file->write(text));
   return file->commit();
 }
 

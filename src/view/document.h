@@ -32,8 +32,8 @@ class Document {
   [[nodiscard]] Point inDomain(Point place) const;
   [[nodiscard]] bool isInDomain(Point place) const;
 
-  /// A fluid goes on, which is not undone. False where `from` is not that of the document any more: nothing
-  /// happens.
+  /// Continues a fluid; undo() does not take that back. False where `from` is not that of the document any
+  /// more: nothing happens.
   bool flow(const FixedFluid& from, FixedFluid to);
 
   // What follows can be undone, and but for open() is not for fluids.

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/output_file.h"
 
@@ -53,7 +54,7 @@ class Film final : public Recorder {
 
   Result<void> add(const Image& frame) override {
     if (!begun_) {
-      if (auto begun = begin(frame.width, frame.height); !begun) return begun;
+      VORPIPE_TRY(begin(frame.width, frame.height));
     }
     return writeAll(fitted(frame));
   }

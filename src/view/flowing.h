@@ -17,7 +17,7 @@ using FixedSites = std::shared_ptr<const Sites>;
 /// All that later steps depend on. It does not change any more: a step makes another.
 struct Flowing {
   FluidSetup setup{};         ///< as it is now; without progress
-  FluidStep last{};           ///< what the last step has come to
+  FluidStep last{};           ///< the result of the last step
   FixedSites sites{};         ///< those of the state; velocities alone may change between two with the same
   bool is_begun = false;      ///< its sites have the weights of their cells
   std::uint64_t stirred = 0;  ///< the number of the last stroke that is in its velocities

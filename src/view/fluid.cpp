@@ -70,7 +70,7 @@ void Viewer::flowBy(const FluidOptions& options) {
   want(Changed::sites);
 }
 
-/// Takes what the fluid has come to; whether the picture is one of it.
+/// Takes the state of the fluid; returns whether the picture is one of it.
 bool Viewer::acceptFluid(const Frame& frame) {
   if (frame.fluid != frame.fluid_from) {
     const bool is_wanted = !frame.flowed || settings_.motion != Motion::rests;

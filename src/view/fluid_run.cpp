@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "base/try.h"
+
 namespace vorpipe::view {
 namespace {
 
@@ -17,14 +19,14 @@ double kineticEnergy(const FluidState& state) {
 
 }  // namespace
 
-/// Whether the fluid of the wish is where this one has come to; or where it was before, of a wish that was
+/// Whether the fluid of the wish is in the state of this one; or where it was before, of a wish that was
 /// made in the same gesture before the last change was known.
 bool FluidRun::isAt(const Wish& wish) const {
   if (!fluid_) return false;
   return wish.fluid == now_ || (wish.fluid == before_ && wish.gesture == gesture_);
 }
 
-/// What the fluid has come to, for others to have.
+/// The state of the fluid, for others.
 void FluidRun::take(FixedSites sites, std::uint64_t stirred) {
   auto flowing = std::make_shared<Flowing>();
   flowing->setup = {fluid_->state(), setup_.options};
@@ -53,7 +55,7 @@ Result<void> FluidRun::stir(const Wish& wish) {
   std::uint64_t stirred = now_->stirred;
   for (const Stroke& stroke : wish.strokes) {
     if (stroke.number <= now_->stirred) continue;
-    if (auto pushed = fluid_->push(pushOf(stroke, now_->setup)); !pushed) return pushed;
+    VORPIPE_TRY(fluid_->push(pushOf(stroke, now_->setup)));
     stirred = stroke.number;
   }
   if (stirred > now_->stirred) take(now_->sites, stirred);
@@ -64,7 +66,7 @@ Result<void> FluidRun::step(Frame& frame) {
   const auto more = fluid_->step();
   if (!more || !*more) {
     const FluidEnd end = fluid_->end();
-    // It goes on from `now_` as a new one.
+    // It continues from `now_` as a new one.
     fluid_.reset();
     if (!more) return tl::unexpected(more.error());
     if (end == FluidEnd::cancelled) return tl::unexpected(Error{ErrorCode::cancelled, "cancelled"});
@@ -84,15 +86,15 @@ Result<void> FluidRun::go(Session& session, const Wish& wish, const Progress& pr
   // One step is one from where it was wished.
   const bool is_at = isAt(wish) && (wish.motion != Motion::steps_once || wish.fluid == now_);
   if (!is_at) {
-    if (auto begun = begin(session, wish.fluid, progress); !begun) return begun;
+    VORPIPE_TRY(begin(session, wish.fluid, progress));
   } else {
     frame.fluid_from = now_;
   }
   before_ = frame.fluid_from;
   gesture_ = wish.gesture;
-  if (auto stirred = stir(wish); !stirred) return stirred;
+  VORPIPE_TRY(stir(wish));
   if (steps) {
-    if (auto stepped = step(frame); !stepped) return stepped;
+    VORPIPE_TRY(step(frame));
   }
   frame.fluid = now_;
   frame.sites = now_->sites;

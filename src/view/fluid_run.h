@@ -11,7 +11,7 @@ namespace vorpipe::view {
 
 class FluidRun {
  public:
-  /// Begins, stirs and moves the fluid of a wish as that asks for; the frame gets what it has come to.
+  /// Begins, stirs and moves the fluid of a wish as that asks for; the frame gets its state.
   /// Errors: those of Fluid::begin and Fluid::step; of what `progress` gives up, an error that is cancelled.
   Result<void> go(Session& session, const Wish& wish, const Progress& progress, Frame& frame);
 
@@ -29,7 +29,7 @@ class FluidRun {
 
   std::optional<Fluid> fluid_{};
   FluidSetup setup_{};   ///< of the fluid; its state is not read
-  FixedFluid now_{};     ///< where it has come to
+  FixedFluid now_{};     ///< its present state
   FixedFluid before_{};  ///< a wish earlier
   std::uint64_t gesture_ = 0;
 };

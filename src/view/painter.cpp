@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/stopwatch.h"
+#include "base/try.h"
 #include "view/flow_colors.h"
 #include "vorpipe/free_surface.h"
 
@@ -62,8 +63,8 @@ Result<void> Painter::open(const Wish& wish, Answer& answer) {
   return {};
 }
 
-/// Whether the sites are where the relaxation has come to; or where it was before, of a wish that was made in
-/// the same gesture before its last step was known.
+/// Whether the sites are where the relaxation has moved them; or where it was before, of a wish that was made
+/// in the same gesture before its last step was known.
 bool Painter::isAt(const Wish& wish) const {
   if (!relaxation_ || method_ != wish.method || density_ != wish.density) return false;
   return wish.sites == relaxed_ || (wish.sites == relaxed_before_ && wish.gesture == relaxed_gesture_);
@@ -92,7 +93,7 @@ Result<void> Painter::begin(const Wish& wish) {
 
 Result<void> Painter::step(const Wish& wish, Frame& frame) {
   if (!isAt(wish)) {
-    if (auto begun = begin(wish); !begun) return begun;
+    VORPIPE_TRY(begin(wish));
   }
   // Diagrams that are taken back move nothing.
   const auto& trace = relaxation_->trace();
@@ -102,7 +103,7 @@ Result<void> Painter::step(const Wish& wish, Frame& frame) {
     more = tl::unexpected(Error{ErrorCode::cancelled, "cancelled"});
   }
   if (!more) {
-    // It goes on from `relaxed_` as a new one.
+    // It continues from `relaxed_` as a new one.
     relaxation_.reset();
     return tl::unexpected(more.error());
   }
@@ -128,13 +129,13 @@ Result<void> Painter::draw(const Wish& wish, Frame& frame, Answer& answer) {
     answer.validation.insert(answer.validation.end(), said.begin(), said.end());
   };
   keep(rendering->report.validation_messages);
-  if (auto done = finish(frame, main_.threads(), rendering->image); !done) return done;
+  VORPIPE_TRY(finish(frame, main_.threads(), rendering->image));
   frame.rendering = std::make_shared<const Rendering>(std::move(*rendering));
   if (!wish.compared) return {};
   auto compared = compared_.render(frame.sites, options);
   if (!compared) return tl::unexpected(std::move(compared.error()));
   keep(compared->report.validation_messages);
-  if (auto done = finish(frame, compared_.threads(), compared->image); !done) return done;
+  VORPIPE_TRY(finish(frame, compared_.threads(), compared->image));
   frame.differing = countDifferent(frame.rendering->image, compared->image);
   frame.compared = std::make_shared<const Image>(std::move(compared->image));
   const DeviceInfo device = compared_.session().device();

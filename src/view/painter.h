@@ -1,4 +1,4 @@
-/// Fulfills wishes, one at a time, on the thread that it is used on: it owns the session.
+/// The render thread: executes frame requests, one at a time; owns the session.
 #pragma once
 
 #include <functional>
@@ -44,7 +44,7 @@ class Painter {
   FixedFluid drawn_fluid_{};
   FluidRun fluid_{};
   std::optional<Relaxation> relaxation_;
-  FixedSites relaxed_{};         ///< where it has come to
+  FixedSites relaxed_{};         ///< where it has moved the sites
   FixedSites relaxed_before_{};  ///< a step earlier
   std::uint64_t relaxed_gesture_ = 0;
   RelaxMethod method_ = RelaxMethod::lloyd;

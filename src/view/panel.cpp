@@ -19,7 +19,7 @@
 namespace vorpipe::view {
 namespace {
 
-/// Who has what a pressed button does until it is let go.
+/// Owner of a mouse drag, from press to release.
 enum class Holder { none, panel, window };
 
 bool holds(const Placement& rectangle, Place place) {

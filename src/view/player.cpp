@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/output_file.h"
 #include "io/pictures/png_file.h"
@@ -50,7 +51,7 @@ Result<void> Player::goOn() {
     waits_ = {};
     has_time_ = false;
     if (records_) {
-      if (auto recorded = record(); !recorded) return recorded;
+      VORPIPE_TRY(record());
     }
     if (waits_) return {};
   }
@@ -63,7 +64,7 @@ Result<void> Player::record() {
   records_ = false;
   auto image = stage_.read(/*with_panel=*/true);
   if (!image) return tl::unexpected(std::move(image.error()));
-  if (auto added = recorder_->add(*image); !added) return added;
+  VORPIPE_TRY(recorder_->add(*image));
   if (frames_left_ > 0 && --frames_left_ > 0) {
     // Sites that relax take a step for each frame.
     waitForPicture();
@@ -80,7 +81,7 @@ Result<void> Player::screenshot(const Screenshot& event) {
     file.error().message = fmt::format("{}: {}", place(), file.error().message);
     return tl::unexpected(std::move(file.error()));
   }
-  if (auto written = writePng(*file, image->width, image->height, image->rgba); !written) return written;
+  VORPIPE_TRY(writePng(*file, image->width, image->height, image->rgba));
   return file->commit();
 }
 

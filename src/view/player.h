@@ -31,7 +31,7 @@ class Player {
   [[nodiscard]] bool waits() const { return static_cast<bool>(waits_); }
   /// Whether all of it was played.
   [[nodiscard]] bool isOver() const { return !waits_ && next_ == script_.lines.size(); }
-  /// Seconds up to the time when it goes on, where it waits for a time.
+  /// Seconds until it continues, where it waits for a time.
   [[nodiscard]] double secondsLeft() const;
 
  private:

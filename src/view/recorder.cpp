@@ -8,6 +8,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/extension.h"
 #include "io/base/output_file.h"
@@ -27,7 +28,7 @@ class Folder final : public Recorder {
   Result<void> add(const Image& frame) override {
     auto file = OutputFile::create((fs::path(path_) / fmt::format("frame-{:05}.png", next_++)).string());
     if (!file) return tl::unexpected(std::move(file.error()));
-    if (auto written = writePng(*file, frame.width, frame.height, frame.rgba); !written) return written;
+    VORPIPE_TRY(writePng(*file, frame.width, frame.height, frame.rgba));
     return file->commit();
   }
   Result<void> finish() override { return {}; }

@@ -28,8 +28,8 @@ class Recorder {
 /// there is no ffmpeg on PATH.
 Result<std::unique_ptr<Recorder>> openRecorder(const std::string& path);
 
-/// A folder of numbered frames that goes on with this number, whatever it holds. Error (input): it cannot be
-/// made.
+/// A folder of numbered frames that continues with this number, whatever it holds. Error (input): it cannot
+/// be made.
 Result<std::unique_ptr<Recorder>> openFrames(const std::string& folder, std::uint64_t first);
 
 }  // namespace vorpipe::view

@@ -1,3 +1,4 @@
+#include "base/try.h"
 #include "io/base/extension.h"
 #include "io/base/output_file.h"
 #include "io/cells/fluid_state.h"
@@ -13,7 +14,7 @@ namespace {
 Result<void> saveFluid(const std::string& path, const Flowing& fluid) {
   auto file = OutputFile::create(path);
   if (!file) return tl::unexpected(std::move(file.error()));
-  if (auto written = writeFluid(*file, fluid.setup.state, fluid.setup.options); !written) return written;
+  VORPIPE_TRY(writeFluid(*file, fluid.setup.state, fluid.setup.options));
   return file->commit();
 }
 
@@ -52,7 +53,7 @@ Result<void> Painter::save(const Save& save) {
   }
   auto file = OutputFile::create(save.path);
   if (!file) return tl::unexpected(std::move(file.error()));
-  if (auto written = (*format)->write(*file, output); !written) return written;
+  VORPIPE_TRY((*format)->write(*file, output));
   return file->commit();
 }
 

@@ -73,7 +73,7 @@ void Viewer::copyCommand() {
   frames_.save({command_sites_, document_.sites(), picture(), {}});
 }
 
-/// A fluid goes on from a checkpoint.
+/// Continues a fluid from a checkpoint.
 void Viewer::copyFluidCommand() {
   const bool is_written = !command_sites_.empty() && command_revision_ == document_.revision();
   if (!is_written) command_sites_ = freeName("vorpipe-fluid", ".npz");

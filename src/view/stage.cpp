@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/stopwatch.h"
+#include "base/try.h"
 
 namespace vorpipe::view {
 namespace {
@@ -45,7 +46,7 @@ Result<void> Stage::draw() {
   if (answer.begins) viewer_.beginFluid(*answer.begins);
   const bool new_texture = answer.new_texture || !has_texture_;
   if (new_texture) {
-    if (auto set = screen_.presenter().setTexture(panel_.texture()); !set) return set;
+    VORPIPE_TRY(screen_.presenter().setTexture(panel_.texture()));
     has_texture_ = true;
   }
   const bool same_window = width_ == screen_.width() && height_ == screen_.height();
@@ -61,9 +62,9 @@ Result<void> Stage::draw() {
 
 Result<Image> Stage::read(bool with_panel) {
   if (with_panel) return screen_.presenter().read();
-  if (auto shown = show(nullptr); !shown) return tl::unexpected(std::move(shown.error()));
+  VORPIPE_TRY(show(nullptr));
   auto image = screen_.presenter().read();
-  if (auto shown = show(&triangles_); !shown) return tl::unexpected(std::move(shown.error()));
+  VORPIPE_TRY(show(&triangles_));
   return image;
 }
 

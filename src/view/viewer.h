@@ -49,7 +49,7 @@ class Viewer {
   void change(const Settings& settings);
   /// A fluid, as the command line names it, in place of what is there; that can be undone.
   void beginFluid(FluidCase which);
-  /// The fluid goes on by other options.
+  /// Continues the fluid with other options.
   void flowBy(const FluidOptions& options);
   void resize(int width, int height);
   /// How many pixels of the window the panel covers, from its left and from its right edge.

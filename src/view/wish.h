@@ -19,7 +19,7 @@ namespace vorpipe::view {
 struct Wish {
   std::uint64_t number = 0;  ///< above that of all before
   /// Wishes of one gesture (panning, zooming, dragging a site) have the same. A picture of an earlier gesture
-  /// is given up; one of the same is finished, so that pictures come while it goes on.
+  /// is given up; one of the same is finished, so that pictures appear meanwhile.
   std::uint64_t gesture = 0;
   FixedSites sites{};
   RenderOptions picture{};  ///< with all that is drawn: domain, view, size; its progress is not read

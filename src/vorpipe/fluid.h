@@ -18,7 +18,7 @@ namespace vorpipe {
 
 class Session;
 
-/// How velocities come to be those of a fluid that cannot be compressed.
+/// How velocities are made those of an incompressible fluid.
 enum class FluidScheme : std::uint8_t {
   /// Springs pull each site to the centroid of its cell, which has its area always (Gallouet and Merigot
   /// 2018); steps are velocity Verlet's, which keep energy, and ask for one set of cells each.
@@ -47,7 +47,7 @@ struct FluidOptions {
   Progress progress;  ///< may be empty
 };
 
-/// All that a later step depends on, by site. One that goes on from it gives the same bytes.
+/// All that a later step depends on, by site. A fluid that continues from it gives the same bytes.
 struct FluidState {
   Sites sites;  ///< with weights; without, they are found
   std::vector<Point> velocity;
@@ -66,7 +66,7 @@ struct FluidState {
   std::uint64_t step = 0;
 };
 
-/// What a step has come to.
+/// The result of a step.
 struct FluidStep {
   std::uint64_t step = 0;
   double time = 0, length = 0;                    ///< length: of the step

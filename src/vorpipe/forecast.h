@@ -81,7 +81,7 @@ struct Workload {
   /// The device's memory is this machine's, as with software drivers. (What a graphics card holds of its own
   /// is not counted.)
   bool device_on_host = true;
-  bool beside_drivers = false;  ///< as DeviceInfo has it
+  bool beside_drivers = false;  ///< as in DeviceInfo
   int threads = 0;
 };
 
@@ -107,7 +107,7 @@ std::vector<MemoryPlan::Array> planPicture(MemoryPlan& plan, const Workload& wor
 void planCellsCheck(MemoryPlan& plan, const Workload& work, Detail detail);
 void planPictureCheck(MemoryPlan& plan, const Workload& work, int width, int height);
 
-/// How much memory a process may come to have.
+/// How much memory a process may take.
 struct MemoryLimit {
   std::uint64_t bytes = 0;
   std::string what;  ///< what sets it, in words that continue "... are there, "

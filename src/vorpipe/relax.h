@@ -25,7 +25,7 @@ struct RelaxOptions {
   Outline outline{};
   Periodic periodic = Periodic::none;
   Density density{};  ///< over the domain: sites gather where it is high
-  /// Relaxes under the square of the density, so that cells come to have equal masses of it; with the last
+  /// Relaxes under the square of the density, so that cells get equal masses of it; with the last
   /// few diagrams sites move as little as makes masses equal (to 1 %, where that can be reached).
   bool equal_masses = false;
   SearchOptions search;

@@ -93,5 +93,5 @@ def check_attributes(vorpipe):
     outputs = [word for kind in ("csv", "geojson", "gpkg") for word in ("-o", f"cities.{kind}")]
     command = [vorpipe, "cells", "--backend", "cpu", "--sites", "cities.in.geojson", *outputs]
     done = subprocess.run(command, check=True, capture_output=True, encoding="utf-8")
-    assert '"Area" is "input_Area"' in done.stderr, done.stderr
+    assert '"Area" to "input_Area"' in done.stderr, done.stderr
     return [(check.__name__, check()) for check in CHECKS]

@@ -12,19 +12,19 @@ while IFS='|' read -r typed text; do
   fails 2 "'$typed'" "vorpipe: $text" $typed
   grep -qxF -- "vorpipe: $text" log/err || fail "the line is not '$text'"
 done <<'END'
-rende|"rende" is no subcommand; did you mean render?
-dif a.npy b.npy|"dif" is no subcommand; did you mean diff?
-paint|"paint" is no subcommand; see vorpipe --help
---vesion|--vesion: is no option; did you mean --version?
---backend cpu render|--backend: is no option; see vorpipe --help
-render --colour site --nope|--colour: is no option; did you mean --color?
-render --nope --colour site|--nope: is no option; see vorpipe render --help
-render --zebra --aardvark --nope|--zebra: is no option; see vorpipe render --help
-render --sites random:9 --mem=8GB --size nonsense|--mem: is no option; did you mean --memory-limit?
-cells --Sites random:9|--Sites: is no option; did you mean --sites?
-cells --sites random:9 --domain -1,-1,1,1 --wieghts w.txt|--wieghts: is no option; did you mean --weights?
-cells -s random:9|-s: is no option; see vorpipe cells --help
-diff a.npy b.npy c.npy --wat|--wat: is no option; see vorpipe diff --help
+rende|unknown subcommand "rende"; did you mean render?
+dif a.npy b.npy|unknown subcommand "dif"; did you mean diff?
+paint|unknown subcommand "paint"; see vorpipe --help
+--vesion|unknown option --vesion; did you mean --version?
+--backend cpu render|unknown option --backend; see vorpipe --help
+render --colour site --nope|unknown option --colour; did you mean --color?
+render --nope --colour site|unknown option --nope; see vorpipe render --help
+render --zebra --aardvark --nope|unknown option --zebra; see vorpipe render --help
+render --sites random:9 --mem=8GB --size nonsense|unknown option --mem; did you mean --memory-limit?
+cells --Sites random:9|unknown option --Sites; did you mean --sites?
+cells --sites random:9 --domain -1,-1,1,1 --wieghts w.txt|unknown option --wieghts; did you mean --weights?
+cells -s random:9|unknown option -s; see vorpipe cells --help
+diff a.npy b.npy c.npy --wat|unknown option --wat; see vorpipe diff --help
 END
 refuses "a color that was meant" '"aera" is not one of site, area, neighbors, weight; did you mean area?' --sites random:9 --color aera
 refuses "a backend that was meant" 'did you mean vulkan-compute?' --sites random:9 --backend vulkan-comp

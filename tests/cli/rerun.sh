@@ -137,9 +137,9 @@ fails 2 "no outputs" 'has no list "outputs"' rerun in/bad.json
 printf '{"arguments": ["cells"], "inputs": [{"path": "a"}], "outputs": []}' >in/bad.json
 fails 2 "no hash" '"inputs", number 1: has no "path", "bytes" and "xxh128"' rerun in/bad.json
 printf '{"arguments": ["rerun", "in/bad.json"], "inputs": [], "outputs": []}' >in/bad.json
-fails 2 "itself" '"rerun" is no subcommand that has --stats' rerun in/bad.json
+fails 2 "itself" 'no subcommand "rerun" has --stats' rerun in/bad.json
 printf '{"arguments": ["cells", "--sits", "random:9"], "inputs": [], "outputs": []}' >in/bad.json
-fails 2 "arguments of another version" '--sits: is no option; did you mean --sites?' rerun in/bad.json
+fails 2 "arguments of another version" 'unknown option --sits; did you mean --sites?' rerun in/bad.json
 printf '{"arguments": ["cells", "--sites", "random:9", "-o", "out/a\xef\xbf\xbd.csv"], "inputs": [], "outputs": []}' >in/bad.json
 fails 2 "a name that JSON does not hold" "which was not UTF-8: run it by hand" rerun in/bad.json
 fails 2 "no file of --stats" "STATS" rerun

@@ -95,7 +95,7 @@ def test_numbers_for_names_are_those_of_an_array():
     ({'lat': [1], 'b': [2]}, 'the table "lat,b" names no column "x"'),
     ({'lon': [1], 'long': [1], 'lat': [2]}, 'the table names both "lon" and "long"; give an array of the two columns'),
     ({'x': [1], 'y': [2], 'weight': [1], 'radius': [1]}, 'the table names both "weight" and "radius"'),
-    ({'x': ['west'], 'y': [2]}, 'no array of numbers'), ({'x': [np.nan], 'y': [2]}, 'point 0 is not finite: nan, 2'),
+    ({'x': ['west'], 'y': [2]}, 'expected numbers'), ({'x': [np.nan], 'y': [2]}, 'point 0 is not finite: nan, 2'),
     ({'wkt': ['POINT (1 2)']}, "the column 'wkt' holds no geometries; text in WKT is read from files")])
 def test_what_names_do_not_tell_is_refused(table, columns, message):
     with pytest.raises(vorpipe.InputError, match=f'^points: {message}') as caught:

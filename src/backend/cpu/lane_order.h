@@ -1,4 +1,4 @@
-/// Which cells stand side by side: those that have as many sites around them, for all wait for the longest.
+/// Groups cells with equally many candidates into one vector: a vector takes as long as its slowest lane.
 /// See lane_words.h.
 #pragma once
 

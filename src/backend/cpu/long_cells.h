@@ -1,4 +1,4 @@
-/// Cells found with hundreds of bits, and with more than a thousand where those do not do.
+/// Cells computed with 320-bit numbers, then with 1,280-bit ones.
 #pragma once
 
 #include <cstdint>

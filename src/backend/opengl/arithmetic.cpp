@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "backend/opengl/discarding.h"
+#include "base/try.h"
 #include "shaders.h"
 
 namespace vorpipe::opengl {
@@ -27,7 +28,7 @@ Calculator::Calculator() : operands_(GL_ARRAY_BUFFER, GL_STREAM_DRAW), feedback_
 
 Result<void> Calculator::run(std::span<const Operands> operands, std::span<Computed> out) {
   assert(operands.size() == out.size());
-  if (auto used = program_.use({shaders::arithmetic_vert_410(), {}, {}, captured}); !used) return used;
+  VORPIPE_TRY(program_.use({shaders::arithmetic_vert_410(), {}, {}, captured}));
   glBindVertexArray(attributes_);
   operands_.write(std::as_bytes(operands));
   const RasterizerDiscard discard;
@@ -41,7 +42,7 @@ Result<void> Calculator::run(std::span<const Operands> operands, std::span<Compu
       std::memcpy(part.data(), said.data(), said.size());
       return true;
     };
-    if (auto answered = feedback_.end(sizeof(Computed), read); !answered) return answered;
+    VORPIPE_TRY(feedback_.end(sizeof(Computed), read));
   }
   return takeErrors("computing");
 }

@@ -4,6 +4,7 @@
 
 #include "backend/cell_answers.h"
 #include "backend/opengl/discarding.h"
+#include "base/try.h"
 #include "layout.glsl"
 #include "shaders.h"
 
@@ -33,7 +34,7 @@ Result<void> Cells::run(Entries entries, Effort effort, std::size_t count, CellN
   const std::size_t room = answerRoom(fast ? EDGES_FAST : EDGES_MOST, entries == Entries::weighted_sites);
   const std::size_t row_bytes = room * sizeof(GLint);
   const std::size_t record_bytes = word_bytes + row_bytes;
-  if (auto used = made_[programOf(entries, effort)].use(textOf(entries, fast)); !used) return used;
+  VORPIPE_TRY(made_[programOf(entries, effort)].use(textOf(entries, fast)));
   const RasterizerDiscard discard;
   const std::size_t at_once = Feedback::entriesAtOnce(record_bytes);
   Result<void> answered;

@@ -12,6 +12,7 @@
 
 #include "backend/opengl/context.h"
 #include "backend/opengl/egl_display.h"
+#include "base/try.h"
 
 namespace vorpipe::opengl {
 
@@ -114,7 +115,7 @@ Result<Scope> Context::enter() const {
 }
 
 Result<std::vector<Result<Context>>> openContexts(Drivers drivers) {
-  if (auto found = findLibraries(); !found) return tl::unexpected(found.error());
+  VORPIPE_TRY(findLibraries());
   std::vector<Result<Context>> contexts;
   bool any = false;
   auto devices = eglDevices();

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "backend/device_needs.h"
+#include "base/try.h"
 
 namespace vorpipe::opengl {
 namespace {
@@ -17,7 +18,7 @@ GLuint resultOf(GLuint query) {
 
 // The error that OpenGL reports, or if it reports none, that transform feedback `what`.
 tl::unexpected<Error> broken(std::string_view what) {
-  if (auto taken = takeErrors("reading what the shaders say"); !taken) return tl::unexpected(taken.error());
+  VORPIPE_TRY(takeErrors("reading what the shaders say"));
   return tl::unexpected(Error{
       ErrorCode::device, fmt::format("opengl: transform feedback {}; try another device or backend", what)});
 }

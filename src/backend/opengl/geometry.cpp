@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "backend/cell_answers.h"
+#include "base/try.h"
 #include "layout.glsl"
 #include "shaders.h"
 
@@ -46,7 +47,7 @@ bool readStatuses(std::span<const std::byte> triangles, std::span<CellStatus> st
 Result<void> Geometry::draw(Entries entries, Effort effort, std::span<CellStatus> status) {
   std::ranges::fill(status, CellStatus::missing);
   const bool fast = effort == Effort::fast;
-  if (auto used = made_[programOf(entries, effort)].use(textOf(entries, fast)); !used) return used;
+  VORPIPE_TRY(made_[programOf(entries, effort)].use(textOf(entries, fast)));
   const std::size_t count = status.size();
   const std::size_t triangles = fast ? EDGES_FAST - 2 : EDGES_MOST - 2;
   const std::size_t at_once = Feedback::entriesAtOnce(triangles * triangle_bytes);
@@ -55,7 +56,7 @@ Result<void> Geometry::draw(Entries entries, Effort effort, std::span<CellStatus
     glDrawArrays(GL_POINTS, static_cast<GLint>(first),
                  static_cast<GLsizei>(std::min(at_once, count - first)));
     const auto read = [status](std::span<const std::byte> said) { return readStatuses(said, status); };
-    if (auto answered = feedback_.end(triangle_bytes, read); !answered) return answered;
+    VORPIPE_TRY(feedback_.end(triangle_bytes, read));
   }
   glFinish();
   return takeErrors("drawing cells");

@@ -17,6 +17,7 @@
 #include "backend/opengl/sites.h"
 #include "backend/opengl/triangles.h"
 #include "backend/to_float.h"
+#include "base/try.h"
 
 namespace vorpipe {
 namespace {
@@ -42,7 +43,7 @@ Result<Resources> makeResources(int subpixel_bits) {
   auto picture = opengl::Picture::create(subpixel_bits);
   if (!picture) return tl::unexpected(picture.error());
   Resources resources{std::move(*picture), {}, {}, {}, {}, {}, {}};
-  if (auto made = opengl::takeErrors("making buffers"); !made) return tl::unexpected(made.error());
+  VORPIPE_TRY(opengl::takeErrors("making buffers"));
   return resources;
 }
 
@@ -87,7 +88,7 @@ class OpenGlBackend final : public Backend {
     const auto scope = context_.enter();
     if (!scope) return tl::unexpected(scope.error());
     gl_.picture.bind();
-    if (auto sent = gl_.sites.send(which); !sent) return sent;
+    VORPIPE_TRY(gl_.sites.send(which));
     return gl_.geometry.draw(gl_.sites.entries(), effort, status);
   }
 
@@ -98,7 +99,7 @@ class OpenGlBackend final : public Backend {
     const auto scope = context_.enter();
     if (!scope) return tl::unexpected(scope.error());
     gl_.picture.bind();
-    if (auto sent = gl_.batch.send(batch, marks); !sent) return sent;
+    VORPIPE_TRY(gl_.batch.send(batch, marks));
     return gl_.geometry.draw(Entries::lists, effort, status);
   }
 
@@ -133,7 +134,7 @@ class OpenGlBackend final : public Backend {
     if (!scope) return tl::unexpected(scope.error());
     gl_.picture.bind();
     try {
-      if (auto sent = send(); !sent) return sent;
+      VORPIPE_TRY(send());
       return gl_.cells.run(entries, effort, count, out);
     } catch (const std::bad_alloc&) {
       return tl::unexpected(
@@ -163,7 +164,7 @@ Result<std::unique_ptr<Backend>> open(opengl::Device device) {
 
 Result<std::unique_ptr<Backend>> makeOpenGlBackend(const BackendOptions& options, Drivers drivers) {
   Capabilities any;
-  if (auto known = applyMask(any, options.mask); !known) return tl::unexpected(known.error());
+  VORPIPE_TRY(applyMask(any, options.mask));
   auto device = opengl::chooseDevice(opengl::findDevices(options.mask, drivers), options.device);
   if (!device) return tl::unexpected(device.error());
   if (drivers == Drivers::hardware && device->info.type == "cpu") {

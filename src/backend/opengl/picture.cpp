@@ -7,6 +7,7 @@
 
 #include "backend/opengl/bindings.h"
 #include "backend/view_uniform.h"
+#include "base/try.h"
 
 namespace vorpipe::opengl {
 namespace {
@@ -31,7 +32,7 @@ Picture::Picture(int subpixel_bits)
 Result<Picture> Picture::create(int subpixel_bits) {
   Picture picture(subpixel_bits);
   // Until the caller's first view: OpenGL draws nothing, and clips nothing, without a framebuffer.
-  if (auto made = picture.begin(picture.shown_); !made) return tl::unexpected(made.error());
+  VORPIPE_TRY(picture.begin(picture.shown_));
   return picture;
 }
 
@@ -48,7 +49,7 @@ Result<void> Picture::resize(int width, int height) {
   width_ = 0;
   height_ = 0;
   const auto size = fmt::format("making a picture of {} x {} pixels", width, height);
-  if (auto made = takeErrors(size); !made) return made;
+  VORPIPE_TRY(takeErrors(size));
   if (const GLenum state = glCheckFramebufferStatus(GL_FRAMEBUFFER); state != GL_FRAMEBUFFER_COMPLETE) {
     return tl::unexpected(
         Error{ErrorCode::device,
@@ -72,7 +73,7 @@ void Picture::setDomain(const Box& domain) {
 
 Result<void> Picture::begin(const View& view) {
   if (view.width != width_ || view.height != height_) {
-    if (auto sized = resize(view.width, view.height); !sized) return sized;
+    VORPIPE_TRY(resize(view.width, view.height));
   }
   shown_ = view;
   sendView();

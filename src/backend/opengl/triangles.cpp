@@ -2,6 +2,7 @@
 
 #include <cstddef>
 
+#include "base/try.h"
 #include "shaders.h"
 
 namespace vorpipe::opengl {
@@ -18,9 +19,7 @@ Triangles::Triangles()
 }
 
 Result<void> Triangles::draw(std::span<const DrawMark> corners, std::span<const std::uint32_t> corner_of) {
-  if (auto used = program_.use({shaders::polygon_vert_410(), {}, shaders::cell_frag_410(), {}}); !used) {
-    return used;
-  }
+  VORPIPE_TRY(program_.use({shaders::polygon_vert_410(), {}, shaders::cell_frag_410(), {}}));
   glBindVertexArray(vertices_);
   corners_.write(std::as_bytes(corners));
   corner_of_.write(std::as_bytes(corner_of));

@@ -7,6 +7,7 @@
 #include "backend/cpu/exact_tier.h"
 #include "backend/opengl/opengl_backend.h"
 #include "backend/vulkan/vulkan_backend.h"
+#include "base/try.h"
 
 namespace vorpipe {
 namespace {
@@ -82,7 +83,7 @@ Result<OpenedBackend> openAuto(const BackendOptions& options) {
 
 Result<OpenedBackend> openBackend(const BackendOptions& options) {
   Capabilities any;
-  if (auto known = applyMask(any, options.mask); !known) return tl::unexpected(known.error());
+  VORPIPE_TRY(applyMask(any, options.mask));
   const auto& name = options.name;
   if (name == "auto" || name == "vulkan") {
     auto chosen = name == "auto" ? openAuto(options) : openVulkan(options, Drivers::any);
@@ -93,7 +94,7 @@ Result<OpenedBackend> openBackend(const BackendOptions& options) {
   if (name == "vulkan-compute") return opened(makeVulkanComputeBackend(options));
   if (name == "opengl") return opened(makeOpenGlBackend(options));
   if (name == "cpu") {
-    if (auto known = checkCpuDevice(options.device); !known) return tl::unexpected(known.error());
+    VORPIPE_TRY(checkCpuDevice(options.device));
     return opened(makeCpuBackend(options));
   }
   return tl::unexpected(Error{

@@ -15,7 +15,7 @@ struct OpenedBackend {
   std::string choice;  ///< why this one, where the name left a choice
   /// The backends that the same name would take next, by their own names, if this one fails at work.
   std::vector<std::string> others{};
-  bool beside_drivers = false;  ///< as DeviceInfo has it
+  bool beside_drivers = false;  ///< as in DeviceInfo
 };
 
 /// Opens `options.name`: a registry name (vulkan-geometry, vulkan-compute, opengl, cpu), "vulkan"

@@ -7,14 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/try.h"
 #include "vorpipe.h"
-
-/// Leaves a function that returns a Result with the error of a Result<void>, if there is one.
-#define VORPIPE_TRY(...)                                                   \
-  if (::vorpipe::Result<void> tried = (__VA_ARGS__); !tried.has_value()) { \
-    return tl::unexpected(std::move(tried).error());                       \
-  }                                                                        \
-  static_assert(true)
 
 namespace vorpipe::vulkan {
 

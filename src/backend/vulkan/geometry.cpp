@@ -118,7 +118,7 @@ Result<void> GeometryBackend::reserveStatus(std::size_t entries) {
 }
 
 // Runs a pipeline over the entries first .. first + count - 1 of those in the buffers. Their
-// statuses come to host_status_, from 0 on. All entries have one mark, or first is 0.
+// statuses are written to host_status_, from 0 on. All entries have one mark, or first is 0.
 Result<void> GeometryBackend::run(const Pass& pass, std::size_t first, std::size_t count) {
   const VolkDeviceTable& api = device_.api();
   return device_.run([&](VkCommandBuffer commands) {

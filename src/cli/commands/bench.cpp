@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "base/try.h"
 #include "bench/conditions.h"
 #include "bench/driver_threads.h"
 #include "bench/tables.h"
@@ -70,7 +71,7 @@ Result<std::vector<bench::OpenedDevice>> openBackends(const BenchCommand& comman
   const bool named_all = !command.backends.empty();
   const std::vector<std::string> every = {"vulkan-compute", "cpu", "vulkan-geometry", "opengl"};
   for (const std::string& name : named_all ? command.backends : every) {
-    if (auto go_on = stopIfAsked(); !go_on) return tl::unexpected(go_on.error());
+    VORPIPE_TRY(stopIfAsked());
     BackendOptions options = command.backend;
     options.name = name;
     const auto session = Session::open(options);
@@ -211,7 +212,7 @@ Result<ExitCode> bench(const BenchCommand& command) {
   if (!measured) return tl::unexpected(std::move(measured.error()));
   findings = std::move(*measured);
   report = bench::reportJson(conditions, findings.tables);
-  if (auto written = writeFiles(outputs, *files); !written) return tl::unexpected(std::move(written.error()));
+  VORPIPE_TRY(writeFiles(outputs, *files));
   if (lab.failures().empty()) return exit_done;
   return deviceError(
       fmt::format("{} measurements failed, as {}", lab.failures().size(), lab.failures().front()));

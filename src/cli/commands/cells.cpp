@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/stopwatch.h"
+#include "base/try.h"
 #include "bench/driver_threads.h"
 #include "cli/cells_notes.h"
 #include "cli/commands/command.h"
@@ -205,8 +206,7 @@ Result<CellsOptions> cellsOptions(const CellsCommand& command, Input& input) {
   CellsOptions options{};
   auto density = densityOf(command.density);
   if (!density) return tl::unexpected(std::move(density.error()));
-  if (auto placed = placeUnder(*density, command.density, command.input, input); !placed)
-    return tl::unexpected(std::move(placed.error()));
+  VORPIPE_TRY(placeUnder(*density, command.density, command.input, input));
   options.density = std::move(density->density);
   options.domain = input.domain;
   options.outline = input.outline;
@@ -240,11 +240,9 @@ Result<ExitCode> cells(CellsCommand& command, const Invocation& how) {
   const std::vector<std::string> paths = outputPaths(command);
   if (paths.empty() && !command.check && how.stats == nullptr)
     return tl::unexpected(nothingToDo("cells.csv"));
-  if (auto fits = checkSurface(command); !fits) return tl::unexpected(std::move(fits.error()));
-  if (auto used = checkFormat(command); !used) return tl::unexpected(std::move(used.error()));
-  if (auto taken = takeFormat(command.targets, command.input.format.output); !taken) {
-    return tl::unexpected(std::move(taken.error()));
-  }
+  VORPIPE_TRY(checkSurface(command));
+  VORPIPE_TRY(checkFormat(command));
+  VORPIPE_TRY(takeFormat(command.targets, command.input.format.output));
   const auto fits =
       forecastGenerated(command.input, planBefore(command), command.memory_limit, adviceOn(command));
   if (!fits) return tl::unexpected(fits.error());
@@ -254,11 +252,9 @@ Result<ExitCode> cells(CellsCommand& command, const Invocation& how) {
   auto options = cellsOptions(command, *input);
   if (!options) return tl::unexpected(std::move(options.error()));
   const int threads = command.backend.threads;
-  if (const auto checked = checkInput(command.input, *input, *options, threads); !checked) {
-    return tl::unexpected(checked.error());
-  }
+  VORPIPE_TRY(checkInput(command.input, *input, *options, threads));
   if (command.surface == Surface::free) {
-    if (const auto discs = checkDiscs(input->sites); !discs) return tl::unexpected(discs.error());
+    VORPIPE_TRY(checkDiscs(input->sites));
   }
   printNotes(command.talk, *input);
   auto files = openOutputs(paths);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "base/stopwatch.h"
+#include "base/try.h"
 #include "bench/driver_threads.h"
 #include "cli/commands/command.h"
 #include "cli/comparison.h"
@@ -82,9 +83,7 @@ Result<BackendRun> runBackend(const CompareCommand& command, const std::string& 
   BackendRun run{name, std::move(*rendering), std::move(*cells), render_ms, cells_watch.milliseconds()};
   run.choice = session->choice();
   if (command.talk.verbose && !run.choice.empty()) printNote(run.choice);
-  if (auto checked = checkRun(command, input, picture, run); !checked) {
-    return tl::unexpected(std::move(checked.error()));
-  }
+  VORPIPE_TRY(checkRun(command, input, picture, run));
   return run;
 }
 
@@ -152,9 +151,7 @@ Result<RenderOptions> checkedOptions(const CompareCommand& command, const Input&
   const int threads = command.backend.threads;
   auto options = pictureOf(command.picture, command.input, input);
   if (!options) return options;
-  if (auto checked = checkInput(command.input, input, cellsOptions(*options), threads); !checked) {
-    return tl::unexpected(std::move(checked.error()));
-  }
+  VORPIPE_TRY(checkInput(command.input, input, cellsOptions(*options), threads));
   return options;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 
+#include "base/try.h"
 #include "cli/commands/command.h"
 #include "cli/difference_picture.h"
 #include "cli/difference_text.h"
@@ -55,12 +56,12 @@ Result<IdDiff> idDiff(const DiffCommand& command, const Image& a, const Image& b
   const auto planDiff = [](MemoryPlan& plan, const Workload& work) {
     plan.take("the comparison", work.sites * sizeof(double[3]));
   };
-  if (auto fits = forecastGenerated(command.input, planDiff, {}); !fits) return tl::unexpected(fits.error());
+  VORPIPE_TRY(forecastGenerated(command.input, planDiff, {}));
   const auto input = loadInput(command.input);
   if (!input) return tl::unexpected(input.error());
   printNotes(command.talk, *input);
-  if (auto checked = checkIds(command.a, a, input->sites); !checked) return tl::unexpected(checked.error());
-  if (auto checked = checkIds(command.b, b, input->sites); !checked) return tl::unexpected(checked.error());
+  VORPIPE_TRY(checkIds(command.a, a, input->sites));
+  VORPIPE_TRY(checkIds(command.b, b, input->sites));
   RenderOptions options{};
   options.domain = input->domain;
   options.periodic = input->periodic;
@@ -141,9 +142,7 @@ Result<ExitCode> diff(const DiffCommand& command) {
   const Result<DiffOutcome> outcome = ids ? compareIds(command, *a, *b) : compareColors(command, *a, *b);
   if (!outcome) return tl::unexpected(outcome.error());
   if (!command.png.empty()) {
-    if (const auto written = writePicture(command.png, outcome->picture); !written) {
-      return tl::unexpected(written.error());
-    }
+    VORPIPE_TRY(writePicture(command.png, outcome->picture));
   }
   if (!outcome->difference.empty()) {
     printError(fmt::format("{} and {} differ: {}", command.a, command.b, outcome->difference));

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/stopwatch.h"
+#include "base/try.h"
 #include "bench/driver_threads.h"
 #include "cli/commands/command.h"
 #include "cli/fluid_files.h"
@@ -105,11 +106,9 @@ Result<FluidOutcome> flow(const FluidCommand& command, Session& session, FluidSe
   printNotes(command.talk, withNewNotes(fluid->report(), {}));
   outcome.told = fluid->report().notes;
   outcome.first = fluid->last();
-  if (auto noted = note(fluid->last(), outcome, record); !noted) return tl::unexpected(noted.error());
+  VORPIPE_TRY(note(fluid->last(), outcome, record));
   std::uint64_t recorded = outcome.last.step;
-  if (auto added = record.add(session, fluid->state(), options); !added) {
-    return tl::unexpected(added.error());
-  }
+  VORPIPE_TRY(record.add(session, fluid->state(), options));
   for (;;) {
     if (const auto end = endedBy(command.choices, outcome, watch)) {
       outcome.end = *end;
@@ -121,21 +120,17 @@ Result<FluidOutcome> flow(const FluidCommand& command, Session& session, FluidSe
       outcome.end = endOf(fluid->end());
       break;
     }
-    if (auto noted = note(fluid->last(), outcome, record); !noted) return tl::unexpected(noted.error());
+    VORPIPE_TRY(note(fluid->last(), outcome, record));
     bar.show(fmt::format("fluid, step {}, time {:.4g}", outcome.last.step, outcome.last.time),
              std::isfinite(options.until) ? (outcome.last.time - start) / (options.until - start) : 0);
     if (outcome.last.step % command.targets.every != 0) continue;
     recorded = outcome.last.step;
-    if (auto added = record.add(session, fluid->state(), options); !added) {
-      return tl::unexpected(added.error());
-    }
+    VORPIPE_TRY(record.add(session, fluid->state(), options));
   }
   if (recorded != outcome.last.step) {
-    if (auto added = record.add(session, fluid->state(), options); !added) {
-      return tl::unexpected(added.error());
-    }
+    VORPIPE_TRY(record.add(session, fluid->state(), options));
   }
-  if (auto finished = record.finish(log); !finished) return tl::unexpected(finished.error());
+  VORPIPE_TRY(record.finish(log));
   outcome.state = fluid->state();
   outcome.has_exploded = fluid->hasExploded();
   outcome.epsilon = options.epsilon;
@@ -239,20 +234,20 @@ Result<ExitCode> fluid(FluidCommand& command, const Invocation& how) {
   log.search = command.search;
   log.threads = command.backend.threads;
   const FluidPlan plan{command.choices, command.targets, command.picture, command.memory_limit};
-  if (auto fits = forecastCase(plan); !fits) return tl::unexpected(fits.error());
+  VORPIPE_TRY(forecastCase(plan));
   auto setup = setupOf(command.choices);
   if (!setup) return tl::unexpected(std::move(setup.error()));
-  if (auto checked = checkCommand(command, *setup, how); !checked) return tl::unexpected(checked.error());
+  VORPIPE_TRY(checkCommand(command, *setup, how));
   setup->options.search = command.search;
   setup->options.progress = untilSignal();
   const FluidOptions options = setup->options;
   auto files = openOutputs(command.targets.paths());
   if (!files) return tl::unexpected(std::move(files.error()));
-  if (auto apart = checkApart(command.targets, *files); !apart) return tl::unexpected(apart.error());
+  VORPIPE_TRY(checkApart(command.targets, *files));
   // What is resumed from may be where the checkpoints go.
   if (command.choices.resume.empty()) {
     for (const std::string& path : {command.targets.checkpoint, command.targets.trace}) {
-      if (auto apart = checkNotRead(std::span(&path, 1)); !apart) return tl::unexpected(apart.error());
+      VORPIPE_TRY(checkNotRead(std::span(&path, 1)));
     }
   }
   awaitResultOnSignals();
@@ -269,10 +264,7 @@ Result<ExitCode> fluid(FluidCommand& command, const Invocation& how) {
   takeSignal();
   printNotes(command.talk, withNewNotes(outcome->report, outcome->told));
   if (!validationIsSilent(outcome->report)) return exit_device;
-  if (auto written = writeFiles(command, options, *session, *outcome, *files, log, *forecast, total);
-      !written) {
-    return tl::unexpected(written.error());
-  }
+  VORPIPE_TRY(writeFiles(command, options, *session, *outcome, *files, log, *forecast, total));
   printSummary(command.talk, command.targets.paths(),
                fmt::format("{}, {}\n", fluidSummary(*outcome, options),
                            runText(outcome->report, total.milliseconds(), false)));

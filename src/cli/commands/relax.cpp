@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/stopwatch.h"
+#include "base/try.h"
 #include "bench/driver_threads.h"
 #include "cli/commands/command.h"
 #include "cli/drawn_input.h"
@@ -106,7 +107,7 @@ Result<void> saveNumbered(RelaxRun& run, Session& session, const Relaxation& rel
   if (!numbered) return tl::unexpected(std::move(numbered.error()));
   const auto writers = writersOf(run.job, *parts);
   for (std::size_t k = 0; k < writers.size(); ++k) {
-    if (auto written = run.log.noteOutput((*numbered)[k], writers[k]); !written) return written;
+    VORPIPE_TRY(run.log.noteOutput((*numbered)[k], writers[k]));
   }
   return commitAll(*numbered);
 }
@@ -131,7 +132,7 @@ Result<Relaxed> relaxIn(RelaxRun& run, Session& session, RelaxOptions options) {
     bar.show(progressText(diagram, lastTaken(relaxation->trace()), iterations),
              static_cast<double>(diagram) / whole);
     if (every > 0 && diagram % every == 0) {
-      if (auto saved = saveNumbered(run, session, *relaxation); !saved) return tl::unexpected(saved.error());
+      VORPIPE_TRY(saveNumbered(run, session, *relaxation));
     }
     more = relaxation->step();
   }
@@ -209,7 +210,7 @@ Result<ExitCode> relax(RelaxCommand& command, const Invocation& how) {
   RunLog log(how, !command.stats.empty());
   log.search = command.search;
   log.threads = command.backend.threads;
-  if (auto checked = checkCommand(command, how); !checked) return tl::unexpected(std::move(checked.error()));
+  VORPIPE_TRY(checkCommand(command, how));
   const auto density = densityOf(command.density);
   if (!density) return tl::unexpected(density.error());
   InputOptions reading = command.input;
@@ -220,7 +221,7 @@ Result<ExitCode> relax(RelaxCommand& command, const Invocation& how) {
   RelaxOptions options = relaxOptions(command, *input, density->density);
   const ResultJob job{command.targets,  reading,        command.picture,        *input,
                       density->density, command.search, command.backend.threads};
-  if (auto checked = checkBefore(job); !checked) return tl::unexpected(std::move(checked.error()));
+  VORPIPE_TRY(checkBefore(job));
   printNotes(command.talk, *input);
   const auto paths = outputPaths(command);
   auto files = openOutputs(paths);
@@ -239,9 +240,7 @@ Result<ExitCode> relax(RelaxCommand& command, const Invocation& how) {
   const bool interrupted = takeSignal();
   printNotes(command.talk, relaxed->report);
   if (!validationIsSilent(relaxed->report)) return exit_device;
-  if (auto written = writeFiles(run, *session, *relaxed, *forecast, total); !written) {
-    return tl::unexpected(written.error());
-  }
+  VORPIPE_TRY(writeFiles(run, *session, *relaxed, *forecast, total));
   printSummary(command.talk, paths,
                fmt::format("{}, {}, {}\n", outcomeText(paths, relaxed->sites, relaxed->report),
                            relaxSummary(*relaxed), runText(relaxed->report, total.milliseconds(), false)));
@@ -269,10 +268,9 @@ void addMethodOptions(Options& options, RelaxCommand& command) {
   addDensityOptions(options, command.density,
                     "sites gather where it is high. --sites density:N draws N sites from it, as dense as it "
                     "is, in the box of its pixels where no --domain is named");
-  options.addFlag(
-      "--equal-masses", command.equal_masses,
-      "relaxes under the square of the density: then cells come to have equal masses, as stippling "
-      "wants it; else sites are as dense as its square root");
+  options.addFlag("--equal-masses", command.equal_masses,
+                  "relaxes under the square of the density: then cells get equal masses, as stippling "
+                  "wants it; else sites are as dense as its square root");
 }
 
 }  // namespace

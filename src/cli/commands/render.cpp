@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "base/stopwatch.h"
+#include "base/try.h"
 #include "bench/driver_threads.h"
 #include "cli/commands/command.h"
 #include "cli/drawing.h"
@@ -96,7 +97,7 @@ Result<void> writeFiles(const RenderCommand& command, const Input& input, const 
 Result<void> checkSurface(const RenderCommand& command, const Sites& sites, const RenderOptions& options) {
   if (command.surface == Surface::none) return {};
   if (command.check) return inputError("--check: what verifies cells does not know free surfaces");
-  if (auto discs = checkDiscs(sites); !discs) return discs;
+  VORPIPE_TRY(checkDiscs(sites));
   return checkFreePicture("--surface", options, needsOf(command.files));
 }
 
@@ -114,20 +115,15 @@ Result<ExitCode> render(const RenderCommand& command, const Invocation& how) {
   options.width = known.width;
   options.height = known.height;
   const PlanRun plan = planOf(command, options);
-  if (const auto fits = forecastGenerated(command.input, plan, command.memory_limit); !fits) {
-    return tl::unexpected(fits.error());
-  }
+  VORPIPE_TRY(forecastGenerated(command.input, plan, command.memory_limit));
   const auto input = loadInput(command.input);
   if (!input) return tl::unexpected(input.error());
   auto complete = pictureOf(command.picture, command.input, *input);
   if (!complete) return tl::unexpected(std::move(complete.error()));
   options = std::move(*complete);
   const int threads = command.backend.threads;
-  if (const auto checked = checkInput(command.input, *input, cellsOptions(options), threads); !checked) {
-    return tl::unexpected(checked.error());
-  }
-  if (const auto fits = checkSurface(command, input->sites, options); !fits)
-    return tl::unexpected(fits.error());
+  VORPIPE_TRY(checkInput(command.input, *input, cellsOptions(options), threads));
+  VORPIPE_TRY(checkSurface(command, input->sites, options));
   printNotes(command.talk, *input);
   auto files = openOutputs(paths);
   if (!files) return tl::unexpected(std::move(files.error()));

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "base/try.h"
 #include "cli/commands/command.h"
 #include "cli/options/error_line.h"
 #include "cli/options/options.h"
@@ -34,7 +35,7 @@ Result<std::vector<std::string>> argumentsAgain(const RerunCommand& command, con
   const auto sub = std::ranges::find(program.subcommands, run.arguments.front(), &DeclaredSubcommand::name);
   const auto has_stats = [](const DeclaredOption& option) { return option.names.back() == "--stats"; };
   if (sub == program.subcommands.end() || std::ranges::none_of(sub->options, has_stats)) {
-    return inputError(fmt::format("{}: \"arguments\": {} is no subcommand that has --stats", command.stats,
+    return inputError(fmt::format("{}: \"arguments\": no subcommand {} has --stats", command.stats,
                                   inQuotes(run.arguments.front())));
   }
   std::vector<std::string> again;
@@ -155,12 +156,12 @@ Result<ExitCode> rerun(const RerunCommand& command, CommandLine& line) {
   if (!then) return tl::unexpected(then.error());
   const auto arguments = argumentsAgain(command, line.declared(), *then);
   if (!arguments) return tl::unexpected(arguments.error());
-  if (const auto known = checkNames(command, *arguments); !known) return tl::unexpected(known.error());
+  VORPIPE_TRY(checkNames(command, *arguments));
   if (command.dry_run) {
     fmt::print("vorpipe {}\n", shellLine(*arguments));
     return exit_done;
   }
-  if (const auto same = checkInputs(command, *then); !same) return tl::unexpected(same.error());
+  VORPIPE_TRY(checkInputs(command, *then));
   std::string stats;
   auto code = runAgain(line, *arguments, stats);
   if (!code || stats.empty()) return code;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/try.h"
 #include "bench/driver_threads.h"
 #include "bench/machine.h"
 #include "cli/commands/command.h"
@@ -71,8 +72,7 @@ Result<ExitCode> runSelftest(const SelftestCommand& command) {
   if (!command.json.empty()) {
     writers.emplace_back([&](ByteSink& to) { return to.write(jsonOf(*report)); });
   }
-  if (auto written = writeOutputs(*files, writers); !written)
-    return tl::unexpected(std::move(written.error()));
+  VORPIPE_TRY(writeOutputs(*files, writers));
   if (report->passed()) return exit_done;
   printError("a promise is broken: " + firstFault(*report));
   return exit_different;

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "base/stopwatch.h"
+#include "base/try.h"
 #include "bench/driver_threads.h"
 #include "cli/commands/command.h"
 #include "cli/drawn_input.h"
@@ -87,7 +88,7 @@ Result<void> checkCommand(TransportCommand& command, const Invocation& how) {
         "-o: name what to write, as in -o sites.csv (or give --save-weights, --cells, --picture, --trace or "
         "--stats)");
   }
-  if (auto checked = checkMasses(command.masses); !checked) return checked;
+  VORPIPE_TRY(checkMasses(command.masses));
   if (!command.weights.empty()) {
     if (auto checked = checkWeightsPath(command.weights); !checked) {
       return named("--save-weights", std::move(checked.error()));
@@ -123,9 +124,7 @@ struct TransportRun {
 
 Result<Transported> transportIn(TransportRun& run, Session& session, TransportOptions options) {
   const auto count = run.job.input.sites.size();
-  if (auto fit = fitMasses(run.command.masses, count, session, options); !fit) {
-    return tl::unexpected(std::move(fit.error()));
-  }
+  VORPIPE_TRY(fitMasses(run.command.masses, count, session, options));
   ProgressBar bar(run.command.talk.quiet);
   double first_worst = 0;
   return transport(session, run.job.input.sites, options, [&](const TransportStep& step) {
@@ -182,7 +181,7 @@ Result<ExitCode> transportCells(TransportCommand& command, const Invocation& how
   RunLog log(how, !command.stats.empty());
   log.search = command.search;
   log.threads = command.backend.threads;
-  if (auto checked = checkCommand(command, how); !checked) return tl::unexpected(std::move(checked.error()));
+  VORPIPE_TRY(checkCommand(command, how));
   const auto density = densityOf(command.density);
   if (!density) return tl::unexpected(density.error());
   InputOptions reading = command.input;
@@ -196,7 +195,7 @@ Result<ExitCode> transportCells(TransportCommand& command, const Invocation& how
   TransportOptions options = transportOptions(command, *input, density->density, std::move(*masses));
   const ResultJob job{command.targets,  reading,        command.picture,         *input,
                       density->density, command.search, command.backend.threads, command.masses.around()};
-  if (auto checked = checkBefore(job); !checked) return tl::unexpected(std::move(checked.error()));
+  VORPIPE_TRY(checkBefore(job));
   printNotes(command.talk, *input);
   const auto paths = outputPaths(command);
   auto files = openOutputs(paths);
@@ -215,9 +214,7 @@ Result<ExitCode> transportCells(TransportCommand& command, const Invocation& how
   const bool interrupted = takeSignal();
   printNotes(command.talk, found->report);
   if (!validationIsSilent(found->report)) return exit_device;
-  if (auto written = writeFiles(run, *session, *found, *forecast, total); !written) {
-    return tl::unexpected(written.error());
-  }
+  VORPIPE_TRY(writeFiles(run, *session, *found, *forecast, total));
   if (command.masses.around() == Surface::free && !command.targets.points.empty() && !command.talk.quiet) {
     printNote("-o: files of sites do not say that air is around their cells: have --surface free read them");
   }
@@ -253,9 +250,9 @@ void addTransportOutputs(Options& options, TransportCommand& command) {
 
 void addTransport(CommandLine& line) {
   auto command = std::make_shared<TransportCommand>();
-  Options options = line.addSubcommand(
-      "transport", "finds the weights that give each cell its mass: equal areas, or as many files as say so",
-      [command](const Invocation& how) { return transportCells(*command, how); });
+  Options options =
+      line.addSubcommand("transport", "finds the weights that give each cell a prescribed area or mass",
+                         [command](const Invocation& how) { return transportCells(*command, how); });
   addInputOptions(options, command->input).required();
   addMassOptions(options, command->masses);
   addSolverOptions(options, *command);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/try.h"
 #include "bench/driver_threads.h"
 #include "cli/abrupt_end.h"
 #include "cli/commands/command.h"
@@ -194,14 +195,14 @@ std::vector<std::string> namedOutputs(const view::AppOptions& options) {
 Result<ExitCode> runView(const ViewCommand& command) {
   setDriverThreads(command.backend.threads);
   const ReadLog reads(ReadLog::Notes::names);
-  if (auto checked = checkFluid(command); !checked) return tl::unexpected(checked.error());
+  VORPIPE_TRY(checkFluid(command));
   if (!command.input.sites.empty()) {
     const auto fits = forecastGenerated(command.input, planOf(command), command.memory_limit);
     if (!fits) return tl::unexpected(fits.error());
   }
   auto options = appOf(command);
   if (!options) return tl::unexpected(std::move(options.error()));
-  if (auto apart = checkNotRead(namedOutputs(*options)); !apart) return tl::unexpected(apart.error());
+  VORPIPE_TRY(checkNotRead(namedOutputs(*options)));
   endOnLostDisplay(exit_device);
   auto window = openWindow(command, options->viewer.shown_by);
   if (!window) return tl::unexpected(std::move(window.error()));
@@ -212,7 +213,7 @@ Result<ExitCode> runView(const ViewCommand& command) {
   stopOnSignals();
   const auto end = view::run(screen, std::move(*options));
   if (!end) return asOption(end.error(), command.input);
-  if (const auto go_on = stopIfAsked(); !go_on) return tl::unexpected(go_on.error());
+  VORPIPE_TRY(stopIfAsked());
   Report report{};
   report.validation_messages = end->validation;
   if (!validationIsSilent(report)) return exit_device;

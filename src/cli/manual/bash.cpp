@@ -9,7 +9,7 @@ namespace {
 /// Functions that complete one value. They need nothing of the package bash-completion, so that the script
 /// works where it is only sourced.
 constexpr std::string_view functions = R"bash(
-# Adds those of the words in $1 that begin with $current. One that ends in : or = goes on, without a space.
+# Adds those of the words in $1 that begin with $current. After one that ends in : or = no space is put.
 _vorpipe_words() {
   local word
   for word in $1; do

@@ -7,8 +7,8 @@
 namespace vorpipe::cli {
 namespace {
 
-/// Completes a value by words in $1, of which one that ends in : or = goes on, and files that end in what is
-/// in $2.
+/// Completes a value by words in $1, of which one that ends in : or = is only a beginning, and files that end
+/// in what is in $2.
 constexpr std::string_view functions = R"zsh(
 _vorpipe_value() {
   local -a words=(${=1}) extensions=(${=2}) expl

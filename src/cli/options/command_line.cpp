@@ -145,7 +145,7 @@ struct CommandLine::Parser {
         return unknownOption(declaredSubcommand(*sub.app, choices), arguments.subspan(2));
     }
     const std::string hint = didYouMean(first, names);
-    return inQuotes(first) + " is no subcommand" + (hint.empty() ? "; see vorpipe --help" : hint);
+    return "unknown subcommand " + inQuotes(first) + (hint.empty() ? "; see vorpipe --help" : hint);
   }
 };
 

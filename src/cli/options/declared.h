@@ -16,7 +16,7 @@ std::vector<std::string> inOrder(std::vector<std::string> groups);
 
 /// What is known of the values that an option takes.
 struct Choices {
-  std::vector<std::string> words;       ///< one that ends in : or = goes on
+  std::vector<std::string> words;       ///< one that ends in : or = is only a beginning
   std::vector<std::string> extensions;  ///< of the files that it may name, each with its dot
   bool listed = false;                  ///< several words, with commas between them
 

@@ -53,8 +53,8 @@ void addDomainOptions(Options& options, InputOptions& input, const Option& sites
       .needs(sites);
   addParsed(
       options, "--margin", input.margin, "M or P%",
-      "how much larger than the sites on every side the box is that --domain leaves open, or the hull: in "
-      "the domain's unit, or as a part of the longer side [5%; of a hull 0]",
+      "margin around the sites, where --domain names no box, or around their hull: in the domain's unit, or "
+      "as a part of the longer side [5%; of a hull 0]",
       parseMargin)
       .needs(sites);
   options

@@ -181,7 +181,7 @@ void addFluidTargets(Options& options, FluidTargets& targets) {
 Result<FluidSetup> startOf(const FluidChoices& choices) {
   if (choices.begin.empty() == choices.resume.empty()) {
     return inputError(choices.begin.empty() ? "--case: name what to begin with (or --resume a checkpoint)"
-                                            : "--resume: goes on with a fluid, and --case begins one");
+                                            : "--resume: continues a fluid, and --case begins one");
   }
   const auto named = fluidCaseOf(choices.begin);
   if (!named && choices.particles_named) {

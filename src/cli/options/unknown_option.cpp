@@ -39,7 +39,7 @@ std::string isNone(std::string_view name, const DeclaredSubcommand& subcommand) 
   const std::string hint = didYouMean(name, names);
   // The program's own options are declared as those of a subcommand of its name.
   const std::string page = subcommand.name == "vorpipe" ? subcommand.name : "vorpipe " + subcommand.name;
-  return fmt::format("{}: is no option{}", std::string_view(typed).substr(1, typed.size() - 2),
+  return fmt::format("unknown option {}{}", std::string_view(typed).substr(1, typed.size() - 2),
                      hint.empty() ? fmt::format("; see {} --help", page) : hint);
 }
 

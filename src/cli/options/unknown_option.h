@@ -1,4 +1,4 @@
-/// Options that there are not, found in the order in which they were typed.
+/// Finds the first unknown option on a command line.
 #pragma once
 
 #include <span>

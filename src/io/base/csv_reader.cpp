@@ -7,6 +7,7 @@
 #include <new>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/csv_dialect.h"
 #include "io/base/error.h"
 #include "io/base/number.h"
@@ -138,9 +139,7 @@ Result<bool> CsvReader::next() {
       if (!record) return record;
       if (!*record) continue;
     }
-    if (const auto parsed = parse(**line); !parsed) {
-      return tl::unexpected(parsed.error());
-    }
+    VORPIPE_TRY(parse(**line));
     if (record_.complete) {
       begun_ = true;
       return true;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "base/try.h"
 #include "io/base/print.h"
 #include "vorpipe.h"
 
@@ -28,7 +29,7 @@ template <class Put>
 Result<void> writeFeatures(ByteSink& sink, FeaturesAs as, std::size_t count, const Put& put, int threads) {
   const bool lines = as == FeaturesAs::lines;
   if (!lines) {
-    if (auto written = sink.write(R"({"type":"FeatureCollection","features":[)"); !written) return written;
+    VORPIPE_TRY(sink.write(R"({"type":"FeatureCollection","features":[)"));
   }
   const auto putFeature = [&](Bytes& text, std::size_t index) {
     const std::size_t before = text.size();

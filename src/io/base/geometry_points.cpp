@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/geometry_bytes.h"
 
 namespace vorpipe {
@@ -35,7 +36,7 @@ GeometryTaken takeWkb(ByteReader& reader, std::vector<Point>& points, bool& othe
     const WkbType its = takeWkbType(reader);
     if (reader.failed()) return damagedGeometry();
     if (its.type != point) return wrongGeometry(fmt::format("a {} in a MultiPoint", nameOfWkbType(its.type)));
-    if (auto taken = takePosition(reader, its, points, others); !taken) return taken;
+    VORPIPE_TRY(takePosition(reader, its, points, others));
   }
   return reader.failed() ? damagedGeometry() : GeometryTaken();
 }

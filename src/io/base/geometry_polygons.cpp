@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/geojson_nesting.h"
 #include "io/base/geometry_bytes.h"
 
@@ -28,7 +29,7 @@ GeometryTaken takePolygon(ByteReader& reader, const WkbType& type, std::vector<P
   const auto count = reader.take<std::uint32_t>();
   PolygonRings rings;
   for (std::uint32_t k = 0; k < count; ++k) {
-    if (auto taken = takeRing(reader, type, rings.emplace_back()); !taken) return taken;
+    VORPIPE_TRY(takeRing(reader, type, rings.emplace_back()));
   }
   if (reader.failed()) return damagedGeometry();
   if (!rings.empty()) polygons.push_back(std::move(rings));
@@ -46,7 +47,7 @@ GeometryTaken takeWkb(ByteReader& reader, std::vector<PolygonRings>& polygons, i
     return wrongGeometry(fmt::format("stands in more than {} collections", most_nested_collections));
   const auto count = reader.take<std::uint32_t>();
   for (std::uint32_t k = 0; k < count; ++k) {
-    if (auto taken = takeWkb(reader, polygons, depth + 1); !taken) return taken;
+    VORPIPE_TRY(takeWkb(reader, polygons, depth + 1));
   }
   return reader.failed() ? damagedGeometry() : GeometryTaken();
 }

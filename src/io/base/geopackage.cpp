@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/try.h"
 #include "io/base/byte_order.h"
 #include "io/base/error.h"
 #include "io/base/geopackage_tables.h"
@@ -119,9 +120,9 @@ Result<void> Filling::fillFeatures(std::size_t count, const FillRow& fill) {
     FeatureRow row(insertion->get(), reference_.id);
     if (!fill(index, row)) continue;
     if (row.code() != SQLITE_OK) return failed(row.code());
-    if (auto inserted = step(*insertion); !inserted) return inserted;
+    VORPIPE_TRY(step(*insertion));
     if (!row.box()) continue;
-    if (auto noted = noteInTree(*tree_insertion, *row.box()); !noted) return noted;
+    VORPIPE_TRY(noteInTree(*tree_insertion, *row.box()));
   }
   return {};
 }

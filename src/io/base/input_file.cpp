@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/memory_room.h"
 #include "io/base/read_log.h"
@@ -91,7 +92,7 @@ Result<void> InputFile::begin() {
 
 Result<std::size_t> InputFile::read(std::span<char> bytes) {
   if (!begun_) {
-    if (auto begun = begin(); !begun) return tl::unexpected(std::move(begun.error()));
+    VORPIPE_TRY(begin());
   }
   if (!inflater_) return readAsIs(bytes);
   return inflater_->read(

@@ -10,7 +10,7 @@ namespace vorpipe {
 /// With a line's end. What is no UTF-8 is replaced: a driver's name may hold any bytes.
 std::string jsonText(const nlohmann::ordered_json& json, int indent);
 
-/// Text, which is UTF-8, as JSON has it, in double quotes.
+/// UTF-8 text as a string of JSON, in double quotes.
 std::string jsonString(std::string_view text);
 
 }  // namespace vorpipe

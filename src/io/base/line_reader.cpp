@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/error.h"
 
 namespace vorpipe {
@@ -50,7 +51,7 @@ Result<std::string_view> LineReader::wholeLines() {
     return text.substr(0, text.rfind('\n') + 1);  // npos + 1 is 0
   };
   if (auto lines = atHand(); !lines.empty() || at_end_) return lines;
-  if (const auto filled = refill(); !filled) return tl::unexpected(filled.error());
+  VORPIPE_TRY(refill());
   return atHand();
 }
 
@@ -85,9 +86,7 @@ Result<std::optional<std::string_view>> LineReader::next() {
       return errorAt(1, fmt::format("the line is longer than {} bytes; is this a text file?", longest_line));
     }
     const auto seen = static_cast<std::size_t>(found - buffer_.get()) - begin_;
-    if (const auto filled = refill(); !filled) {
-      return tl::unexpected(filled.error());
-    }
+    VORPIPE_TRY(refill());
     searched = begin_ + seen;
   }
 }

@@ -8,7 +8,7 @@
 
 namespace vorpipe {
 
-/// Error (input): `bytes` are more than this process may come to have; "NAME: its WHAT need about ...".
+/// Error (input): `bytes` are more than this process may take; "NAME: its WHAT need about ...".
 Result<void> checkRoom(std::string_view name, std::string_view what, std::uint64_t bytes);
 
 }  // namespace vorpipe

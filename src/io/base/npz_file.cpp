@@ -6,6 +6,7 @@
 #include <new>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/inflater.h"
 #include "io/base/input_file.h"
@@ -66,7 +67,7 @@ Result<NpzFile> NpzFile::read(const std::string& path) {
   NpzFile npz(path);
   try {
     const std::string& archive = npz.bytes_.emplace_back(std::move(bytes));
-    if (auto indexed = npz.index(archive); !indexed) return tl::unexpected(std::move(indexed.error()));
+    VORPIPE_TRY(npz.index(archive));
   } catch (const std::bad_alloc&) {
     return deviceError(path + ": there is not enough memory for its arrays");
   }
@@ -98,7 +99,7 @@ Result<void> NpzFile::index(std::string_view bytes) {
     if (begin > bytes.size() || packed > bytes.size() - begin) return broken();
     std::string_view array = bytes.substr(begin, packed);
     if (method == deflated) {
-      if (auto room = checkRoom(name_, "arrays", size); !room) return room;
+      VORPIPE_TRY(checkRoom(name_, "arrays", size));
       auto whole = inflated(array, size);
       if (!whole) return inputError(fmt::format("{}: {} is damaged", name_, inQuotes(name)));
       array = bytes_.emplace_back(std::move(*whole));
@@ -106,7 +107,7 @@ Result<void> NpzFile::index(std::string_view bytes) {
     if (checksumOf(array) != numberAt(bytes, at + 16, 4)) {
       return inputError(fmt::format("{}: {} is damaged: its checksum is another", name_, inQuotes(name)));
     }
-    if (auto added = add(name, array); !added) return added;
+    VORPIPE_TRY(add(name, array));
     at += 46 + name_size + numberAt(bytes, at + 30, 2) + numberAt(bytes, at + 32, 2);
   }
   return {};

@@ -13,6 +13,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/replaced_file.h"
 
@@ -100,9 +101,7 @@ Result<OutputFile> OutputFile::create(const std::string& path) {
     return tl::unexpected(target.error());
   }
   OutputFile file(path, target->string());
-  if (const auto created = file.createTemporary(); !created) {
-    return tl::unexpected(created.error());
-  }
+  VORPIPE_TRY(file.createTemporary());
   return file;
 }
 
@@ -123,9 +122,7 @@ Result<void> OutputFile::finish() {
 }
 
 Result<void> OutputFile::commit() {
-  if (auto finished = finish(); !finished) {
-    return finished;
-  }
+  VORPIPE_TRY(finish());
   if (!temporary_) {
     return {};
   }
@@ -159,9 +156,7 @@ Result<std::vector<OutputFile>> createOutputs(std::span<const std::string> paths
 
 Result<void> commitAll(std::span<OutputFile> files) {
   for (OutputFile& file : files) {
-    if (auto finished = file.finish(); !finished) {
-      return finished;
-    }
+    VORPIPE_TRY(file.finish());
   }
   std::deque<ReplacedFile> replaced;
   for (OutputFile& file : files) {

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/try.h"
 #include "io/base/byte_order.h"
 
 // APPNOTE.TXT, the format's description by PKWARE, version 6.3.10: sections 4.3.7 (header of an
@@ -163,7 +164,7 @@ Result<void> writeZip(ByteSink& sink, std::span<const ZipEntry> entries) {
   }
   const std::uint64_t directory = end;
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (auto written = write(directoryRecord(entries[i].name, records[i])); !written) return written;
+    VORPIPE_TRY(write(directoryRecord(entries[i].name, records[i])));
   }
   return sink.write(endOf(records.size(), directory, end));
 }

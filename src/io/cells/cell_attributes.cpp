@@ -57,11 +57,11 @@ std::string renamingNote(std::span<const Attribute> attributes) {
   for (std::size_t k = 0; k < names.size(); ++k) {
     // The column `fid` holds the row numbers of a GeoPackage: that these are renamed is no news to its user.
     if (names[k] == attributes[k].name() || attributes[k].name() == "fid") continue;
-    renamed += fmt::format("{}{} is {}", renamed.empty() ? "" : ", ", inQuotes(attributes[k].name()),
+    renamed += fmt::format("{}{} to {}", renamed.empty() ? "" : ", ", inQuotes(attributes[k].name()),
                            inQuotes(names[k]));
   }
   if (renamed.empty()) return renamed;
-  return "attributes whose names other fields have get new ones: " + renamed;
+  return "renamed, since other fields have these names: " + renamed;
 }
 
 void printJsonValue(Bytes& text, const Attribute& attribute, std::size_t site) {

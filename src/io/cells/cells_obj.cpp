@@ -1,3 +1,4 @@
+#include "base/try.h"
 #include "io/base/print.h"
 #include "io/cells/cells_file.h"
 #include "io/cells/cells_mesh.h"
@@ -18,9 +19,7 @@ Result<void> writeObjCells(ByteSink& sink, const CellsOutput& output) {
   const std::string_view head = in_pieces
                                     ? "# Faces are pieces of cells; the group is the cell's site.\n"
                                     : "# Faces are the cells of the sites that have one, in their order.\n";
-  if (auto written = sink.write(head); !written) {
-    return written;
-  }
+  VORPIPE_TRY(sink.write(head));
   auto points = writeEach(sink, mesh->points.size(), [&](Bytes& text, std::size_t i) {
     print(text, FMT_COMPILE("v {} {} 0\n"), mesh->points[i].x, mesh->points[i].y);
   });

@@ -1,3 +1,4 @@
+#include "base/try.h"
 #include "io/base/byte_order.h"
 #include "io/base/print.h"
 #include "io/cells/cells_file.h"
@@ -26,9 +27,7 @@ Result<void> writePlyCells(ByteSink& sink, const CellsOutput& output) {
       "element face {}\nproperty list uint int vertex_indices\nproperty uint site\nproperty double area\n"
       "end_header\n",
       mesh->points.size(), mesh->size());
-  if (auto written = sink.write(head); !written) {
-    return written;
-  }
+  VORPIPE_TRY(sink.write(head));
   auto points = writeEach(sink, mesh->points.size(), [&](Bytes& bytes, std::size_t i) {
     append(bytes, mesh->points[i].x);
     append(bytes, mesh->points[i].y);

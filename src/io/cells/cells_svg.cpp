@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/try.h"
 #include "io/base/print.h"
 #include "io/cells/cell_polygons.h"
 #include "io/cells/cell_rings.h"
@@ -101,9 +102,7 @@ Result<void> writeSvgCells(ByteSink& sink, const CellsOutput& output) {
       "<style>polygon,path{{stroke:#333;stroke-width:{2:.4g};stroke-linejoin:round;fill-rule:evenodd}}"
       "polygon:hover,path:hover{{fill-opacity:.5}}</style>\n",
       map.width, map.height, strokeWidth(map, diagram));
-  if (auto written = sink.write(head); !written) {
-    return written;
-  }
+  VORPIPE_TRY(sink.write(head));
   const auto put = [&](Bytes& text, std::size_t site) { printCell(text, map, output, site); };
   auto polygons = writeEach(sink, diagram.status.size(), put, output.threads);
   if (!polygons) {

@@ -1,5 +1,6 @@
 #include <string_view>
 
+#include "base/try.h"
 #include "io/base/byte_order.h"
 #include "io/base/print.h"
 #include "io/cells/cells_file.h"
@@ -45,9 +46,7 @@ Result<void> writePolygons(ByteSink& sink, const CellsMesh& mesh) {
 template <class NumberOf>
 Result<void> writeCellData(ByteSink& sink, const CellsMesh& mesh, std::string_view name,
                            std::string_view type, const NumberOf& numberOf) {
-  if (auto head = sink.write(fmt::format("\nSCALARS {} {} 1\nLOOKUP_TABLE default\n", name, type)); !head) {
-    return head;
-  }
+  VORPIPE_TRY(sink.write(fmt::format("\nSCALARS {} {} 1\nLOOKUP_TABLE default\n", name, type)));
   return writeEach(sink, mesh.size(),
                    [&](Bytes& bytes, std::size_t face) { append(bytes, numberOf(mesh.sites[face])); });
 }

@@ -1,3 +1,4 @@
+#include "base/try.h"
 #include "io/base/print.h"
 #include "io/cells/cells_file.h"
 #include "io/cells/polygon_text.h"
@@ -27,9 +28,7 @@ Result<void> writeWktCells(ByteSink& sink, const CellsOutput& output) {
   if (diagram.status.empty()) {
     return sink.write("GEOMETRYCOLLECTION EMPTY\n");
   }
-  if (auto written = sink.write("GEOMETRYCOLLECTION ("); !written) {
-    return written;
-  }
+  VORPIPE_TRY(sink.write("GEOMETRYCOLLECTION ("));
   const auto put = [&](Bytes& text, std::size_t site) {
     text.append(std::string_view(site == 0 ? "\n" : ",\n"));
     printCell(text, {diagram, site, output.system});

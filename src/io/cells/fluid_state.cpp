@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/npy_array.h"
 #include "io/base/npz_file.h"
@@ -167,7 +168,7 @@ Result<FluidSetup> readFluid(const std::string& path) {
   FluidSetup setup{};
   FluidState& state = setup.state;
   FluidOptions& options = setup.options;
-  if (auto known = checkNames(*file); !known) return tl::unexpected(std::move(known.error()));
+  VORPIPE_TRY(checkNames(*file));
   Reader read(*file);
   for (const Point place : pointsOf(read.many<double>("sites", 2))) {
     state.sites.x.push_back(place.x);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "base/try.h"
+
 namespace vorpipe {
 namespace {
 
@@ -38,10 +40,10 @@ Result<void> writeArray(ByteSink& sink, const VtkArray& array) {
 }  // namespace
 
 Result<void> writeVtkXml(ByteSink& sink, const VtkPiece& piece) {
-  if (auto written = sink.write(headerOf(piece)); !written) return written;
+  VORPIPE_TRY(sink.write(headerOf(piece)));
   for (const VtkSection& section : piece.sections) {
     for (const VtkArray& array : section.arrays) {
-      if (auto written = writeArray(sink, array); !written) return written;
+      VORPIPE_TRY(writeArray(sink, array));
     }
   }
   return sink.write("\n</AppendedData>\n</VTKFile>\n");

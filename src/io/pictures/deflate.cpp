@@ -8,6 +8,8 @@
 #include <limits>
 #include <new>
 
+#include "base/try.h"
+
 namespace vorpipe {
 namespace {
 
@@ -51,7 +53,7 @@ Result<void> DeflateSink::deflate(std::string_view bytes, bool last) {
     [[maybe_unused]] const int code = ::deflate(&z, last ? Z_FINISH : Z_NO_FLUSH);
     assert(code != Z_STREAM_ERROR);
     const std::size_t count = piece.size() - z.avail_out;
-    if (auto written = to_->write({piece.data(), count}); !written) return written;
+    VORPIPE_TRY(to_->write({piece.data(), count}));
   } while (z.avail_out == 0);
   return {};
 }
@@ -59,7 +61,7 @@ Result<void> DeflateSink::deflate(std::string_view bytes, bool last) {
 Result<void> DeflateSink::write(std::string_view bytes) {
   constexpr std::size_t most = std::numeric_limits<uInt>::max();
   for (; !bytes.empty(); bytes.remove_prefix(std::min(most, bytes.size()))) {
-    if (auto written = deflate(bytes.substr(0, most), /*last=*/false); !written) return written;
+    VORPIPE_TRY(deflate(bytes.substr(0, most), /*last=*/false));
   }
   return {};
 }

@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/input_file.h"
 #include "io/base/memory_room.h"
@@ -22,9 +23,7 @@ namespace {
 template <class Integer>
 Result<void> readElements(InputFile& file, const NpyHeader& header, Image& image) {
   const std::uint64_t columns = header.shape[1];
-  if (auto room = checkRoom(file.name(), "ids", header.shape[0] * columns * sizeof(std::uint32_t)); !room) {
-    return room;
-  }
+  VORPIPE_TRY(checkRoom(file.name(), "ids", header.shape[0] * columns * sizeof(std::uint32_t)));
   image.ids.resize(header.shape[0] * columns);
   return eachPixel<Integer>(
       file, header, [&](std::uint64_t row, std::uint64_t column, Integer value) -> Result<void> {
@@ -66,9 +65,7 @@ Result<Image> readImage(InputFile& file) {
   Image image;
   image.height = static_cast<int>(shape[0]);
   image.width = static_cast<int>(shape[1]);
-  if (const auto read = readByType(file, *header, image); !read) {
-    return tl::unexpected(read.error());
-  }
+  VORPIPE_TRY(readByType(file, *header, image));
   return image;
 }
 
@@ -76,9 +73,7 @@ Result<Image> readImage(InputFile& file) {
 
 Result<void> writeNpyIds(ByteSink& sink, int width, int height, std::span<const std::uint32_t> ids) {
   const std::uint64_t shape[] = {static_cast<std::uint64_t>(height), static_cast<std::uint64_t>(width)};
-  if (auto written = sink.write(npyHeader("<u4", shape)); !written) {
-    return written;
-  }
+  VORPIPE_TRY(sink.write(npyHeader("<u4", shape)));
   std::array<char, std::size_t{1} << 16> chunk;
   constexpr std::size_t chunk_ids = chunk.size() / sizeof(std::uint32_t);
   while (!ids.empty()) {
@@ -88,9 +83,7 @@ Result<void> writeNpyIds(ByteSink& sink, int width, int height, std::span<const 
         chunk[i * sizeof(std::uint32_t) + byte] = static_cast<char>(ids[i] >> (8 * byte) & 0xFF);
       }
     }
-    if (auto written = sink.write({chunk.data(), count * sizeof(std::uint32_t)}); !written) {
-      return written;
-    }
+    VORPIPE_TRY(sink.write({chunk.data(), count * sizeof(std::uint32_t)}));
     ids = ids.subspan(count);
   }
   return {};

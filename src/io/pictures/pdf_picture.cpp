@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/print.h"
 #include "io/pictures/deflate.h"
@@ -150,7 +151,7 @@ Result<void> writeDual(ByteSink& page, Bytes& text, const VectorPicture& picture
     put(text, " m\n");
     printPoint(text, line.to);
     put(text, " l\nS\n");
-    if (auto written = writeIfFull(page, text); !written) return written;
+    VORPIPE_TRY(writeIfFull(page, text));
   }
   return {};
 }
@@ -160,7 +161,7 @@ Result<void> writeDots(ByteSink& page, Bytes& text, const VectorPicture& picture
     put(text, "q 1 0 0 1 ");
     printPoint(text, dot);
     print(text, FMT_COMPILE(" cm {} Do Q\n"), dot_name);
-    if (auto written = writeIfFull(page, text); !written) return written;
+    VORPIPE_TRY(writeIfFull(page, text));
   }
   return {};
 }
@@ -202,7 +203,7 @@ Result<void> writeLabels(ByteSink& page, Bytes& text, const VectorPicture& pictu
     }
     printColor(text, inkOn(color), "rg");
     printText(text, picture.textOf(label));
-    if (auto written = writeIfFull(page, text); !written) return written;
+    VORPIPE_TRY(writeIfFull(page, text));
   }
   return {};
 }
@@ -214,20 +215,20 @@ Result<void> writeContents(ByteSink& page, const VectorPicture& picture, double 
   const Box clip = picture.clip();
   printBox(text, clip.xmin, clip.ymin, clip.xmax - clip.xmin, clip.ymax - clip.ymin);
   put(text, "W n\n");
-  if (auto written = writeCells(page, text, picture); !written) return written;
+  VORPIPE_TRY(writeCells(page, text, picture));
   if (const Lines outline = picture.outline(); !outline.empty()) {
     printLines(text, outline, /*closed=*/true);
     put(text, "W* n\n");
   }
   if (picture.hasEdges()) {
-    if (auto written = writeEdges(page, text, picture); !written) return written;
+    VORPIPE_TRY(writeEdges(page, text, picture));
   }
   if (!picture.dual().empty()) {
-    if (auto written = writeDual(page, text, picture); !written) return written;
+    VORPIPE_TRY(writeDual(page, text, picture));
   }
-  if (auto written = writeDots(page, text, picture); !written) return written;
+  VORPIPE_TRY(writeDots(page, text, picture));
   put(text, "Q\n");
-  if (auto written = writeLabels(page, text, picture); !written) return written;
+  VORPIPE_TRY(writeLabels(page, text, picture));
   if (picture.legend()) printLegend(text, *picture.legend());
   return writeAll(page, text);
 }

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/input_file.h"
 #include "io/base/memory_room.h"
@@ -207,9 +208,7 @@ Result<Pixels> decode(InputFile& file, const std::string& path, int bits, std::u
   const png_uint_32 width = png_get_image_width(handles.png, handles.info);
   const png_uint_32 height = png_get_image_height(handles.png, handles.info);
   const auto of_pixel = max_channels * static_cast<std::size_t>(bits / 8);
-  if (auto fits = checkPixels(handles, file, path, of_pixel, of_result); !fits) {
-    return tl::unexpected(std::move(fits.error()));
-  }
+  VORPIPE_TRY(checkPixels(handles, file, path, of_pixel, of_result));
   const std::size_t row_size = width * of_pixel;
   Pixels pixels{static_cast<int>(width), static_cast<int>(height), {}};
   pixels.bytes.resize(row_size * height);

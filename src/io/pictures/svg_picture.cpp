@@ -4,6 +4,7 @@
 #include <new>
 #include <string_view>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/print.h"
 #include "io/pictures/vector_picture.h"
@@ -143,7 +144,7 @@ Result<void> writeDual(ByteSink& sink, Bytes& text, const VectorPicture& picture
     if (++lines_here < lines_of_path) continue;
     lines_here = 0;
     put(text, "\"/>\n");
-    if (auto written = writeIfFull(sink, text); !written) return written;
+    VORPIPE_TRY(writeIfFull(sink, text));
   }
   put(text, lines_here > 0 ? "\"/>\n</g>\n" : "</g>\n");
   return {};
@@ -165,7 +166,7 @@ Result<void> writeDots(ByteSink& sink, Bytes& text, const VectorPicture& picture
     // The line is half inside and half outside.
     printLength(text, "r", radius - rim / 2);
     put(text, "/>\n");
-    if (auto written = writeIfFull(sink, text); !written) return written;
+    VORPIPE_TRY(writeIfFull(sink, text));
   }
   put(text, "</g>\n");
   return {};
@@ -212,7 +213,7 @@ Result<void> writeLabels(ByteSink& sink, Bytes& text, const VectorPicture& pictu
   for (const SiteLabel& label : picture.labels()) {
     if (const auto box = picture.boxBelow(label)) printBox(text, *box);
     printText(text, picture.textOf(label), inkOn(picture.color(label.site)));
-    if (auto written = writeIfFull(sink, text); !written) return written;
+    VORPIPE_TRY(writeIfFull(sink, text));
   }
   put(text, "</g>\n");
   return {};
@@ -222,21 +223,21 @@ Result<void> write(ByteSink& sink, const VectorPicture& picture, const Diagram& 
   Bytes text;
   printHead(text, picture);
   put(text, "<g clip-path=\"url(#frame)\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n");
-  if (auto written = writeCells(sink, text, picture, diagram); !written) return written;
+  VORPIPE_TRY(writeCells(sink, text, picture, diagram));
   const bool outlined = !picture.outline().empty();
   if (outlined) put(text, "<g clip-path=\"url(#outline)\">\n");
   if (picture.hasEdges()) {
-    if (auto written = writeEdges(sink, text, picture); !written) return written;
+    VORPIPE_TRY(writeEdges(sink, text, picture));
   }
   if (!picture.dual().empty()) {
-    if (auto written = writeDual(sink, text, picture); !written) return written;
+    VORPIPE_TRY(writeDual(sink, text, picture));
   }
   if (!picture.dots().empty()) {
-    if (auto written = writeDots(sink, text, picture); !written) return written;
+    VORPIPE_TRY(writeDots(sink, text, picture));
   }
   put(text, outlined ? "</g>\n</g>\n" : "</g>\n");
   if (!picture.labels().empty()) {
-    if (auto written = writeLabels(sink, text, picture); !written) return written;
+    VORPIPE_TRY(writeLabels(sink, text, picture));
   }
   if (picture.legend()) printLegend(text, *picture.legend());
   put(text, "</svg>\n");

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/try.h"
+
 namespace vorpipe {
 namespace {
 
@@ -48,7 +50,7 @@ VectorPicture::VectorPicture(const Sites& sites, const Diagram& diagram, const R
 
 Result<VectorPicture> VectorPicture::make(const Sites& sites, const Diagram& diagram,
                                           const RenderOptions& options, int threads) {
-  if (auto checked = checkPicture(options); !checked) return tl::unexpected(std::move(checked.error()));
+  VORPIPE_TRY(checkPicture(options));
   VectorPicture picture(sites, diagram, options);
   auto colors = siteColors(sites, diagram, options);
   if (!colors) return tl::unexpected(std::move(colors.error()));
@@ -57,9 +59,7 @@ Result<VectorPicture> VectorPicture::make(const Sites& sites, const Diagram& dia
     picture.legend_ = legendOf(*picture.colors_.key, options.colormap, options.width, options.height);
   }
   if (options.show_sites) {
-    if (auto placed = picture.placeDots(sites, threads); !placed) {
-      return tl::unexpected(std::move(placed.error()));
-    }
+    VORPIPE_TRY(picture.placeDots(sites, threads));
   }
   if (options.dual) {
     auto lines = dualLines(sites, diagram, options, threads);
@@ -100,7 +100,7 @@ Result<void> VectorPicture::placeDots(const Sites& sites, int threads) {
     if (diagram_->status[i] != Status::duplicate) shown.push_back(i);
   }
   if (!options_->outline.empty()) {
-    if (auto kept = keepInOutline(at, shown, threads); !kept) return kept;
+    VORPIPE_TRY(keepInOutline(at, shown, threads));
   }
   dot_ = dotSizeOf(options_->dot_size, spacingOf(shown), {places_.frame().width, places_.frame().height});
   dots_.reserve(shown.size());
@@ -200,7 +200,7 @@ Result<void> VectorPicture::eachCell(const UseCell& use) const {
       rings.clear();
       addRing(cell, rings);
       if (rings.empty()) continue;
-      if (auto used = use(cell.index(), rings); !used) return used;
+      VORPIPE_TRY(use(cell.index(), rings));
       continue;
     }
     for (const Point by : shownCopies(boxOf(cell.vertices()), *options_, places_)) {
@@ -211,7 +211,7 @@ Result<void> VectorPicture::eachCell(const UseCell& use) const {
         for (const Point& vertex : all[r]) rings.add(pixelOf({vertex.x + by.x, vertex.y + by.y}));
       }
       if (rings.empty()) continue;
-      if (auto used = use(cell.index(), rings); !used) return used;
+      VORPIPE_TRY(use(cell.index(), rings));
     }
   }
   return {};
@@ -226,7 +226,7 @@ Result<void> VectorPicture::eachEdge(const UseLines& use) const {
       addEdges(cell, lines, [&](Point vertex) { return pixelOf({vertex.x + by.x, vertex.y + by.y}); });
       if (free_surface_) addSurface(cell, lines);
       if (lines.empty()) continue;
-      if (auto used = use(lines); !used) return used;
+      VORPIPE_TRY(use(lines));
     }
   }
   return {};

@@ -18,7 +18,7 @@ std::string_view nameOf(AttributeType type) {
     case AttributeType::integer:
       return "an integer of 64 bits";
     case AttributeType::real:
-      return "a number as JSON has it";
+      return "a number in JSON";
     case AttributeType::boolean:
       return "true or false";
     case AttributeType::json:

@@ -1,4 +1,4 @@
-/// Attributes that did not come out of a file of ours.
+/// Attributes that the library did not read from a file itself.
 #pragma once
 
 #include "io/base/attribute.h"

@@ -7,6 +7,7 @@
 #include <array>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/lower_case.h"
 #include "io/base/quoted.h"
 #include "io/sites/column_choice.h"
@@ -188,8 +189,8 @@ std::string noteOf(std::span<const std::string> names, const CsvColumns& columns
 Found namedColumns(std::span<const std::string> names, std::span<const std::string> chosen) {
   if (!chosen.empty()) return chosenColumns(names, chosen);
   CsvColumns columns;
-  if (auto found = findPlaces(names, columns); !found) return tl::unexpected(found.error());
-  if (auto found = findWeight(names, columns); !found) return tl::unexpected(found.error());
+  VORPIPE_TRY(findPlaces(names, columns));
+  VORPIPE_TRY(findWeight(names, columns));
   columns.note = noteOf(names, columns);
   return columns;
 }

@@ -7,6 +7,7 @@
 #include <new>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/extension.h"
 #include "io/base/input_file.h"
@@ -22,9 +23,7 @@ namespace {
 template <class Number>
 Result<Density> readElements(InputFile& file, const NpyHeader& header) {
   const std::uint64_t rows = header.shape[0], columns = header.shape[1];
-  if (auto room = checkRoom(file.name(), "pixels", rows * columns * sizeof(double)); !room) {
-    return tl::unexpected(std::move(room.error()));
-  }
+  VORPIPE_TRY(checkRoom(file.name(), "pixels", rows * columns * sizeof(double)));
   Density density{static_cast<int>(columns), static_cast<int>(rows), {}};
   density.values.resize(rows * columns);
   const auto read = eachPixel<Number>(

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/error.h"
 
 namespace vorpipe {
@@ -106,7 +107,7 @@ Result<void> placeDensity(const DensityFile& given, const std::string& name, Pla
     noteStretched(density, about, !name.empty(), placed, words);
     return {};
   }
-  if (auto checked = checkSystem(given, about, placed, words); !checked) return checked;
+  VORPIPE_TRY(checkSystem(given, about, placed, words));
   return checkCovered(density, about, placed);
 }
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/input_file.h"
 #include "io/base/npy_header.h"
@@ -112,7 +113,7 @@ Result<std::optional<MappedSites>> MappedSites::map(const std::string& path, int
   const std::size_t stride = header->fortran_order ? size : 2 * size;
   const std::size_t to_y = header->fortran_order ? count * size : size;
   mapped.sites_ = {{first, stride, are_floats}, {first + to_y, stride, are_floats}, count};
-  if (auto looked = mapped.look(path, threads); !looked) return tl::unexpected(looked.error());
+  VORPIPE_TRY(mapped.look(path, threads));
   return mapped;
 }
 

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/extension.h"
 #include "io/base/input_file.h"
@@ -61,9 +62,7 @@ Result<OutlineFile> readByExtension(const std::string& path, const std::string& 
   if (!read) return read;
   if (read->outline.empty()) return inputError(path + ": holds no polygon");
   if (read->system.kind == CoordinateKind::degrees && !mayBeDegrees(read->outline)) read->system = {};
-  if (auto beside = readSystemBeside(path, read->system); !beside) {
-    return tl::unexpected(std::move(beside.error()));
-  }
+  VORPIPE_TRY(readSystemBeside(path, read->system));
   return read;
 }
 

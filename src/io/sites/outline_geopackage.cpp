@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/feature_layer.h"
 #include "io/base/geometry_polygons.h"
@@ -17,10 +18,10 @@ tl::expected<void, std::string> addRow(const FeatureLayer& layer, Outline& outli
   const auto geometry = layer.geometry();
   if (!geometry) return {};
   std::vector<PolygonRings> polygons;
-  if (auto taken = takeGeometryPolygons(*geometry, polygons); !taken) return taken;
+  VORPIPE_TRY(takeGeometryPolygons(*geometry, polygons));
   for (PolygonRings& rings : polygons) {
     for (auto& ring : rings) {
-      if (auto added = addRing(std::move(ring), outline); !added) return added;
+      VORPIPE_TRY(addRing(std::move(ring), outline));
     }
     endPolygon(outline);
   }

@@ -10,6 +10,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/line_reader.h"
 #include "io/base/number.h"
@@ -151,11 +152,9 @@ Result<PixelPlace> placeBeside(const std::string& path, int width, int height) {
     if (!box) return tl::unexpected(box.error());
     place.box = *box;
   }
-  if (auto taken = takeAux(path, width, height, place); !taken)
-    return tl::unexpected(std::move(taken.error()));
+  VORPIPE_TRY(takeAux(path, width, height, place));
   if (!place.box) return place;
-  if (auto beside = readSystemBeside(path, place.system); !beside)
-    return tl::unexpected(std::move(beside.error()));
+  VORPIPE_TRY(readSystemBeside(path, place.system));
   return place;
 }
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/sites/degrees.h"
 
@@ -90,12 +91,12 @@ Result<void> checkSystems(const Request& request) {
 /// What contradicts itself, wherever the sites are.
 Result<void> checkSettings(const Request& request) {
   const auto& [settings, placed, words] = request;
-  if (auto systems = checkSystems(request); !systems) return systems;
-  if (auto margin = checkMargin(request); !margin) return margin;
+  VORPIPE_TRY(checkSystems(request));
+  VORPIPE_TRY(checkMargin(request));
   if (settings.repair && settings.outline.empty()) {
     return inputError(fmt::format("{}: is for the polygons of {}", words.repair, words.domain));
   }
-  if (auto period = checkPeriod(request); !period) return period;
+  VORPIPE_TRY(checkPeriod(request));
   if (settings.project && placed.from == SitesFrom::generator) {
     return inputError(fmt::format("{}: is for files in degrees, not for {}", words.project, words.sites));
   }
@@ -278,7 +279,7 @@ Result<void> project(const Request& request) {
   if (!degrees) return tl::unexpected(degrees.error());
   const auto projection = projectionFor(request, *degrees);
   if (!projection) return renamed(request.words.project, projection.error());
-  if (auto taken = projectSites(request, *projection); !taken) return taken;
+  VORPIPE_TRY(projectSites(request, *projection));
   if (degrees->empty()) return takeDomainOfSites(request);
   auto whole = mendedBy([&](bool repair) { return mendedToPlane(*projection, *degrees, repair); }, request);
   if (!whole) return tl::unexpected(std::move(whole.error()));
@@ -332,7 +333,7 @@ void noteNowhere(const Request& request) {
 Result<void> foundDomain(const Request& request) {
   const auto& [settings, placed, words] = request;
   if (settings.project) {
-    if (auto taken = project(request); !taken) return taken;
+    VORPIPE_TRY(project(request));
     return checkReach(request);
   }
   noteDegrees(request);
@@ -359,7 +360,7 @@ Result<void> foundDomain(const Request& request) {
 
 Result<void> findDomain(const DomainSettings& settings, PlacedSites& placed, const DomainWords& words) {
   const Request request{settings, placed, words};
-  if (auto checked = checkSettings(request); !checked) return checked;
+  VORPIPE_TRY(checkSettings(request));
   return foundDomain(request).map([&] { noteNowhere(request); });
 }
 

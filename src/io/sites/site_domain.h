@@ -69,7 +69,7 @@ Result<void> findDomain(const DomainSettings& settings, PlacedSites& placed, con
 /// Leaves out the sites that are not kept, with their attributes; the domain stays.
 void keepSites(PlacedSites& placed, std::vector<Attribute>& attributes, const std::vector<bool>& kept);
 
-/// A box as options have it: XMIN,YMIN,XMAX,YMAX.
+/// A box as in options: XMIN,YMIN,XMAX,YMAX.
 std::string boxText(const Box& box);
 
 /// What becomes of the domain in a picture of another aspect where nothing says so: files with sites and

@@ -8,6 +8,7 @@
 #include <new>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/extension.h"
 #include "io/base/input_file.h"
@@ -91,9 +92,7 @@ Result<SiteTable> readSites(const std::string& path, const ReadOptions& options)
                                     table->skipped > 0 ? ": what a site needs is missing in every row" : ""));
     }
     if (!table) return table;
-    if (auto beside = readSystemBeside(path, table->system); !beside) {
-      return tl::unexpected(std::move(beside.error()));
-    }
+    VORPIPE_TRY(readSystemBeside(path, table->system));
     return table;
   } catch (const std::bad_alloc&) {
     return deviceError(name + ": there is not enough memory for its sites");

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/feature_layer.h"
 #include "io/base/geometry_points.h"
@@ -24,7 +25,7 @@ class GeoPackageSites {
       : layer_(std::move(layer)), table_(path, options) {}
 
   Result<SiteTable> read() {
-    if (auto columns = findColumns(); !columns) return tl::unexpected(columns.error());
+    VORPIPE_TRY(findColumns());
     table_.system() = layer_.system();
     for (std::uint64_t row = 1;; ++row) {
       const auto more = layer_.next();

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/memory_room.h"
 #include "io/base/npy_elements.h"
@@ -81,9 +82,7 @@ Result<SiteTable> readNpySites(InputFile file, const ReadOptions& options) {
   const auto room = checkRoom(file.name(), what, header->shape[0] * columns->size() * sizeof(double));
   if (!room) return tl::unexpected(room.error());
   SiteTable table;
-  if (const auto read = readElements(file, *header, *columns, table.sites); !read) {
-    return tl::unexpected(read.error());
-  }
+  VORPIPE_TRY(readElements(file, *header, *columns, table.sites));
   if (options.columns.empty() && columns->size() == site_numbers.size()) {
     table.notes.push_back(fmt::format("{}: {}", file.name(), third_is_weight));
   }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/try.h"
 #include "io/base/error.h"
 #include "io/base/line_reader.h"
 #include "io/base/lower_case.h"
@@ -67,7 +68,7 @@ class TextSites {
                               "commas are decimal; keep one of them, and write 1.5, not 1,5");
       }
       if (fields_.empty()) continue;
-      if (auto row = readRow(**line); !row) return tl::unexpected(std::move(row.error()));
+      VORPIPE_TRY(readRow(**line));
     }
   }
 
@@ -126,7 +127,7 @@ class TextSites {
       return readHeader();
     }
     if (count_ == 0) {
-      if (auto first = readFirst(); !first) return first;
+      VORPIPE_TRY(readFirst());
     }
     if (fields_.size() != count_) {
       return lines_.errorAt(

@@ -54,7 +54,7 @@ struct Drop {
   std::vector<std::string> paths;
 };
 struct Close {};
-/// Of scripts alone: goes on when the sharp picture of all that came before stands in the window, or when
+/// Of scripts alone: continues when the sharp picture of all that came before stands in the window, or when
 /// `seconds` are over, if they are not 0.
 struct Wait {
   double seconds = 0;

@@ -7,6 +7,8 @@
 #include <array>
 #include <utility>
 
+#include "base/try.h"
+
 namespace vorpipe::view {
 namespace {
 
@@ -53,7 +55,7 @@ Result<std::shared_ptr<const Glfw>> Glfw::start() {
   static std::weak_ptr<const Glfw> running;
   if (auto shared = running.lock()) return shared;
   auto started = std::make_shared<Glfw>();
-  if (auto loaded = load(*started); !loaded) return tl::unexpected(std::move(loaded).error());
+  VORPIPE_TRY(load(*started));
   if (started->init() == GLFW_FALSE) {
     return tl::unexpected(Error{ErrorCode::device, fmt::format("no display: {}", started->lastError())});
   }

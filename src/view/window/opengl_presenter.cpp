@@ -12,6 +12,7 @@
 #include "backend/opengl/buffer.h"
 #include "backend/opengl/gl.h"
 #include "backend/opengl/shader.h"
+#include "base/try.h"
 #include "shaders.h"
 #include "view/window/frame_parts.h"
 #include "view/window/presenters.h"
@@ -91,7 +92,7 @@ class OpenglPresenter final : public Presenter {
     glVertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride,
                           opengl::bufferOffset(offsetof(PanelVertex, rgba)));
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    if (auto used = useProgram(); !used) return used;
+    VORPIPE_TRY(useProgram());
     return opengl::takeErrors("preparing the window");
   }
 
@@ -122,7 +123,7 @@ class OpenglPresenter final : public Presenter {
       glBindFramebuffer(GL_DRAW_FRAMEBUFFER, canvas_framebuffer_);
       clear(background);
     }
-    if (auto drawn = drawTriangles(trianglesOf(frame, width, height)); !drawn) return drawn;
+    VORPIPE_TRY(drawTriangles(trianglesOf(frame, width, height)));
     copyToWindow();
     drawn_ = true;
     auto shown = opengl::takeErrors("showing a frame");
@@ -141,7 +142,7 @@ class OpenglPresenter final : public Presenter {
     shown.rgba.resize(static_cast<std::size_t>(shown.width) * static_cast<std::size_t>(shown.height));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, canvas_framebuffer_);
     glReadPixels(0, 0, shown.width, shown.height, GL_RGBA, rgba_word, shown.rgba.data());
-    if (auto read = opengl::takeErrors("reading the window"); !read) return tl::unexpected(read.error());
+    VORPIPE_TRY(opengl::takeErrors("reading the window"));
     return shown;
   }
 
@@ -170,7 +171,7 @@ class OpenglPresenter final : public Presenter {
 
   Result<void> drawTriangles(const FrameTriangles& triangles) {
     if (triangles.parts.empty()) return {};
-    if (auto used = useProgram(); !used) return used;
+    VORPIPE_TRY(useProgram());
     glViewport(0, 0, canvas_.width, canvas_.height);
     glBindVertexArray(attributes_);
     vertices_->write(std::as_bytes(std::span(triangles.vertices)));
@@ -216,7 +217,7 @@ class OpenglPresenter final : public Presenter {
 
 Result<std::unique_ptr<Presenter>> makeOpenglPresenter(const Glfw& glfw, GLFWwindow* window) {
   auto presenter = std::make_unique<OpenglPresenter>(glfw, window);
-  if (auto started = presenter->start(); !started) return tl::unexpected(std::move(started).error());
+  VORPIPE_TRY(presenter->start());
   return presenter;
 }
 

@@ -44,7 +44,7 @@ TEST(AttributeNames, AreTheirOwnUnlessAFieldHasThem) {
                                           Attribute("id")};
   EXPECT_THAT(attributeNames(attributes), ElementsAre("name", "input_area", "input_NAME", "input_input_area",
                                                       "input_", "input_Fid", "id"));
-  EXPECT_THAT(renamingNote(attributes), AllOf(HasSubstr("\"area\" is \"input_area\", \"NAME\" is"),
+  EXPECT_THAT(renamingNote(attributes), AllOf(HasSubstr("\"area\" to \"input_area\", \"NAME\" to"),
                                               Not(HasSubstr("\"id\"")), Not(HasSubstr("\n"))));
   EXPECT_EQ(renamingNote(std::span(attributes).first(1)), "");
   // The row numbers of a GeoPackage, which its user did not name.

@@ -1,0 +1,13 @@
+/// Errors passed on.
+#pragma once
+
+#include <utility>
+
+#include "vorpipe.h"
+
+/// Returns from the function that this stands in with the error of a result, where it is one.
+#define VORPIPE_TRY(...)                                \
+  if (auto tried = (__VA_ARGS__); !tried.has_value()) { \
+    return tl::unexpected(std::move(tried).error());    \
+  }                                                     \
+  static_assert(true)
